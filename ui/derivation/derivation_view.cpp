@@ -48,6 +48,7 @@ struct BlockText {
     return items.join(QLatin1Char('\n'));
   }
   QString operator()(const ReportFigure& /*block*/) const { return {}; }
+  QString operator()(const ReportCurves& block) const { return QString::fromStdString(block.caption); }
 };
 
 }  // namespace
@@ -212,7 +213,7 @@ void DerivationView::paintEvent(QPaintEvent* event) {
   const std::size_t first = after > 0 ? after - 1 : 0;
   for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) paintLight(painter, i, origin);
   const FlowPainter::Colors colors{qColor(ColorRole::ink, theme), qColor(ColorRole::secondary, theme),
-                                   qColor(ColorRole::hairline, theme)};
+                                   qColor(ColorRole::hairline, theme), theme};
   for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) {
     m_painter.paint(painter, m_lines[i], origin + QPointF(0, m_tops[i]), font(), colors);
   }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/presentation/drawing/svg_writer.h"
+#include "ui/canvas/mark_painter.h"
+
 namespace geargraph::inline ui_derivation {
 namespace {
 
@@ -11,6 +14,18 @@ QFont fontOf(const QFont& base, const WordLook& look) {
   font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.size))));
   font.setBold(look.bold);
   return font;
+}
+
+void paintCurves(QPainter& painter, const FlowFigure& figure, QPointF origin, Theme theme) {
+  const Extent sheet = sheetOf(*figure.curves, {});
+  const double scale = figure.width / (2 * sheet.halfWidth);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(origin + QPointF(figure.x, 0));
+  painter.scale(scale, scale);
+  painter.translate(-sheet.left(), -sheet.top());
+  paintMarks(painter, figure.curves->marks, theme, scale);
+  painter.restore();
 }
 
 }  // namespace
@@ -37,6 +52,7 @@ void FlowPainter::paint(QPainter& painter, const FlowLine& line, QPointF origin,
     m_formulas.paint(painter, *formula.box, origin + QPointF(formula.x, std::round(formula.y)), formula.size,
                      {colors.ink, colors.soft});
   }
+  if (line.figure && line.figure->curves) paintCurves(painter, *line.figure, origin, colors.theme);
 }
 
 }  // namespace geargraph::inline ui_derivation

@@ -27,6 +27,7 @@ class FlowPainter {
     QColor ink;
     QColor soft;
     QColor hairline;
+    Theme theme = Theme::light;  ///< of curves
   };
 
   /// The strip with its upper left corner at `origin`; words in `base`, as FontMeasure has measured them.

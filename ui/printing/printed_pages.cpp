@@ -46,6 +46,7 @@ PrintedPages::PrintedPages(QString title, std::vector<PrintedDrawing> drawings,
   flow.width = (paper.width() - 2 * kSide) * kDots;
   flow.size = flow.formulaSize = kSize * kDots;
   flow.tallest = body - 3 * flow.size;
+  flow.curvesScale = kPoints * kDots;
   const FontMeasure measure(font);
   m_lines = titleLines(*m_report, flow, measure);
   for (FlowLine& line : m_report->lines(flow, measure)) m_lines.push_back(std::move(line));

@@ -90,6 +90,9 @@ py::tuple blockOf(const ReportBlock& block) {
       constexpr std::array kDrawings = {"schematic", "digraph", "ttgraph"};
       return py::make_tuple("figure", kDrawings.at(static_cast<std::size_t>(figure.drawing)), figure.caption);
     }
+    py::tuple operator()(const ReportCurves& curves) const {
+      return py::make_tuple("figure", "curves", curves.caption);
+    }
   };
   return std::visit(Visitor(), block);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/equation_flow.h"
 #include "core/presentation/pages/paragraph.h"
 #include "core/presentation/typeset/tex_reader.h"
@@ -58,22 +59,13 @@ class FlowWriter {
   }
   void operator()(const ReportFigure& figure) {
     const auto size = m_flow.figureSize ? m_flow.figureSize(figure.drawing) : std::nullopt;
-    if (!size) return;
-    const double part = std::min({1.0, m_flow.width / size->width, 0.42 * m_flow.tallest / size->height});
-    const double width = part * size->width, height = part * size->height;
-    FlowLine line;
-    line.above = 1.2 * m_flow.size;
-    line.height = height;
-    line.keepsWithNext = true;
-    line.figure = FlowFigure{figure.drawing, (m_flow.width - width) / 2, width, height};
-    put({line});
-    const WordLook look{0.9 * m_flow.size, false, true};
-    const double words = m_measure.widthOf(figure.caption, look);
-    FlowLine caption;
-    caption.above = 0.4 * m_flow.size;
-    caption.height = 2 * look.size;
-    caption.words.push_back({figure.caption, (m_flow.width - words) / 2, look.size, look});
-    put({caption});
+    if (size) putFigure(*size, {figure.drawing}, figure.caption);
+  }
+  void operator()(const ReportCurves& curves) {
+    auto list = std::make_shared<const DisplayList>(chartDrawing(curves.charts));
+    const Extent sheet = sheetOf(*list, {});
+    const double scale = 2 * m_flow.curvesScale;
+    putFigure({scale * sheet.halfWidth, scale * sheet.halfHeight}, {{}, std::move(list)}, curves.caption);
   }
   void operator()(const ReportTable& table) {
     std::vector<ReportWords> head;
@@ -92,6 +84,27 @@ class FlowWriter {
   }
 
  private:
+  /// A figure, smaller where it does not fit, and its caption.
+  void putFigure(const FlowLook::FigureSize& size, FlowFigure figure, const std::string& caption) {
+    const double part = std::min({1.0, m_flow.width / size.width, 0.42 * m_flow.tallest / size.height});
+    figure.width = part * size.width;
+    figure.height = part * size.height;
+    figure.x = (m_flow.width - figure.width) / 2;
+    FlowLine line;
+    line.above = 1.2 * m_flow.size;
+    line.height = figure.height;
+    line.keepsWithNext = true;
+    line.figure = std::move(figure);
+    put({line});
+    const WordLook look{0.9 * m_flow.size, false, true};
+    const double words = m_measure.widthOf(caption, look);
+    FlowLine below;
+    below.above = 0.4 * m_flow.size;
+    below.height = 2 * look.size;
+    below.words.push_back({caption, (m_flow.width - words) / 2, look.size, look});
+    put({below});
+  }
+
   static double firstBaseline(const FlowLine& line) {
     if (!line.words.empty()) return line.words.front().y;
     return line.formulas.empty() ? 0 : line.formulas.front().y;

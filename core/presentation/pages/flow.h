@@ -48,6 +48,7 @@ struct FlowRule {
 /// A drawing and the room that it has.
 struct FlowFigure {
   ReportDrawing drawing = ReportDrawing::digraph;
+  std::shared_ptr<const DisplayList> curves = {};  ///< null: `drawing`
   double x = 0, width = 0, height = 0;
 };
 
@@ -79,6 +80,7 @@ struct FlowLook {
     double width = 0, height = 0;
   };
   std::function<std::optional<FigureSize>(ReportDrawing)> figureSize = {};
+  double curvesScale = 1;  ///< units that a px of curves takes where there is room
 };
 
 /// The formulas of a report, read and set as wide as they are: done once for every width and size.

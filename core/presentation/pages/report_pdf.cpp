@@ -60,7 +60,8 @@ class PagePainter {
       m_pages.formula(*formula.box, kSide + formula.x, top + formula.y, formula.size, kInk, kSoft);
     }
     if (const auto& figure = line.figure) {
-      m_pages.drawing(m_drawings.of(figure->drawing), kSide + figure->x, top, figure->width, figure->height);
+      m_pages.drawing(figure->curves ? *figure->curves : m_drawings.of(figure->drawing), kSide + figure->x,
+                      top, figure->width, figure->height);
     }
   }
 
@@ -85,6 +86,7 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   flow.width = kWidth;
   flow.size = flow.formulaSize = kSize;
   flow.tallest = kBody - 3 * kSize;
+  flow.curvesScale = kPoints;
   flow.figureSize = [&](ReportDrawing drawing) -> std::optional<FlowLook::FigureSize> {
     const DisplayList& list = drawings.of(drawing);
     if (list.marks.empty()) return std::nullopt;

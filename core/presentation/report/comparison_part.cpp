@@ -79,6 +79,9 @@ class ComparisonPart : private ReportPart {
     return placement.classes->classOf[static_cast<std::size_t>(term.joint)] == geometry.tailClass;
   }
 
+  static double countOf(const Operations& operations) {
+    return static_cast<double>(operations.products + operations.sums);
+  }
   static std::string countText(const Operations& operations) {
     return std::to_string(operations.products) + (operations.products == 1 ? " product, " : " products, ") +
            std::to_string(operations.sums) + (operations.sums == 1 ? " sum" : " sums");
@@ -126,6 +129,24 @@ class ComparisonPart : private ReportPart {
                             reportWords(countText(count.matroid)), reportWords(countText(count.ttGraph))});
     }
     put(std::move(table));
+    put(ReportCurves{familyCharts(), "Multiplications and additions from the equations to the solution"});
+  }
+
+  /// A chart for each family, over the number of moving links.
+  static std::vector<CurveChart> familyCharts() {
+    std::vector<CurveChart> charts;
+    for (const TrainFamily family : {TrainFamily::chain, TrainFamily::stack, TrainFamily::wrist}) {
+      CurveChart chart{
+          familyName(family), "moving links", {{"Inverse and product", {}}, {"Substitution", {}}}};
+      for (const FamilyCount& count : familyCounts()) {
+        if (count.family != family) continue;
+        const double links = count.links;
+        chart.curves[0].points.push_back({links, countOf(count.matroid)});
+        chart.curves[1].points.push_back({links, countOf(count.ttGraph)});
+      }
+      charts.push_back(std::move(chart));
+    }
+    return charts;
   }
 
   void addClaims(const MethodComparison& comparison) {

@@ -1,4 +1,5 @@
 #include "core/foundations/base/wording.h"
+#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/report/mathml.h"
 #include "core/presentation/report/report.h"
 
@@ -84,12 +85,17 @@ class HtmlWriter {
   }
   std::string operator()(const ReportFigure& figure) const {
     const std::string& svg = of(figure.drawing);
-    if (svg.empty()) return {};
-    return "<figure>\n" + std::string(withoutProlog(svg)) + "<figcaption>" + escapedXml(figure.caption) +
-           "</figcaption>\n</figure>\n";
+    return svg.empty() ? std::string() : figureOf(svg, figure.caption);
+  }
+  std::string operator()(const ReportCurves& curves) const {
+    return figureOf(svgOf(chartDrawing(curves.charts), {}, curves.caption), curves.caption);
   }
 
  private:
+  static std::string figureOf(const std::string& svg, const std::string& caption) {
+    return "<figure>\n" + std::string(withoutProlog(svg)) + "<figcaption>" + escapedXml(caption) +
+           "</figcaption>\n</figure>\n";
+  }
   static std::string attributeOf(const ElementId& element) {
     return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
   }

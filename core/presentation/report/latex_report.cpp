@@ -114,6 +114,7 @@ struct LatexWriter {
     return text + "\\end{itemize}\n";
   }
   std::string operator()(const ReportFigure& /*figure*/) const { return {}; }
+  std::string operator()(const ReportCurves& /*curves*/) const { return {}; }
 };
 
 }  // namespace

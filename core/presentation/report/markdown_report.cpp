@@ -56,6 +56,7 @@ struct MarkdownWriter {
     return text + "\n";
   }
   std::string operator()(const ReportFigure& /*figure*/) const { return {}; }
+  std::string operator()(const ReportCurves& /*curves*/) const { return {}; }
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/presentation/drawing/curve_chart.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::inline report {
@@ -55,8 +56,13 @@ struct ReportFigure {
   ReportDrawing drawing = ReportDrawing::digraph;
   std::string caption;
 };
-using ReportBlock =
-    std::variant<ReportHeading, ReportParagraph, ReportEquation, ReportTable, ReportList, ReportFigure>;
+/// Curves, in the forms that can hold a drawing. What they show stands in a table, too.
+struct ReportCurves {
+  std::vector<CurveChart> charts;
+  std::string caption;
+};
+using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportEquation, ReportTable, ReportList,
+                                 ReportFigure, ReportCurves>;
 
 /// A mechanism worked out by both methods, step by step, as data: Eqs. (1)-(45) of [AU] for its own links,
 /// joints and teeth. An immutable value that each form (reportLatex() ...) writes down as it can.

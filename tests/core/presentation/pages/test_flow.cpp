@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/flow.h"
 #include "core/presentation/report/report_words.h"
 
@@ -169,6 +170,17 @@ class FlowTest : public QObject {
     QVERIFY(lines[0].figure->width <= kWidth && lines[0].keepsWithNext);
     flow.figureSize = [](ReportDrawing) { return std::optional(FlowLook::FigureSize{50, 25}); };
     QCOMPARE(linesOf({ReportFigure{ReportDrawing::digraph, "Digraph"}}, flow)[0].figure->width, 50.0);
+  }
+
+  void curvesBringTheirOwnDrawing() {
+    const CurveChart chart{"chain", "moving links", {{"Substitution", {{1, 2}, {3, 4}}}}};
+    const auto lines = linesOf({ReportCurves{{chart, chart, chart}, "Operations"}});
+    QCOMPARE(lines.size(), std::size_t{2});
+    const FlowFigure& figure = *lines[0].figure;
+    const Extent sheet = sheetOf(*figure.curves, {});
+    QVERIFY(std::abs(figure.width / figure.height - sheet.halfWidth / sheet.halfHeight) < 1e-9);
+    QVERIFY(figure.x > -1e-9 && figure.x + figure.width <= kWidth + 1e-9 && lines[0].keepsWithNext);
+    QCOMPARE(lines[1].words[0].text, std::string("Operations"));
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
+#include "core/teaching/comparison/comparison_families.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
@@ -89,6 +90,34 @@ class ReportTest : public QObject {
   }
 
  private slots:
+  /// The table's numbers as curves: a chart for each family, drawn in the web page.
+  void theMethodsAreComparedByCurves() {
+    const Report report = reportOf(test::example("robot"));
+    std::vector<ReportCurves> found;
+    for (const ReportBlock& block : report.blocks) {
+      if (const auto* curves = std::get_if<ReportCurves>(&block)) found.push_back(*curves);
+    }
+    QCOMPARE(found.size(), std::size_t{1});
+    QCOMPARE(found[0].charts.size(), std::size_t{3});
+    std::size_t points = 0;
+    for (const CurveChart& chart : found[0].charts) {
+      QCOMPARE(chart.curves.size(), std::size_t{2});
+      QCOMPARE(chart.curves[0].points.size(), chart.curves[1].points.size());
+      points += chart.curves[0].points.size();
+    }
+    QCOMPARE(points, familyCounts().size());
+    // A row of n gears: (n - 1)(n - 2) / 2 products by the inverse, n - 2 by substitution, and no sums.
+    for (std::size_t i = 0; i < found[0].charts[0].curves[0].points.size(); ++i) {
+      const SheetPoint inverse = found[0].charts[0].curves[0].points[i];
+      const double n = inverse.x;
+      QCOMPARE(inverse.y, (n - 1) * (n - 2) / 2);
+      QCOMPARE(found[0].charts[0].curves[1].points[i].y, n - 2);
+    }
+    const std::string page = reportHtml(report, {});
+    QVERIFY(page.find("<figcaption>" + found[0].caption) != std::string::npos);
+    QVERIFY(page.find(">Substitution</text>") != std::string::npos);
+  }
+
   // The paper's own text, with its own numbers.
   void theRobotIsThePaper() {
     const auto equations = numbered(reportOf(test::example("robot")));

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/presentation/drawing/display_list.h"
+
+namespace geargraph::inline drawing {
+
+/// A curve through points, in the order of their x.
+struct ChartCurve {
+  std::string name;
+  std::vector<SheetPoint> points;
+};
+
+/// Curves over one quantity, from 0 on both axes.
+struct CurveChart {
+  std::string title;
+  std::string xTitle;
+  std::vector<ChartCurve> curves;  ///< at most kMostChartCurves
+};
+
+constexpr std::size_t kMostChartCurves = 4;
+
+/// Charts side by side, with axes, round numbers at their ticks, a mark at each point (of another form for
+/// each curve, so that they can be told apart without colours), and one legend for the names of all.
+/// @pre all charts have curves of the same names; no value is negative
+[[nodiscard]] DisplayList chartDrawing(const std::vector<CurveChart>& charts);
+
+/// The least of 1, 2, 5 times a power of ten that divides 0 to `most` into at most `parts` parts.
+/// @pre most > 0, parts > 0
+[[nodiscard]] double tickStep(double most, int parts);
+
+}  // namespace geargraph::inline drawing
