@@ -19,7 +19,7 @@ constexpr double kTick = 4;
 constexpr double kMark = 3.2;
 constexpr double kLegendLine = 26;
 constexpr int kMostXParts = 5;
-constexpr int kMostYParts = 4;
+constexpr int kMostYParts = 5;
 
 constexpr std::array<Dash, kMostChartCurves> kDashes = {Dash::solid, Dash::dashed, Dash::dotted,
                                                         Dash::dashDotted};
