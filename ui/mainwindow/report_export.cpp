@@ -130,8 +130,9 @@ void WindowExports::chooseAndExportHandoutAsking(const SheetPlan& plan) {
 /// Where the user wants it, with the suffix of the form that was chosen where none was typed.
 QString WindowExports::handoutPath(const QStringList& forms, QString& chosen) const {
   const QString name = QFileInfo(m_files.title()).completeBaseName();
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Export handout"), name + QStringLiteral("-handout"),
-                                              forms.join(QStringLiteral(";;")), &chosen);
+  QString path =
+      QFileDialog::getSaveFileName(m_window, tr("Export handout"), name + QStringLiteral("-handout"),
+                                   forms.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty() || !QFileInfo(path).suffix().isEmpty()) return path;
   return path + (chosen.contains(QLatin1String("*.zip")) ? QStringLiteral(".zip") : QStringLiteral(".html"));
 }

@@ -134,7 +134,7 @@ struct LessonStep {
 struct Lesson {
   std::string id;  ///< "cycle-basis": progress is kept under it; empty: it is not kept
   std::string title;
-  int minutes = 5;  ///< that it takes; 0: not said
+  int minutes = 5;                 ///< that it takes; 0: not said
   std::string goal;                ///< what the learner can do afterwards: "fill in a row of C"
   std::vector<std::string> terms;  ///< names of the glossary
   std::vector<LessonStep> steps;

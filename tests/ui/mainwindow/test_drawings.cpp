@@ -87,11 +87,11 @@ class DrawingsTest : public QObject {
     QCOMPARE(schematic("shown.svg"), behind);
   }
 
-  // A page with the three drawings as they are in the window, and both methods' last equations.
+  // A page with the three drawings as they are in the window, the curves, and both methods' last equations.
   void theDerivationIsAFile() {
     QVERIFY(window->actions().exportDerivation->isEnabled());
     const QByteArray page = derivation("derivation.html");
-    QCOMPARE(page.count("<svg"), qsizetype{3});
+    QCOMPARE(page.count("<svg"), qsizetype{4});
     QVERIFY(page.contains("id=\"eq25\"") && page.contains("id=\"eq45\""));
     QVERIFY(derivation("derivation.tex").startsWith("\\documentclass"));
     QVERIFY(derivation("derivation.md").startsWith("# Geared robotic mechanism"));
@@ -102,7 +102,7 @@ class DrawingsTest : public QObject {
   void theHandoutIsAFile() {
     QVERIFY(window->actions().exportHandout->isEnabled());
     const QByteArray page = handout("handout.html");
-    QCOMPARE(page.count("<figure>"), qsizetype{3});
+    QCOMPARE(page.count("<figure data-name="), qsizetype{3});
     QVERIFY(page.contains("id=\"geometry\"") && page.contains("src=\"data:image/png;base64,"));
     QVERIFY(page.contains("id=\"eq25\"") && page.endsWith("</html>\n"));
   }
