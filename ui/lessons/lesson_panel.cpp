@@ -113,7 +113,8 @@ LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* pare
     if (m_check->isEnabled()) m_check->click();
   });
   connect(m_form, &AnswerForm::edited, this, [this] {
-    if (m_state != State::wrong) return;
+    const bool isTold = m_state == State::wrong || (m_state == State::open && !m_result->text().isEmpty());
+    if (!isTold) return;
     m_form->unmark();
     m_result->clear();
     setState(State::open);

@@ -127,6 +127,7 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(panel().state(), State::open);
     QTest::keyClicks(field, "0.667");  // selected, so it is replaced; a decimal of three digits will do
+    QVERIFY(panel().resultText().isEmpty());  // it was said of another answer
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(panel().state(), State::right);
     QCOMPARE(panel().progress().score(), 1);
