@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRadioButton>
@@ -281,6 +282,16 @@ bool AnswerForm::eventFilter(QObject* watched, QEvent* event) {
     if (auto* button = qobject_cast<QRadioButton*>(watched->property("choice").value<QObject*>())) {
       button->click();
       button->setFocus();
+    }
+  }
+  if (event->type() == QEvent::KeyPress) {
+    // Choices and lists take no notice of Return; lines of text do.
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool isChoice =
+        qobject_cast<QRadioButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
+    if (isChoice && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+      emit submitted();
+      return true;
     }
   }
   if (event->type() == QEvent::FocusIn) {

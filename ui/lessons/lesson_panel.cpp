@@ -55,6 +55,25 @@ class StepBar : public QWidget {
   LessonProgress m_progress;
 };
 
+namespace {
+
+/// As high as what it holds wants to be now; QScrollArea keeps the first answer to that.
+class FormScroll : public QScrollArea {
+ public:
+  explicit FormScroll(QWidget* parent) : QScrollArea(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  [[nodiscard]] QSize sizeHint() const override { return widget()->sizeHint(); }
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::event(event);
+  }
+};
+
+}  // namespace
+
 LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_service(new LessonService(this)) {
   setObjectName(QStringLiteral("lessonPanel"));
@@ -78,9 +97,8 @@ LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* pare
   answers->setContentsMargins(20, 0, 16, 4);
   answers->addWidget(m_form);
   // As high as the form, where there is room: the verdict stays on the screen below it.
-  m_scroll = new QScrollArea(this);
-  m_scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
-  m_scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  m_scroll = new FormScroll(this);
+  m_scroll->setObjectName(QStringLiteral("lessonForm"));
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setWidget(page);

@@ -5,6 +5,8 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "core/foundations/files/file.h"
@@ -133,6 +135,30 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QCOMPARE(panel().progress().score(), 1);
     QTest::keyClick(part<QPushButton>("lessonCheck"), Qt::Key_Return);
     QTRY_COMPARE(panel().step(), 1);
+  }
+
+  void aChoiceIsMadeAndCheckedByKeys() {
+    play("links-and-joints");
+    auto* choice = part<QRadioButton>("choice.0");
+    QTest::keyClick(choice, Qt::Key_Space);
+    QVERIFY(choice->isChecked());
+    QTest::keyClick(choice, Qt::Key_Return);
+    QCOMPARE(panel().state(), State::right);
+  }
+
+  /// What is said of an answer stands below the form: that is as high as its fields, if there is room.
+  void theFormIsAsHighAsItsFields() {
+    play("gear-pair");
+    for (const char* lesson : {"links-and-joints", "digraph-and-incidence", "gear-pair"}) {
+      panel().play(std::make_shared<const Lesson>(course()[positionOf(lesson)]), QString());
+      panel().goTo(lesson == std::string("digraph-and-incidence") ? 1 : 0);
+      QTRY_COMPARE(panel().state(), State::open);
+      auto* form = part<QScrollArea>("lessonForm");
+      const auto* check = part<QPushButton>("lessonCheck");
+      if (lesson != std::string("digraph-and-incidence"))
+        QTRY_COMPARE(form->verticalScrollBar()->maximum(), 0);
+      QCOMPARE(check->visibleRegion().boundingRect(), check->rect());
+    }
   }
 
   void hintsAndShowingCostPoints() {
