@@ -5,7 +5,7 @@ fresh_system() {
   local base=$root/build/packages-debian-$2
   if [ ! -e "$base/made" ]; then
     rm -rf "$base"
-    debootstrap --variant=minbase "$2" "$base" "${GEARGRAPH_DEBIAN_MIRROR:-http://deb.debian.org/debian}" >&2
+    debootstrap --variant=minbase "$2" "$base" ${GEARGRAPH_DEBIAN_MIRROR:+"$GEARGRAPH_DEBIAN_MIRROR"} >&2
     touch "$base/made"
   fi
   system=$out/trial/$1
