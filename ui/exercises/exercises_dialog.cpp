@@ -171,6 +171,7 @@ void ExercisesDialog::setMechanism(const MechanismPtr& mechanism) {
 
 void ExercisesDialog::onAnswer(const ExerciseAnswer& answer) {
   if (answer.mechanism != m_mechanism) return;
+  m_offered = answer.mechanism;
   m_difficulty->setText(shown(answer.difficulty));
   showOffers(answer.offers);
   renewButtons();
@@ -238,12 +239,17 @@ void ExercisesDialog::renewButtons() {
     button->setToolTip(why.isEmpty() ? tip : why);
   };
   const QString tooMany = tr("A sheet has at most %1 questions.").arg(kMostQuestions);
-  const QString why = isEmpty ? nothing : count > kMostQuestions ? tooMany : QString();
+  // A kind that the former mechanism gave cannot be asked of this one.
+  const bool isWaiting =
+      m_mechanism != nullptr && m_mechanism->n() <= kMostExerciseLinks && m_offered != m_mechanism;
+  const QString waiting = tr("The solution is still being worked out. Try again in a moment.");
+  const QString why = isWaiting ? waiting : isEmpty ? nothing : count > kMostQuestions ? tooMany : QString();
   const bool isLong = count > static_cast<int>(kMostLessonSteps);
   set(m_practise, tr("Answer the questions in a window of their own, with hints and reasons"),
-      isEmpty  ? nothing
-      : isLong ? tr("At most %1 questions are practised at once.").arg(kMostLessonSteps)
-               : QString());
+      isWaiting ? waiting
+      : isEmpty ? nothing
+      : isLong  ? tr("At most %1 questions are practised at once.").arg(kMostLessonSteps)
+                : QString());
   const bool hasForm =
       std::any_of(m_forms.begin(), m_forms.end(), [](const auto& form) { return form.second->isChecked(); });
   set(m_sheets, tr("Sheets, solutions and files for answers, which geargraph-cli exercises grade reads"),

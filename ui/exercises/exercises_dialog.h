@@ -45,6 +45,8 @@ class ExercisesDialog : public QDialog {
 
   ExerciseService* m_service;
   MechanismPtr m_mechanism;
+  MechanismPtr
+      m_offered;  ///< whose kinds are listed: another one while those of m_mechanism are on their way
   bool m_isPractising = false;  ///< the lesson that was asked for has not come yet
   QLabel* m_difficulty;
   QListWidget* m_kinds;

@@ -112,6 +112,16 @@ class ExercisesDialogTest : public QObject {
     QVERIFY(!practise.isEnabled() && practise.toolTip().contains("kind"));
   }
 
+  /// Until its own kinds are known nothing is asked of another mechanism.
+  void kindsOfTheFormerMechanismAreNotAsked() {
+    m_dialog->setMechanism(std::make_shared<const Mechanism>(test::example("spur-pair")));
+    auto& practise = part<QPushButton>("exercisePractise");
+    QVERIFY(!practise.isEnabled() && !practise.toolTip().isEmpty());
+    QVERIFY(!part<QPushButton>("exerciseSheets").isEnabled());
+    QVERIFY(!part<QPushButton>("exerciseHandout").isEnabled());
+    QTRY_VERIFY(practise.isEnabled());
+  }
+
   void sheetsAreWantedInTheFormsThatAreChosen() {
     QSignalSpy wanted(m_dialog.get(), &ExercisesDialog::sheetsWanted);
     part<QSpinBox>("exerciseVariants").setValue(30);
