@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -163,9 +164,12 @@ void GestureSoak::step() {
   if (m_sinceGesture.elapsed() > kStuck) return giveUp();
   if (isOver || m_ending) return endRound();
   next();
-  const std::size_t windows = m_windows->windows().size();
+  const std::vector<MainWindow*> before = m_windows->windows();
   act();
-  if (m_windows->windows().size() > windows) m_watchdog->renameActivity(kOpening);
+  // Another language builds the windows anew.
+  for (const MainWindow* each : m_windows->windows()) {
+    if (std::find(before.begin(), before.end(), each) == before.end()) m_watchdog->renameActivity(kOpening);
+  }
 }
 
 void GestureSoak::act() {

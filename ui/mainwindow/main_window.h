@@ -27,6 +27,9 @@ class ProblemsPanel;
 class PropertiesPanel;
 class ResultsPanel;
 }  // namespace geargraph::inline panels
+namespace geargraph::inline printing {
+struct PrintSource;
+}  // namespace geargraph::inline printing
 namespace geargraph::inline search {
 class SearchField;
 }  // namespace geargraph::inline search
@@ -206,6 +209,8 @@ class MainWindow : public QMainWindow {
   void showShortcuts();
 
   void showPrintDialog();
+  void drawForPrint(PrintSource source, const MechanismPtr& mechanism, int next);
+  void openPrintDialog(PrintSource source);
   void showHistory();
   [[nodiscard]] bool isView3DInFocus() const;
   void showDerivation();

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
+#include <QTimer>
 #include <QWhatsThis>
 
 #include "core/mechanism/model/edits.h"
@@ -364,12 +365,26 @@ void MainWindow::showPrintDialog() {
   PrintSource source;
   const QString name = shownText(m_document->mechanism()->name);
   source.title = name.isEmpty() ? m_files->title() : name;
-  for (int i = 0; i < m_drawings->count(); ++i) {
-    DrawingView* each = m_allDrawings[static_cast<std::size_t>(i)];
-    DisplayList list = each->picture();
-    if (each->whyNoPicture().isEmpty()) source.drawings.push_back({m_drawings->tabText(i), std::move(list)});
-    if (each == &drawing()) source.inFront = source.drawings.size() - 1;
+  drawForPrint(std::move(source), m_document->mechanism(), 0);
+}
+
+/// The drawings from `next` on, each in an event of its own, as a large one takes as long as one may wait
+/// for.
+void MainWindow::drawForPrint(PrintSource source, const MechanismPtr& mechanism, int next) {
+  if (m_document->mechanism() != mechanism) return showPrintDialog();  // edited meanwhile
+  if (next == m_drawings->count()) return openPrintDialog(std::move(source));
+  DrawingView* each = m_allDrawings[static_cast<std::size_t>(next)];
+  DisplayList list = each->picture();
+  if (each->whyNoPicture().isEmpty()) {
+    if (each == &drawing()) source.inFront = source.drawings.size();
+    source.drawings.push_back({m_drawings->tabText(next), std::move(list)});
   }
+  QTimer::singleShot(0, this, [this, source = std::move(source), mechanism, next]() mutable {
+    drawForPrint(std::move(source), mechanism, next + 1);
+  });
+}
+
+void MainWindow::openPrintDialog(PrintSource source) {
   source.whyNoDerivation = m_exports->whyNoDerivation();
   if (source.whyNoDerivation.isEmpty() && !analysis().isComplete())
     source.whyNoDerivation = tr("The solution is still being worked out.");

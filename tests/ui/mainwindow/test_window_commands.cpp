@@ -147,8 +147,9 @@ class WindowCommandsTest : public QObject {
 
   void theDocumentIsPrinted() {
     press(Qt::Key_P, Qt::ControlModifier);
+    QTRY_VERIFY(window->findChild<PrintDialog*>() != nullptr);
     auto* dialog = window->findChild<PrintDialog*>();
-    QVERIFY(dialog != nullptr && dialog->isVisible());
+    QVERIFY(dialog->isVisible());
     QTRY_VERIFY(dialog->isUpToDate());
     QCOMPARE(dialog->pages()->count(), 1);
     QCOMPARE(dialog->pages()->describe(0), QStringLiteral("Digraph"));
