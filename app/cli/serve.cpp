@@ -17,6 +17,7 @@
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_table.h"
 #include "core/presentation/results/diagnostics_json.h"
 
 namespace geargraph::cli {
@@ -113,8 +114,10 @@ class Server {
     if (m_documents.size() >= kMostDocuments) return Refusal{"limit", "Over 1,000 documents are open."};
     const auto given = params.member("text");
     if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
-      return Refusal{"request", "\"open\" takes \"text\": a document, as a text or as an object."};
-    auto read = readMechanism(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
+      return Refusal{"request",
+                     "\"open\" takes \"text\": a document, as a text or as an object; or a table (CSV)."};
+    const std::string text = given->is(JsonKind::string) ? given->string() : std::string(given->slice());
+    auto read = looksLikeTable(text) ? readMechanismTable(text) : readMechanism(text);
     if (!read) return refused(read.error());
     const std::string name = std::to_string(++m_opened);
     m_documents.emplace(name, std::make_shared<const Mechanism>(std::move(read).value()));

@@ -73,6 +73,18 @@ class TestServe : public QObject {
     }
   }
 
+  void tablesAreOpened() {
+    Served served;
+    const QByteArray table =
+        printed({"convert", QString(SOURCE) + "/resources/examples/robot.geargraph", "--to", "csv"});
+    QVERIFY(table.startsWith("element,"));
+    const std::string opened = served.open(table.toStdString());
+    const json back = served.ask("text", {{"document", opened}}).at("result").at("text");
+    QCOMPARE(json::parse(back.get<std::string>()).at("gearMeshes"), robot().at("gearMeshes"));
+    const json wrong = served.ask("open", {{"text", "element,label\nturningJoint,a\n"}});
+    QCOMPARE(wrong.at("error").at("code"), json("schema"));
+  }
+
   void textsAndBytesAreExported() {
     Served served;
     const std::string document = served.open(robot().dump());

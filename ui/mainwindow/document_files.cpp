@@ -14,6 +14,7 @@
 
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_table.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -54,7 +55,13 @@ Expected<Mechanism> readDocument(const QString& path) {
   if (const auto* error = std::get_if<FileError>(&bytes)) {
     return Diagnostic{Code::syntax, error->message, {}, {}, 0, 0};
   }
-  return readMechanism(std::get<std::string>(bytes));
+  const auto& text = std::get<std::string>(bytes);
+  return isTable(path) ? readMechanismTable(text) : readMechanism(text);
+}
+
+bool isTable(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  return suffix == QLatin1String("csv") || suffix == QLatin1String("tsv");
 }
 
 std::optional<Expected<Mechanism>> readPatiently(const std::function<Expected<Mechanism>()>& read,

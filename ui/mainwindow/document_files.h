@@ -12,8 +12,12 @@ class QWidget;
 
 namespace geargraph::inline mainwindow {
 
-/// Reads a document from a file or, for a path that begins with ":/", from the program's own resources. A
-/// file that cannot be read at all is a `syntax` finding with the system's reason.
+/// Is it a table of a document (`geargraph-cli convert`), by its name: "*.csv" or "*.tsv"? A table is
+/// imported, and the document saved to a file of its own.
+[[nodiscard]] bool isTable(const QString& path);
+
+/// Reads a document or a table from a file or, for a path that begins with ":/", from the program's own
+/// resources. A file that cannot be read at all is a `syntax` finding with the system's reason.
 [[nodiscard]] Expected<Mechanism> readDocument(const QString& path);
 
 /// Reads on a thread while the window goes on painting. After a silence (ms) a dialog says what is read, and

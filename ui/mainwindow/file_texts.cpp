@@ -10,6 +10,13 @@ QString documentFilter() {
   return QCoreApplication::translate("MainWindow", "GearGraph documents (*.geargraph);;All files (*)");
 }
 
+QString readableFilter() {
+  return QCoreApplication::translate("MainWindow",
+                                     "Documents and tables (*.geargraph *.csv *.tsv);;"
+                                     "GearGraph documents (*.geargraph);;"
+                                     "Tables of documents (*.csv *.tsv);;All files (*)");
+}
+
 QString textOf(const Difference& difference) {
   return shownText(differenceText(difference));
 }

@@ -7,8 +7,10 @@
 
 namespace geargraph::inline mainwindow {
 
-/// The file types of the dialogs that open and save documents.
+/// The file types of the dialog that saves documents.
 [[nodiscard]] QString documentFilter();
+/// Those of the dialog that opens them: tables, too.
+[[nodiscard]] QString readableFilter();
 
 /// What changed from one document to another: "2 links added, 1 mesh removed".
 [[nodiscard]] QString textOf(const Difference& difference);

@@ -1,6 +1,7 @@
 #include "ui/mainwindow/window_files.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -68,6 +69,7 @@ void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
 }
 
 void WindowFiles::show(Mechanism mechanism, const QString& path) {
+  if (isTable(path)) return import(std::move(mechanism), path);
   const bool isExample = path.startsWith(QLatin1String(":/"));
   emit read();
   m_selection->clear();
@@ -77,6 +79,18 @@ void WindowFiles::show(Mechanism mechanism, const QString& path) {
   if (isExample) return;
   offerInterrupted(path);
   offerLeftBehind();
+}
+
+/// A table has no place for all of a document, so that nothing is saved to it.
+void WindowFiles::import(Mechanism mechanism, const QString& table) {
+  emit read();
+  startAnew();
+  const QString name = QFileInfo(table).fileName();
+  m_document->apply(
+      takingOver(tr("Import of %1").arg(name), std::make_shared<const Mechanism>(std::move(mechanism))));
+  m_proposed =
+      QFileInfo(table).dir().filePath(QFileInfo(table).completeBaseName() + QStringLiteral(".geargraph"));
+  emit noted(tr("%1 was imported. Save writes a document of its own.").arg(name));
 }
 
 void WindowFiles::startAnew() {
@@ -89,6 +103,7 @@ void WindowFiles::startAnew() {
 /// The document as it is now is what stands in this file.
 void WindowFiles::took(const QString& path) {
   m_onDisk = m_document->mechanism();
+  m_proposed.clear();
   m_watch.watch(path);
   withdrawSaving();
   claim(path);
@@ -144,7 +159,7 @@ void WindowFiles::openForPerson(const QString& path) {
 
 void WindowFiles::chooseAndOpen() {
   const QString folder = QFileInfo(m_document->filePath()).path();
-  const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, documentFilter());
+  const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, readableFilter());
   if (!path.isEmpty()) openForPerson(path);
 }
 

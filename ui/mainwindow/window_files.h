@@ -68,7 +68,8 @@ class WindowFiles : public QObject {
   /// Opens a file or an example in this window. A broken one is listed in the problems with its places, and
   /// the document that was open stays.
   bool open(const QString& path);
-  /// Takes a document that was read from there.
+  /// Takes a document that was read from there. That of a table gets no file: it is an edit of an empty
+  /// document.
   void show(Mechanism mechanism, const QString& path);
   /// Says why a file was not opened.
   void sayBroken(const QString& path, const Diagnostics& why);
@@ -135,6 +136,7 @@ class WindowFiles : public QObject {
 
  private:
   struct Offered;
+  void import(Mechanism mechanism, const QString& table);
   void restore(const std::shared_ptr<Offered>& offered);
   void offerLeftBehind();
   void onForeignChange();
@@ -164,6 +166,7 @@ class WindowFiles : public QObject {
   RecentFiles* m_recent;
   Windows* m_windows = nullptr;
   QString m_recoveryFolder;
+  QString m_proposed;     ///< the file's name that is proposed for a document of an imported table
   QString m_example;      ///< the example that is open, which is no file yet
   MechanismPtr m_onDisk;  ///< what the file held when it was read or written here
   FileWatch m_watch;

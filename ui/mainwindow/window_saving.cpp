@@ -69,10 +69,11 @@ bool WindowFiles::saveOrChoose() {
 
 bool WindowFiles::chooseAndSave() {
   QString proposed = m_document->filePath();
+  if (proposed.isEmpty()) proposed = m_proposed;
   if (proposed.isEmpty()) proposed = m_example.isEmpty() ? tr("untitled.geargraph") : title();
   QString path = QFileDialog::getSaveFileName(m_window, tr("Save as"), proposed, documentFilter());
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) {
+  if (QFileInfo(path).suffix().isEmpty() || isTable(path)) {
     path += QStringLiteral(".geargraph");
     if (QFileInfo::exists(path) && !mayReplace(path)) return false;
   }

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "core/mechanism/document_format/mechanism_table.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/recent_files.h"
@@ -105,6 +106,38 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     set->openFrom(file.fileName(), first().files());
     QCOMPARE(set->windows().size(), std::size_t{1});
     QVERIFY(first().statusLine().text().contains(QStringLiteral("broken.geargraph")));
+  }
+
+  /// The table is not the document's file: it would lose what it has no place for.
+  void aTableIsImported() {
+    set->start({});
+    QVERIFY(first().files().open(examplePaths().front()));
+    const MechanismPtr robot = first().document().mechanism();
+    const QString table = folder->filePath(QStringLiteral("robot.csv"));
+    QFile file(table);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(writeMechanismTable(*robot)));
+    file.close();
+    set->openFrom(table, first().files());
+    QCOMPARE(set->windows().size(), std::size_t{1});  // only an example was looked at
+    const Document& document = first().document();
+    QCOMPARE(*document.mechanism(), tablePart(*robot).mechanism);
+    QVERIFY(document.isModified() && document.filePath().isEmpty());
+    QVERIFY(first().statusLine().text().contains(QStringLiteral("robot.csv")));
+    first().document().undoStack().undo();
+    QCOMPARE(document.mechanism()->n(), 0);
+    QVERIFY(!document.isModified());
+  }
+
+  void aWrongTableIsListedAndTheDocumentStays() {
+    set->start({written(QStringLiteral("one.geargraph"), 1)});
+    QFile file(folder->filePath(QStringLiteral("wrong.csv")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("element,label\nlink,1\nturningJoint,a\n");
+    file.close();
+    set->openFrom(file.fileName(), first().files());
+    QCOMPARE(first().document().mechanism()->n(), 1);
+    QVERIFY(first().statusLine().text().contains(QStringLiteral("wrong.csv")));
   }
 
   void theWindowLivesWhileALargeFileIsRead() {
