@@ -257,10 +257,12 @@ void JointForm::placeAxes(int index, const std::optional<Number>& number, bool o
                 const AxisId id = before.mechanism().find(JointId(joint.id))->axis;
                 const Axis axis = *before.mechanism().find(id);
                 if (!ofPoint) {
-                  return unplaced(withAxisPlaced(before, id, axis.point,
-                                                 withComponent(axis.direction, index, number, kUpwards)));
+                  const auto direction = withComponent(axis.direction, index, number, kUpwards);
+                  if (direction == axis.direction) return before;  // by another joint about this axis
+                  return unplaced(withAxisPlaced(before, id, axis.point, direction));
                 }
                 const auto point = withComponent(axis.point, index, number, kOrigin);
+                if (point == axis.point) return before;
                 if (point && axis.point) return withAxisMoved(before, id, *point);
                 return unplaced(withAxisPlaced(before, id, point, axis.direction));
               });

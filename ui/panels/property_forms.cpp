@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <atomic>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/pins.h"
@@ -12,6 +13,12 @@
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {
+namespace {
+
+/// Elements to be changed times joints and meshes: some tens of milliseconds.
+constexpr std::size_t kMostAtOnce = 20'000;
+
+}  // namespace
 
 PropertyForm::PropertyForm(Document* document, std::vector<ElementId> elements)
     : m_document(document),
@@ -116,26 +123,46 @@ void PropertyForm::showWrong(const QString& why) {
 }
 
 void PropertyForm::apply(const QString& text, const Change& change) {
-  applyAtOnce(text, [change, ids = m_elements](const Mechanism& before) -> Expected<Mechanism> {
-    Mechanism next = before;
-    for (const ElementId& element : ids) {
-      Expected<Mechanism> changed = change(std::move(next), element);
-      if (!changed) return changed.error();
-      next = std::move(changed).value();
-    }
-    return next;
-  });
+  applyToEach(text,
+              [change, ids = m_elements](const PlacedMechanism& before, const LongEdit::Progress& progress) {
+                Expected<Mechanism> next = before.mechanism();
+                for (auto element = ids.begin();
+                     element != ids.end() && next && !progress.stop.stop_requested(); ++element) {
+                  next = change(std::move(next).value(), *element);
+                  ++*progress.done;
+                }
+                return unplaced(std::move(next));
+              });
 }
 
 void PropertyForm::applyFitted(const QString& text, const FittedChange& change) {
-  applyAtOnce(text, [change, ids = m_elements](const PlacedMechanism& before) -> Expected<PlacedMechanism> {
-    PlacedMechanism next = before;
-    for (const ElementId& element : ids) {
-      Expected<PlacedMechanism> changed = change(next, element);
-      if (!changed) return changed;
-      next = std::move(changed).value();
-    }
-    return next;
+  applyToEach(text,
+              [change, ids = m_elements](const PlacedMechanism& before, const LongEdit::Progress& progress) {
+                Expected<PlacedMechanism> next = before;
+                for (auto element = ids.begin();
+                     element != ids.end() && next && !progress.stop.stop_requested(); ++element) {
+                  next = change(*next, *element);
+                  ++*progress.done;
+                }
+                return next;
+              });
+}
+
+/// The change of one element takes as long as the document is large.
+void PropertyForm::applyToEach(const QString& text, const LongEdit::Work& work) {
+  const std::size_t size = mechanism().turningJoints.size() + mechanism().gearMeshes.size();
+  if (m_elements.size() == 1 || m_elements.size() * size <= kMostAtOnce) {
+    return applyAtOnce(text, [work](const PlacedMechanism& before) {
+      std::atomic<int> done = 0;
+      return work(before, {{}, &done});
+    });
+  }
+  showWrong({});
+  const auto* edit =
+      new LongEdit(m_document, window(), text, m_gesture, static_cast<int>(m_elements.size()), work);
+  connect(edit, &LongEdit::ended, this, [this](const QString& why) {
+    if (isAboutExisting()) refresh();  // fields may show what was not accepted
+    showWrong(why);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/teaching/derivation/glossary.h"
 #include "ui/document/document.h"
+#include "ui/panels/long_edit.h"
 
 class QAbstractButton;
 class QCheckBox;
@@ -62,6 +63,7 @@ class PropertyForm : public QWidget {
   void apply(const QString& text, const Change& change);
   void applyFitted(const QString& text, const FittedChange& change);
   void applyAtOnce(const QString& text, const Reduce& reduce);
+  void applyToEach(const QString& text, const LongEdit::Work& work);
   /// What is wrong with what stands in a field, below the fields; empty: nothing.
   void showWrong(const QString& why);
   void newGesture() { m_gesture = m_document->newGesture(); }

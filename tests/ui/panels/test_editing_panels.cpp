@@ -1,21 +1,32 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QProgressDialog>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
+#include <semaphore>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/panels/editing_panels.h"
 #include "ui/panels/link_parts.h"
+#include "ui/panels/long_edit.h"
 #include "ui/panels/speed_slider.h"
 
 namespace geargraph {
 
 class EditingPanelsTest : public QObject, private EditingPanels {
   Q_OBJECT
+
+  void addBrake() {
+    QVERIFY(document->apply(
+        {QStringLiteral("Add brake"),
+         [](const Mechanism& before) { return withBrake(before, before.links.back().id); }, 0}));
+  }
 
  private slots:
   void init() { open(); }
@@ -77,6 +88,65 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     QTest::keyClick(low, Qt::Key_Down);  // from the document's value on
     QCOMPARE(limits(), (JointLimits{Number(-5), Number(45)}));
     QVERIFY(!low->property("wrong").toBool());
+  }
+
+  /// What takes long for all of a large document is worked out beside the window, and may be cancelled.
+  void manyElementsAreChangedBesideTheWindow() {
+    document->replace(test::randomTrain(7, 400, 160), {});
+    const MechanismPtr before = document->mechanism();
+    std::vector<ElementId> all;
+    for (const TurningJoint& joint : before->turningJoints) all.emplace_back(joint.id);
+    selection.select({all.begin(), all.end()});
+    type(numberOf("highLimit"), QStringLiteral("90"));
+    QCOMPARE(document->mechanism(), before);  // being worked out
+    addBrake();
+    QTRY_COMPARE(document->mechanism()->turningJoints.back().limits.high, Number(90));
+    QCOMPARE(document->mechanism()->couplings.size(), std::size_t{1});  // what came in between is kept
+    QVERIFY(std::all_of(document->mechanism()->turningJoints.begin(),
+                        document->mechanism()->turningJoints.end(),
+                        [](const TurningJoint& joint) { return joint.limits.high == Number(90); }));
+    QCOMPARE(document->undoStack().count(), 2);
+
+    type(numberOf("lowLimit"), QStringLiteral("20"));  // the reference pose has to be within
+    auto* wrong = properties->findChild<QLabel*>(QStringLiteral("wrong"));
+    QTRY_VERIFY(wrong->isVisible());
+    QCOMPARE(document->undoStack().count(), 2);
+    QCOMPARE(numberOf("lowLimit")->text(), QString());
+  }
+
+  void aLongEditSaysHowFarItIsAndCanBeCancelled() {
+    std::binary_semaphore gate(0);
+    std::atomic<bool> wasStopped = false;
+    QSignalSpy changed(document.get(), &Document::changed);
+    auto* edit = new LongEdit(document.get(), properties.get(), QStringLiteral("Change all"), 0, 10,
+                              [&](const PlacedMechanism& placed, const LongEdit::Progress& progress) {
+                                *progress.done = 4;
+                                const std::stop_callback stopped(progress.stop, [&] { gate.release(); });
+                                gate.acquire();
+                                wasStopped = progress.stop.stop_requested();
+                                return Expected<PlacedMechanism>(placed);
+                              });
+    QSignalSpy ended(edit, &LongEdit::ended);
+    QTRY_VERIFY(properties->findChild<QProgressDialog*>() != nullptr);
+    auto* dialog = properties->findChild<QProgressDialog*>();
+    QVERIFY(dialog->labelText().contains(QStringLiteral("Change all")));
+    QTRY_COMPARE(dialog->value(), 4);
+    dialog->findChild<QPushButton*>()->click();
+    QTRY_COMPARE(ended.count(), 1);
+    QTRY_VERIFY(wasStopped);
+    QTRY_VERIFY(properties->findChild<QProgressDialog*>() == nullptr);
+    QCOMPARE(changed.count(), 0);
+  }
+
+  void aLongEditEndsWithItsDocument() {
+    std::binary_semaphore gate(0);
+    new LongEdit(document.get(), properties.get(), QStringLiteral("Change all"), 0, 10,
+                 [&](const PlacedMechanism& placed, const LongEdit::Progress& progress) {
+                   const std::stop_callback stopped(progress.stop, [&] { gate.release(); });
+                   gate.acquire();
+                   return Expected<PlacedMechanism>(placed);
+                 });
+    close();
   }
 
   void severalMeshesChangeTogether() {
