@@ -51,9 +51,11 @@ void move(const QPointer<QWidget>& widget, QPoint at) {
   if (widget && hits(widget, at)) QTest::mouseMove(handleOf(widget), inWindow(widget, at));
 }
 
+/// Pressing may be the end of the window; QTest would release the key there nevertheless.
 void key(const QPointer<QWidget>& widget, int code, Qt::KeyboardModifiers keys = {}) {
-  if (widget && handleOf(widget) != nullptr)
-    QTest::keyClick(handleOf(widget), static_cast<Qt::Key>(code), keys);
+  const QPointer<QWindow> handle(widget ? handleOf(widget) : nullptr);
+  if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code), keys);
+  if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code), keys);
 }
 
 /// What would end the round, or the program.
@@ -285,8 +287,10 @@ void GestureSoak::typeText() {
   }};
   for (const QChar character : kTexts[below(static_cast<int>(kTexts.size()))]) {
     steps.emplace_back([on, character] {
-      if (on && handleOf(on) != nullptr)
-        QTest::sendKeyEvent(QTest::Click, handleOf(on), Qt::Key_unknown, QString(character), {});
+      const QPointer<QWindow> handle(on ? handleOf(on) : nullptr);
+      for (const QTest::KeyAction action : {QTest::Press, QTest::Release}) {
+        if (handle) QTest::sendKeyEvent(action, handle, Qt::Key_unknown, QString(character), {});
+      }
     });
   }
   const int end = oneIn(3) ? Qt::Key_Escape : Qt::Key_Return;

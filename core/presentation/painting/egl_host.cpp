@@ -4,7 +4,10 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <condition_variable>
+#include <cstdint>
 #include <cstring>
+#include <mutex>
 #include <utility>
 
 #include "core/presentation/painting/gl_renderer.h"
@@ -30,6 +33,56 @@ EGLDisplay surfacelessDisplay() {
   }
   return eglGetDisplay(EGL_DEFAULT_DISPLAY);
 }
+
+/// Contexts of a driver in software take turns on all threads, in the order in which they ask: Mesa 22.3
+/// crashed while two windows painted at once. They would share the same processors anyway.
+class Turns {
+ public:
+  void take() {
+    std::unique_lock lock(m_mutex);
+    const std::uint64_t ours = m_asked++;
+    m_changed.wait(lock, [&] { return m_served == ours; });
+  }
+  void give() {
+    {
+      const std::lock_guard lock(m_mutex);
+      ++m_served;
+    }
+    m_changed.notify_all();
+  }
+  /// To whoever waits. @pre the driver does nothing for this thread
+  void pass() {
+    give();
+    take();
+  }
+
+ private:
+  std::mutex m_mutex;
+  std::condition_variable m_changed;
+  std::uint64_t m_asked = 0;
+  std::uint64_t m_served = 0;
+};
+
+Turns& turns() {
+  static Turns all;
+  return all;
+}
+
+/// A turn as long as it lives, where there are any to take.
+class Turn {
+ public:
+  explicit Turn(bool isTaken) : m_isTaken(isTaken) {
+    if (m_isTaken) turns().take();
+  }
+  ~Turn() {
+    if (m_isTaken) turns().give();
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  bool m_isTaken;
+};
 
 /// Makes a context current and, when it goes, what was current before.
 class Current {
@@ -101,6 +154,7 @@ struct EglHost::Context {
 EglHost::EglHost(std::unique_ptr<Context> context) : m_context(std::move(context)) {}
 
 Expected<std::unique_ptr<EglHost>> EglHost::create() {
+  const Turn turn(true);
   auto context = std::make_unique<Context>();
   const std::string problem = context->open();
   if (!problem.empty()) return refused(problem);
@@ -115,8 +169,12 @@ Expected<std::unique_ptr<EglHost>> EglHost::create() {
 }
 
 EglHost::~EglHost() {
-  const Current current(m_context->display, m_context->context);
-  m_renderer.reset();
+  const Turn turn(isSoftware());
+  {
+    const Current current(m_context->display, m_context->context);
+    m_renderer.reset();
+  }
+  m_context.reset();
 }
 
 const std::string& EglHost::name() const {
@@ -130,21 +188,27 @@ int EglHost::maximumSide() const {
 }
 
 void EglHost::setScene(const Scene& scene) {
+  const Turn turn(isSoftware());
   const Current current(m_context->display, m_context->context);
   m_renderer->setScene(scene);
 }
 
 Image EglHost::picture(const Frame& frame) {
+  const Turn turn(isSoftware());
   const Current current(m_context->display, m_context->context);
-  return m_renderer->picture(frame);
+  Frame inTurns = frame;
+  if (isSoftware()) inTurns.pause = [] { turns().pass(); };
+  return m_renderer->picture(inTurns);
 }
 
 std::optional<Hit> EglHost::pick(const Frame& frame, double x, double y) {
+  const Turn turn(isSoftware());
   const Current current(m_context->display, m_context->context);
   return m_renderer->pick(frame, x, y);
 }
 
 SeenMap EglHost::seen(const Frame& frame, int columns, int rows) {
+  const Turn turn(isSoftware());
   const Current current(m_context->display, m_context->context);
   return m_renderer->seen(frame, columns, rows);
 }

@@ -396,6 +396,7 @@ bool GlRenderer::paintRows(const Frame& frame, int first, int count, Image& imag
   m_gl->ReadPixels(
       0, first - m_strip.bottom, size.width, count, GL_RGBA, GL_UNSIGNED_BYTE,
       image.rgba.data() + 4 * static_cast<std::size_t>(first) * static_cast<std::size_t>(size.width));
+  if (frame.pause) frame.pause();
   return true;
 }
 

@@ -198,6 +198,7 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showin
     queued += batch.solid->indices(part) * batch.instances.size();
     if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
     m_gl->Finish();
+    if (frame.pause) frame.pause();
     queued = 0;
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -43,6 +44,8 @@ struct Frame {
   std::optional<double> floor;      ///< z of the ground's disc; none: just below the scene's own poses
   std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid is before them
   std::stop_token stop = {};  ///< once requested, painting ends early, and its picture is empty or of no use
+  /// Called now and again in a picture that may be stopped, when the driver has nothing left to do.
+  std::function<void()> pause = {};
 };
 
 /// What lies under a pixel.
