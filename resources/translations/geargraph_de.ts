@@ -5776,6 +5776,22 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
         <translation>Eine Zeile von P enthält die Drehzahlen eines Zahneingriffs, eine Spalte das Moment in einem Gelenk: der eingerahmte Eintrag steht in beiden. Einträge zählen Zähne; μ ist die Kraft eines Zahneingriffs je Zahn, ℓ was Lasten auf Gliedern beitragen. Wählen Sie ein Gelenk oder einen Zahneingriff, um dessen Gleichungen zu sehen.</translation>
     </message>
+    <message>
+        <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
+        <translation>Dokumente und Tabellen (*.geargraph *.csv *.tsv);;GearGraph-Dokumente (*.geargraph);;Tabellen von Dokumenten (*.csv *.tsv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>%1 was imported. Save writes a document of its own.</source>
+        <translation>%1 wurde importiert. Speichern schreibt ein eigenes Dokument.</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

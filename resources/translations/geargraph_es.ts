@@ -5776,6 +5776,22 @@ Arrastrar cambia la carga; W la escribe</translation>
         <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
         <translation>Una fila de P contiene las velocidades de un engrane, una columna el momento en un par: la entrada enmarcada está en ambas. Las entradas cuentan dientes; μ es la fuerza de un engrane por diente, ℓ lo que aportan las cargas en eslabones. Seleccione un par o un engrane para ver los suyos.</translation>
     </message>
+    <message>
+        <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
+        <translation>Documentos y tablas (*.geargraph *.csv *.tsv);;Documentos de GearGraph (*.geargraph);;Tablas de documentos (*.csv *.tsv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>%1 was imported. Save writes a document of its own.</source>
+        <translation>%1 se ha importado. Guardar escribe un documento propio.</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -5775,6 +5775,22 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
         <translation>P&apos;nin bir satırı bir dişli çiftinin hızlarını, bir sütunu bir mafsaldaki torku içerir: çerçeveli eleman ikisinde de vardır. Elemanlar diş sayısıdır; μ bir dişli çiftinin diş başına kuvveti, ℓ uzuvlardaki yüklerin katkısıdır. Kendi denklemlerini görmek için bir mafsal ya da dişli çifti seçin.</translation>
     </message>
+    <message>
+        <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
+        <translation>Belgeler ve tablolar (*.geargraph *.csv *.tsv);;GearGraph belgeleri (*.geargraph);;Belge tabloları (*.csv *.tsv);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>%1 içe aktarma</translation>
+    </message>
+    <message>
+        <source>%1 was imported. Save writes a document of its own.</source>
+        <translation>%1 içe aktarıldı. Kaydetmek ayrı bir belge yazar.</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
