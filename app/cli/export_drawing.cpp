@@ -35,6 +35,21 @@ std::optional<int> observerOf(const Mechanism& mechanism, const std::string& wor
   return std::nullopt;
 }
 
+/// Why no power can be drawn: what was found about the torques, and a sentence.
+std::string whyNoPower(const std::string& file, const std::optional<StaticsReport>& report) {
+  const auto all = [&](const char* sentence) {
+    const std::string findings = report ? diagnosticLines(file, report->diagnostics) : std::string();
+    return findings + "geargraph-cli: " + sentence + " Nothing was written.\n";
+  };
+  if (!report) return all("--power needs a mechanism without errors.");
+  if (report->loads.empty())
+    return all("--power needs loads: this document has none, so that no power flows. Add \"loads\" to it.");
+  if (!report->isSolved || !report->lossless.isBalanced())
+    return all("--power needs balances that hold the loads.");
+  if (!report->motion) return all("--power needs a motion: the speeds are not determined.");
+  return all("No power flows: the loads and what holds them do no work in this motion.");
+}
+
 /// The power of the document's loads, of no drawing without --power; the exit status where there is none.
 std::variant<std::optional<DrawnPower>, int> powerOf(const SnapshotPtr& snapshot,
                                                      const Arguments& arguments) {
@@ -54,8 +69,7 @@ std::variant<std::optional<DrawnPower>, int> powerOf(const SnapshotPtr& snapshot
     power.torques = shownTorques(*snapshot->mechanism, *statics.report);
   }
   if (!power.picture.isEmpty()) return std::optional(std::move(power));
-  std::cerr << "geargraph-cli: --power needs loads, balances that hold them, and a motion; nothing was "
-               "written.\n";
+  std::cerr << whyNoPower(arguments.files.front(), statics.report);
   return kMechanismErrors;
 }
 

@@ -55,9 +55,12 @@ std::variant<StageForces, int> forcesOf(const SnapshotPtr& snapshot, const Argum
   if (statics.report)
     forces = stageForces(*snapshot->mechanism, statics.snapshot->kinematics->placement(), *statics.report);
   if (!forces.empty()) return std::make_shared<const std::vector<StageForce>>(std::move(forces));
-  std::cerr
-      << "geargraph-cli: --show forces needs loads, balances that hold them, and a unit of length whose "
-         "size is known; nothing was written.\n";
+  if (statics.report) std::cerr << diagnosticLines(arguments.files.front(), statics.report->diagnostics);
+  const bool isShared = statics.report && statics.report->lossless.indeterminate() > 0;
+  std::cerr << (isShared ? "geargraph-cli: --show forces needs forces that are determined: here meshes share "
+                           "the load in unknown parts; nothing was written.\n"
+                         : "geargraph-cli: --show forces needs loads, balances that hold them, and a unit of "
+                           "length whose size is known; nothing was written.\n");
   return static_cast<int>(kMechanismErrors);
 }
 

@@ -266,10 +266,56 @@ class TestCliStatics : public QObject {
     QCOMPARE(drawn(file, "ttgraph", "ground").status, 2);
     const Run none = drawn(unloaded, "digraph", "ground");
     QCOMPARE(none.status, 1);
-    QVERIFY(none.output.empty() && none.errors.find("needs loads") != std::string::npos);
+    QVERIFY(none.output.empty() &&
+            none.errors.find("needs loads: this document has none") != std::string::npos);
+    // What nothing holds is named.
+    Mechanism open = set;
+    open.balances = std::vector<Balance>{{set.turningJoints[1].id}};
+    const Run unheld = drawn(saved(open), "digraph", "ground");
+    QCOMPARE(unheld.status, 1);
+    QVERIFY2(unheld.output.empty() && unheld.errors.find("[unbalanced]") != std::string::npos &&
+                 unheld.errors.find("needs balances that hold the loads") != std::string::npos,
+             unheld.errors.c_str());
+    const Mechanism shared =
+        *withLoad(test::example("three-planets"), {{}, JointTorque{JointId("7"), Number(1)}});
+    const Run open3d =
+        run({"export", saved(shared), "--to", "png", "--view", "3d", "--show", "forces", "-o", "-"});
+    QVERIFY(open3d.status == 1 && open3d.output.empty());
+    QVERIFY2(open3d.errors.find("[statically-indeterminate]") != std::string::npos &&
+                 open3d.errors.find("share the load in unknown parts; nothing") != std::string::npos,
+             open3d.errors.c_str());
     const Run still = run({"export", unloaded, "--to", "png", "--view", "3d", "--show", "forces", "-o", "-"});
     QCOMPARE(still.status, 1);
     QVERIFY(still.output.empty() && still.errors.find("--show forces needs loads") != std::string::npos);
+  }
+
+  /// Of every example under a load in each of its joints: two drawings, or a sentence that says why there is
+  /// none. Where the meshes share the load in unknown parts, too.
+  void powerOfAllExamples() {
+    int drawings = 0;
+    for (const std::string& name : test::exampleNames()) {
+      const Mechanism plain = test::example(name);
+      if (!plain.inputs) continue;
+      for (std::size_t joint = 0; joint < plain.turningJoints.size(); ++joint) {
+        const JointId id = plain.turningJoints[joint].id;
+        const auto loaded = withLoad(plain, {{}, JointTorque{id, Number(-10)}});
+        QVERIFY(loaded.has_value());
+        const QString file = saved(*loaded);
+        const json report = parsed(run({"statics", file, "--json"}));
+        const json& power = report["power"];
+        const bool flows = power.is_object() && !power["input"].is_null() && power["input"] != "0";
+        const QByteArray which = QByteArray::fromStdString(name + ", joint " + id.text());
+        for (const char* view : {"digraph", "schematic"}) {
+          const Run call =
+              run({"export", file, "--to", "svg", "--view", view, "--power", "ground", "-o", "-"});
+          const bool isDrawn = call.output.find(">seen from the ground<") != std::string::npos;
+          const bool isExplained = call.errors.find("Nothing was written.") != std::string::npos;
+          QVERIFY2(isDrawn != isExplained && (isDrawn || !flows), which);
+          drawings += flows ? 1 : 0;
+        }
+      }
+    }
+    QVERIFY2(drawings > 60, qPrintable(QString::number(drawings)));
   }
 
   /// What a document may not say: each is rejected with the place, none crashes or is read as something else.

@@ -112,32 +112,31 @@ class ChipDrawer {
 
   /// The nearest place round the anchor that touches nothing. A line to it that crosses a text is better than
   /// one across half the sheet.
-  [[nodiscard]] Extent freePlace(SheetPoint anchor, const Extent& size) const {
-    constexpr double kLongLine = 140;
-    constexpr double kLongerLine = 200;
-    constexpr double kFarthest = 400;
-    if (const auto clear = placeWithin(kLongerLine, anchor, size, true)) return *clear;
-    if (const auto crossing = placeWithin(kLongLine, anchor, size, false)) return *crossing;
-    if (const auto far = placeWithin(kFarthest, anchor, size, false)) return *far;
-    Extent beyond = size;
-    beyond.center = anchor - SheetPoint{0, kFarthest + size.halfHeight};
-    return beyond;
-  }
-  [[nodiscard]] std::optional<Extent> placeWithin(double farthest, SheetPoint anchor, Extent size,
-                                                  bool hasClearLine) const {
-    constexpr int kDirections = 24;
+  [[nodiscard]] Extent freePlace(SheetPoint anchor, Extent size) const {
+    constexpr int kDirections = 48;
     constexpr double kGap = 4;
-    for (double away = 24; away <= farthest; away += 12) {
+    constexpr double kStep = 6;
+    constexpr double kNearest = 18;
+    constexpr double kFarthest = 400;
+    constexpr double kCrossing = 60;  // px of way that a crossed text is worth
+    Extent best = size;
+    best.center = anchor - SheetPoint{0, kFarthest + size.halfHeight};
+    double least = kFarthest;
+    for (double away = kNearest; away < least; away += kStep) {
       for (int i = 0; i < kDirections; ++i) {
         const double angle = 2 * M_PI * i / kDirections - M_PI / 2;
         const SheetPoint out{std::cos(angle), std::sin(angle)};
-        const double reach = away + size.halfWidth * std::abs(out.x) + size.halfHeight * std::abs(out.y);
-        size.center = anchor + reach * out;
-        if (!m_taken.touches(size, kGap) && (!hasClearLine || isClear(anchor, edgeTowards(size, anchor))))
-          return size;
+        size.center = anchor + away * out +
+                      SheetPoint{std::copysign(size.halfWidth, out.x) * std::min(1.0, 2 * std::abs(out.x)),
+                                 std::copysign(size.halfHeight, out.y) * std::min(1.0, 2 * std::abs(out.y))};
+        if (m_taken.touches(size, kGap)) continue;
+        const double cost = away + (isClear(anchor, edgeTowards(size, anchor)) ? 0 : kCrossing);
+        if (cost >= least) continue;
+        least = cost;
+        best = size;
       }
     }
-    return std::nullopt;
+    return best;
   }
   /// The line to the chip crosses no text.
   [[nodiscard]] bool isClear(SheetPoint from, SheetPoint to) const {

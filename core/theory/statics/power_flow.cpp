@@ -1,6 +1,8 @@
 #include "core/theory/statics/power_flow.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 
 #include "core/foundations/base/contract.h"
@@ -102,8 +104,7 @@ class Flow {
         m_directions(mechanism, placement),
         m_couples(static_cast<std::size_t>(model.n()) + 1),
         m_fed(static_cast<std::size_t>(model.t())),
-        m_throughForces(static_cast<std::size_t>(model.n()) + 1),
-        m_keys(static_cast<std::size_t>(model.n()) + 1, 0) {
+        m_throughForces(static_cast<std::size_t>(model.n()) + 1) {
     m_flow.observer = observer;
     takeSpeeds();
   }
@@ -182,7 +183,6 @@ class Flow {
     act(element, geometry.head, onHead);
     act(element, geometry.carrier, onCarrier);
     element.isDetermined = m_solution.isDetermined(mesh);
-    if (!element.isDetermined) mark({geometry.tail, geometry.head, geometry.carrier});
   }
 
   void addCouplings() {
@@ -202,7 +202,6 @@ class Flow {
       act(element, link, torque);
       act(element, against, opposite(torque));
       element.isDetermined = isDetermined;
-      if (!isDetermined) mark({link, against});
     }
   }
 
@@ -261,9 +260,7 @@ class Flow {
         continue;
       }
       addOnLink(ElementPower::Kind::balance, balance, place, value(unknown));
-      if (m_solution.isDetermined(unknown)) continue;
-      m_flow.elements.back().isDetermined = false;
-      mark({place.link, 0});
+      m_flow.elements.back().isDetermined = m_solution.isDetermined(unknown);
     }
   }
 
@@ -318,30 +315,90 @@ class Flow {
       element.position = joint;
       element.ports = {{parent, toParent}, {*link, toChild}};
       if (m_model.graph().turningEdge(joint).tail == *link) std::swap(element.ports[0], element.ports[1]);
-      element.isDetermined = m_keys[at] == 0;
       for (const auto& [direction, part] : m_couples[at])
         addTo(m_couples[static_cast<std::size_t>(parent)], direction, part);
       m_couples[at] = {};
-      m_keys[static_cast<std::size_t>(parent)] ^= m_keys[at];
     }
     for (const int joint : m_openJoints) joints[static_cast<std::size_t>(joint)].isDetermined = false;
+    for (const auto& stress : m_solution.selfStresses)
+      if (!isDecided(stress)) openJointsOf(stress, joints);
     m_flow.elements.insert(m_flow.elements.begin() + static_cast<std::ptrdiff_t>(place),
                            std::make_move_iterator(joints.begin()), std::make_move_iterator(joints.end()));
   }
 
-  /// What acts among these links is not determined: nor is what joints between them pass. Keys as in forces:
-  /// those of one element cancel beyond all of its links. Where all axes are parallel, joints pass nothing of
-  /// it.
-  void mark(std::initializer_list<int> links) {
+  using SelfStress = std::vector<std::pair<int, Rational>>;
+
+  /// Was the share decided, by stiffness?
+  [[nodiscard]] bool isDecided(const SelfStress& stress) const {
+    return std::all_of(stress.begin(), stress.end(),
+                       [&](const auto& member) { return m_solution.isDetermined(member.first); });
+  }
+
+  /// Marks the joints whose power a self-stress changes: not those between its links where its torques
+  /// cancel, or do no work. Between parallel axes joints pass nothing of it. Cost: O(members * depth).
+  void openJointsOf(const SelfStress& stress, std::vector<ElementPower>& joints) {
     if (m_directions.areParallel()) return;
-    std::uint64_t sum = 0;
-    std::size_t left = links.size();
-    for (const int link : links) {
-      m_next = (m_next ^ (m_next >> 27U)) * 0x94d049bb133111ebU + 0x9e3779b97f4a7c15U;
-      const std::uint64_t key = --left == 0 ? sum : m_next;
-      sum ^= key;
-      m_keys[static_cast<std::size_t>(link)] ^= key;
+    const SpanningTree& tree = m_model.tree();
+    // By depth and link, the deepest first: what acts on a link and beyond.
+    std::map<std::pair<int, int>, Torque, std::greater<>> waiting;
+    const auto put = [&](int link, const Torque& torque) {
+      for (const auto& [direction, part] : torque)
+        if (link != 0) addTo(waiting[{tree.depth(link), link}], direction, part);
+    };
+    for (const auto& [unknown, weight] : stress) actOn(unknown, weight, put);
+    while (!waiting.empty()) {
+      const auto [key, torque] = *waiting.begin();
+      waiting.erase(waiting.begin());
+      const int link = key.second;
+      const int parent = tree.parent(link);
+      if (isFelt(torque, parent))
+        joints[static_cast<std::size_t>(tree.jointToParent(link))].isDetermined = false;
+      put(parent, torque);
     }
+  }
+
+  /// The torques of one member of a self-stress on the links, by put(link, torque).
+  template <class Put>
+  void actOn(int unknown, const Rational& weight, const Put& put) {
+    if (unknown < m_model.c()) {
+      const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(unknown)];
+      const KinematicModel::MeshRow& row = m_model.meshRow(unknown);
+      const auto add = [&](int gear, int axisClass, const Rational& size) {
+        const auto [direction, sign] = m_directions.ofClass(axisClass);
+        const Torque torque{{direction, Real(Rational(sign) * size)}};
+        put(gear, torque);
+        put(geometry.carrier, opposite(torque));
+      };
+      add(geometry.tail, geometry.tailClass, Rational(-row.tailTeeth) * weight);
+      add(geometry.head, geometry.headClass, Rational(row.sign * row.headTeeth) * weight);
+      return;
+    }
+    const HeldPart& part = m_solution.held[static_cast<std::size_t>(unknown - m_model.c())];
+    if (part.balance >= 0) {
+      const TorquePlace& place = m_problem.balances[static_cast<std::size_t>(part.balance)];
+      if (!place.inJoint()) put(place.link, {{m_directions.of(place.direction), Real(weight)}});
+      return;
+    }
+    const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
+    const auto joint = firstJointOn(part.axis);
+    const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
+    const Torque torque{{direction, Real(Rational(sign * m_placement.classes->sense[joint]) * weight)}};
+    const PositionIndex<LinkTag> links(m_mechanism.links);
+    put(links.at(coupling.links.front()), torque);
+    if (coupling.kind != CouplingKind::brake) put(links.at(coupling.links.back()), opposite(torque));
+  }
+
+  /// Does the torque do work on the link? What is rounded counts beyond rounding only.
+  [[nodiscard]] bool isFelt(const Torque& torque, int link) {
+    const Real felt = power(torque, link);
+    if (felt.isExact()) return !felt.isZero();
+    constexpr double kRounding = 1e-9;
+    double torques = 0;
+    double speeds = 0;
+    for (const auto& [direction, part] : torque) torques += std::abs(part.number());
+    for (const auto& [direction, part] : m_speeds[static_cast<std::size_t>(link)])
+      speeds += std::abs(part.toDouble());
+    return std::abs(felt.number()) > kRounding * torques * speeds;
   }
 
   const Mechanism& m_mechanism;
@@ -356,9 +413,7 @@ class Flow {
   std::vector<Torque> m_couples;               ///< by link: the sum of those on it and beyond
   std::vector<Real> m_fed;                     ///< by joint: by the loads and balances in it
   std::vector<Real> m_throughForces;           ///< by link: what forces beyond would do on its parent
-  std::vector<std::uint64_t> m_keys;           ///< by link
   std::vector<int> m_openJoints;
-  std::uint64_t m_next = 1;
   PowerFlow m_flow;
 };
 

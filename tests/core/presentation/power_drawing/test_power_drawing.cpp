@@ -342,6 +342,46 @@ class TestPowerDrawing : public QObject {
     }
   }
 
+  /// The chip of a load in the middle of a Ravigneaux train stands beside its shaft, not beside another's.
+  void chipsOfARavigneauxTrainAreBesideTheirShafts() {
+    StaticsOptions options;
+    options.loads = {{{}, JointTorque{JointId("9"), Number(-10)}}};
+    options.losses = true;
+    options.efficiency = Rational(98, 100);
+    const Powered train(example("ravigneaux"), options);
+    for (const bool isSchematic : {false, true}) {
+      const DisplayList chips =
+          train.chips(isSchematic, isSchematic ? train.schematicBands() : train.digraphBands());
+      int lines = 0;
+      for (const Mark& mark : chips.marks) {
+        const auto* line = std::get_if<Stroke>(&mark.what);
+        if (line == nullptr || mark.role != MarkRole::line) continue;
+        const std::vector<SheetPoint>& ends = std::get<Polyline>(line->shape).points;
+        QVERIFY2(distance(ends.front(), ends.back()) < 90,
+                 qPrintable(QString::number(distance(ends.front(), ends.back()))));
+        ++lines;
+      }
+      QVERIFY(lines >= 2);
+    }
+  }
+
+  /// Of a differential whose pinions share in unknown parts, the shafts are drawn.
+  void shaftsOfADifferentialAreDrawn() {
+    StaticsOptions options;
+    options.loads = {{{}, JointTorque{JointId("8"), Number(-10)}}};
+    const Powered train(example("bevel-differential"), options);
+    const DisplayList digraph = train.digraphBands();
+    for (const auto& [joint, part] : {std::pair("6", 1.0), std::pair("7", 0.75), std::pair("8", 0.25)}) {
+      const std::vector<double> widths = widthsAt(digraph, JointId(joint));
+      QVERIFY2(widths.size() == 1 && std::abs(widths[0] - part * kWidestBand) < 1e-9, joint);
+    }
+    for (const char* text : {"20 W", "100 %", "15 W", "75 %", "5 W", "25 %"})
+      QVERIFY2(has(digraph, text), text);
+    QVERIFY(has(train.schematicBands(), "20 W"));
+    QCOMPARE(overlaps(train.digraphBands(), train.digraph()), QString());
+    QCOMPARE(overlaps(train.schematicBands(), schematicDrawing(train.schematic(), {})), QString());
+  }
+
   /// Arrows of losses cross no label of a band.
   void lossesCrossNoLabels() {
     for (const Powered& each : {planetarySet(), wrist()}) {

@@ -336,6 +336,27 @@ class TestPowerFlow : public QObject {
     QCOMPARE(faultOf(train, report, *report.flow), std::string());
   }
 
+  /// A differential has two pinions that share in unknown parts. Its shafts pass what they pass in any case,
+  /// and so do the bearings of the pinions: on each the torques of its two meshes cancel.
+  void jointsBesideASelfStressAreDetermined() {
+    const StaticsCase train(example("bevel-differential"));
+    StaticsOptions options;
+    options.loads = {inJoint(train.mechanism, 2, Number(-10))};
+    const StaticsReport report = reportOf(train, options);
+    QCOMPARE(report.lossless.indeterminate(), 1);
+    QVERIFY(report.flow.has_value());
+    const auto joint = [&](const PowerFlow& flow, int at) -> const ElementPower& {
+      return flow.of(ElementPower::Kind::joint, at);
+    };
+    for (int at = 0; at < 5; ++at) QVERIFY(joint(*report.flow, at).isDetermined);
+    QCOMPARE(*joint(*report.flow, 0).ports[1].power.fraction(), Rational(20));
+    QCOMPARE(*joint(*report.flow, 1).ports[1].power.fraction(), Rational(-15));
+    QCOMPARE(*joint(*report.flow, 2).ports[1].power.fraction(), Rational(-5));
+    for (int mesh = 0; mesh < 4; ++mesh)
+      QVERIFY(!report.flow->of(ElementPower::Kind::mesh, mesh).isDetermined);
+    QCOMPARE(faultOf(train, report, *report.flow), std::string());
+  }
+
   /// Of a robot's wrist the sets are no parts of fixed shafts.
   void aWristHasNoShafts() {
     const StaticsCase train(robot());
