@@ -1,6 +1,9 @@
 #include <QTest>
 
+#include <cmath>
+
 #include "core/theory/statics/efficiency_curve.h"
+#include "core/theory/statics/locking_limits.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/statics_case.h"
 #include "tests/core/support/train_sketch.h"
@@ -37,6 +40,11 @@ class EfficiencyCurveTest : public QObject {
                                                 const std::stop_token& stop = {}) {
     return efficiencyCurve(train.mechanism, train.model, train.placement, train.analysis,
                            reportOf(train, options), options, axis, range, stop);
+  }
+  static std::optional<LockingLimits> limitsOf(const StaticsCase& train, const StaticsOptions& options,
+                                               const std::stop_token& stop = {}) {
+    return lockingLimits(train.mechanism, train.model, train.placement, train.analysis,
+                         reportOf(train, options), options, stop);
   }
 
  private slots:
@@ -131,6 +139,21 @@ class EfficiencyCurveTest : public QObject {
       QCOMPARE(point.isLockedBackward, !point.backward.has_value());
       QCOMPARE(point.torques.empty(), point.isLocked);
     }
+    // It begins where the basic efficiency of both meshes is the basic ratio, 99/101.
+    const auto limits = limitsOf(train, options);
+    QVERIFY(limits.has_value() && limits->forward.has_value() != limits->backward.has_value());
+    QCOMPARE(limits->forward.has_value(), worst.isLocked);
+    const double limit = limits->forward ? *limits->forward : *limits->backward;
+    QVERIFY2(std::abs(limit - std::sqrt(99.0 / 101)) < 1e-5, qPrintable(QString::number(limit, 'g', 10)));
+  }
+
+  /// A planetary set with its ring held moves at any efficiency, both ways.
+  void aPlanetarySetNeverLocks() {
+    const auto limits = limitsOf(StaticsCase(set()), lossy(Rational(49, 50)));
+    QVERIFY(limits.has_value() && !limits->forward && !limits->backward);
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!limitsOf(StaticsCase(set()), lossy(Rational(49, 50)), stop.get_token()));
   }
 
   void itCanBeStopped() {
