@@ -91,6 +91,9 @@ constexpr std::array kHints = {
     Hint{ExerciseKind::selfLocking,
          "Let the load drive: behind each mesh less power arrives, by its efficiency. If none would be left "
          "at the input, or it would have to be driven, the train locks."},
+    Hint{ExerciseKind::brakeReaction,
+         "The torques of drive, load and brake on the train add up to zero, and a brake passes no power. "
+         "What acts on a link acts on the other part in the opposite sense."},
 };
 
 }  // namespace

@@ -77,6 +77,10 @@ Reason withoutBrakeTorques(const ExerciseSource& source) {
   if (const Reason reason = withoutStates(source)) return reason;
   return hasBrakeComparison(source) ? Reason() : "no two torques of brakes or clutches to compare";
 }
+Reason withoutReactions(const ExerciseSource& source) {
+  if (const Reason reason = withoutStates(source)) return reason;
+  return hasBrakeReaction(source) ? Reason() : "no brake that carries a torque about the drive's axis";
+}
 Reason withoutLosses(const ExerciseSource& source) {
   if (const Reason reason = withoutFreedom(source)) return reason;
   return drivenTrains(source).empty() ? Reason("no drive passes power through 1 to 6 meshes") : std::nullopt;
@@ -128,6 +132,8 @@ constexpr std::array kKinds = {
     KindEntry{ExerciseKind::brakeTorque, "brake-torque", "Largest torque of a brake", withoutBrakeTorques,
               brakeTorqueQuestion},
     KindEntry{ExerciseKind::selfLocking, "self-locking", "Self-locking", withoutLosses, selfLockingQuestion},
+    KindEntry{ExerciseKind::brakeReaction, "brake-reaction", "Reaction of a brake, sense", withoutReactions,
+              brakeReactionQuestion},
 };
 
 const KindEntry& entryOf(ExerciseKind kind) {

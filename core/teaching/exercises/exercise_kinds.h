@@ -40,6 +40,7 @@ enum class ExerciseKind : std::uint8_t {
   engagement,
   brakeTorque,
   selfLocking,
+  brakeReaction,
 };
 
 [[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();

@@ -31,6 +31,7 @@ Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question brakeTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question brakeReactionQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question selfLockingQuestion(const ExerciseSource& source, ExerciseRandom& random);
 
 /// An external mesh and an internal one that share a planet, its axis and their carrier.
@@ -53,6 +54,9 @@ struct PlanetPair {
 
 /// Does a state engage couplings of different torques, or a coupling carry different torques in some states?
 [[nodiscard]] bool hasBrakeComparison(const ExerciseSource& source);
+
+/// Does a state engage a brake that carries a torque about the axis of the drive?
+[[nodiscard]] bool hasBrakeReaction(const ExerciseSource& source);
 
 /// Meshes of which each of the others is a combination, or which are one: any of them may be left out. By
 /// mesh.

@@ -109,6 +109,8 @@ std::span<const MistakeName> mistakeNames() {
       {"torque-of-another", "torque of another brake, clutch or state"},
       {"load-for-brake", "torque of the load in place of that of the brake"},
       {"drive-for-brake", "torque of the drive in place of that of the brake"},
+      {"reaction-for-action", "torque on the housing in place of that on the link"},
+      {"same-sense-on-both", "brake that turns link and housing in the same sense"},
       {"forward-for-backward", "efficiency forward in place of backward"},
       {"losses-ignored", "losses left out"},
       {"fixed-axis-losses", "losses of a planetary train as of fixed axes"},

@@ -17,6 +17,7 @@ LessonView viewOf(ExerciseKind kind) {
     case ExerciseKind::ringTeeth:
     case ExerciseKind::engagement:
     case ExerciseKind::brakeTorque:
+    case ExerciseKind::brakeReaction:
     case ExerciseKind::selfLocking:
       return LessonView::schematic;  // the T-T graph would show levels and transfer vertices
     default:

@@ -47,8 +47,13 @@ class ForceAnswersTest : public QObject {
 
   // Brakes.
 
-  /// By coupling, the size for 1 N m at the drive, by the T-T graph.
   static std::map<std::string, Rational> sizesOf(const test::StaticsCase& box, const ShiftState& state) {
+    std::map<std::string, Rational> sizes = torquesOf(box, state);
+    for (auto& [name, torque] : sizes) torque = torque.abs();
+    return sizes;
+  }
+  /// By coupling, the torque for 1 N m at the drive, by the T-T graph.
+  static std::map<std::string, Rational> torquesOf(const test::StaticsCase& box, const ShiftState& state) {
     StaticsProblem problem;
     problem.torques = {{box.on(box.graph->nodeOf(*state.drive)), 1}};
     problem.balances = {box.on(box.graph->nodeOf(*state.driven))};
@@ -63,7 +68,7 @@ class ForceAnswersTest : public QObject {
     for (std::size_t part = 0; part < held.size(); ++part) {
       if (held[part].coupling < 0) continue;
       const Coupling& coupling = box.mechanism.couplings[static_cast<std::size_t>(held[part].coupling)];
-      sizes[coupling.id.text()] = torques.chords[part].abs().fraction().value();
+      sizes[coupling.id.text()] = torques.chords[part].fraction().value();
     }
     return sizes;
   }
@@ -259,6 +264,36 @@ class ForceAnswersTest : public QObject {
     QVERIFY(m_checked["sum"] >= 5);
   }
 
+  /// By the T-T graph; the housing feels the opposite.
+  void brakesAndTheHousing() {
+    for (const Mechanism& mechanism :
+         {test::example("ravigneaux"), test::example("simpson"), test::eightSpeed()}) {
+      const ExerciseSource source(mechanism);
+      QVERIFY(!reasonAgainst(source, ExerciseKind::brakeReaction));
+      const test::StaticsCase box(source.mechanism());
+      std::map<std::string, std::map<std::string, Rational>> states;  // by name, then by coupling
+      for (const ShiftState& state : mechanism.states) states[state.name] = torquesOf(box, state);
+      for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        ExerciseRandom random(seed, 8, 8);
+        const Question question = makeQuestion(source, ExerciseKind::brakeReaction, random);
+        const int drive = matched(question, "drive is \\$(\\d+)\\$ N m").toInt();
+        const std::string state = matched(question, "^State \u201c([^\u201d]*)\u201d").toStdString();
+        const std::string brake = matched(question, "does brake (\\S+) exert").toStdString();
+        const Rational torque = states.at(state).at(brake) * drive;
+        const std::string on = torque.toString();
+        const std::vector<std::string>& senses = question.fields[1].options;
+        const std::string& link = torque.sign() > 0 ? senses[0] : senses[1];
+        const std::string& housing = torque.sign() > 0 ? senses[1] : senses[0];
+        expect(question, {on, housing}, "right");
+        expect(question, {on, link}, "same-sense-on-both");
+        expect(question, {(-torque).toString(), link}, "reaction-for-action");
+        expect(question, {(torque * 7).toString(), link}, "same-sense-on-both");
+        expectWrong(question, {(torque * 7).toString(), housing});
+        m_checked["reaction"] += 1;
+      }
+    }
+  }
+
   /// From sun to carrier with the ring held: eta = (1 + x eta0) / (1 + x), backwards (1 + x) / (1 + x /
   /// eta0), x = ring teeth / sun teeth, eta0 of both meshes (Mueller).
   void planetarySetByWillis() {
@@ -298,6 +333,7 @@ class ForceAnswersTest : public QObject {
       return QString::fromStdString(reasonAgainst(ExerciseSource(mechanism), kind).value_or("none"));
     };
     QCOMPARE(reason(test::example("robot"), ExerciseKind::brakeTorque), QString("no brakes or clutches"));
+    QCOMPARE(reason(test::example("robot"), ExerciseKind::brakeReaction), QString("no brakes or clutches"));
     Mechanism one = test::example("simpson");
     one.states.resize(1);
     QCOMPARE(reason(one, ExerciseKind::brakeTorque),
@@ -316,6 +352,7 @@ class ForceAnswersTest : public QObject {
     QVERIFY(m_checked["locked"] >= 20);
     QVERIFY(m_checked["forward-for-backward"] >= 40);
     QVERIFY(m_checked["released-coupling"] >= 100);
+    QVERIFY(m_checked["reaction"] >= 100);
   }
 };
 

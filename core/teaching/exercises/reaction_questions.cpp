@@ -1,0 +1,164 @@
+// What a brake does to its link and to the housing: torque and sense.
+
+#include <algorithm>
+
+#include "core/teaching/exercises/exercise_statics.h"
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kLeastTorque = 5;  ///< N m at the drive
+constexpr int kMostTorque = 60;
+constexpr const char* kWith = "as the drive's torque";
+constexpr const char* kAgainst = "against the drive's torque";
+
+/// An engaged brake that carries a torque about the axis of the drive.
+struct HoldingBrake {
+  StateTorques state;
+  int coupling = 0;
+  bool isAlone = false;  ///< no other brake is engaged, and the load turns about the same axis
+  [[nodiscard]] const Rational& torque() const {
+    return *state.couplings[static_cast<std::size_t>(coupling)];
+  }
+};
+
+const Coupling& couplingOf(const ExerciseSource& source, int coupling) {
+  return source.mechanism().couplings[static_cast<std::size_t>(coupling)];
+}
+
+/// The first axis on the way from a link to the ground.
+const AxisId& axisOf(const ExerciseSource& source, const LinkId& link) {
+  const int joint = source.tree()->jointToParent(source.graph().nodeOf(link));
+  return source.mechanism().turningJoints[static_cast<std::size_t>(joint)].axis;
+}
+
+std::vector<HoldingBrake> holdingBrakes(const ExerciseSource& source) {
+  std::vector<HoldingBrake> brakes;
+  const auto& states = source.mechanism().states;
+  for (int state = 0; state < static_cast<int>(states.size()); ++state) {
+    const auto torques = stateTorques(source, state);
+    if (!torques) continue;
+    const ShiftState& asked = states[static_cast<std::size_t>(state)];
+    const AxisId& axis = axisOf(source, *asked.drive);
+    const auto isBrake = [&](int coupling) {
+      return torques->couplings[static_cast<std::size_t>(coupling)] &&
+             couplingOf(source, coupling).kind == CouplingKind::brake;
+    };
+    const auto all = static_cast<int>(torques->couplings.size());
+    int engaged = 0;
+    for (int coupling = 0; coupling < all; ++coupling) engaged += isBrake(coupling) ? 1 : 0;
+    for (int coupling = 0; coupling < all; ++coupling) {
+      if (!isBrake(coupling) || torques->couplings[static_cast<std::size_t>(coupling)]->isZero()) continue;
+      if (axisOf(source, couplingOf(source, coupling).links.front()) != axis) continue;
+      brakes.push_back({*torques, coupling, engaged == 1 && axisOf(source, *asked.driven) == axis});
+    }
+  }
+  return brakes;
+}
+
+class ReactionQuestion {
+ public:
+  ReactionQuestion(const ExerciseSource& source, HoldingBrake brake, int drive)
+      : m_source(source),
+        m_brake(std::move(brake)),
+        m_drive(drive),
+        m_state(source.mechanism().states[static_cast<std::size_t>(m_brake.state.state)]),
+        m_coupling(couplingOf(source, m_brake.coupling)),
+        m_torque(m_brake.torque() * drive) {}
+
+  Question make() {
+    ask();
+    m_build.accept({m_torque.toString(), senseOf(-m_torque)});
+    addTorques();
+    addSenses();
+    return std::move(m_build.question);
+  }
+
+ private:
+  /// The drive's torque is positive.
+  static const char* senseOf(const Rational& torque) { return torque.sign() > 0 ? kWith : kAgainst; }
+  [[nodiscard]] std::string label(const LinkId& link) const {
+    return m_source.linkLabel(m_source.graph().nodeOf(link));
+  }
+  [[nodiscard]] std::string held() const { return label(m_coupling.links.front()); }
+
+  void ask() {
+    std::vector<std::string> engaged;
+    for (std::size_t i = 0; i < m_brake.state.couplings.size(); ++i)
+      if (m_brake.state.couplings[i])
+        engaged.push_back(namedInPrompt(couplingOf(m_source, static_cast<int>(i)).id.text()));
+    const std::string brake = namedInPrompt(m_coupling.id.text());
+    m_build.question.prompt =
+        "State \u201c" + namedInPrompt(m_state.name) + "\u201d engages " + listed(engaged, kAllNames) +
+        ", link $" + label(*m_state.drive) + "$ drives and link $" + label(*m_state.driven) +
+        "$ bears the load. The torque of the drive is $" + asText(m_drive) +
+        "$ N m, and no power is lost. What torque, with its sign, does brake " + brake + " exert on link $" +
+        held() + "$? And in which sense does it try to turn the housing? A fraction or a decimal of three " +
+        "digits will do.";
+    m_build.question.elements = {m_coupling.id, m_coupling.links.front()};
+    m_build.field("torque on link " + held() + " in N m", FieldKind::number);
+    m_build.field("turns the housing", FieldKind::choice, {kWith, kAgainst});
+    m_build.question.rule = "Brake " + m_coupling.id.text() + " holds link " + held() + " with " +
+                            inWords(m_torque) + " N m; the housing has the opposite, " + inWords(-m_torque) +
+                            " N m.";
+  }
+
+  void addTorques() {
+    const std::vector<ElementId> elements{m_coupling.id};
+    const Rational drive = m_drive;
+    const Rational load = m_brake.state.driven * m_drive;
+    m_build.wrongField("reaction-for-action", 0, {(-m_torque).toString()},
+                       "This is what the housing feels: on link " + held() + " the brake acts with " +
+                           inWords(m_torque) + " N m.",
+                       elements);
+    if (m_brake.isAlone) {
+      for (const Rational& size : {drive - load, load - drive})
+        m_build.wrongField("torques-without-signs", 0, {size.toString()},
+                           "A sign is lost: " + inWords(m_drive) + " N m of the drive, " + inWords(load) +
+                               " N m that hold the load and the torque of the brake add up to 0.",
+                           elements);
+      m_build.wrongField("ratio-upside-down", 0, {(drive / m_brake.state.ratio - drive).toString()},
+                         "You use the ratio upside down: with the ratio " + inWords(m_brake.state.ratio) +
+                             " the load is held by " + inWords(load) + " N m.",
+                         elements);
+    }
+    m_build.wrongField("load-for-brake", 0, {load.toString(), (-load).toString()},
+                       "This is the torque at the load on link " + label(*m_state.driven) +
+                           ": the brake has to keep the balance of drive and load.",
+                       elements);
+    m_build.wrongField("drive-for-brake", 0, {drive.toString(), (-drive).toString()},
+                       "This is the torque of the drive: the brake does not carry it as it is.", elements);
+  }
+
+  void addSenses() {
+    m_build.wrongField("same-sense-on-both", 1, {senseOf(m_torque)},
+                       "Link " + held() +
+                           " and the housing are turned in opposite senses by the brake: link " + held() +
+                           " has " + inWords(m_torque) + " N m, the housing " + inWords(-m_torque) + " N m.",
+                       {m_coupling.id});
+  }
+
+  const ExerciseSource& m_source;
+  HoldingBrake m_brake;
+  int m_drive;
+  const ShiftState& m_state;
+  const Coupling& m_coupling;
+  Rational m_torque;
+  QuestionBuilder m_build{ExerciseKind::brakeReaction, 4};
+};
+
+}  // namespace
+
+bool hasBrakeReaction(const ExerciseSource& source) {
+  return !holdingBrakes(source).empty();
+}
+
+Question brakeReactionQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  HoldingBrake brake = random.oneOf(holdingBrakes(source));
+  const int drive = random.between(kLeastTorque, kMostTorque);
+  return ReactionQuestion(source, std::move(brake), drive).make();
+}
+
+}  // namespace geargraph::inline exercises
