@@ -33,7 +33,8 @@ std::optional<double> placeNow(const FollowedEfficiency& followed) {
   const Forces& forces = *followed.forces;
   if (followed.curve.axis == CurveAxis::meshEfficiency) {
     if (forces.question.efficiency) return forces.question.efficiency->toDouble();
-    return std::nullopt;
+    const std::optional<GearDefaults>& stated = forces.solved->mechanism->gearDefaults;
+    return stated && stated->efficiency ? std::optional(stated->efficiency->value()) : std::nullopt;
   }
   const std::vector<Rational>& speeds = forces.solved->matroid()->speeds;
   if (speeds[0].isZero()) return std::nullopt;

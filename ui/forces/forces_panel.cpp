@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/forces/efficiency_card.h"
 #include "ui/forces/efficiency_page.h"
 #include "ui/forces/explanation_label.h"
 #include "ui/forces/force_table_model.h"
@@ -22,7 +23,6 @@
 #include "ui/forces/sideways_scroll.h"
 #include "ui/forces/twin_line.h"
 #include "ui/models/term_tips.h"
-#include "ui/panels/number_field.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
@@ -53,6 +53,8 @@ QString tipOf(ForceTableKind kind) {
 }
 
 constexpr int kPlotsChip = 1000;  ///< beyond all kinds of tables
+constexpr int kCardWidth = 216;
+constexpr int kRoomForCard = 700;  ///< px at which the card of the efficiency stands beside the table
 
 /// Every kind, in the order of the chips.
 std::vector<ForceTableKind> kindsOfChips() {
@@ -76,6 +78,7 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
       m_table(new LinkedTable(m_model, selection, this)),
       m_pages(new QStackedWidget(this)),
       m_plots(new EfficiencyPage(this)),
+      m_card(new EfficiencyCard(document, this)),
       m_empty(emptyLabel(this)),
       m_remark(new QLabel(this)),
       m_explanation(new ExplanationLabel(selection, this)) {
@@ -167,11 +170,17 @@ QWidget* ForcesPanel::makeMiddle() {
   m_loads->installEventFilter(this);
   m_loadsView = scroll;
   auto* middle = new QWidget(this);
-  auto* layout = new QHBoxLayout(middle);
-  layout->setContentsMargins(0, 0, 10, 0);
-  layout->setSpacing(6);
-  layout->addWidget(scroll);
-  layout->addWidget(m_pages, 1);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  row->addWidget(scroll);
+  row->addWidget(m_pages, 1);
+  m_card->setMinimumWidth(scaledPixels(kCardWidth));
+  m_middle = new QBoxLayout(QBoxLayout::LeftToRight, middle);
+  m_middle->setContentsMargins(0, 0, 10, 0);
+  m_middle->setSpacing(6);
+  m_middle->addLayout(row, 1);
+  m_middle->addWidget(m_card);
   return middle;
 }
 
@@ -180,29 +189,9 @@ QWidget* ForcesPanel::makeTotals() {
   auto* layout = new QHBoxLayout(strip);
   layout->setContentsMargins(12, 2, 10, 4);
   layout->setSpacing(14);
-  m_efficiency = new NumberField(strip);
-  m_efficiency->setObjectName(QStringLiteral("meshEfficiency"));
-  m_efficiency->setOptional(true);
-  m_efficiency->setEmptyText(tr("none"));
-  m_efficiency->setStep(Rational(1, 100));
-  m_efficiency->setFixedWidth(scaledPixels(92));
-  connect(m_efficiency, &NumberField::edited, this, [this](const std::optional<Number>& eta) {
-    if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
-      return m_efficiency->reject(tr("An efficiency is above 0 and at most 1."));
-    m_efficiency->setNumber(eta);
-    m_eta = eta ? std::optional(eta->exact()) : std::nullopt;
-    ask();
-  });
-  addColumn(layout, tr("η of a mesh"),
-            tr("The efficiency of meshes that state none: the power that a mesh delivers over what it takes, "
-               "seen from its carrier. Empty: they lose nothing."),
-            m_efficiency);
   addTotal(layout, "fed", tr("fed, W"), tr("The power that loads and balances feed into the train."));
   addTotal(layout, "taken", tr("taken, W"), tr("The power that loads and balances take from the train."));
   addTotal(layout, "lost", tr("lost, W"), tr("What the meshes lose: fed less taken."));
-  addTotal(layout, "forward", tr("efficiency"), tr("Power taken over power fed."));
-  addTotal(layout, "backward", tr("backward"),
-           tr("The efficiency of the same motion with all known torques reversed: the output drives."));
   addTotal(layout, "latent", tr("latent ratio"),
            tr("What all meshes pass, seen from their carriers, over the power fed: the losses are about this "
               "many times those of one mesh."));
@@ -277,7 +266,7 @@ void ForcesPanel::renewStates(const Mechanism& mechanism) {
 }
 
 void ForcesPanel::ask() {
-  const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, m_eta, m_share->isChecked()};
+  const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, {}, m_share->isChecked()};
   if (question != m_service->question()) m_service->ask(question);
 }
 
@@ -297,7 +286,7 @@ bool ForcesPanel::showsPlots() const {
 }
 
 bool ForcesPanel::isUpToDate() const {
-  return m_service->isComplete() && (!showsPlots() || m_plots->isUpToDate());
+  return m_service->isComplete() && m_card->isUpToDate() && (!showsPlots() || m_plots->isUpToDate());
 }
 
 void ForcesPanel::showState(int state) {
@@ -309,6 +298,7 @@ void ForcesPanel::showState(int state) {
 void ForcesPanel::showForces() {
   m_model->show(forces(), m_model->kind());
   m_plots->show(forces());
+  m_card->show(forces());
   showPage();
   showTotals();
   showRemark();
@@ -371,7 +361,7 @@ QString ForcesPanel::total(const QString& name) const {
 }
 
 void ForcesPanel::showTotals() {
-  for (const char* name : {"fed", "taken", "lost", "forward", "backward", "latent", "circulating"})
+  for (const char* name : {"fed", "taken", "lost", "latent", "circulating"})
     setTotal(name, QStringLiteral("–"));
   m_share->setVisible(false);
   m_verdict->clear();
@@ -386,16 +376,6 @@ void ForcesPanel::showTotals() {
   setTotal("fed", numberText(report.sums->fed));
   setTotal("taken", numberText(report.sums->taken));
   setTotal("lost", numberText(report.sums->lost));
-  const auto efficiency = [&](const char* name, const std::optional<LossySolution>& solution,
-                              const std::optional<PowerSums>& sums) {
-    if (!solution) return;
-    if (solution->outcome == LossySolution::Outcome::selfLocking) return setTotal(name, tr("locks itself"));
-    const auto value = sums ? sums->efficiency() : std::nullopt;
-    if (solution->outcome == LossySolution::Outcome::solved && value)
-      setTotal(name, numberText(*value), value->isExact() ? shownText(shownReal(*value)) : QString());
-  };
-  efficiency("forward", report.lossy, report.sums);
-  efficiency("backward", report.backward, report.backwardSums);
   if (report.latentRatio) setTotal("latent", numberText(*report.latentRatio));
   if (report.circulations)
     setTotal("circulating",
@@ -441,6 +421,19 @@ QString ForcesPanel::emptyText() const {
 void ForcesPanel::fitLoads() {
   const int width = m_loads->minimumSizeHint().width() + m_loadsView->verticalScrollBar()->sizeHint().width();
   m_loadsView->setFixedWidth(std::max(width, scaledPixels(236)));
+}
+
+/// Where there is no room for the card beside the table, it goes below.
+QSize ForcesPanel::minimumSizeHint() const {
+  const QSize wanted = QWidget::minimumSizeHint();
+  const bool isBeside = m_middle->direction() == QBoxLayout::LeftToRight;
+  return {isBeside ? wanted.width() - m_card->minimumWidth() : wanted.width(), wanted.height()};
+}
+
+void ForcesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  m_middle->setDirection(width() >= scaledPixels(kRoomForCard) ? QBoxLayout::LeftToRight
+                                                               : QBoxLayout::TopToBottom);
 }
 
 bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {

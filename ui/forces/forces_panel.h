@@ -7,6 +7,7 @@
 #include "ui/selection/selection.h"
 #include "ui/statics/forces_service.h"
 
+class QBoxLayout;
 class QButtonGroup;
 class QComboBox;
 class QHBoxLayout;
@@ -15,12 +16,9 @@ class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph::inline panels {
-class NumberField;
-}  // namespace geargraph::inline panels
-
 namespace geargraph::inline forces {
 
+class EfficiencyCard;
 class EfficiencyPage;
 class ExplanationLabel;
 class ForceTableModel;
@@ -53,6 +51,8 @@ class ForcesPanel : public QWidget {
   /// The plots of the efficiency, instead of a table.
   void showPlots();
   [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
+  [[nodiscard]] EfficiencyCard& efficiency() { return *m_card; }
+  [[nodiscard]] QSize minimumSizeHint() const override;
   /// The finding under the table; empty where all is well.
   [[nodiscard]] QString remark() const;
   /// The cutset of the one selected joint with its equation, or which gear of the one selected mesh drives;
@@ -69,6 +69,7 @@ class ForcesPanel : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeBar();
@@ -99,18 +100,18 @@ class ForcesPanel : public QWidget {
   LinkedTable* m_table;
   QStackedWidget* m_pages;
   EfficiencyPage* m_plots;
+  EfficiencyCard* m_card;
+  QBoxLayout* m_middle = nullptr;  ///< the table, and the card beside it or below
   QLabel* m_empty;
   QLabel* m_remark;
   TwinLine* m_twin = nullptr;
   ExplanationLabel* m_explanation;
   QButtonGroup* m_chips = nullptr;
   QComboBox* m_states = nullptr;
-  NumberField* m_efficiency = nullptr;
   QToolButton* m_share = nullptr;
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;
   QLabel* m_verdict = nullptr;
-  std::optional<Rational> m_eta;
 };
 
 }  // namespace geargraph::inline forces

@@ -11,7 +11,9 @@ namespace geargraph::inline forces {
 namespace {
 
 constexpr std::size_t kMostColumns = 8;
-constexpr std::size_t kMostRows = 2;  ///< beside the equations there is room for no more
+constexpr std::size_t kMostRows = 2;   ///< beside the equations there is room for no more
+constexpr QChar kFrameBegins(0xE000);  ///< private use: no text has it
+constexpr QChar kFrameEnds(0xE001);
 
 QString signText(int factor) {
   return factor < 0 ? QStringLiteral("\u2212") : QString();
@@ -42,10 +44,17 @@ class TwinText {
   [[nodiscard]] QString quiet(const QString& text) const {
     return QStringLiteral("<span style='color:%1'>%2</span>").arg(color(ColorRole::secondary), text);
   }
-  /// The entry that row and column have in common.
-  [[nodiscard]] QString framed(const QString& text) const {
-    return QStringLiteral("<span style='background:%1; color:%2; font-weight:bold'>&nbsp;[%3]&nbsp;</span> ")
-        .arg(color(ColorRole::halo), color(ColorRole::ink), text);
+  /// The frame of the entry that row and column have in common.
+  [[nodiscard]] QString frame() const {
+    return QStringLiteral(" style='border:2px solid %1; background:%2; padding:0px 4px; font-weight:bold'")
+        .arg(color(ColorRole::accent), color(ColorRole::halo));
+  }
+  static QString framed(const QString& text) { return kFrameBegins + text + kFrameEnds; }
+  /// A line whose framed parts are cells of their own, as only these can have a border.
+  [[nodiscard]] QString line(QString html) const {
+    html.replace(kFrameBegins, QStringLiteral("</td><td%1>").arg(frame()));
+    html.replace(kFrameEnds, QStringLiteral("</td><td>&nbsp;"));
+    return QStringLiteral("<table cellspacing=0 cellpadding=1><tr><td>%1</td></tr></table>").arg(html);
   }
   [[nodiscard]] int cell(int mesh, int joint) const {
     const auto row = std::find(m_words.meshes.begin(), m_words.meshes.end(), mesh) - m_words.meshes.begin();
@@ -72,8 +81,8 @@ class TwinText {
         sum += term(sum.isEmpty(), m_words.mesh, joint,
                     QStringLiteral("\u03B8\u0307<sub>%1</sub>").arg(jointLabel(joint)));
     const QString title = TwinLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_words.mesh));
-    return QStringLiteral("<p style='line-height:125%; margin:0'>") + quiet(title + QStringLiteral(" (17)")) +
-           QStringLiteral("<br>") + sum + QStringLiteral(" = 0<br>") + quiet(printed(m_words.speeds));
+    return quiet(title + QStringLiteral(" (17)")) + line(sum + QStringLiteral(" = 0")) +
+           quiet(printed(m_words.speeds));
   }
 
   [[nodiscard]] QString columnSide() const {
@@ -86,10 +95,9 @@ class TwinText {
     const QString title = TwinLine::tr("Column %1: torque in joint %1").arg(jointLabel(m_words.joint));
     const QString number = m_words.torque.empty() ? TwinLine::tr("shared in unknown parts, or not held")
                                                   : TwinLine::tr("here %1 N m").arg(printed(m_words.torque));
-    return QStringLiteral("<p style='line-height:125%; margin:0'>") +
-           quiet(title + QStringLiteral(" (17*)")) +
-           QStringLiteral("<br>\u03C4<sub>%1</sub> + \u2113<sub>%1</sub> = %2<br>")
-               .arg(jointLabel(m_words.joint), sum) +
+    return quiet(title + QStringLiteral(" (17*)")) +
+           line(QStringLiteral("\u03C4<sub>%1</sub> + \u2113<sub>%1</sub> = %2")
+                    .arg(jointLabel(m_words.joint), sum)) +
            quiet(number);
   }
 
@@ -119,9 +127,12 @@ class TwinText {
         const QString text =
             factor == 0 ? QStringLiteral("\u00B7") : signText(factor) + QString::number(std::abs(factor));
         const bool isLit = mesh == m_words.mesh || joint == m_words.joint;
+        const bool isCommon = mesh == m_words.mesh && joint == m_words.joint;
         rows += QStringLiteral("<td align=right%1>%2</td>")
-                    .arg(isLit ? tint : QString(),
-                         mesh == m_words.mesh && joint == m_words.joint ? framed(text) : text);
+                    .arg(isCommon ? frame()
+                         : isLit  ? tint
+                                  : QString(),
+                         text);
       }
       rows += QStringLiteral("</tr>");
     }

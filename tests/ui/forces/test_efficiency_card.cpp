@@ -1,0 +1,146 @@
+#include <QLabel>
+#include <QLayout>
+#include <QSlider>
+#include <QTest>
+#include <QUndoStack>
+
+#include "core/mechanism/model/load_edits.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/train_sketch.h"
+#include "ui/forces/efficiency_card.h"
+#include "ui/forces/forces_panel.h"
+#include "ui/forces/linked_table.h"
+#include "ui/panels/number_field.h"
+
+namespace geargraph {
+
+class EfficiencyCardTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Document> document;
+  Selection selection;
+  std::unique_ptr<ForcesService> service;
+  std::unique_ptr<ForcesPanel> panel;
+
+  void open(Mechanism mechanism) {
+    document->replace(std::move(mechanism), {});
+    settle();
+  }
+  void settle() {
+    const SnapshotPtr snapshot = analyze(document->mechanism(), document->revision());
+    service->follow(snapshot);
+    panel->setSnapshot(snapshot);
+    QTRY_VERIFY(panel->isUpToDate());
+  }
+  NumberField& field(const char* name) { return *panel->findChild<NumberField*>(QLatin1String(name)); }
+
+  /// Sun 5 at 100 rad/s, ring 6 held, carrier 7 out.
+  static Mechanism set() {
+    Mechanism mechanism = test::planetary(24, 18);
+    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
+                                          {mechanism.turningJoints[1].id, Number(0), {}}};
+    mechanism.balances =
+        std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
+    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
+    return mechanism;
+  }
+
+ private slots:
+  void init() {
+    selection.clear();
+    document = std::make_unique<Document>();
+    service = std::make_unique<ForcesService>();
+    panel = std::make_unique<ForcesPanel>(document.get(), &selection, service.get());
+    panel->resize(900, 300);
+    panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
+    panel->setAwake(true);
+  }
+  void cleanup() {
+    panel.reset();
+    service.reset();
+  }
+
+  /// The card: in symbols, with the limit of self-locking; a drag of its slider is one undo step.
+  void theCardOfTheEfficiency() {
+    open(set());
+    auto* slider = panel->findChild<QSlider*>(QStringLiteral("meshEfficiencySlider"));
+    const auto stated = [&] {
+      const auto& defaults = document->mechanism()->gearDefaults;
+      return defaults && defaults->efficiency ? defaults->efficiency->exact() : Rational(0);
+    };
+    QVERIFY(slider->isEnabled());
+    slider->setSliderDown(true);
+    for (const int steps : {198, 197, 196}) slider->setValue(steps);
+    slider->setSliderDown(false);
+    settle();
+    QCOMPARE(stated(), Rational(98, 100));
+    QCOMPARE(field("meshEfficiency").number()->exact(), Rational(98, 100));
+    QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("0.971714"));
+    QCOMPARE(panel->findChild<QLabel*>(QStringLiteral("exact.forward"))->text(), QStringLiteral("3401/3500"));
+    EfficiencyCard& card = panel->efficiency();
+    QCOMPARE(card.locking(), QStringLiteral("Never self-locking, at any efficiency"));
+    QVERIFY2(card.formula().contains(QStringLiteral("i<sub>9</sub>")) &&
+                 card.formula().contains(QStringLiteral("\u03B7<sub>10</sub>")),
+             qPrintable(card.formula()));
+    document->undoStack().undo();
+    settle();
+    QCOMPARE(stated(), Rational(0));
+    QCOMPARE(slider->value(), slider->maximum());
+    // A key is a step of its own.
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Left);
+    QTest::keyClick(slider, Qt::Key_Left);
+    QCOMPARE(stated(), Rational(99, 100));
+    document->undoStack().undo();
+    QCOMPARE(stated(), Rational(199, 200));
+    // Of a coefficient of friction it takes the place.
+    Mechanism rubbing = set();
+    rubbing.gearDefaults.emplace().friction = Number(Rational(1, 20));
+    open(rubbing);
+    QVERIFY(slider->toolTip().contains(QLatin1String("replaces the coefficient of friction")));
+    slider->setValue(190);
+    QVERIFY(!document->mechanism()->gearDefaults->friction);
+    // Where all meshes state their own it moves nothing, and says so.
+    Mechanism own = set();
+    for (GearMesh& mesh : own.gearMeshes) mesh.efficiency = Number(Rational(9, 10));
+    open(own);
+    QVERIFY(!slider->isEnabled() && slider->toolTip().startsWith(QLatin1String("Every mesh states")));
+  }
+
+  /// A carrier that drives a sun beside a fixed one, nearly equal.
+  void whereSelfLockingBegins() {
+    Mechanism mechanism = test::TrainSketch(3)
+                              .joint(0, 1, "a")
+                              .joint(0, 2, "a")
+                              .joint(1, 3, "b")
+                              .mesh(0, 3, 99, 101, MeshKind::external)
+                              .mesh(3, 2, 100, 100, MeshKind::external)
+                              .build();
+    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(1), {}}};
+    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[1].id, Number(1)}}};
+    open(mechanism);
+    QVERIFY2(panel->efficiency().locking().endsWith(QStringLiteral("below \u03B7 = 0.99")) ||
+                 panel->efficiency().locking().endsWith(QStringLiteral("below \u03B7 = 0.9901")),
+             qPrintable(panel->efficiency().locking()));
+    QVERIFY(panel->efficiency().formula().isEmpty() ||
+            panel->efficiency().formula().startsWith(QChar(0x3B7)));
+  }
+
+  /// Where the panel is narrow the card stands below the table.
+  void theCardFindsRoom() {
+    open(set());
+    EfficiencyCard& card = panel->efficiency();
+    panel->layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as in a dock
+    panel->setMinimumSize(0, 0);
+    panel->resize(900, 400);
+    QTRY_VERIFY(card.x() > panel->table().mapTo(panel.get(), QPoint(0, 0)).x() + 50);
+    panel->resize(560, 500);
+    QTRY_VERIFY(card.y() > 0 && card.x() < 20);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::EfficiencyCardTest)
+#include "test_efficiency_card.moc"

@@ -1,0 +1,281 @@
+#include "ui/forces/efficiency_card.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+#include "core/mechanism/model/load_edits.h"
+#include "ui/models/term_tips.h"
+#include "ui/panels/number_field.h"
+#include "ui/theme/style_sheet.h"
+#include "ui/theme/theme_colors.h"
+
+namespace geargraph::inline forces {
+namespace {
+
+constexpr int kSteps = 200;       ///< of the slider from 0 to 1
+constexpr int kLeastSteps = 100;  ///< it begins at 0.5
+constexpr int kMostLinks = 100;   ///< formulas of larger trains are too long to be read
+constexpr std::size_t kMostLetters = 400;
+constexpr int kMostMeshes = 8;  ///< where it locks, all drivers of these are tried at each efficiency
+
+bool isSolved(const std::optional<LossySolution>& solution) {
+  return solution && solution->outcome == LossySolution::Outcome::solved;
+}
+
+void workOut(const ForcesPtr& forces, const Service<ForcesPtr, EfficiencyAnswerPtr>::Responder& respond) {
+  const AnalysisSnapshot& snapshot = *forces->solved;
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const KinematicModel& model = *snapshot.kinematics->model;
+  const Placement& placement = snapshot.kinematics->placement();
+  StaticsOptions options = optionsOf(forces->question);
+  auto answer = std::make_shared<EfficiencyAnswer>();
+  answer->forces = forces;
+  const std::vector<CurveAxis> axes = curveAxes(*snapshot.matroid(), *forces->report, options);
+  if (mechanism.c() <= kMostMeshes &&
+      std::find(axes.begin(), axes.end(), CurveAxis::meshEfficiency) != axes.end()) {
+    answer->limits = lockingLimits(mechanism, model, placement, *snapshot.matroid(), *forces->report, options,
+                                   respond.stop());
+    if (respond.stop().stop_requested()) return;
+    respond.partly(std::make_shared<const EfficiencyAnswer>(*answer));
+  }
+  if (isSolved(forces->report->lossy) && mechanism.n() <= kMostLinks) {
+    options.symbolic = true;
+    const auto symbolic = analyzeStatics(mechanism, model, placement, *snapshot.kinematics->ttGraph,
+                                         *snapshot.matroid(), options, respond.stop());
+    if (!symbolic) return;
+    if (symbolic->efficiency) answer->formula = symbolic->efficiency->toText();
+    if (answer->formula.size() > kMostLetters) answer->formula.clear();
+  }
+  respond(std::move(answer));
+}
+
+/// "(i9*i10 + eta9*eta10)/(i9*i10 + 1)" with its indices set lower and its powers higher.
+QString formulaHtml(const std::string& text) {
+  static const QRegularExpression kPower(QStringLiteral("\\^(\\d+)"));
+  static const QRegularExpression kName(QStringLiteral("(i|eta)(\\d+)"));
+  QString html = shownText(text).toHtmlEscaped();
+  html.replace(kPower, QStringLiteral("<sup>\\1</sup>"));
+  html.replace(kName, QStringLiteral("\\1<sub>\\2</sub>"));
+  html.replace(QLatin1String("eta"), QStringLiteral("\u03B7"));
+  html.replace(QLatin1Char('*'), QStringLiteral("\u2009"));
+  return html.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+bool doMeshesStateLosses(const Mechanism& mechanism) {
+  return !mechanism.gearMeshes.empty() &&
+         std::all_of(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
+                     [](const GearMesh& mesh) { return mesh.efficiency || mesh.friction; });
+}
+
+}  // namespace
+
+EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
+    : QFrame(parent),
+      m_document(document),
+      m_answers(new Answers(&workOut, this)),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_field(new panels::NumberField(this)),
+      m_locking(new QLabel(this)),
+      m_formula(new QLabel(this)) {
+  setProperty("look", "card");
+  setObjectName(QStringLiteral("efficiencyCard"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->setSpacing(2);
+  auto* title = new QLabel(tr("Efficiency"), this);
+  title->setProperty("look", "title");
+  layout->addWidget(title);
+  makeMover();
+  makeValue("forward", tr("forward"), tr("Power taken over power fed."));
+  makeValue("backward", tr("backward"),
+            tr("The efficiency of the same motion with all known torques reversed: the output drives."));
+  for (QLabel* label : {m_locking, m_formula}) {
+    label->setWordWrap(true);
+    label->setProperty("look", "hint");
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(label);
+  }
+  m_locking->setObjectName(QStringLiteral("selfLocking"));
+  m_locking->setToolTip(
+      tr("Where a train locks itself, no torque of what holds the loads moves them, however "
+         "large. The efficiency counts as the same in all meshes."));
+  m_formula->setObjectName(QStringLiteral("efficiencyFormula"));
+  m_formula->setTextFormat(Qt::RichText);
+  m_formula->setToolTip(
+      tr("i: the teeth of the tail's gear over those of the head's; η: the efficiency of a "
+         "mesh. It holds as long as the same gears drive."));
+  layout->addStretch(1);
+  m_answers->onAnswer(this, [this](const EfficiencyAnswerPtr&) { showAnswer(); });
+  connect(document, &Document::changed, this, &EfficiencyCard::showStated);
+  connect(m_answers, &Answers::failed, this, [this] {
+    m_locking->clear();
+    m_formula->clear();
+  });
+  showStated();
+  show(nullptr);
+}
+
+void EfficiencyCard::makeMover() {
+  const QString meaning =
+      tr("The efficiency of meshes that state none: the power that a mesh delivers over what it takes, "
+         "seen from its carrier. Empty: they lose nothing.");
+  auto* title = new QLabel(tr("η of a mesh"), this);
+  title->setProperty("look", "hint");
+  title->setToolTip(meaning);
+  m_slider->setObjectName(QStringLiteral("meshEfficiencySlider"));
+  m_slider->setRange(kLeastSteps, kSteps);
+  m_slider->setAccessibleName(tr("Efficiency of a mesh"));
+  m_slider->setMinimumWidth(60);
+  m_field->setObjectName(QStringLiteral("meshEfficiency"));
+  m_field->setAccessibleName(m_slider->accessibleName());
+  m_field->setOptional(true);
+  m_field->setEmptyText(tr("none"));
+  m_field->setStep(Rational(1, 100));
+  m_field->setFixedWidth(scaledPixels(84));
+  for (QWidget* widget : {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_field)})
+    widget->setToolTip(meaning);
+  connect(m_slider, &QSlider::actionTriggered, this, [this] {
+    if (!m_slider->isSliderDown()) m_gesture = m_document->newGesture();
+  });
+  connect(m_slider, &QSlider::sliderPressed, this, [this] { m_gesture = m_document->newGesture(); });
+  connect(m_slider, &QSlider::valueChanged, this,
+          [this](int steps) { setEfficiency(Number(Rational(steps, kSteps))); });
+  connect(m_field, &panels::NumberField::editingStarted, this,
+          [this] { m_gesture = m_document->newGesture(); });
+  connect(m_field, &panels::NumberField::edited, this, [this](const std::optional<Number>& eta) {
+    if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
+      return m_field->reject(tr("An efficiency is above 0 and at most 1."));
+    setEfficiency(eta);
+  });
+  auto* row = new QHBoxLayout;
+  row->addWidget(title);
+  row->addWidget(m_slider, 1);
+  row->addWidget(m_field);
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
+/// Its title, the fraction, the decimal.
+void EfficiencyCard::makeValue(const char* name, const QString& title, const QString& meaning) {
+  auto* row = new QHBoxLayout;
+  auto* label = new QLabel(title, this);
+  auto* exact = new QLabel(this);
+  exact->setObjectName(QStringLiteral("exact.") + QLatin1String(name));
+  exact->setProperty("look", "hint");
+  auto* value = new QLabel(this);
+  value->setObjectName(QStringLiteral("total.") + QLatin1String(name));
+  value->setProperty("look", "number");
+  value->setWhatsThis(meaning);
+  for (QLabel* each : {exact, value}) each->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (QLabel* each : {label, exact, value}) each->setToolTip(meaning);
+  row->addWidget(label);
+  row->addStretch(1);
+  row->addWidget(exact);
+  row->addWidget(value);
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
+void EfficiencyCard::setEfficiency(const std::optional<Number>& efficiency) {
+  m_document->apply(
+      {tr("Set efficiency"),
+       [efficiency](const Mechanism& before) { return withDefaultLosses(before, efficiency, std::nullopt); },
+       m_gesture});
+}
+
+/// What the document states.
+void EfficiencyCard::showStated() {
+  const Mechanism& mechanism = *m_document->mechanism();
+  const std::optional<Number> stated =
+      mechanism.gearDefaults ? mechanism.gearDefaults->efficiency : std::nullopt;
+  m_field->setNumber(stated);
+  const QSignalBlocker quiet(m_slider);
+  m_slider->setValue(stated ? qRound(stated->value() * kSteps) : kSteps);
+  const bool hasFriction = mechanism.gearDefaults && mechanism.gearDefaults->friction;
+  const bool isUseless = doMeshesStateLosses(mechanism);
+  m_slider->setEnabled(!isUseless);
+  m_slider->setToolTip(isUseless     ? tr("Every mesh states an efficiency or a friction of its own.")
+                       : hasFriction ? tr("An efficiency replaces the coefficient of friction that the "
+                                          "document states for all meshes.")
+                                     : m_field->toolTip());
+}
+
+void EfficiencyCard::show(const ForcesPtr& forces) {
+  if (forces && forces == m_forces) return;
+  m_forces = forces;
+  showValues();
+  ask();
+}
+
+void EfficiencyCard::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  ask();
+}
+
+void EfficiencyCard::showValues() {
+  const StaticsReport none;
+  const StaticsReport& report = m_forces && m_forces->report ? *m_forces->report : none;
+  showValue("forward", report.lossy, report.sums);
+  showValue("backward", report.backward, report.backwardSums);
+}
+
+void EfficiencyCard::showValue(const char* name, const std::optional<LossySolution>& solution,
+                               const std::optional<PowerSums>& sums) {
+  QString text = QStringLiteral("–");
+  QString exact;
+  if (solution && solution->outcome == LossySolution::Outcome::selfLocking) text = tr("locks itself");
+  const auto value = isSolved(solution) && sums ? sums->efficiency() : std::nullopt;
+  if (value) text = shownText(shownNumber(value->number()));
+  if (value && value->isExact()) exact = shownText(shownReal(*value));
+  auto* label = findChild<QLabel*>(QStringLiteral("total.") + QLatin1String(name));
+  label->setText(text);
+  label->setToolTip(exact.isEmpty() ? label->whatsThis()
+                                    : label->whatsThis() + QLatin1Char('\n') + tr("Exactly %1").arg(exact));
+  constexpr int kMostDigits = 14;
+  findChild<QLabel*>(QStringLiteral("exact.") + QLatin1String(name))
+      ->setText(exact.size() <= kMostDigits ? exact : QString());
+}
+
+/// Only while it is seen.
+void EfficiencyCard::ask() {
+  const bool canFollow = m_forces && m_forces->report && m_forces->report->motion &&
+                         m_forces->solved->matroid() != nullptr && m_forces->report->isSolved;
+  if (!canFollow) {
+    m_answers->cancel();
+    m_locking->clear();
+    m_formula->clear();
+    return;
+  }
+  if (!isVisible()) return;
+  const EfficiencyAnswerPtr& answer = m_answers->answer();
+  if (answer && answer->forces == m_forces && m_answers->isComplete()) return showAnswer();
+  m_answers->request(m_forces);
+}
+
+void EfficiencyCard::showAnswer() {
+  const EfficiencyAnswerPtr& answer = m_answers->answer();
+  if (!answer || answer->forces != m_forces) return;
+  m_locking->clear();
+  if (answer->limits) {
+    const auto value = [](double limit) { return shownText(shownNumber(std::round(limit * 1e4) / 1e4)); };
+    const std::optional<double>& forward = answer->limits->forward;
+    const std::optional<double>& backward = answer->limits->backward;
+    m_locking->setText(forward    ? tr("Self-locking below η = %1").arg(value(*forward))
+                       : backward ? tr("Self-locking backward below η = %1").arg(value(*backward))
+                                  : tr("Never self-locking, at any efficiency"));
+  }
+  m_formula->setText(answer->formula.empty() ? QString()
+                                             : QStringLiteral("η = ") + formulaHtml(answer->formula));
+}
+
+QString EfficiencyCard::formula() const {
+  return m_formula->text();
+}
+
+QString EfficiencyCard::locking() const {
+  return m_locking->text();
+}
+
+}  // namespace geargraph::inline forces

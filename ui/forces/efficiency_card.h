@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QFrame>
+
+#include "core/theory/statics/locking_limits.h"
+#include "ui/document/document.h"
+#include "ui/service/service.h"
+#include "ui/statics/forces_service.h"
+
+class QLabel;
+class QSlider;
+
+namespace geargraph::inline panels {
+class NumberField;
+}  // namespace geargraph::inline panels
+
+namespace geargraph::inline forces {
+
+/// What takes longer than the torques themselves.
+struct EfficiencyAnswer {
+  ForcesPtr forces;
+  std::string formula;  ///< as RationalFunction::toText(); empty: none that is short enough to be read
+  std::optional<LockingLimits> limits;  ///< none where efficiencies cannot be followed
+};
+using EfficiencyAnswerPtr = std::shared_ptr<const EfficiencyAnswer>;
+
+/// The efficiency of the train: forward and backward, in symbols, and where self-locking begins; with the
+/// efficiency of the document's meshes to move, by a slider (a drag is one undo step) or a number.
+class EfficiencyCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit EfficiencyCard(Document* document, QWidget* parent = nullptr);
+
+  /// Those of the newest answer; null: none.
+  void show(const ForcesPtr& forces);
+  [[nodiscard]] bool isUpToDate() const { return m_answers->isComplete(); }
+  [[nodiscard]] QString formula() const;
+  [[nodiscard]] QString locking() const;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  using Answers = Service<ForcesPtr, EfficiencyAnswerPtr>;
+
+  void makeMover();
+  void makeValue(const char* name, const QString& title, const QString& meaning);
+  void showStated();
+  void showValues();
+  void showValue(const char* name, const std::optional<LossySolution>& solution,
+                 const std::optional<PowerSums>& sums);
+  void showAnswer();
+  void ask();
+  void setEfficiency(const std::optional<Number>& efficiency);
+
+  Document* m_document;
+  ForcesPtr m_forces;
+  Answers* m_answers;
+  QSlider* m_slider;
+  panels::NumberField* m_field;
+  QLabel* m_locking;
+  QLabel* m_formula;
+  quint64 m_gesture = 0;
+};
+
+}  // namespace geargraph::inline forces
