@@ -9,6 +9,7 @@
 #include "ui/derivation/derivation_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
+#include "ui/forces/torque_rows.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
@@ -69,6 +70,7 @@ QWidget* MainWindow::makeInputsAndResults() {
   m_inputs = new InputsPanel(m_document, m_selection, both);
   connect(m_results, &ResultsPanel::inputsWanted, m_inputs, &InputsPanel::drive);
   layout->addWidget(m_inputs);
+  layout->addWidget(new TorqueRows(m_document, m_selection, &m_workbench->forces(), both));
   auto* rule = new QFrame(both);
   rule->setProperty("look", "rule");
   rule->setFixedHeight(1);
