@@ -165,6 +165,11 @@ int StatesModel::columnCount(const QModelIndex& parent) const {
   return !m_mechanism || parent.isValid() ? 0 : 1 + couplingCount() + static_cast<int>(Tail::count);
 }
 
+bool StatesModel::lacksLinks(int row) const {
+  const ShiftState& state = m_mechanism->states[static_cast<std::size_t>(row)];
+  return !state.drive || !state.driven;
+}
+
 QString StatesModel::linkText(const std::optional<LinkId>& link) const {
   return link ? shown(labelOf(*m_mechanism, *link).value_or("?")) : QStringLiteral("–");
 }
@@ -178,8 +183,7 @@ QString StatesModel::ratioText(int row) const {
     if (diagnostic.code == Code::stateFree) return tr("%1 free").arg(solution->dof);
     return tr("linkage");
   }
-  const ShiftState& state = m_mechanism->states[static_cast<std::size_t>(row)];
-  if (!state.drive || !state.driven) return QStringLiteral("–");
+  if (lacksLinks(row)) return QStringLiteral("–");
   return solution->drivenStands ? tr("stands") : tr("tumbles");
 }
 
@@ -188,6 +192,7 @@ QString StatesModel::tailText(int row, Tail tail) const {
   const StateSolution* solution = solutionAt(row);
   switch (tail) {
     case Tail::links:
+      if (lacksLinks(row)) return tr("choose…");
       return QStringLiteral("%1 → %2").arg(linkText(state.drive), linkText(state.driven));
     case Tail::ratio:
       return ratioText(row);
@@ -278,6 +283,8 @@ QString StatesModel::torqueTip(int row, int position) const {
 }
 
 QString StatesModel::tailTip(int row, int column) const {
+  const bool needsLinks = isTail(column, Tail::links) || isTail(column, Tail::ratio);
+  if (needsLinks && lacksLinks(row)) return tr("Click to choose the input and the output link of this state");
   const StateSolution* solution = solutionAt(row);
   if (isTail(column, Tail::ratio) && solution != nullptr && solution->symbolicRatio)
     return tr("In the gear ratios: %1").arg(shown(solution->symbolicRatio->toText()));

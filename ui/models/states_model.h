@@ -51,6 +51,9 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
   [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }
 
+  /// Has this state no input or no output link yet, so that it has no ratio?
+  [[nodiscard]] bool lacksLinks(int row) const;
+
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

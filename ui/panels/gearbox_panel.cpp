@@ -174,7 +174,12 @@ void GearboxPanel::paintRemark() {
   for (int row = 0; row < m_model->rowCount() && finding == nullptr; ++row) finding = findingOf(row);
   QString text;
   ColorRole role = ColorRole::secondary;
-  if (finding != nullptr) {
+  const bool asks =
+      m_shownState >= 0 && findingOf(m_shownState) == nullptr && m_model->lacksLinks(m_shownState);
+  if (asks) {
+    text = tr("State %1 has no ratio yet: click “choose…” in its row and name its input and output links.")
+               .arg(m_model->index(m_shownState, 0).data().toString());
+  } else if (finding != nullptr) {
     text = shownText(finding->message);
     role = finding->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
   } else if (m_model->rowCount() > 0) {
@@ -292,12 +297,45 @@ void GearboxPanel::onClick(const QModelIndex& index) {
   const int coupling = m_model->couplingAt(index.column());
   if (coupling >= 0) {
     toggleDot(row, coupling, !index.data(StatesModel::EngagedRole).toBool());
+    return;
+  }
+  const QPoint at = m_table->viewport()->mapToGlobal(m_table->visualRect(index).bottomLeft());
+  if (index.column() > 0 && m_model->lacksLinks(row)) {
+    askLinks(row, at, m_document->newGesture());
   } else if (m_model->isTail(index.column(), StatesModel::Tail::links)) {
-    const QRect cell = m_table->visualRect(index);
-    chooseLinks(row, m_table->viewport()->mapToGlobal(cell.bottomLeft()));
+    chooseLinks(row, at);
   } else {
     engage(row);
   }
+}
+
+/// Asks for the input link, then for the output link, of this state and of all others without one: one step.
+void GearboxPanel::askLinks(int state, const QPoint& at, quint64 gesture) {
+  const ShiftState& asked = m_document->mechanism()->states[static_cast<std::size_t>(state)];
+  const bool forInput = !asked.drive;
+  if (!forInput && asked.driven) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("askLinks"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addSection(
+      (forInput ? tr("Which link is the input of state %1?") : tr("Which link is the output of state %1?"))
+          .arg(shownText(asked.name)));
+  const auto take = [=, this](LinkId link) {
+    const auto edit = [=](const Mechanism& before) {
+      Expected<Mechanism> after = before;
+      for (int each = 0; after && each < static_cast<int>(before.states.size()); ++each) {
+        const ShiftState& now = before.states[static_cast<std::size_t>(each)];
+        if (forInput ? !now.drive : !now.driven)
+          after =
+              forInput ? withDrive(*std::move(after), each, link) : withDriven(*std::move(after), each, link);
+      }
+      return after;
+    };
+    if (m_document->apply({tr("Choose input and output"), edit, gesture})) askLinks(state, at, gesture);
+  };
+  chooseLink(*menu, take, forInput ? asked.driven : asked.drive);
+  connect(menu, &QMenu::aboutToHide, this, [this] { m_selection->unhover(); });
+  menu->popup(at);
 }
 
 void GearboxPanel::chooseLinks(int state, const QPoint& at) {
@@ -329,6 +367,10 @@ void GearboxPanel::rowMenu(const QPoint& at) {
   QMenu menu(this);
   menu.addAction(tr("Engage"), this, [this, row] { engage(row); });
   menu.addAction(tr("Rename"), this, [this, row] { m_table->edit(m_model->index(row, 0)); });
+  menu.addAction(tr("Choose input and output…"), this, [this, row, place = QCursor::pos()] {
+    if (m_model->lacksLinks(row)) return askLinks(row, place, m_document->newGesture());
+    chooseLinks(row, place);
+  });
   menu.addSeparator();
   menu.addAction(tr("Delete"), this, [this, row] {
     apply(tr("Delete state"), [row](const Mechanism& before) { return withoutState(before, row); });

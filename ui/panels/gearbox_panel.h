@@ -16,9 +16,10 @@ namespace geargraph::inline panels {
 class StatesTable;
 
 /// Brakes, clutches and the shift table. A click on a dot puts a coupling into a state or takes it out; a
-/// click on a state engages it in the document, the letters above engage or release single couplings. All
-/// views are of the train as engaged, and all of it is undone like any edit. Each dot has its coupling's
-/// torque, under the loads of the document or 1 N m at the drive.
+/// click on a state engages it in the document (its ratio asks for its links first, where it has none), the
+/// letters above engage or release single couplings. All views are of the train as engaged, and all of it is
+/// undone like any edit. Each dot has its coupling's torque, under the loads of the document or 1 N m at the
+/// drive.
 class GearboxPanel : public QWidget {
   Q_OBJECT
 
@@ -67,6 +68,7 @@ class GearboxPanel : public QWidget {
   void toggleDot(int state, int coupling, bool engaged);
   void onClick(const QModelIndex& index);
   void chooseLinks(int state, const QPoint& at);
+  void askLinks(int state, const QPoint& at, quint64 gesture);
   void rowMenu(const QPoint& at);
   void headMenu(const QPoint& at);
   void hoverCell(const QModelIndex& index);

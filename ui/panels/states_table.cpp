@@ -78,8 +78,10 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const bool circulates = model->isTail(index.column(), StatesModel::Tail::circulating) && text.size() > 1;
     if (circulates) painter->setPen(qColor(ColorRole::warning, theme));
     if (model->isTail(index.column(), StatesModel::Tail::ratio) && !remark) font.setBold(true);
-    if (model->isTail(index.column(), StatesModel::Tail::links))
-      painter->setPen(qColor(ColorRole::secondary, theme));
+    if (model->isTail(index.column(), StatesModel::Tail::links)) {
+      const bool asks = model->lacksLinks(index.row());
+      painter->setPen(qColor(asks ? ColorRole::accent : ColorRole::secondary, theme));
+    }
     painter->setFont(font);
     const bool last = index.column() == model->lastColumn();
     painter->drawText(cell.adjusted(0, 0, last ? -kMargin : -6, 0), Qt::AlignRight | Qt::AlignVCenter, text);

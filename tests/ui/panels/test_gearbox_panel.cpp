@@ -1,6 +1,8 @@
 #include <QAbstractItemModelTester>
+#include <QApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -242,6 +244,68 @@ class GearboxPanelTest : public QObject {
     click(0, 0);
     QVERIFY(panel->remark().contains(QStringLiteral("locks its drive")));
     QCOMPARE(analyze(document->mechanism())->matroid()->dof, 0);
+  }
+
+  /// The menu that asks for a link; none where nothing is asked.
+  QMenu* question() {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    return menu != nullptr && menu->objectName() == QLatin1String("askLinks") ? menu : nullptr;
+  }
+  void answer(const QString& link) {
+    QMenu* menu = question();
+    QVERIFY(menu != nullptr);
+    for (QAction* action : menu->actions()) {
+      if (!action->text().startsWith(link)) continue;
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+      return settle();
+    }
+    QFAIL("no such link is offered");
+  }
+  void openWithoutLinks() {
+    Mechanism without = test::eightSpeed();
+    for (ShiftState& state : without.states) state.drive = state.driven = std::nullopt;
+    document->replace(without, {});
+    settle();
+  }
+
+  void aStateWithoutLinksAsksForThem() {
+    const MechanismPtr whole = document->mechanism();
+    const auto label = [&](const LinkId& link) {
+      return tr("Link %1").arg(QString::fromStdString(*labelOf(*whole, link)));
+    };
+    openWithoutLinks();
+    const int ratio = panel->model().couplingCount() + 1 + static_cast<int>(StatesModel::Tail::ratio);
+    QCOMPARE(text(0, StatesModel::Tail::links), QStringLiteral("choose…"));
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("–"));
+    // Given up, nothing has changed.
+    click(0, ratio);
+    QVERIFY(question() != nullptr);
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QTRY_VERIFY(question() == nullptr);
+    QCOMPARE(document->undoStack().count(), 0);
+    // The input, then the output; both are one step, for all states that had none.
+    click(0, ratio);
+    answer(label(*whole->states[0].drive));
+    QTRY_VERIFY(question() != nullptr && question()->actions().front()->text().contains("output"));
+    answer(label(*whole->states[0].driven));
+    QTRY_VERIFY(question() == nullptr);
+    QCOMPARE(*document->mechanism(), *whole);
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("108/23"));
+    QCOMPARE(document->undoStack().count(), 1);
+    document->undoStack().undo();
+    QVERIFY(!document->mechanism()->states[0].drive && !document->mechanism()->states[8].driven);
+    // A state that has them is engaged instead.
+    document->undoStack().redo();
+    settle();
+    click(0, ratio);
+    QVERIFY(question() == nullptr && panel->model().isRunning(0));
+  }
+
+  void aStateThatIsEngagedWithoutLinksSaysWhatItLacks() {
+    openWithoutLinks();
+    click(0, 0);
+    QCOMPARE(document->mechanism()->engaged, document->mechanism()->states[0].engaged);
+    QVERIFY2(panel->remark().contains(QStringLiteral("no ratio yet")), qPrintable(panel->remark()));
   }
 
   void theEngagementFollowsTheDotsOfItsState() {
