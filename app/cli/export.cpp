@@ -153,9 +153,12 @@ constexpr std::array kExportOptions = {
     ExportOption{{"--gear", "MESH:SIDE", "one gear in its own frame: 15:tail or 15:head", kOfSolids},
                  kSolids},
     ExportOption{{"--link", "LABEL", "the solids of one link", kOfSolids}, kSolids},
-    ExportOption{{"--animate", "SECONDS",
-                  "with glb: how long one period plays (without: as long as it takes)", kOfSolids},
-                 kSolids},
+    ExportOption{
+        {"--animate", "SECONDS",
+         "with glb: how long one period plays (without: as long as it takes; of a period too long for "
+         "a file, so many seconds of the motion, 60)",
+         kOfSolids},
+        kSolids},
     ExportOption{
         {"--tolerance", "MODULES",
          "farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles "

@@ -42,8 +42,7 @@ std::variant<MeshScene, int> trainScene(const ExportTrain& train, const Argument
               << "geargraph-cli: Left out: " << solids.left.size() << " of " << train.train.gears.size()
               << " gears, which cannot be made.\n";
   }
-  if (!solids.restsWhy.empty())
-    std::cerr << "geargraph-cli: " << solids.restsWhy << " Nothing in the file moves.\n";
+  if (!solids.shows.empty()) std::cerr << "geargraph-cli: " << solids.shows << '\n';
   return std::move(solids.scene);
 }
 

@@ -187,16 +187,21 @@ class TestExportSolids : public QObject {
     QVERIFY(QDir(folder.path()).isEmpty());
   }
 
-  void aPeriodTooLongForKeysStandsStillUnlessAskedFor() {
+  void aPeriodTooLongForKeysIsShownForAMinuteAndSaidSo() {
     const QByteArray awkward = rowOfWheels({101, 103, 107, 109, 113});
-    const Run still = run({"export", "-", "--to", "glb", "--tolerance", "0.05", "-o", "-"}, awkward);
-    QCOMPARE(still.status, 0);
-    QVERIFY(still.errors.find("Nothing in the file moves") != std::string::npos);
-    QCOMPARE(durationOf(sceneIn(still.output, MeshFormat::glb)), 0.0);
+    const Run minute = run({"export", "-", "--to", "glb", "--tolerance", "0.05", "-o", "-"}, awkward);
+    QCOMPARE(minute.status, 0);
+    QVERIFY(minute.errors.find("first 60 s") != std::string::npos);
+    QCOMPARE(durationOf(sceneIn(minute.output, MeshFormat::glb)), 60.0);
     const Run asked =
         run({"export", "-", "--to", "glb", "--tolerance", "0.05", "--animate", "5", "-o", "-"}, awkward);
-    QCOMPARE(asked.status, 3);
-    QVERIFY(asked.output.empty());
+    QCOMPARE(asked.status, 0);
+    QVERIFY(asked.errors.find("first 5 s") != std::string::npos);
+    QCOMPARE(durationOf(sceneIn(asked.output, MeshFormat::glb)), 5.0);
+    // A short period is shown whole, and there is nothing to say.
+    const Run whole =
+        run({"export", "-", "--to", "glb", "--tolerance", "0.05", "-o", "-"}, rowOfWheels({20, 40}));
+    QVERIFY(whole.status == 0 && whole.errors.find("The file shows") == std::string::npos);
   }
 
   void moreTrianglesThanTheLimitAreRefusedBeforeTheyAreMade() {

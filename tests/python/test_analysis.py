@@ -148,11 +148,10 @@ def test_what_an_export_leaves_out_is_a_warning(tmp_path):
             if last is not None:
                 m.add_mesh(last[0], link, (last[1], teeth))
             last = (link, teeth)
-    with pytest.warns(UserWarning, match="Nothing in the file moves"):
+    with pytest.warns(UserWarning, match="first 60 s"):
         m.analyze().export(tmp_path / "long.glb", tolerance=0.1)
-    with pytest.raises(gg.Error) as caught:
+    with pytest.warns(UserWarning, match="first 5 s"):
         m.analyze().export(tmp_path / "long.glb", tolerance=0.1, seconds=5)
-    assert caught.value.code == "limit"
 
 
 def test_a_film(robot, tmp_path):

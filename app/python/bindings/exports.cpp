@@ -71,7 +71,7 @@ py::tuple writeSolids(const Snapshot& self, const std::string& path, const std::
     options.stop = stop;
     return writeMesh(solids.scene, *format, path, options);
   }));
-  return py::make_tuple(solids.tolerance, rowsOf(solids.left), solids.restsWhy);
+  return py::make_tuple(solids.tolerance, rowsOf(solids.left), solids.shows);
 }
 
 void writeAssemblyFolder(const Snapshot& self, const std::string& folder, std::size_t frames,

@@ -293,10 +293,10 @@ class Exports:
         tolerance: Optional[float] = None,
     ) -> None:
         label = None if link is None else str(self.mechanism.link(link).label)
-        taken, left_out, rests_why = self._snapshot.write_solids(
+        taken, left_out, shows = self._snapshot.write_solids(
             path, form, gear, label, seconds, tolerance
         )
-        notes = [rests_why + " Nothing in the file moves."] if rests_why else []
+        notes = [shows] if shows else []
         if left_out:
             first = diagnostics_of(left_out)[0]
             notes.append(f"{len(left_out)} gears are left out: {first.message}")

@@ -20,16 +20,41 @@ Eigen::Vector3d originOf(const LinkSceneSource& source, int link) {
   return source.kinematics.line(source.tree.jointToParent(link)).point;
 }
 
-/// Whole quarter turns of each joint in one period, by joint.
+/// Whole quarter turns of each joint in one period, by joint; of a stretch, their rates instead.
 struct Period {
   std::vector<long long> quarters;
   double seconds = 0;
+  std::vector<double> rates = {};
 };
 
 MeshFileError tooLong(const Rational& turns) {
   return {MeshFileError::Kind::limit,
           "The motion repeats only after " + turns.toString() +
               " turns of what turns at 1 rad/s; that is too long for an animation."};
+}
+
+std::variant<Period, MeshFileError> stretchOf(const UniformMotion& motion) {
+  Period period;
+  period.seconds = *motion.stretch;
+  double keys = 0;
+  for (const Rational& rate : motion.rates) {
+    period.rates.push_back(rate.toDouble());
+    keys += std::abs(period.rates.back()) * period.seconds * 2 / std::numbers::pi + 2;
+  }
+  if (keys <= static_cast<double>(kMostKeys)) return period;
+  return MeshFileError{MeshFileError::Kind::limit, "The motion is too fast for an animation that long."};
+}
+
+/// How the joint turns; no keys where it stands still.
+std::vector<RotationKey> keysOf(const LinkSceneSource& source, const Period& period, int joint) {
+  const auto place = static_cast<std::size_t>(joint);
+  const Eigen::Vector3d axis = source.kinematics.line(joint).direction;
+  const int sense = -source.tree.directionToGround(joint);
+  if (place < period.rates.size() && period.rates[place] != 0)
+    return turnFor(axis, Eigen::Quaterniond::Identity(), sense * period.rates[place], period.seconds);
+  if (place < period.quarters.size() && period.quarters[place] != 0)
+    return uniformTurn(axis, Eigen::Quaterniond::Identity(), sense * period.quarters[place], period.seconds);
+  return {};
 }
 
 std::variant<Period, MeshFileError> periodOf(const UniformMotion& motion) {
@@ -60,13 +85,7 @@ void addLinks(MeshScene& scene, const LinkSceneSource& source, const Period& per
       const int joint = source.tree.jointToParent(link);
       node.parent = places[static_cast<std::size_t>(parent)];
       node.pose.translation() -= originOf(source, parent);
-      const long long quarters =
-          period.quarters.empty() ? 0 : period.quarters[static_cast<std::size_t>(joint)];
-      if (quarters != 0) {
-        const long long sense = -source.tree.directionToGround(joint);
-        node.keys = uniformTurn(source.kinematics.line(joint).direction, Eigen::Quaterniond::Identity(),
-                                sense * quarters, period.seconds);
-      }
+      node.keys = keysOf(source, period, joint);
     }
     places[position] = scene.nodes.size();
     scene.nodes.push_back(std::move(node));
@@ -80,7 +99,7 @@ std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
   Period period;
   if (motion) {
     GEARGRAPH_REQUIRE(static_cast<int>(motion->rates.size()) == source.kinematics.jointCount());
-    auto found = periodOf(*motion);
+    auto found = motion->stretch ? stretchOf(*motion) : periodOf(*motion);
     if (const auto* error = std::get_if<MeshFileError>(&found)) return *error;
     period = std::get<Period>(std::move(found));
   }

@@ -26,6 +26,8 @@ struct LinkSceneSource {
 struct UniformMotion {
   std::vector<Rational> rates;
   std::optional<double> seconds;  ///< as long as it really takes where nothing is said
+  /// Only these seconds of the motion as it really is, instead of one period: it ends where it is then.
+  std::optional<double> stretch = {};
 };
 
 /// Most keys of rotation that an animation may have. One period of a train with awkward tooth counts is long.
@@ -38,8 +40,8 @@ constexpr std::size_t kMostKeys = 1'000'000;
 ///
 /// Nodes and materials bear the names of the links, "link 3" where a link has none; parts bear theirs.
 /// Identity: worldPosesAt() of a part is the pose of its link by ForwardKinematics times the part's own.
-/// Fails with `limit` where a period takes more than kMostKeys keys; the message says how many turns it has.
-/// Cost: O(links + parts + keys).
+/// Fails with `limit` where a period, or the stretch, takes more than kMostKeys keys; the message says how
+/// many turns a period has. Cost: O(links + parts + keys).
 [[nodiscard]] std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
                                                                const std::optional<UniformMotion>& motion);
 

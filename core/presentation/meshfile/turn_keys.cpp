@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace geargraph::inline meshfile {
 
@@ -19,6 +20,20 @@ std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Q
     const Eigen::Quaterniond turn(cosine[static_cast<std::size_t>(turned)], vector.x(), vector.y(),
                                   vector.z());
     keys.push_back({seconds * static_cast<double>(i) / static_cast<double>(count), turn * rest});
+  }
+  return keys;
+}
+
+std::vector<RotationKey> turnFor(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest, double rate,
+                                 double seconds) {
+  const double quarter = std::numbers::pi / 2 / std::abs(rate);  // s
+  const auto whole = static_cast<long long>(seconds / quarter);
+  std::vector<RotationKey> keys{{0, rest}};
+  if (whole > 0)
+    keys = uniformTurn(axis, rest, rate < 0 ? -whole : whole, quarter * static_cast<double>(whole));
+  if (keys.back().seconds < seconds) {
+    const double left = rate * (seconds - keys.back().seconds);
+    keys.push_back({seconds, Eigen::AngleAxisd(left, axis) * keys.back().rotation});
   }
   return keys;
 }

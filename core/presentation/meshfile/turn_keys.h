@@ -15,4 +15,9 @@ namespace geargraph::inline meshfile {
                                                    const Eigen::Quaterniond& rest, long long quarters,
                                                    double seconds);
 
+/// The same at `rate` rad/s, not 0, for `seconds` of time, which need not be whole quarters: one key at each
+/// quarter, and one at the end. @pre seconds > 0
+[[nodiscard]] std::vector<RotationKey> turnFor(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
+                                               double rate, double seconds);
+
 }  // namespace geargraph::inline meshfile

@@ -1,5 +1,6 @@
 #include "core/presentation/results/train_export.h"
 
+#include <sstream>
 #include <utility>
 
 #include "core/machine/bodies/derived_geometry.h"
@@ -60,6 +61,23 @@ std::pair<TrainParts, double> fittingParts(const ExportTrain& from, const Solids
   return made;
 }
 
+/// Some seconds of a motion whose period is too long, `seconds` where they are said; `shows` says so then.
+std::variant<MeshScene, MeshFileError> stretchScene(const LinkSceneSource& source, UniformMotion motion,
+                                                    double seconds, std::string& shows) {
+  motion.stretch = seconds > 0 ? seconds : kStretch;
+  auto scene = linkScene(source, motion);
+  while (std::holds_alternative<MeshFileError>(scene) && seconds <= 0 &&
+         *motion.stretch > kShortestAnimation) {
+    motion.stretch = *motion.stretch / 10;  // what turns so fast shows enough of it in less
+    scene = linkScene(source, motion);
+  }
+  std::ostringstream text;
+  text << " The file shows the first " << *motion.stretch
+       << " s of it, at its speed; it does not end where it began.";
+  shows += text.str();
+  return scene;
+}
+
 }  // namespace
 
 std::variant<ExportTrain, ExportFailure> exportTrain(SnapshotPtr snapshot, const std::stop_token& stop) {
@@ -112,13 +130,13 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
   TrainSolids solids{{}, tolerance, std::move(made.diagnostics), {}};
   auto scene = linkScene(source, motion);
   if (const auto* error = std::get_if<MeshFileError>(&scene)) {
-    if (choice.seconds > 0) {
-      std::string message = error->message;
-      if (message.ends_with('.')) message.pop_back();
-      return ExportFailure{Kind::limit, std::move(message)};
-    }
-    solids.restsWhy = error->message;
-    scene = linkScene(source, std::nullopt);
+    solids.shows = error->message;
+    scene = stretchScene(source, *std::move(motion), choice.seconds, solids.shows);
+  }
+  if (const auto* error = std::get_if<MeshFileError>(&scene)) {
+    std::string message = error->message;
+    if (message.ends_with('.')) message.pop_back();
+    return ExportFailure{Kind::limit, std::move(message)};
   }
   solids.scene = std::get<MeshScene>(std::move(scene));
   return solids;

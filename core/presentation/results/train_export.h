@@ -56,14 +56,16 @@ struct SolidsChoice {
   std::optional<double> tolerance = {};
   std::optional<std::string> link = {};  ///< only the link with this label
   bool moves = false;                    ///< with the motion at the document's speeds
-  double seconds = 0;  ///< how long one period plays; 0: as long as it takes, and without one at rest
+  /// How long one period plays; 0: as long as it takes. Of a period that is too long for a file, as many
+  /// seconds of the motion as it really is; 0: kStretch.
+  double seconds = 0;
 };
 
 struct TrainSolids {
   MeshScene scene;
   double tolerance = 0;  ///< the one taken, in modules
   Diagnostics left;      ///< gears of a large train that cannot be made: left out, as in the 3D view
-  std::string restsWhy;  ///< why nothing moves although it was asked for; empty otherwise
+  std::string shows;     ///< what the file shows instead of one period, and why; empty otherwise
 };
 
 /// The whole train, or one link of it, as a scene for a 3D file. A train of few gears needs all of them.
@@ -85,6 +87,7 @@ constexpr double kFinestTolerance = 1e-4;  ///< modules
 constexpr double kCoarsestTolerance = 0.2;
 constexpr double kShortestAnimation = 1e-3;  ///< s
 constexpr double kLongestAnimation = 1e6;
+constexpr double kStretch = 60;  ///< s of a motion whose period is too long
 constexpr std::size_t kMostAssemblyFrames = 10'000;
 
 }  // namespace geargraph::inline results

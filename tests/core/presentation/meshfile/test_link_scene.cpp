@@ -150,6 +150,25 @@ class TestLinkScene : public QObject {
     QCOMPARE(durationOf(robot.scene(3.0)), 0.0);
   }
 
+  /// What repeats too late for a file is shown for some seconds, at the speed that it has.
+  void aStretchOfAMotionWithoutAShortPeriod() {
+    Robot robot = paperRobot();
+    robot.rates[0] = Rational(1, 1'000'003);
+    const auto made = linkScene(robot.source(), UniformMotion{robot.rates, {}, 7.3});
+    QVERIFY(std::holds_alternative<MeshScene>(made));
+    const auto& scene = std::get<MeshScene>(made);
+    QCOMPARE(durationOf(scene), 7.3);
+    for (const double time : {0.0, 1.7, 4.1, 7.3}) {
+      const auto poses = worldPosesAt(scene, time);
+      const auto wanted = robot.expected(time);
+      for (std::size_t part = 0; part < wanted.size(); ++part)
+        QVERIFY((poses[poses.size() - wanted.size() + part].matrix() - wanted[part].matrix()).norm() < 1e-9);
+    }
+    robot.rates[0] = Rational(10'000'000);
+    const auto tooFast = linkScene(robot.source(), UniformMotion{robot.rates, {}, 7.3});
+    QVERIFY(std::get<MeshFileError>(tooFast).kind == MeshFileError::Kind::limit);
+  }
+
   void aPeriodBeyondTheLimitIsRefusedWithItsLength() {
     Robot robot = paperRobot();
     robot.rates[0] = Rational(1, 1'000'003);

@@ -17,6 +17,22 @@ class TestTurnKeys : public QObject {
     QVERIFY(keys[8].rotation.coeffs() == keys[0].rotation.coeffs());
   }
 
+  /// Some seconds of a turn end where it is then, a key at each quarter before.
+  void aStretchNeedNotBeWholeQuarters() {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 2) / 3;
+    const Eigen::Quaterniond rest(Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()));
+    for (const double rate : {0.7, -3.1, 1e-6}) {
+      MeshNode node;
+      node.keys = turnFor(axis, rest, rate, 5);
+      QCOMPARE(node.keys.size(), std::size_t(2 + std::floor(5 * std::abs(rate) / (std::numbers::pi / 2))));
+      QCOMPARE(node.keys.back().seconds, 5.0);
+      for (const double time : {0.0, 0.3, 2.2, 4.9, 5.0}) {
+        const Eigen::Matrix3d wanted = (Eigen::AngleAxisd(rate * time, axis) * rest).toRotationMatrix();
+        QVERIFY((poseAt(node, time).linear() - wanted).norm() < 1e-12);
+      }
+    }
+  }
+
   void keysTurnTheWayTheyAreTold() {
     const Eigen::Vector3d axis = Eigen::Vector3d(2, -1, 2) / 3;
     const Eigen::Quaterniond rest(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));

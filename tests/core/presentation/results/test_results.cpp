@@ -72,7 +72,7 @@ class TestResults : public QObject {
     QCOMPARE(kindOf(trainAssembly(train, 0.1, kFewestFrames, stopped())), Kind::stopped);
     const auto solids = std::get<TrainSolids>(trainSolids(train, {.tolerance = 0.1, .moves = true}));
     QCOMPARE(solids.tolerance, 0.1);
-    QVERIFY(durationOf(solids.scene) > 0 && solids.restsWhy.empty() && solids.left.empty());
+    QVERIFY(durationOf(solids.scene) > 0 && solids.shows.empty() && solids.left.empty());
   }
 
   void graphsNeedWhatTheyShow() {
