@@ -8,6 +8,7 @@
 #include "core/machine/arrangement/body_clashes.h"
 #include "core/machine/arrangement/body_planner.h"
 #include "core/machine/arrangement/ground_frame.h"
+#include "core/machine/arrangement/simple_plan.h"
 #include "core/machine/solids/gear_body.h"
 
 namespace geargraph::inline arrangement {
@@ -31,8 +32,11 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
   // And the frame leaves room for carriers that find none, or that go round bearings it cannot reach.
   PlanTries tries;
-  if (train.gears.size() > kMostRoutedGears)
-    return BodyPlanner(mechanism, placement, train, tries, stop).planSimply();
+  if (train.gears.size() > kMostRoutedGears) {
+    PlanDraft draft(mechanism, placement, train, tries, stop);
+    planSimply(draft);
+    return std::move(draft.plan);
+  }
   struct Tried {
     Arrangement plan;
     std::vector<BodyClash> clashes;
@@ -47,12 +51,13 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   bool isNew = true;
   for (int i = 0; isNew && i < kMostTries; ++i) {
     isNew = false;
-    BodyPlanner planner(mechanism, placement, train, tries, stop);
-    Tried tried{planner.plan(), {}};
+    PlanDraft draft(mechanism, placement, train, tries, stop);
+    planBodies(draft);
+    Tried tried{std::move(draft.plan), {}};
     if (stop.stop_requested()) return std::move(tried.plan);
     tried.clashes = bodyClashes(tried.plan, train, stop);
     tried.plan.frame = planFrame(tried.plan, train, placement);
-    for (const int link : planner.wantRoom()) isNew = tries.roomFor.insert(link).second || isNew;
+    for (const int link : draft.wantRoom) isNew = tries.roomFor.insert(link).second || isNew;
     for (const BodyClash& clash : tried.clashes) {
       for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;
     }

@@ -1,9 +1,9 @@
-// Where a shaft comes out: past the wheels of its own axis and of others, and past arms.
+#include "core/machine/arrangement/shaft_ways.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/machine/arrangement/body_planner.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/train/wheel_rooms.h"
 
@@ -22,51 +22,18 @@ bool isPastCrossing(const AxisLayout& layout, const Stretch& held, double at) {
   });
 }
 
-}  // namespace
-
-/// The hubs of a link's wheels on the axis, but for rings. Empty where there are none.
-Stretch BodyPlanner::hubStretch(int axisClass, int link) const {
-  const AxisLayout& layout = axis(axisClass);
-  Stretch hubs{1e300, -1e300, link};
-  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
-    const TrainGear& gear = m_train.gears[g];
-    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
-    const AxialSpan span = hubSpan(gear.spec);
-    const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
-    const double origin = layout.coordinate(gear.pose.translation());
-    for (const double z : {span.low, span.high}) {
-      hubs.low = std::min(hubs.low, origin + sense * z);
-      hubs.high = std::max(hubs.high, origin + sense * z);
-    }
-  }
-  return hubs;
-}
-
-/// What a link's shaft holds on the axis: wheels, and the plates of rings, which are hollow. Empty where
-/// there is nothing.
-Stretch BodyPlanner::heldStretch(int axisClass, int link) const {
-  Stretch held = hubStretch(axisClass, link);
-  for (const CupPlan& cup : m_plan.cups) {
-    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
-    if (ring.link != link || ring.axisClass != axisClass) continue;
-    held.low = std::min(held.low, cup.plate);
-    held.high = std::max(held.high, cup.plate);
-  }
-  return held;
-}
-
 /// Would a shaft part what another link has on the same axis, or a ring's plate come out through the wheels
 /// within the ring?
-bool BodyPlanner::isCutOff(int axisClass, int link, const Stretch& held, double at) const {
-  const AxisLayout& layout = axis(axisClass);
+bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Stretch& held, double at) {
+  const AxisLayout& layout = draft.axis(axisClass);
   const auto isBetween = [&](const Bearing& b) {
-    const Stretch other = heldStretch(axisClass, b.child);
+    const Stretch other = heldStretch(draft, axisClass, b.child);
     return b.child != link && layout.isBelow(other.low, at) && layout.isBelow(at, other.high);
   };
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isBetween)) return true;
   const double middle = (held.low + held.high) / 2;
   const auto isAgainst = [&](const Bearing& b) {
-    const Stretch other = heldStretch(axisClass, b.child);
+    const Stretch other = heldStretch(draft, axisClass, b.child);
     if (!b.placed || !b.isEye() || b.child == link || other.low > other.high) return false;
     const double others = (other.low + other.high) / 2;
     const auto passes = [&](double from, double to, double x) {
@@ -80,8 +47,8 @@ bool BodyPlanner::isCutOff(int axisClass, int link, const Stretch& held, double 
     return false;
   };
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isAgainst)) return true;
-  return std::any_of(m_plan.cups.begin(), m_plan.cups.end(), [&](const CupPlan& cup) {
-    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
+  return std::any_of(draft.plan.cups.begin(), draft.plan.cups.end(), [&](const CupPlan& cup) {
+    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
     if (ring.link != link || ring.axisClass != axisClass || held.low < held.high) return false;
     return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Stretch& s) {
       return s.link != link && -cup.side * (at - cup.plate) > 0 && std::min(at, cup.plate) < s.low &&
@@ -90,28 +57,51 @@ bool BodyPlanner::isCutOff(int axisClass, int link, const Stretch& held, double 
   });
 }
 
-/// Does the shaft of the link that a bearing holds, from its wheels to there, stay clear of the wheels on
-/// other axes, wherever their carriers take them?
-bool BodyPlanner::shaftPasses(const Bearing& bearing, double at) const {
-  const int c = classOf(bearing);
-  const AxisLayout& layout = axis(c);
-  const Stretch held = heldStretch(c, bearing.child);
+}  // namespace
+
+Stretch hubStretch(const PlanDraft& draft, int axisClass, int link) {
+  Stretch hubs{1e300, -1e300, link};
+  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = draft.train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    const Stretch hub = draft.stretchOf(gear, hubSpan(gear.spec));
+    hubs.low = std::min(hubs.low, hub.low);
+    hubs.high = std::max(hubs.high, hub.high);
+  }
+  return hubs;
+}
+
+Stretch heldStretch(const PlanDraft& draft, int axisClass, int link) {
+  Stretch held = hubStretch(draft, axisClass, link);
+  for (const CupPlan& cup : draft.plan.cups) {
+    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+    if (ring.link != link || ring.axisClass != axisClass) continue;
+    held.low = std::min(held.low, cup.plate);
+    held.high = std::max(held.high, cup.plate);
+  }
+  return held;
+}
+
+bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
+  const int c = draft.classOf(bearing);
+  const AxisLayout& layout = draft.axis(c);
+  const Stretch held = heldStretch(draft, c, bearing.child);
   if (held.low > held.high) return true;
-  if (isCutOff(c, bearing.child, held, at)) return false;
+  if (isCutOff(draft, c, bearing.child, held, at)) return false;
   if (bearing.parent == 0 && isPastCrossing(layout, held, at)) return false;
   const double from = at < held.low ? at : std::min(held.high, at);
   const double to = at < held.low ? held.low : at;
   if (to - from < 1e-9 * layout.module) return true;
   const double radius = (kShaftRadius + 0.3) * layout.module;
-  const WheelOrbit orbit = orbitOf(c, m_placement);
-  for (const TrainGear& gear : m_train.gears) {
-    if (gear.axisClass == c || gear.link == bearing.child || !parallel(c, gear.axisClass)) continue;
+  const WheelOrbit orbit = orbitOf(c, draft.placement);
+  for (const TrainGear& gear : draft.train.gears) {
+    if (gear.axisClass == c || gear.link == bearing.child || !draft.parallel(c, gear.axisClass)) continue;
     const double middle = layout.coordinate(gear.pose.translation());
     const double half = gear.spec.faceWidth / 2;
     if (!layout.overlap(middle - half, middle + half, from, to)) continue;
-    const double distance = nearestAxes(orbit, orbitOf(gear.axisClass, m_placement), layout.direction);
+    const double distance = nearestAxes(orbit, orbitOf(gear.axisClass, draft.placement), layout.direction);
     if (gear.spec.kind == GearKind::internal) {
-      const Vector3d apart = axis(gear.axisClass).point - layout.point;
+      const Vector3d apart = draft.axis(gear.axisClass).point - layout.point;
       const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
       if (now + radius > nominalTipRadius(gear.spec) && now - radius < rimDiameter(gear.spec) / 2)
         return false;
@@ -119,62 +109,62 @@ bool BodyPlanner::shaftPasses(const Bearing& bearing, double at) const {
       return false;
     }
   }
-  const bool isThroughCup = std::any_of(m_plan.cups.begin(), m_plan.cups.end(), [&](const CupPlan& cup) {
-    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
-    if (ring.axisClass == c || !parallel(c, ring.axisClass)) return false;
-    const double plate = carried(ring.axisClass, cup.plate, c), half = axis(ring.axisClass).width() / 2;
-    if (!layout.overlap(plate - half, plate + half, from, to)) return false;
-    const Vector3d apart = axis(ring.axisClass).point - layout.point;
-    const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
-    return now < rimDiameter(ring.spec) / 2 + radius;
-  });
+  const bool isThroughCup =
+      std::any_of(draft.plan.cups.begin(), draft.plan.cups.end(), [&](const CupPlan& cup) {
+        const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+        if (ring.axisClass == c || !draft.parallel(c, ring.axisClass)) return false;
+        const double plate = draft.carried(ring.axisClass, cup.plate, c),
+                     half = draft.axis(ring.axisClass).width() / 2;
+        if (!layout.overlap(plate - half, plate + half, from, to)) return false;
+        const Vector3d apart = draft.axis(ring.axisClass).point - layout.point;
+        const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
+        return now < rimDiameter(ring.spec) / 2 + radius;
+      });
   if (isThroughCup) return false;
-  return bearing.parent != 0 || m_obstacles.crossingHits(bearing.child, layout.at(from), layout.at(to),
-                                                         radius, layout.direction) == 0;
+  return bearing.parent != 0 || draft.obstacles.crossingHits(bearing.child, layout.at(from), layout.at(to),
+                                                             radius, layout.direction) == 0;
 }
 
-/// Wheels of others on the axis between a level and what the link has there, its bearing included.
-std::ptrdiff_t BodyPlanner::enclosedBy(int link, int home, double level) const {
-  auto own = axis(home).wheelsOf(link);
+std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double level) {
+  auto own = draft.axis(home).wheelsOf(link);
   if (!own) return 0;
-  for (const Bearing& b : axis(home).bearings) {
+  for (const Bearing& b : draft.axis(home).bearings) {
     if (b.child != link || !b.placed) continue;
     own->low = std::min(own->low, b.at);
     own->high = std::max(own->high, b.at);
   }
   const double low = std::min(own->high, level), high = std::max(own->low, level);
-  return std::count_if(axis(home).wheels.begin(), axis(home).wheels.end(), [&](const Stretch& s) {
-    return s.link != link && axis(home).overlap(low, high, s.low, s.high);
+  return std::count_if(draft.axis(home).wheels.begin(), draft.axis(home).wheels.end(), [&](const Stretch& s) {
+    return s.link != link && draft.axis(home).overlap(low, high, s.low, s.high);
   });
 }
 
-/// Does a carrier with nothing but its arm on its axis come from there to its bearing through what others
-/// have?
-bool BodyPlanner::isTrapped(int link, int home, double level) const {
-  const Stretch held = heldStretch(home, link);
+bool isTrapped(const PlanDraft& draft, int link, int home, double level) {
+  const Stretch held = heldStretch(draft, home, link);
   if (held.low <= held.high) return false;
-  const auto& bearings = axis(home).bearings;
+  const auto& bearings = draft.axis(home).bearings;
   return std::any_of(bearings.begin(), bearings.end(), [&](const Bearing& b) {
-    return b.child == link && b.placed && b.isEye() && isCutOff(home, link, {level, level, link}, b.at);
+    return b.child == link && b.placed && b.isEye() &&
+           isCutOff(draft, home, link, {level, level, link}, b.at);
   });
 }
 
-/// Does the shaft that a carrier holds go round through an arm of another link?
-bool BodyPlanner::meetsArms(const Bearing& bearing, double at) const {
-  const int c = classOf(bearing);
-  const WheelOrbit orbit = orbitOf(c, m_placement);
+bool meetsArms(const PlanDraft& draft, const Bearing& bearing, double at) {
+  const int c = draft.classOf(bearing);
+  const WheelOrbit orbit = orbitOf(c, draft.placement);
   if (orbit.about < 0) return false;
-  const Stretch held = heldStretch(c, bearing.child);
-  const double half = axis(c).width() / 2, low = std::min(held.low, at) - half,
+  const Stretch held = heldStretch(draft, c, bearing.child);
+  const double half = draft.axis(c).width() / 2, low = std::min(held.low, at) - half,
                high = std::max(held.high, at) + half;
-  const double room = (kShaftRadius + 1) * axis(c).module;
-  const AxisLayout& centre = axis(orbit.about);
-  return std::any_of(m_plan.arms.begin(), m_plan.arms.end(), [&](const ArmPlan& arm) {
-    if (arm.link == bearing.parent || !parallel(arm.from, c) || !parallel(arm.to, c)) return false;
-    const double level = carried(arm.from, arm.level, c);
+  const double room = (kShaftRadius + 1) * draft.axis(c).module;
+  const AxisLayout& centre = draft.axis(orbit.about);
+  return std::any_of(draft.plan.arms.begin(), draft.plan.arms.end(), [&](const ArmPlan& arm) {
+    if (arm.link == bearing.parent || !draft.parallel(arm.from, c) || !draft.parallel(arm.to, c))
+      return false;
+    const double level = draft.carried(arm.from, arm.level, c);
     if (level + half < low || high < level - half) return false;
     const auto off = [&](int k) {
-      const Vector3d apart = axis(k).point - centre.point;
+      const Vector3d apart = draft.axis(k).point - centre.point;
       return (apart - apart.dot(centre.direction) * centre.direction).eval();
     };
     const Vector3d from = off(arm.from), bar = off(arm.to) - from;
@@ -185,23 +175,22 @@ bool BodyPlanner::meetsArms(const Bearing& bearing, double at) const {
   });
 }
 
-/// Does a carrier's arm to an axis go round through a shaft of the frame?
-bool BodyPlanner::sweepsShafts(int link, int home, double level, int axisClass) const {
-  const AxisLayout& own = axis(home);
+bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int axisClass) {
+  const AxisLayout& own = draft.axis(home);
   const auto away = [&](int c) {
-    const Vector3d apart = axis(c).point - own.point;
+    const Vector3d apart = draft.axis(c).point - own.point;
     return (apart - apart.dot(own.direction) * own.direction).norm();
   };
-  if (axisClass == home || m_placement.classes->classes[static_cast<std::size_t>(home)].top != 0)
+  if (axisClass == home || draft.placement.classes->classes[static_cast<std::size_t>(home)].top != 0)
     return false;
   const double reach = away(axisClass) + (kShaftRadius + 1) * own.module;
-  return std::any_of(m_heldBy[0].begin(), m_heldBy[0].end(), [&](const auto& place) {
+  return std::any_of(draft.heldBy[0].begin(), draft.heldBy[0].end(), [&](const auto& place) {
     const int c = place.first;
-    const Bearing& bearing = axis(c).bearings[place.second];
-    if (c == home || !parallel(home, c) || !bearing.placed || bearing.child == link || away(c) > reach)
+    const Bearing& bearing = draft.axis(c).bearings[place.second];
+    if (c == home || !draft.parallel(home, c) || !bearing.placed || bearing.child == link || away(c) > reach)
       return false;
-    const Stretch held = heldStretch(c, bearing.child);
-    const double half = (own.width() + own.gap()) / 2 - 1e-6 * own.module, at = carried(home, level, c);
+    const Stretch held = heldStretch(draft, c, bearing.child);
+    const double half = (own.width() + own.gap()) / 2 - 1e-6 * own.module, at = draft.carried(home, level, c);
     return std::min(held.low, bearing.at) - half < at && at < std::max(held.high, bearing.at) + half;
   });
 }

@@ -1,0 +1,210 @@
+#include "core/machine/arrangement/crossing_arms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/machine/arrangement/feet.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+
+using Eigen::Vector3d;
+
+namespace {
+
+struct TriedArm {
+  ArmPlan arm;
+  int hits = 1 << 20;  ///< places that do not pass
+};
+
+/// How far the link's shaft reaches along its own axis with this arm.
+Stretch reachOf(const PlanDraft& draft, const ArmPlan& arm) {
+  const AxisLayout& own = draft.axis(arm.from);
+  Stretch reach{arm.level, arm.level, arm.link};
+  const auto include = [&](double low, double high) {
+    reach.low = std::min(reach.low, low);
+    reach.high = std::max(reach.high, high);
+  };
+  for (const Stretch& s : own.taken) {
+    if (s.link == arm.link) include(s.low, s.high);
+  }
+  for (const Bearing& b : own.bearings) {
+    if (b.child == arm.link) include(b.at, b.at);
+  }
+  return reach;
+}
+
+/// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing,
+/// or in what stands on the axis that the post runs along.
+int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
+  const AxisLayout& from = draft.axis(arm.from);
+  const AxisLayout& to = draft.axis(arm.to);
+  const Vector3d start = from.at(arm.level);
+  const Vector3d end = to.at(arm.at);
+  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  constexpr double kNear = 5.5;  // modules: a post beside an eye about two shafts
+  int count = 0;
+  if ((foot - start).norm() < kNear * from.module) {
+    const auto [near, far] = std::minmax({arm.level, from.coordinate(end)});
+    for (const Stretch& s : from.taken)
+      count += s.link >= 0 && s.link != arm.link && from.overlap(s.low, s.high, near, far);
+  }
+  double low = arm.at - to.width() / 2;
+  double high = arm.at + to.width() / 2;
+  if (const auto wheels = to.wheelsOf(arm.child)) {
+    low = std::min(low, wheels->low);
+    high = std::max(high, wheels->high);
+  }
+  if (const auto meeting = draft.crossingOf(arm.from, arm.to)) {
+    constexpr int kThrough = 6;  // places in gears that shafts through each other weigh as much as
+    const Stretch own = reachOf(draft, arm);
+    const bool through = from.isBelow(own.low, meeting->first) && from.isBelow(meeting->first, own.high) &&
+                         to.isBelow(low, meeting->second) && to.isBelow(meeting->second, high);
+    count += through ? kThrough : 0;
+  }
+  const double reach = kShaftRadius * to.module + 0.5 * from.width();
+  const double sine = std::max(from.direction.cross(to.direction).norm(), 0.1);
+  const double postEnd = (reach + 0.5 * to.module) / sine;  // nearer to the shaft the post does not come
+  const auto isInShaft = [&](const Vector3d& p) {
+    const double along = to.coordinate(p);
+    return to.isBelow(low, along) && to.isBelow(along, high) && to.isBelow((p - to.at(along)).norm(), reach);
+  };
+  constexpr int kPlaces = 24;
+  for (int i = 1; i <= kPlaces; ++i) {
+    const double part = static_cast<double>(i) / kPlaces;
+    const Vector3d onPost = end + part * (foot - end);
+    const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onPost) - arm.at)) ||
+                           to.isBelow((onPost - end).norm(), postEnd);
+    count += isInShaft(start + part * (foot - start)) ? 1 : 0;
+    count += !inBearing && isInShaft(onPost) ? 1 : 0;
+  }
+  return count;
+}
+
+/// How many places of an arm with its post lie in gears of other links.
+int armHits(const PlanDraft& draft, const ArmPlan& arm) {
+  const AxisLayout& from = draft.axis(arm.from);
+  const Vector3d start = from.at(arm.level);
+  const Vector3d end = draft.axis(arm.to).at(arm.at);
+  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  const double margin = 0.5 * from.width() + 0.3 * from.module;
+  return draft.obstacles.hits(arm.link, start, foot, margin) +
+         draft.obstacles.hits(arm.link, end, foot, margin) + shaftHits(draft, arm);
+}
+
+/// Levels beside the link's own wheel and arms, or outside of everything.
+std::vector<double> levelsBeside(const PlanDraft& draft, int link, int home) {
+  const AxisLayout& own = draft.axis(home);
+  std::vector<double> levels{own.outerSlot()};
+  const double reach = own.gap() + own.width() / 2;
+  for (const Stretch& s : own.taken) {
+    if (s.link != link) continue;
+    levels.push_back(s.high + reach);
+    levels.push_back(s.low - reach);
+  }
+  if (levels.size() == 1) levels = own.slotCandidates();
+  return levels;
+}
+
+/// Levels beyond the wheels on an axis that crosses, so that an arm goes round them.
+std::vector<double> levelsBeyond(const PlanDraft& draft, int home, int axisClass) {
+  const AxisLayout& own = draft.axis(home);
+  std::vector<double> levels;
+  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = draft.train.gears[g];
+    const double beyond = nominalTipRadius(gear.spec) + own.width() / 2 + own.gap();
+    const double middle = own.coordinate(gear.pose.translation());
+    levels.insert(levels.end(), {middle + beyond, middle - beyond});
+  }
+  return levels;
+}
+
+/// The arm to the bearing's axis that passes most, then the shortest.
+TriedArm bestArm(const PlanDraft& draft, int link, int home, const Bearing& bearing,
+                 const std::vector<double>& levels) {
+  const int c = draft.classOf(bearing);
+  const AxisLayout& target = draft.axis(c);
+  const AxisLayout& own = draft.axis(home);
+  std::vector<double> places{bearing.at, target.outerSlot()};
+  for (const double x : target.slotCandidates()) places.push_back(x);
+  TriedArm best;
+  double bestCost = 1e300;
+  const auto consider = [&](double at, double level, double extra) {
+    const ArmPlan arm{link, home, level, c, at, bearing.child};
+    constexpr int kInside = 20;  // an arm that cannot come out weighs as much as so many places in gears
+    const int hits = armHits(draft, arm) + (own.emerges(link, level) ? 0 : kInside);
+    const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
+                        std::abs(level - own.coordinate(target.at(at))) + extra;
+    if (cost >= bestCost - 1e-9 * own.module) return;
+    best = {arm, hits};
+    bestCost = cost;
+  };
+  for (const double at : places) {
+    if (draft.isStopped()) break;
+    if (!target.slotIsFree(at)) continue;
+    for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)])
+      consider(at, draft.plan.arms[a].level, 0);
+    for (const double level : levels) {
+      if (own.slotIsFree(level)) consider(at, level, 6 * own.module);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const Bearing& bearing) {
+  const int c = draft.classOf(bearing);
+  const AxisLayout& own = draft.axis(home);
+  const AxisLayout& target = draft.axis(c);
+  const auto wheels = target.wheelsOf(bearing.child);
+  const auto meeting = draft.crossingOf(home, c);
+  if (!wheels || !meeting) return std::nullopt;
+  PinPlan pin{link, home, meeting->first, c};
+  pin.from = meeting->second;
+  if (target.isBelow(wheels->low, pin.from) && target.isBelow(pin.from, wheels->high)) return std::nullopt;
+  const double end = 2 * target.gap();
+  pin.to = target.isBelow(wheels->low, pin.from) ? wheels->low - end : wheels->high + end;
+  const auto inTheWay = [&](const Stretch& s) {
+    return s.link >= 0 && s.link != bearing.child &&
+           target.overlap(s.low, s.high, std::min(pin.from, pin.to), std::max(pin.from, pin.to));
+  };
+  if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
+  for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
+    if (other.child == link || !other.isEye()) continue;
+    const auto span = own.wheelsOf(other.child);
+    const double low = std::min(other.at, span ? span->low : other.at);
+    const double high = std::max(other.at, span ? span->high : other.at);
+    if (own.isBelow(low, pin.level) && own.isBelow(pin.level, high)) return std::nullopt;
+  }
+  return pin;
+}
+
+void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing) {
+  if (draft.tries.onFeet.contains(bearing.child) && link == 0) return putOnFeetOrReport(draft, bearing);
+  TriedArm best = bestArm(draft, link, home, bearing, levelsBeside(draft, link, home));
+  if (const auto place = best.hits > 0 && link == 0 ? placeOfFeet(draft, bearing) : std::nullopt)
+    return putOnFeet(draft, bearing, *place);
+  bearing.placed = true;
+  if (const auto pin = best.hits > 0 ? pinFor(draft, link, home, bearing) : std::nullopt) {
+    bearing.form = BearingForm::pin;
+    bearing.at = pin->to;
+    draft.plan.pins.push_back(*pin);
+    return;
+  }
+  const int c = draft.classOf(bearing);
+  if (best.hits > 0) {
+    const TriedArm other = bestArm(draft, link, home, bearing, levelsBeyond(draft, home, c));
+    if (other.hits < best.hits) best = other;
+  }
+  if (best.hits > 0) draft.plan.blocked.push_back({link, bearing.child});
+  bearing.at = best.arm.at;
+  draft.axis(c).take(best.arm.at, link);
+  const auto& arms = draft.armsOf[static_cast<std::size_t>(link)];
+  const bool stands = std::any_of(arms.begin(), arms.end(),
+                                  [&](std::size_t a) { return draft.plan.arms[a].level == best.arm.level; });
+  if (!stands) draft.axis(home).take(best.arm.level, link);
+  draft.addArm(best.arm);
+}
+
+}  // namespace geargraph::inline arrangement

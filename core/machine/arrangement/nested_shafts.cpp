@@ -1,0 +1,99 @@
+#include "core/machine/arrangement/nested_shafts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/machine/arrangement/coaxial_sections.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+/// Largest radius that the bores of the link's wheels on this axis allow.
+double boreRoom(const PlanDraft& draft, int axisClass, int link) {
+  double room = 1e300;
+  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = draft.train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    room = std::min(room, shaftRoom(gear.spec));
+  }
+  return room;
+}
+
+/// How many wheels, cups and arms of a link another shaft on the axis would cut through if it went about the
+/// link's own.
+int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
+  const AxisLayout& layout = draft.axis(outer.axisClass);
+  const auto isCut = [&](double low, double high) {
+    return layout.overlap(low, high, outer.low, outer.high) ? 1 : 0;
+  };
+  const double half = layout.width() / 2;
+  int cuts = 0;
+  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(outer.axisClass)]) {
+    const TrainGear& gear = draft.train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    const Stretch wheel = draft.stretchOf(gear, axialSpan(gear.spec));
+    cuts += isCut(wheel.low, wheel.high);
+  }
+  for (const CupPlan& cup : draft.plan.cups) {
+    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+    if (ring.link == link && ring.axisClass == outer.axisClass)
+      cuts += isCut(cup.plate - half, cup.plate + half);
+  }
+  for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
+    const ArmPlan& arm = draft.plan.arms[a];
+    if (arm.from == outer.axisClass) cuts += isCut(arm.level - half, arm.level + half);
+  }
+  return cuts;
+}
+
+}  // namespace
+
+void nestShafts(PlanDraft& draft, int axisClass) {
+  std::vector<ShaftSegment*> open;
+  for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    open.push_back(&draft.plan.shafts[s]);
+  }
+  const double module = draft.axis(axisClass).module;
+  const auto length = [&](const ShaftSegment* s) {
+    return std::round((s->high - s->low) / (kEqual * module));
+  };
+  std::stable_sort(open.begin(), open.end(),
+                   [&](const ShaftSegment* a, const ShaftSegment* b) { return length(a) > length(b); });
+  std::vector<ShaftSegment*> shafts;
+  while (!open.empty()) {
+    const auto cuts = [&](const ShaftSegment* inner) {
+      int sum = 0;
+      for (const ShaftSegment* outer : open) {
+        if (outer->link != inner->link &&
+            draft.axis(axisClass).overlap(outer->low, outer->high, inner->low, inner->high))
+          sum += cutsBy(draft, *outer, inner->link);
+      }
+      return sum;
+    };
+    const auto next =
+        std::min_element(open.begin(), open.end(),
+                         [&](const ShaftSegment* a, const ShaftSegment* b) { return cuts(a) < cuts(b); });
+    shafts.push_back(*next);
+    open.erase(next);
+  }
+  double scale = 1;
+  for (std::size_t i = 0; i < shafts.size(); ++i) {
+    ShaftSegment& shaft = *shafts[i];
+    double inside = 0;
+    for (std::size_t k = 0; k < i; ++k) {
+      const bool over = draft.axis(axisClass).overlap(shafts[k]->low, shafts[k]->high, shaft.low, shaft.high);
+      if (over) inside = std::max(inside, shafts[k]->outer);
+    }
+    shaft.wrap(inside, module);
+    scale = std::min(scale, boreRoom(draft, axisClass, shaft.link) / shaft.outer);
+  }
+  for (ShaftSegment* shaft : shafts) {
+    shaft->inner *= scale;
+    shaft->outer *= scale;
+  }
+}
+
+}  // namespace geargraph::inline arrangement

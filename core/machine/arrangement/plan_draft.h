@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/machine/arrangement/arrangement.h"
+#include "core/machine/arrangement/gear_obstacles.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+
+constexpr double kEqual = 1e-6;  ///< modules: lengths that differ by less are equal where they are sorted
+
+/// What earlier tries have shown.
+struct PlanTries {
+  std::set<int> onFeet;   ///< links whose bearings in the frame, across its other axes, get no arm
+  std::set<int> roomFor;  ///< carriers that found no level for their arms
+  /// Carriers whose arms go round bearings of the frame, and the level of these arms: the frame cannot reach
+  /// what is between there and the wheels.
+  std::map<int, double> roundBearings;
+};
+
+/// An arrangement in the making. The parts of the planner (ring_carriers.h, parallel_arms.h, tees.h,
+/// crossing_arms.h, shaft_extents.h, nested_shafts.h) read what it has so far and add to it; each can be
+/// asked by itself. References that it is made of outlive it.
+struct PlanDraft {
+  /// The axes with their wheels, nothing placed. Cost: that of axisLayouts().
+  PlanDraft(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+            const PlanTries& tries, const std::stop_token& stop);
+
+  [[nodiscard]] bool isStopped() const { return stop.stop_requested(); }
+  AxisLayout& axis(int c) { return plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] bool isCoaxial(int axisClass) const { return coaxial[static_cast<std::size_t>(axisClass)]; }
+  [[nodiscard]] int classOf(const Bearing& bearing) const {
+    return placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  }
+  [[nodiscard]] bool parallel(int a, int b) const {
+    return axis(a).direction.cross(axis(b).direction).norm() < 1e-6;
+  }
+  /// Coordinate along class b of the plane through coordinate x of a parallel class a.
+  [[nodiscard]] double carried(int a, double x, int b) const { return axis(b).coordinate(axis(a).at(x)); }
+  /// Where two axes meet: the coordinates of the point along them; nothing where they are skew.
+  [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
+  /// What a span of a gear, along the gear's own axis, takes of its axis class.
+  [[nodiscard]] Stretch stretchOf(const TrainGear& gear, const AxialSpan& span) const;
+
+  void addArm(const ArmPlan& arm) {
+    armsOf[static_cast<std::size_t>(arm.link)].push_back(plan.arms.size());
+    plan.arms.push_back(arm);
+  }
+  void addSegment(const ShaftSegment& shaft) {
+    plan.shaftsOn[static_cast<std::size_t>(shaft.axisClass)].push_back(plan.shafts.size());
+    plan.shafts.push_back(shaft);
+  }
+
+  const Placement& placement;
+  const GearTrain& train;
+  const PlanTries& tries;
+  const std::stop_token& stop;
+  std::set<int> wantRoom;  ///< carriers for whose arms there was no level
+  GearObstacles obstacles;
+  std::vector<std::vector<std::size_t>> gearsOn;  ///< gears by axis class
+  std::vector<bool> coaxial;                      ///< axis classes that have a plan of their own
+  std::vector<std::vector<std::pair<int, std::size_t>>>
+      heldBy;                                    ///< bearings (class, place) by the link that holds
+  std::vector<std::vector<std::size_t>> armsOf;  ///< arms by link
+  Arrangement plan;
+};
+
+}  // namespace geargraph::inline arrangement

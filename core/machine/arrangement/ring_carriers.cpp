@@ -1,0 +1,73 @@
+#include "core/machine/arrangement/ring_carriers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// Does a plate of the ring's cup at this place cut through planets that have wheels on both of its sides?
+bool cutsPlanets(const PlanDraft& draft, const TrainGear& ring, double plate) {
+  const AxisLayout& own = draft.axis(ring.axisClass);
+  const double half = own.width() / 2 + own.gap() / 2;
+  return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
+    const int c = gear.axisClass;
+    if (c == ring.axisClass || !draft.parallel(ring.axisClass, c)) return false;
+    const Vector3d apart = draft.axis(c).point - own.point;
+    if ((apart - apart.dot(own.direction) * own.direction).norm() > rimDiameter(ring.spec) / 2) return false;
+    const auto span = draft.axis(c).wheelsOf(gear.link);
+    const auto [low, high] = std::minmax(
+        {draft.carried(c, span->low, ring.axisClass), draft.carried(c, span->high, ring.axisClass)});
+    return own.overlap(low, high, plate - half, plate + half);
+  });
+}
+
+/// The face of a ring that its other wheels on the axis call for, or that lets wheels inside out which the
+/// frame holds; 0: neither.
+int cupSideFor(const PlanDraft& draft, const TrainGear& ring) {
+  const AxisLayout& own = draft.axis(ring.axisClass);
+  const double middle = own.coordinate(ring.pose.translation());
+  double others = 0;
+  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(ring.axisClass)]) {
+    const TrainGear& gear = draft.train.gears[g];
+    if (gear.link == ring.link) others += own.coordinate(gear.pose.translation()) - middle;
+  }
+  if (std::abs(others) > own.module) return others < 0 ? -1 : 1;
+  const bool holdsFixed = std::any_of(ring.meshes.begin(), ring.meshes.end(), [&](int mesh) {
+    return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
+      const bool meshes = std::find(gear.meshes.begin(), gear.meshes.end(), mesh) != gear.meshes.end();
+      return meshes && gear.axisClass != ring.axisClass &&
+             draft.placement.classes->classes[static_cast<std::size_t>(gear.axisClass)].top == 0;
+    });
+  });
+  return holdsFixed ? -own.bearingSide : 0;
+}
+
+}  // namespace
+
+void placeRingCarriers(PlanDraft& draft) {
+  for (std::size_t g = 0; g < draft.train.gears.size(); ++g) {
+    const TrainGear& gear = draft.train.gears[g];
+    if (gear.spec.kind != GearKind::internal || draft.isCoaxial(gear.axisClass)) continue;
+    AxisLayout& layout = draft.axis(gear.axisClass);
+    const double middle = layout.coordinate(gear.pose.translation());
+    const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
+    const int wanted = cupSideFor(draft, gear);
+    int side = wanted != 0 ? wanted : layout.bearingSide;
+    const auto isOpen = [&](int towards) {
+      const double plate = middle + towards * reach;
+      return layout.slotIsFree(plate) && !cutsPlanets(draft, gear, plate);
+    };
+    if (!isOpen(side) && (isOpen(-side) || !layout.slotIsFree(middle + side * reach))) side = -side;
+    draft.plan.cups.push_back({static_cast<int>(g), side, middle + side * reach});
+    layout.take(middle + side * reach, gear.link);
+  }
+}
+
+}  // namespace geargraph::inline arrangement

@@ -1,0 +1,124 @@
+#include "core/machine/arrangement/shaft_extents.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/machine/arrangement/shaft_ways.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+/// Does an axis cross this one between the shaft and a place outside of it?
+bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place) {
+  const double low = std::min(shaft.high, place), high = std::max(shaft.low, place);
+  return std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+    return s.link < 0 && layout.overlap(s.low, s.high, low, high);
+  });
+}
+
+/// A frame has no shaft of its own: its arms begin about the shaft of the one link that it holds on their
+/// axis, where nobody else's wheels are in between.
+std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link) {
+  const AxisLayout& layout = draft.axis(axisClass);
+  if (layout.bearings.size() != 1 || layout.bearings.front().child != link) return std::nullopt;
+  const Bearing& bearing = layout.bearings.front();
+  if (bearing.parent != 0) return std::nullopt;
+  for (const std::size_t a : draft.armsOf[0]) {
+    const ArmPlan& arm = draft.plan.arms[a];
+    if (arm.from != axisClass || std::abs(arm.level - bearing.at) <= kSameLevel * layout.module) continue;
+    const double low = std::min(arm.level, bearing.at);
+    const double high = std::max(arm.level, bearing.at);
+    const bool blocked = std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+      return s.link != link && s.link != 0 && layout.overlap(s.low, s.high, low, high);
+    });
+    if (!blocked) return arm.level;
+  }
+  return std::nullopt;
+}
+
+/// A wheel of the frame that none of its bearings reaches stands on a foot of its own, on the side where
+/// nothing crosses its axis.
+void addStub(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
+  AxisLayout& layout = draft.axis(axisClass);
+  const double reach = layout.gap() + layout.width() / 2;
+  double place = shaft.low - reach;
+  const double other = shaft.high + reach;
+  const auto isBetter = [&](double x) { return layout.slotIsFree(x) && !isAcross(layout, shaft, x); };
+  if (!isBetter(place) && isBetter(other)) place = other;
+  shaft.include(place - layout.width() / 2, place + layout.width() / 2);
+  layout.take(place, 0);
+  draft.plan.stubs.push_back({axisClass, place});
+}
+
+/// True where the link has wheels here.
+bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
+  const Stretch hubs = hubStretch(draft, axisClass, link);
+  if (hubs.low > hubs.high) return false;
+  shaft.include(hubs.low, hubs.high);
+  return true;
+}
+
+/// Arms, cups, tees and pins of the link that stand on the axis.
+void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
+  const double half = draft.axis(axisClass).width() / 2;
+  for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
+    const ArmPlan& arm = draft.plan.arms[a];
+    if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
+  }
+  if (const auto level = heldLevel(draft, axisClass, link)) shaft.include(*level - half, *level + half);
+  for (const CupPlan& cup : draft.plan.cups) {
+    const TrainGear& gear = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+    if (gear.link == link && gear.axisClass == axisClass) shaft.include(cup.plate - half, cup.plate + half);
+  }
+  for (const TeePlan& tee : draft.plan.tees) {
+    if (tee.link == link && tee.home == axisClass) shaft.include(tee.level, tee.level);
+    if (tee.child == link && tee.axisClass == axisClass) shaft.include(tee.low, tee.high);
+  }
+  for (const PinPlan& pin : draft.plan.pins) {
+    if (pin.link == link && pin.home == axisClass) shaft.include(pin.level, pin.level);
+    if (pin.link == link && pin.axisClass == axisClass)
+      shaft.include(std::min(pin.from, pin.to), std::max(pin.from, pin.to));
+  }
+}
+
+}  // namespace
+
+void addShaft(PlanDraft& draft, int axisClass, int link) {
+  const AxisLayout& layout = draft.axis(axisClass);
+  ShaftSegment shaft;
+  shaft.axisClass = axisClass;
+  shaft.link = link;
+  const double half = layout.width() / 2;
+  const bool turns = draft.placement.classes->classOfLink(link) == axisClass;
+  const bool holdsWheel = includeWheels(draft, axisClass, link, shaft);
+  includeBodies(draft, axisClass, link, shaft);
+  const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
+  const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
+  for (const Bearing& b : layout.bearings) {
+    if (!b.isEye()) continue;
+    if (b.parent == link && (nearest == nullptr || layout.isBelow(away(b), away(*nearest)))) nearest = &b;
+    if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
+  }
+  if (!turns && nearest != nullptr && !isAcross(layout, shaft, nearest->at)) {
+    shaft.include(nearest->at - half, nearest->at + half);
+  } else if (link == 0 && holdsWheel) {
+    addStub(draft, axisClass, shaft);
+  }
+  if (shaft.low < shaft.high) {
+    shaft.low -= 0.4 * layout.gap();  // neighbours do not touch
+    shaft.high += 0.4 * layout.gap();
+    draft.addSegment(shaft);
+  }
+}
+
+void addFixedHubs(PlanDraft& draft) {
+  for (const TrainGear& gear : draft.train.gears) {
+    const bool turns = draft.placement.classes->classOfLink(gear.link) == gear.axisClass;
+    if (turns || draft.isCoaxial(gear.axisClass)) continue;
+    if (draft.plan.shaftOf(gear.axisClass, gear.link, 0) == nullptr)
+      addShaft(draft, gear.axisClass, gear.link);
+  }
+}
+
+}  // namespace geargraph::inline arrangement

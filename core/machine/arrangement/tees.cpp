@@ -1,0 +1,112 @@
+#include "core/machine/arrangement/tees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace geargraph::inline arrangement {
+namespace {
+
+/// Would the link's shaft run within that of another on its axis, to the level beyond it, while that one runs
+/// within the link's own wheels?
+bool isAround(const PlanDraft& draft, int home, int link, double level) {
+  const AxisLayout& own = draft.axis(home);
+  const auto wheels = own.wheelsOf(link);
+  return wheels && std::any_of(own.bearings.begin(), own.bearings.end(), [&](const Bearing& other) {
+           const auto passed = own.wheelsOf(other.child);
+           if (other.child == link || !passed) return false;
+           const double low = std::min(passed->low, other.at), high = std::max(passed->high, other.at);
+           return own.overlap(wheels->low, wheels->high, low, high) &&
+                  (own.isBelow(level, low) || own.isBelow(high, level));
+         });
+}
+
+/// The bearing of the one shaft that an eye at the crossing holds: the one with wheels on both sides of it;
+/// where several have theirs on one side, the nearest, on which the others run. The end: there is none.
+std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisClass, double at) {
+  AxisLayout& target = draft.axis(axisClass);
+  std::vector<std::vector<Bearing>::iterator> passing, below, above;
+  const auto none = target.bearings.end();
+  for (auto b = target.bearings.begin(); b != none; ++b) {
+    const auto wheels = target.wheelsOf(b->child);
+    if (b->parent != link || b->placed) continue;
+    if (!wheels) return none;
+    const bool isPassing = target.isBelow(wheels->low, at) && target.isBelow(at, wheels->high);
+    (isPassing ? passing : target.isBelow(at, wheels->high) ? above : below).push_back(b);
+  }
+  if (passing.size() == 1) return passing.front();
+  if (!passing.empty() || below.empty() == above.empty() || below.size() + above.size() < 2) return none;
+  const auto away = [&](const auto& b) {
+    const auto wheels = target.wheelsOf(b->child);
+    return std::max(wheels->low - at, at - wheels->high);
+  };
+  const auto& all = below.empty() ? above : below;
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const auto& x, const auto& y) { return target.isBelow(away(x), away(y)); });
+}
+
+}  // namespace
+
+bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
+  AxisLayout& own = draft.axis(home);
+  AxisLayout& target = draft.axis(axisClass);
+  const auto meeting = draft.crossingOf(home, axisClass);
+  if (link == 0 || !meeting) return false;
+  const auto [level, at] = *meeting;
+  const auto isOthers = [&](const Stretch& s, double low, double high) {
+    return s.link >= 0 && own.overlap(s.low, s.high, low, high);
+  };
+  const double half = target.width() / 2 + target.gap() / 2;
+  const double reach = (kShaftRadius + 1.5) * own.module;
+  for (const Stretch& s : target.taken) {
+    if (isOthers(s, at - half, at + half)) return false;
+  }
+  for (const Stretch& s : own.taken) {
+    if (isOthers(s, level - reach, level + reach)) return false;
+    if (s.link == link && own.isBelow(s.low, level) && own.isBelow(level, s.high)) return false;
+  }
+  if (isAround(draft, home, link, level)) return false;
+  const auto through = heldByTee(draft, link, axisClass, at);
+  if (through == target.bearings.end()) return false;
+  TeePlan tee{link, home, level, axisClass, at, through->child, at, at};
+  for (const Bearing& b : target.bearings) {  // what runs on the shaft stands on one side
+    const auto wheels = target.wheelsOf(b.child);
+    if (&b == &*through || b.parent != link) continue;
+    if (!wheels || b.placed) return false;
+    if (target.isBelow(wheels->low, at) && target.isBelow(at, wheels->high)) return false;
+    tee.low = std::min(tee.low, wheels->low);
+    tee.high = std::max(tee.high, wheels->high);
+  }
+  for (Bearing& b : target.bearings) {
+    if (b.parent != link) continue;
+    b.placed = true;
+    b.at = at;
+    b.form = &b == &*through ? BearingForm::eye : BearingForm::hidden;
+  }
+  const double cosine = std::abs(own.direction.dot(target.direction));
+  through->wall = 1 + kShaftRadius * cosine;
+  target.take(at, link);
+  draft.plan.tees.push_back(tee);
+  return true;
+}
+
+void trimTees(PlanDraft& draft) {
+  for (const TeePlan& tee : draft.plan.tees) {
+    const double hole =
+        draft.plan.shaftAt(tee.axisClass, tee.at, tee.link) + 0.08 * draft.axis(tee.axisClass).module;
+    const double sine = draft.axis(tee.home).direction.cross(draft.axis(tee.axisClass).direction).norm();
+    const double cosine = std::abs(draft.axis(tee.home).direction.dot(draft.axis(tee.axisClass).direction));
+    for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(tee.home)]) {
+      ShaftSegment& shaft = draft.plan.shafts[s];
+      if (shaft.link != tee.link) continue;
+      const double off = (hole + 0.4 * draft.axis(tee.home).module + shaft.outer * cosine) / sine;
+      if (std::abs(shaft.high - tee.level) < std::abs(shaft.low - tee.level)) {
+        shaft.high = tee.level - off;
+      } else {
+        shaft.low = tee.level + off;
+      }
+    }
+  }
+}
+
+}  // namespace geargraph::inline arrangement

@@ -1,0 +1,356 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/machine/arrangement/body_planner.h"
+#include "core/machine/arrangement/crossing_arms.h"
+#include "core/machine/arrangement/feet.h"
+#include "core/machine/arrangement/nested_shafts.h"
+#include "core/machine/arrangement/parallel_arms.h"
+#include "core/machine/arrangement/ring_carriers.h"
+#include "core/machine/arrangement/shaft_extents.h"
+#include "core/machine/arrangement/shaft_ways.h"
+#include "core/machine/arrangement/simple_plan.h"
+#include "core/machine/arrangement/tees.h"
+#include "core/machine/bodies/complete_train.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// A draft with all that it refers to.
+struct Drafted {
+  explicit Drafted(const Mechanism& mechanism, PlanTries former = {})
+      : placement(placementOf(mechanism)),
+        train(trainOf(mechanism, placement)),
+        tries(std::move(former)),
+        draft(mechanism, placement, train, tries, stop) {}
+
+  Placement placement;
+  GearTrain train;
+  PlanTries tries;
+  std::stop_token stop;
+  PlanDraft draft;
+};
+
+/// All examples with a train, and 60 random trains.
+std::vector<std::pair<std::string, Mechanism>> someTrains() {
+  std::vector<std::pair<std::string, Mechanism>> trains;
+  for (const std::string& name : test::exampleNames()) {
+    Mechanism mechanism = test::example(name);
+    if (placementOf(mechanism).tree) trains.emplace_back(name, std::move(mechanism));
+  }
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+    trains.emplace_back("seed " + std::to_string(seed),
+                        test::randomTrain(seed, 3 + static_cast<int>(seed % 6), 4));
+  return trains;
+}
+
+int axesOf(const PlanDraft& draft) {
+  return static_cast<int>(draft.plan.axes.size());
+}
+
+/// A link of a spur pair and the axis that it turns about, with its wheel's place there.
+struct Turning {
+  int axisClass = 0;
+  int link = 0;
+  Stretch hub;
+};
+
+Turning firstOf(const PlanDraft& draft) {
+  const TrainGear& gear = draft.train.gears.front();
+  return {gear.axisClass, gear.link, hubStretch(draft, gear.axisClass, gear.link)};
+}
+
+}  // namespace
+
+/// The parts of the planner, each by itself on a draft.
+class TestPlannerParts : public QObject {
+  Q_OBJECT
+ private slots:
+  /// A crossing lies on both axes; parallel and skew axes have none.
+  void crossingsLieOnBothAxes() {
+    int crossings = 0, none = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      const Drafted drafted(mechanism);
+      const PlanDraft& draft = drafted.draft;
+      for (int a = 0; a < axesOf(draft); ++a) {
+        for (int b = 0; b < axesOf(draft); ++b) {
+          const auto meeting = draft.crossingOf(a, b);
+          if (draft.parallel(a, b)) QVERIFY2(!meeting, name.c_str());
+          ++(meeting ? crossings : none);
+          if (!meeting) continue;
+          const double apart = (draft.axis(a).at(meeting->first) - draft.axis(b).at(meeting->second)).norm();
+          QVERIFY2(apart < 0.02 * draft.axis(a).module, name.c_str());
+        }
+      }
+    }
+    QVERIFY(crossings > 20 && none > 20);
+  }
+
+  void aHubIsWhereItsGearIs() {
+    const Drafted drafted(test::example("spur-pair"));
+    for (const TrainGear& gear : drafted.train.gears) {
+      const Stretch hub = hubStretch(drafted.draft, gear.axisClass, gear.link);
+      const double at = drafted.draft.axis(gear.axisClass).coordinate(gear.pose.translation());
+      QVERIFY(hub.low < at && at < hub.high);
+      QVERIFY(hub.high - hub.low >= gear.spec.faceWidth);
+    }
+    const Stretch none = hubStretch(drafted.draft, drafted.train.gears.front().axisClass, 0);
+    QVERIFY(none.low > none.high);
+  }
+
+  /// Every ring whose axis has no plan of its own gets one plate, beyond the face that it closes.
+  void ringCarriersStandBesideTheirRings() {
+    int rings = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      Drafted drafted(mechanism);
+      placeRingCarriers(drafted.draft);
+      std::size_t expected = 0;
+      for (const TrainGear& gear : drafted.train.gears) expected += gear.spec.kind == GearKind::internal;
+      QCOMPARE(drafted.draft.plan.cups.size(), expected);
+      for (const CupPlan& cup : drafted.draft.plan.cups) {
+        const TrainGear& ring = drafted.train.gears[static_cast<std::size_t>(cup.gear)];
+        const AxisLayout& axis = drafted.draft.axis(ring.axisClass);
+        const double beyond = cup.side * (cup.plate - axis.coordinate(ring.pose.translation()));
+        QVERIFY2(beyond - axis.width() / 2 > ring.spec.faceWidth / 2, name.c_str());
+        QVERIFY2(!axis.slotIsFree(cup.plate), name.c_str());
+        const Stretch held = heldStretch(drafted.draft, ring.axisClass, ring.link);
+        QVERIFY2(held.low <= cup.plate && cup.plate <= held.high, name.c_str());
+        ++rings;
+      }
+    }
+    QVERIFY(rings >= 5);
+  }
+
+  /// On a spur pair's axis a bearing may stand beside the wheel; on feet it takes the place.
+  void feetTakeTheirPlace() {
+    Drafted drafted(test::example("spur-pair"));
+    PlanDraft& draft = drafted.draft;
+    const Turning turning = firstOf(draft);
+    AxisLayout& axis = draft.axis(turning.axisClass);
+    Bearing& bearing = axis.bearings.front();
+    const auto place = placeOfFeet(draft, bearing);
+    QVERIFY(place && axis.slotIsFree(*place) && shaftPasses(draft, bearing, *place));
+    QVERIFY(*place < turning.hub.low || turning.hub.high < *place);
+    putOnFeet(draft, bearing, *place);
+    QVERIFY(bearing.placed && !axis.slotIsFree(*place));
+    QCOMPARE(bearing.at, *place);
+    QVERIFY(draft.plan.blocked.empty());
+  }
+
+  /// A bearing with its eye within the wheels of another link parts these.
+  void shaftsDoNotEndWithinTheWheelsOfOthers() {
+    int cut = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      const Drafted drafted(mechanism);
+      const PlanDraft& draft = drafted.draft;
+      for (int c = 0; c < axesOf(draft); ++c) {
+        for (const Bearing& one : draft.axis(c).bearings) {
+          const Stretch own = heldStretch(draft, c, one.child);
+          for (const Bearing& other : draft.axis(c).bearings) {
+            const Stretch held = heldStretch(draft, c, other.child);
+            if (other.child == one.child || held.low >= held.high || own.low > own.high) continue;
+            QVERIFY2(!shaftPasses(draft, one, (held.low + held.high) / 2), name.c_str());
+            ++cut;
+          }
+        }
+      }
+    }
+    QVERIFY(cut > 20);
+  }
+
+  /// Room is kept where a carrier found none, and given back.
+  void reservedRoomIsGivenBack() {
+    const Mechanism mechanism = test::example("planetary-ring-held");
+    const Drafted free(mechanism);
+    int carrier = -1;
+    for (std::size_t link = 1; link < free.draft.heldBy.size(); ++link)
+      if (!free.draft.heldBy[link].empty()) carrier = static_cast<int>(link);
+    QVERIFY(carrier > 0);
+    PlanTries tries;
+    tries.roomFor.insert(carrier);
+    Drafted drafted(mechanism, tries);
+    const int home = homeOf(drafted.draft, carrier);
+    QCOMPARE(home, drafted.placement.classes->classOfLink(carrier));
+    const AxisLayout& axis = drafted.draft.axis(home);
+    const double outer = axis.outerSlot();
+    const std::size_t before = axis.taken.size();
+    QVERIFY(axis.slotIsFree(outer));
+    reserveRoom(drafted.draft);
+    QVERIFY(!axis.slotIsFree(outer));
+    releaseRoom(drafted.draft);
+    QVERIFY(axis.slotIsFree(outer));
+    QCOMPARE(axis.taken.size(), before);
+  }
+
+  /// Bars join each axis of a round to the link's own, once, and start where another one has ended.
+  void barsJoinEachAxisOnce() {
+    int joined = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      Drafted drafted(mechanism);
+      PlanDraft& draft = drafted.draft;
+      for (std::size_t link = 0; link < draft.heldBy.size(); ++link) {
+        if (draft.heldBy[link].empty()) continue;
+        const int home = homeOf(draft, static_cast<int>(link));
+        for (const auto& round : roundsOf(draft, static_cast<int>(link), home)) {
+          std::set<int> reached{home};
+          for (const AxisBar& bar : barsOf(draft, static_cast<int>(link), home, round, 0)) {
+            QVERIFY2(reached.contains(bar.from), name.c_str());
+            QVERIFY2(reached.insert(bar.to).second, name.c_str());
+            ++joined;
+          }
+          for (const Bearing* bearing : round)
+            QVERIFY2(reached.contains(draft.classOf(*bearing)), name.c_str());
+        }
+      }
+    }
+    QVERIFY(joined > 100);
+  }
+
+  /// A round's bearings come to stand in one plane across the link's axis.
+  void aRoundStandsInOnePlane() {
+    int placed = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      Drafted drafted(mechanism);
+      PlanDraft& draft = drafted.draft;
+      for (std::size_t link = 1; link < draft.heldBy.size(); ++link) {
+        if (draft.heldBy[link].empty()) continue;
+        const int home = homeOf(draft, static_cast<int>(link));
+        const auto rounds = roundsOf(draft, static_cast<int>(link), home);
+        if (rounds.empty()) continue;
+        placeParallel(draft, static_cast<int>(link), home, rounds.front());
+        const Bearing& first = *rounds.front().front();
+        const double level = draft.carried(draft.classOf(first), first.at, home);
+        for (const Bearing* bearing : rounds.front()) {
+          QVERIFY2(bearing->placed, name.c_str());
+          QVERIFY2(std::abs(draft.carried(draft.classOf(*bearing), bearing->at, home) - level) <
+                       1e-6 * draft.axis(home).module,
+                   name.c_str());
+          ++placed;
+        }
+      }
+    }
+    QVERIFY(placed > 50);
+  }
+
+  /// A pin starts at the crossing and ends behind the wheels, which stand on one side of it.
+  void pinsReachBehindTheirWheels() {
+    int pins = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      const Drafted drafted(mechanism);
+      const PlanDraft& draft = drafted.draft;
+      for (std::size_t link = 1; link < draft.heldBy.size(); ++link) {
+        for (const auto& [c, b] : draft.heldBy[link]) {
+          const int home = homeOf(draft, static_cast<int>(link));
+          const Bearing& bearing = draft.axis(c).bearings[b];
+          const auto pin = pinFor(draft, static_cast<int>(link), home, bearing);
+          if (draft.parallel(home, c)) QVERIFY2(!pin, name.c_str());
+          if (!pin) continue;
+          ++pins;
+          const auto wheels = draft.axis(c).wheelsOf(bearing.child);
+          QVERIFY(wheels);
+          const auto [low, high] = std::minmax({pin->from, pin->to});
+          QVERIFY2(!draft.axis(c).isBelow(wheels->low, low) && !draft.axis(c).isBelow(high, wheels->high),
+                   name.c_str());
+        }
+      }
+    }
+    QVERIFY(pins > 5);
+  }
+
+  /// The eye of a tee holds all that turns there on the link; the ground has none.
+  void teesHoldAllOfTheirAxis() {
+    int tees = 0;
+    for (const auto& [name, mechanism] : someTrains()) {
+      Drafted drafted(mechanism);
+      PlanDraft& draft = drafted.draft;
+      for (int c = 0; c < axesOf(draft); ++c) {
+        for (std::size_t link = 0; link < draft.heldBy.size(); ++link) {
+          const auto& held = draft.heldBy[link];
+          const bool holds =
+              std::any_of(held.begin(), held.end(), [c](const auto& h) { return h.first == c; });
+          if (!holds) continue;
+          const int home = homeOf(draft, static_cast<int>(link));
+          const bool isPlaced = placeTee(draft, static_cast<int>(link), home, c);
+          QVERIFY2(!isPlaced || link != 0, name.c_str());
+          if (!isPlaced) continue;
+          ++tees;
+          const TeePlan& tee = draft.plan.tees.back();
+          int eyes = 0;
+          for (const Bearing& bearing : draft.axis(c).bearings) {
+            if (bearing.parent != static_cast<int>(link)) continue;
+            QVERIFY2(bearing.placed && bearing.at == tee.at, name.c_str());
+            eyes += bearing.isEye();
+          }
+          QCOMPARE(eyes, 1);
+        }
+      }
+    }
+    QVERIFY(tees >= 2);
+  }
+
+  /// A shaft about its wheel and its bearing.
+  void aShaftReachesFromWheelToBearing() {
+    Drafted drafted(test::example("spur-pair"));
+    PlanDraft& draft = drafted.draft;
+    const Turning turning = firstOf(draft);
+    Bearing& bearing = draft.axis(turning.axisClass).bearings.front();
+    putOnFeetOrReport(draft, bearing);
+    addShaft(draft, turning.axisClass, turning.link);
+    QCOMPARE(draft.plan.shafts.size(), std::size_t{1});
+    const ShaftSegment& shaft = draft.plan.shafts.front();
+    QVERIFY(shaft.low < turning.hub.low && turning.hub.high < shaft.high);
+    QVERIFY(shaft.low < bearing.at && bearing.at < shaft.high);
+    addFixedHubs(draft);  // both wheels turn
+    QCOMPARE(draft.plan.shafts.size(), std::size_t{1});
+  }
+
+  /// Of three shafts over each other the longest is the inmost; one beside them keeps its radius.
+  void longShaftsAreInside() {
+    Drafted drafted(test::example("spur-pair"));
+    PlanDraft& draft = drafted.draft;
+    const int c = firstOf(draft).axisClass;
+    const double m = draft.axis(c).module;
+    const double far = 1000 * m;  // from all wheels
+    const auto add = [&](int link, double low, double high) {
+      draft.addSegment({c, link, far + low * m, far + high * m});
+    };
+    add(11, 10, 20);
+    add(12, 0, 60);
+    add(13, 5, 40);
+    add(14, 70, 80);
+    // No link of these has wheels or arms: armsOf is asked for them.
+    draft.armsOf.resize(15);
+    nestShafts(draft, c);
+    const auto& shafts = draft.plan.shafts;
+    QCOMPARE(shafts[1].inner, 0.0);
+    QVERIFY(shafts[1].outer < shafts[2].inner);
+    QVERIFY(shafts[2].outer < shafts[0].inner);
+    QCOMPARE(shafts[3].inner, 0.0);
+    QCOMPARE(shafts[3].outer, shafts[1].outer);
+  }
+
+  /// Whatever the order of the parts has made, every bearing has a place, every arm ends at one.
+  void whollyPlannedAndSimply() {
+    for (const auto& [name, mechanism] : someTrains()) {
+      for (const bool isSimple : {false, true}) {
+        Drafted drafted(mechanism);
+        PlanDraft& draft = drafted.draft;
+        isSimple ? planSimply(draft) : planBodies(draft);
+        QCOMPARE(draft.plan.isSimple, isSimple);
+        for (const AxisLayout& axis : draft.plan.axes) {
+          for (const Bearing& bearing : axis.bearings) QVERIFY2(bearing.placed, name.c_str());
+        }
+        for (const ShaftSegment& shaft : draft.plan.shafts)
+          QVERIFY2(shaft.low < shaft.high && 0 <= shaft.inner && shaft.inner <= shaft.outer, name.c_str());
+      }
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestPlannerParts)
+#include "test_planner_parts.moc"
