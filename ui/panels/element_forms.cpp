@@ -16,6 +16,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/teeth_slider.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -39,10 +40,6 @@ void showText(QLineEdit* field, const QString& text) {
 std::optional<Number> wholeNumber(const std::optional<int>& value) {
   if (!value) return std::nullopt;
   return Number(*value);
-}
-
-int asTeeth(const Number& number) {
-  return static_cast<int>(number.value());
 }
 
 ElementId itself(const ElementIndex&, const ElementId& element) {
@@ -331,6 +328,8 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
     : PropertyForm(document, std::move(meshes)),
       m_tailTeeth(makeNumber(QStringLiteral("tailTeeth"))),
       m_headTeeth(makeNumber(QStringLiteral("headTeeth"))),
+      m_tailSlider(new TeethSlider(this)),
+      m_headSlider(new TeethSlider(this)),
       m_kind(new QComboBox(this)),
       m_module(makeNumber(QStringLiteral("module"))),
       m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"))),
@@ -351,8 +350,10 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
   const bool one = elements().size() == 1;
   const GearMesh& first = *this->meshes().front();
-  addRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), Term::teeth, m_tailTeeth);
-  addRow(one ? tr("Teeth of gear %1").arg(label(first.head)) : tr("Teeth, head"), Term::teeth, m_headTeeth);
+  addTeethRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), m_tailTeeth,
+              m_tailSlider);
+  addTeethRow(one ? tr("Teeth of gear %1").arg(label(first.head)) : tr("Teeth, head"), m_headTeeth,
+              m_headSlider);
   addRow(tr("Ratio"), Term::gearRatio, m_ratio);
   addRow(tr("Module"), Term::module, m_module);
   addRow(tr("Kind"), Term::meshKind, m_kind);
@@ -401,23 +402,6 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   });
 }
 
-void MeshForm::connectTeeth() {
-  for (NumberField* field : {m_tailTeeth, m_headTeeth}) {
-    field->setWhole(kFewestTeeth, kMostTeeth);
-    field->setEmptyText(tr("several"));
-    connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
-      if (!number) return;
-      const bool ofTail = field == m_tailTeeth;
-      applyFitted(tr("Change teeth"),
-                  [ofTail, teeth = asTeeth(*number)](const PlacedMechanism& before, const ElementId& id) {
-                    const GearMesh& mesh = *before.mechanism().find(MeshId(id.id));
-                    return withTeethFitted(before, mesh.id, ofTail ? teeth : mesh.tailTeeth,
-                                           ofTail ? mesh.headTeeth : teeth);
-                  });
-    });
-  }
-}
-
 std::vector<const GearMesh*> MeshForm::meshes() const {
   std::vector<const GearMesh*> found;
   for (const ElementId& element : elements()) found.push_back(index().find(MeshId(element.id)));
@@ -434,8 +418,12 @@ void MeshForm::refresh() {
       all.size() > 1
           ? tr("%1 gear meshes").arg(all.size())
           : tr("Gear mesh %1: %2 → %3").arg(label(elements().front()), label(first.tail), label(first.head)));
-  m_tailTeeth->setNumber(wholeNumber(shared(all, [](const GearMesh& mesh) { return mesh.tailTeeth; })));
-  m_headTeeth->setNumber(wholeNumber(shared(all, [](const GearMesh& mesh) { return mesh.headTeeth; })));
+  const auto tail = shared(all, [](const GearMesh& mesh) { return mesh.tailTeeth; });
+  const auto head = shared(all, [](const GearMesh& mesh) { return mesh.headTeeth; });
+  m_tailTeeth->setNumber(wholeNumber(tail));
+  m_headTeeth->setNumber(wholeNumber(head));
+  m_tailSlider->showTeeth(tail);
+  m_headSlider->showTeeth(head);
   const auto ratio =
       shared(all, [](const GearMesh& mesh) { return Rational(mesh.tailTeeth, mesh.headTeeth); });
   m_ratio->setText(ratio ? shownText(ratio->toString()) : tr("several"));

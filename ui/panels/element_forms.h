@@ -8,6 +8,8 @@
 
 namespace geargraph::inline panels {
 
+class TeethSlider;
+
 /// The document's own name.
 class DocumentForm : public PropertyForm {
   Q_OBJECT
@@ -79,11 +81,16 @@ class MeshForm : public PropertyForm {
 
  private:
   [[nodiscard]] std::vector<const GearMesh*> meshes() const;
+  void addTeethRow(const QString& name, NumberField* field, TeethSlider* slider);
   void connectTeeth();
+  void slideTeeth(bool ofTail, int teeth);
   void refreshGeometry(const std::vector<const GearMesh*>& meshes);
 
   NumberField* m_tailTeeth;
   NumberField* m_headTeeth;
+  TeethSlider* m_tailSlider;
+  TeethSlider* m_headSlider;
+  std::optional<PlacedMechanism> m_slidFrom;  ///< what the drag of a slider began with
   QComboBox* m_kind;
   NumberField* m_module;
   TripleField* m_pitchPoint;

@@ -4,8 +4,10 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyle>
 #include <QTest>
 #include <semaphore>
+#include <set>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
@@ -16,6 +18,7 @@
 #include "ui/panels/link_parts.h"
 #include "ui/panels/long_edit.h"
 #include "ui/panels/speed_slider.h"
+#include "ui/panels/teeth_slider.h"
 
 namespace geargraph {
 
@@ -312,6 +315,71 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     }
     document->undoStack().undo();
     QCOMPARE(document->mechanism(), before);
+  }
+
+  /// The whole train goes along while the slider is dragged, and all of it is one step.
+  void slidTeethAreLiveAndOneStep() {
+    document->replace(test::planetary(24, 18, 3), {});
+    const MechanismPtr before = document->mechanism();
+    selection.select({ElementId(before->gearMeshes[0].id)});
+    auto* slider = properties->findChild<TeethSlider*>(QStringLiteral("tailTeethSlider"));
+    QVERIFY(slider != nullptr && slider->isVisible());
+    QCOMPARE(slider->value(), 24);
+    const auto sun = [this] { return document->mechanism()->gearMeshes[0].tailTeeth; };
+    const auto at = [&](int teeth) {
+      const int x =
+          QStyle::sliderPositionFromValue(slider->minimum(), slider->maximum(), teeth, slider->width() - 16);
+      return QPoint(x + 8, slider->height() / 2);
+    };
+    QTest::mousePress(slider, Qt::LeftButton, {}, at(24));
+    std::set<int> seen;
+    for (int teeth = 26; teeth <= 60; teeth += 2) {
+      QTest::mouseMove(slider, at(teeth));
+      seen.insert(sun());
+      QCOMPARE(slider->value(), sun());
+      QCOMPARE(numberOf("tailTeeth")->text(), QString::number(sun()));
+    }
+    QVERIFY2(seen.size() > 10, "the train did not go along");
+    QVERIFY(sun() > 50);
+    QCOMPARE(document->mechanism()->gearMeshes[1].headTeeth, sun() + 2 * 18);  // the ring
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, at(60));
+    QCOMPARE(document->undoStack().count(), 1);
+    document->undoStack().undo();
+    QCOMPARE(document->mechanism(), before);
+    QCOMPARE(slider->value(), 24);
+    // Esc puts back, and the rest of the drag does nothing.
+    QTest::mousePress(slider, Qt::LeftButton, {}, at(24));
+    QTest::mouseMove(slider, at(50));
+    QVERIFY(sun() != 24);
+    QTest::keyClick(slider, Qt::Key_Escape);
+    QTest::mouseMove(slider, at(60));
+    QCOMPARE(*document->mechanism(), *before);
+    QCOMPARE(slider->value(), 24);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, at(60));
+    QCOMPARE(*document->mechanism(), *before);
+    QVERIFY(!document->undoStack().canUndo());
+    // Each key is a step of its own.
+    focus(slider);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(sun(), 26);
+    QCOMPARE(document->undoStack().count(), 2);
+  }
+
+  void slidTeethThatAreRefusedStayAndSayWhy() {
+    document->replace(test::planetary(24, 18, 3), {});
+    const std::vector<ElementId> held{LinkId("2"), document->mechanism()->gearMeshes[0].head};
+    document->apply(
+        {"Pin", [held](const PlacedMechanism& before) { return withAllPinned(before, held, true); }, 0});
+    const Mechanism before = *document->mechanism();
+    selection.select({ElementId(before.gearMeshes[0].id)});
+    auto* slider = properties->findChild<TeethSlider*>(QStringLiteral("tailTeethSlider"));
+    focus(slider);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(*document->mechanism(), before);
+    QCOMPARE(slider->value(), 24);
+    QVERIFY(properties->findChild<QLabel*>("wrong")->text().contains("pinned"));
+    QCOMPARE(document->undoStack().count(), 1);  // the pins
   }
 
   void aTrainOfTooManyMeshesSaysThatNothingFollows() {
