@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/edits.h"
 
 namespace geargraph::inline model {
@@ -60,6 +61,7 @@ bool isPlaced(const Mechanism& mechanism, AxisId axis) {
 }
 
 Expected<Mechanism> withAxesMerged(Mechanism mechanism, AxisId kept, AxisId gone) {
+  const Mechanism before = mechanism;
   std::vector<JointId> joints;
   for (const TurningJoint& joint : mechanism.turningJoints) {
     if (joint.axis == gone) joints.push_back(joint.id);
@@ -69,7 +71,7 @@ Expected<Mechanism> withAxesMerged(Mechanism mechanism, AxisId kept, AxisId gone
     if (!next) return next;
     mechanism = std::move(next).value();
   }
-  return mechanism;
+  return withAxisLettersAsBefore(before, std::move(mechanism));
 }
 
 /// The two joints by which the path leaves one link turn about one axis, where that leaves one change.

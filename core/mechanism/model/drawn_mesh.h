@@ -11,7 +11,7 @@ namespace geargraph::inline model {
 /// 1. Axes. The two gears need a link that carries both their axes: the path of turning joints from one to
 ///    the other must change its axis once. Where it changes oftener, the two joints by which it leaves the
 ///    same link turn about one axis, if that does it: sun and carrier on the ground, motor and arm on a
-///    carrier.
+///    carrier. Letters of axes go on running without gaps (axis_letters.h).
 /// 2. Teeth. A link that meshes on this axis already, under the same carrier, has its wheel.
 /// 3. Kind. Under a carrier that turns, the second gear that a planet meshes with, on the axis of the first
 ///    one, is the ring round it, internal, of as many teeth as sun and twice the planet; where the first one

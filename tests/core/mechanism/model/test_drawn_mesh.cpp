@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 
@@ -67,6 +68,18 @@ class DrawnMeshTest : public QObject {
     for (const auto& [tail, head] : {std::pair{4, 1}, {5, 2}, {6, 7}, {7, 3}})
       robot = meshed(robot, tail, head);
     QCOMPARE(axesOf(robot), QStringLiteral("abbccde"));  // [AU, Fig. 3]
+    QVERIFY(doAxisLettersRun(robot));
+    QCOMPARE(robot.turningJoints.back().axis, AxisId("e"));
+    QCOMPARE(robot.axes.size(), std::size_t(5));
+  }
+
+  void lettersThatSomebodyChoseStay() {
+    Mechanism named = drawn(4, kPlanetary);
+    named = withName(named, AxisId("c"), "planet").value();
+    QVERIFY(!doAxisLettersRun(named));
+    named = meshed(named, 1, 3);
+    QCOMPARE(named.turningJoints[2].axis, AxisId("planet"));
+    QCOMPARE(named.turningJoints[3].axis, AxisId("d"));
   }
 
   void wheelsOnTheGroundKeepTheirAxes() {
