@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "core/mechanism/fitting/axis_fit.h"
 #include "core/mechanism/fitting/fitting_guards.h"
@@ -35,6 +37,74 @@ Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange
       element.kind = change.kind;
   }
   return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
+}
+
+bool isSharedWheel(const Mechanism& mechanism, const Placement& placement, int mesh, int other) {
+  const auto wheelsOf = [&](int each) {
+    const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(each)];
+    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+    using Wheel = std::tuple<int, int, int>;
+    return std::pair(Wheel(geometry.tail, geometry.tailClass, element.tailTeeth),
+                     Wheel(geometry.head, geometry.headClass, element.headTeeth));
+  };
+  const auto [a, b] = wheelsOf(mesh);
+  const auto [c, d] = wheelsOf(other);
+  return a == c || a == d || b == c || b == d;
+}
+
+bool areBetweenTheSame(const MeshGeometry& a, const MeshGeometry& b) {
+  return std::minmax(a.tailClass, a.headClass) == std::minmax(b.tailClass, b.headClass);
+}
+
+/// Meshes that can only be bevels together with this one: between the same two axes, or on one of its wheels.
+std::vector<int> bevelsWith(const Mechanism& mechanism, const Placement& placement, int mesh) {
+  std::vector<int> found{mesh};
+  std::vector<bool> isFound(placement.meshes.size(), false);
+  isFound[static_cast<std::size_t>(mesh)] = true;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(found[i])];
+    for (int other = 0; other < mechanism.c(); ++other) {
+      const MeshGeometry& each = *placement.meshes[static_cast<std::size_t>(other)];
+      if (isFound[static_cast<std::size_t>(other)] || each.carrier != geometry.carrier) continue;
+      if (!areBetweenTheSame(geometry, each) && !isSharedWheel(mechanism, placement, found[i], other))
+        continue;
+      isFound[static_cast<std::size_t>(other)] = true;
+      found.push_back(other);
+    }
+  }
+  return found;
+}
+
+/// A guess gives way: what was taken for the ring round sun and planet is the second side gear, as large as
+/// the sun.
+void makeSideGear(GearMesh& ring, const GearMesh& sun, LinkId planet) {
+  const bool sunIsTail = sun.head == planet;
+  const int planetTeeth = sunIsTail ? sun.headTeeth : sun.tailTeeth;
+  const int sunTeeth = sunIsTail ? sun.tailTeeth : sun.headTeeth;
+  int& ringTeeth = ring.tail == planet ? ring.headTeeth : ring.tailTeeth;
+  if (ringTeeth == sunTeeth + 2 * planetTeeth) ringTeeth = sunTeeth;
+}
+
+/// The mesh becomes a bevel pair, and so do those that must be with it.
+Mechanism withBevels(const Mechanism& before, const Placement& placement, int mesh) {
+  Mechanism edited = before;
+  const std::vector<int> bevels = bevelsWith(before, placement, mesh);
+  for (const int each : bevels) {
+    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(each)];
+    if (geometry.kind == MeshKind::bevel) continue;
+    element.kind = MeshKind::bevel;
+    if (geometry.kind != MeshKind::internal) continue;
+    for (const int other : bevels) {
+      const GearMesh& sun = before.gearMeshes[static_cast<std::size_t>(other)];
+      const MeshGeometry& place = *placement.meshes[static_cast<std::size_t>(other)];
+      if (place.kind != MeshKind::external || !areBetweenTheSame(geometry, place)) continue;
+      for (const LinkId planet : {element.tail, element.head}) {
+        if (planet == sun.tail || planet == sun.head) makeSideGear(element, sun, planet);
+      }
+    }
+  }
+  return edited;
 }
 
 /// The class of an axis, the classes of the wheels of a mesh; none where they have no place.
@@ -71,8 +141,9 @@ Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId m
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
   const MeshKind was = placement.meshes[static_cast<std::size_t>(position)]->kind;
-  if (was == kind || (was == MeshKind::bevel) != (kind == MeshKind::bevel))
-    return unlessBroken(before, std::move(plain));
+  if (was != kind && kind == MeshKind::bevel)
+    return unlessBroken(before, withBevels(mechanism, placement, position));
+  if (was == kind || was == MeshKind::bevel) return unlessBroken(before, std::move(plain));
   const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(position)];
   return fitted(before, {position, element.tailTeeth, element.headTeeth, kind});
 }

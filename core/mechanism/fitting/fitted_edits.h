@@ -21,8 +21,10 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 [[nodiscard]] Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId mesh,
                                                         int tailTeeth, int headTeeth);
 
-/// An external pair becomes internal or the other way round; the axes move to the new distance. A bevel pair
-/// has no other kind: pitch-geometry.
+/// An external pair becomes internal or the other way round; the axes move to the new distance. Where the
+/// document leaves the axes open, a pair becomes a bevel pair together with all that must be bevels with it,
+/// those between the same axes and those on its wheels; what was taken for a ring becomes a side gear as
+/// large as the other. Refuses pitch-geometry where axes that are stated contradict the kind.
 [[nodiscard]] Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId mesh,
                                                        MeshKind kind);
 
