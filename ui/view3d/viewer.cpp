@@ -49,7 +49,7 @@ void Viewer::setStage(StagePtr stage) {
     setCamera(*m_opening);
     m_fitted = true;
   }
-  if (!m_fitted) fitNow();
+  if (!m_fitted || (!m_isCameraChosen && !isAllInside())) fitNow();  // the camera follows growth
   m_isAnew = false;
   m_opening.reset();
 }
@@ -305,14 +305,28 @@ void Viewer::fit() {
   m_isCameraChosen = m_isCameraChosen || m_fitted;
 }
 
-void Viewer::fitNow() {
-  if (m_stage == nullptr || m_stage->scene.instances.empty() || m_viewport.width < 2) return;
+/// Of every part as it stands now. @pre there is a stage
+std::vector<Eigen::Vector3d> Viewer::outlinePoints() {
   if (!m_outlines) m_outlines = solidOutlines(m_stage->scene);
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < m_seen.poses.size(); ++i) {
     for (const Eigen::Vector3d& point : (*m_outlines)[m_stage->scene.instances[i].solid])
       points.push_back(m_seen.poses[i] * point);
   }
+  return points;
+}
+
+bool Viewer::isAllInside() {
+  const std::vector<Eigen::Vector3d> points = outlinePoints();
+  return std::all_of(points.begin(), points.end(), [this](const Eigen::Vector3d& point) {
+    const ScreenPoint at = m_view.camera.project(point, m_viewport);
+    return at.x >= 0 && at.y >= 0 && at.x <= m_viewport.width && at.y <= m_viewport.height;
+  });
+}
+
+void Viewer::fitNow() {
+  if (m_stage == nullptr || m_stage->scene.instances.empty() || m_viewport.width < 2) return;
+  const std::vector<Eigen::Vector3d> points = outlinePoints();
   m_fitted = true;
   const bool wasChosen = m_isCameraChosen;
   setCamera(m_view.camera.fitted(points, m_viewport, 0.13));

@@ -161,6 +161,8 @@ class Viewer : public QObject {
   void place();
   void renewShowing();
   void renewMarks();
+  [[nodiscard]] std::vector<Eigen::Vector3d> outlinePoints();
+  [[nodiscard]] bool isAllInside();
   void fitNow();
   [[nodiscard]] std::optional<std::size_t> instance(const std::optional<ElementId>& link) const;
   void renewTraces(const Stage& before);

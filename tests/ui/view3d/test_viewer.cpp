@@ -150,6 +150,41 @@ class ViewerTest : public QObject {
     QVERIFY(viewer.camera() == chosen);
   }
 
+  void theCameraFollowsGrowthUntilSomebodyTakesIt() {
+    Selection selection;
+    Viewer viewer(&selection);
+    const Viewport size{640, 420};
+    viewer.setViewport(size, 1);
+    const auto stageOf = [](double scale) {
+      Stage stage = *test::toyStage();
+      for (Instance& instance : stage.scene.instances) instance.pose.translation() *= scale;
+      stage.place = [near = stage.place, scale](std::span<const double> angles, std::span<Pose> poses) {
+        near(angles, poses);
+        for (Pose& pose : poses) pose.translation() *= scale;
+      };
+      return std::make_shared<const Stage>(std::move(stage));
+    };
+    const auto isInside = [&] {
+      for (const Instance& instance : viewer.stage()->scene.instances) {
+        const ScreenPoint at = viewer.camera().project(instance.pose.translation(), size);
+        if (at.x < 0 || at.y < 0 || at.x > size.width || at.y > size.height) return false;
+      }
+      return true;
+    };
+    viewer.setStage(stageOf(1));
+    const Camera fitted = viewer.camera();
+    viewer.setStage(stageOf(1.01));  // still in sight: nothing jumps
+    QVERIFY(viewer.camera() == fitted);
+    viewer.setStage(stageOf(30));
+    QVERIFY(viewer.camera() != fitted);
+    QVERIFY(isInside());
+    viewer.setCamera(viewer.camera().orbited(20, 5));
+    const Camera taken = viewer.camera();
+    viewer.setStage(stageOf(900));
+    QVERIFY(viewer.camera() == taken);
+    QVERIFY(!isInside());
+  }
+
   void aViewThatGetsLowerLeavesATrainInMotionWhereItIs() {
     Selection selection;
     Viewer viewer(&selection);
