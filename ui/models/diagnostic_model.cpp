@@ -21,6 +21,15 @@ QString placeOf(const Diagnostic& diagnostic) {
   return place;
 }
 
+/// Not connected yet: nothing is wrong with what is being drawn.
+bool isUnfinished(const Diagnostic& diagnostic) {
+  return diagnostic.code == Code::disconnected;
+}
+
+Severity shownSeverity(const Diagnostic& diagnostic) {
+  return isUnfinished(diagnostic) ? Severity::info : diagnostic.severity();
+}
+
 }  // namespace
 
 void DiagnosticModel::setDiagnostics(Diagnostics diagnostics) {
@@ -49,12 +58,14 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return shownText(diagnostic.message);
     case Qt::AccessibleTextRole:
-      return shownText(severityName(diagnostic.severity())) + QStringLiteral(": ") +
+      return shownText(severityName(shownSeverity(diagnostic))) + QStringLiteral(": ") +
              shownText(diagnostic.message);
     case Qt::ToolTipRole:
       return tr("Code: %1").arg(shownText(codeName(diagnostic.code)));
     case SeverityRole:
-      return static_cast<int>(diagnostic.severity());
+      return static_cast<int>(shownSeverity(diagnostic));
+    case UnfinishedRole:
+      return isUnfinished(diagnostic);
     case CodeRole:
       return shownText(codeName(diagnostic.code));
     case PlaceRole:

@@ -13,8 +13,9 @@ class DiagnosticModel : public QAbstractListModel {
 
  public:
   enum Role {
-    SeverityRole = Qt::UserRole,  ///< int(Severity)
+    SeverityRole = Qt::UserRole,  ///< int(Severity); info for what is unfinished
     CodeRole,                     ///< QString: "turning-loop"
+    UnfinishedRole,               ///< bool: a drawing in the making, which the next stroke goes on with
     PlaceRole,                    ///< QString: "line 3, column 7", "/links/2/id", or empty
   };
 

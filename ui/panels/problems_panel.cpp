@@ -38,12 +38,14 @@ class FindingDelegate : public QStyledItemDelegate {
       painter->fillRect(option.rect, band);
     }
     const auto severity = static_cast<Severity>(index.data(DiagnosticModel::SeverityRole).toInt());
-    const QPixmap icon = iconPixmap(severityIconName(severity), severityRole(severity), theme, 16,
-                                    painter->device()->devicePixelRatio());
+    const bool isUnfinished = index.data(DiagnosticModel::UnfinishedRole).toBool();
+    const ColorRole role = isUnfinished ? ColorRole::secondary : severityRole(severity);
+    const QPixmap icon =
+        iconPixmap(severityIconName(severity), role, theme, 16, painter->device()->devicePixelRatio());
     painter->drawPixmap(option.rect.left() + 14, option.rect.top() + 9, icon);
 
     QRect room = option.rect.adjusted(kIconRoom, 8, -kRight, -6);
-    painter->setPen(qColor(ColorRole::ink, theme));
+    painter->setPen(qColor(isUnfinished ? ColorRole::secondary : ColorRole::ink, theme));
     QRect used;
     painter->drawText(room, Qt::TextWordWrap, index.data().toString(), &used);
     room.setTop(used.bottom() + 3);
@@ -210,7 +212,10 @@ void ProblemsPanel::renew() {
       tr("%1 could not be opened: %2. The document that was open stays open.").arg(m_fileName, problems));
   m_pages->setCurrentIndex(m_model->rowCount() == 0 ? 1 : 0);
   offerFixes();
-  emit countChanged(m_model->rowCount());
+  int wrong = 0;
+  for (int row = 0; row < m_model->rowCount(); ++row)
+    wrong += m_model->index(row).data(DiagnosticModel::UnfinishedRole).toBool() ? 0 : 1;
+  emit countChanged(wrong);
 }
 
 bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {

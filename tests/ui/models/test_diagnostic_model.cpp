@@ -20,6 +20,9 @@ class DiagnosticModelTest : public QObject {
     QCOMPARE(model.index(0).data(DiagnosticModel::CodeRole).toString(), QStringLiteral("disconnected"));
     QCOMPARE(model.index(0).data(Qt::ToolTipRole).toString(), QStringLiteral("Code: disconnected"));
     QCOMPARE(model.index(2).data(DiagnosticModel::SeverityRole).toInt(), static_cast<int>(Severity::info));
+    QVERIFY(model.index(0).data(DiagnosticModel::UnfinishedRole).toBool());
+    QCOMPARE(model.index(0).data(DiagnosticModel::SeverityRole).toInt(), static_cast<int>(Severity::info));
+    QVERIFY(!model.index(1).data(DiagnosticModel::UnfinishedRole).toBool());
     QCOMPARE(model.elementsOf(model.index(0)), (std::set<ElementId>{LinkId("3"), LinkId("7")}));
     QVERIFY(model.elementsOf(QModelIndex()).empty());
   }
