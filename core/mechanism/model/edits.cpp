@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
+#include "core/foundations/base/wording.h"
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/limits.h"
@@ -14,6 +15,8 @@
 
 namespace geargraph::inline model {
 namespace {
+
+constexpr std::size_t kMostNamedInALoop = 8;
 
 Diagnostic unknown(const ElementId& element) {
   return {Code::unknownId,
@@ -100,13 +103,31 @@ Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint>
   return mechanism;
 }
 
+/// Why a joint is refused, in the labels of the document as it is: the one it would have had may be a mesh's.
+std::string loopRefusal(const Mechanism& edited, JointId added, const std::vector<ElementId>& loop) {
+  const TurningJoint& joint = *edited.find(added);
+  std::vector<std::string> with;
+  for (std::size_t j = 0; j < edited.turningJoints.size(); ++j) {
+    const ElementId each = edited.turningJoints[j].id;
+    if (each != ElementId(added) && std::find(loop.begin(), loop.end(), each) != loop.end())
+      with.push_back(std::to_string(edited.jointLabel(static_cast<int>(j))));
+  }
+  return "A turning joint from link " + *labelOf(edited, joint.tail) + " to link " +
+         *labelOf(edited, joint.head) + " would close a loop" +
+         (with.empty()
+              ? ""
+              : (with.size() == 1 ? " with joint " : " with joints ") + listed(with, kMostNamedInALoop)) +
+         ". The turning joints have to be a tree: draw a gear mesh instead.";
+}
+
 /// The first finding that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
 Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
   for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
     if (diagnostic.code != Code::turningLoop) continue;
     const auto& blamed = diagnostic.elements;
-    if (std::find(blamed.begin(), blamed.end(), ElementId(added)) != blamed.end())
-      return std::move(diagnostic);
+    if (std::find(blamed.begin(), blamed.end(), ElementId(added)) == blamed.end()) continue;
+    diagnostic.message = loopRefusal(edited, added, blamed);
+    return std::move(diagnostic);
   }
   return edited;
 }
