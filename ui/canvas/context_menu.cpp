@@ -6,6 +6,7 @@
 
 #include "core/mechanism/model/pins.h"
 #include "ui/canvas/canvas_edits.h"
+#include "ui/models/axis_choices.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -124,6 +125,12 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
 void fillForPin(QMenu& menu, const Mechanism& mechanism, AxisId axis, const ContextActions& actions) {
   const Axis* found = mechanism.find(axis);
   if (found == nullptr) return;
+  QString layTitle = tr("Lay axis %1").arg(QString::fromStdString(axis.text()));
+  if (isPinned(*found)) layTitle += " (" + tr("it is pinned") + ")";
+  QMenu* lay = menu.addMenu(layTitle);
+  lay->setEnabled(!isPinned(*found));
+  fillAxisMenu(*lay, axisChoices(mechanism, {axis}),
+               [actions, axis](const AxisChoice& choice) { actions.layAxis(axis, choice); });
   addTick(menu, tr("Axis %1 pinned").arg(QString::fromStdString(axis.text())), isPinned(*found),
           [actions, axis](bool on) { actions.pin(axis, on); });
 }

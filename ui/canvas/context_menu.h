@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "core/mechanism/fitting/axis_choice.h"
 #include "core/mechanism/model/mechanism.h"
 
 class QMenu;
@@ -21,12 +22,13 @@ struct ContextActions {
   std::function<void()> attachGear;
   std::function<void()> flip;
   std::function<void(const ElementId&, bool)> pin;  ///< an axis, a link or a mesh
-  std::function<void(MeshKind)> makeKind;           ///< of the mesh
-  std::function<void(bool)> flipSide;               ///< of a bevel mesh: its tail or its head
-  std::function<void()> hold;                       ///< the link, with a new brake
-  std::function<void(LinkId, LinkId)> tie;          ///< two links, with a new clutch
-  std::function<void(CouplingId, bool)> engage;     ///< or release a brake or a clutch
-  std::function<void(const ElementId&)> takeOff;    ///< a brake or a clutch goes
+  std::function<void(AxisId, const AxisChoice&)> layAxis;
+  std::function<void(MeshKind)> makeKind;         ///< of the mesh
+  std::function<void(bool)> flipSide;             ///< of a bevel mesh: its tail or its head
+  std::function<void()> hold;                     ///< the link, with a new brake
+  std::function<void(LinkId, LinkId)> tie;        ///< two links, with a new clutch
+  std::function<void(CouplingId, bool)> engage;   ///< or release a brake or a clutch
+  std::function<void(const ElementId&)> takeOff;  ///< a brake or a clutch goes
   std::function<void()> remove;
   std::function<void()> addLink;
   std::function<void()> selectAll;

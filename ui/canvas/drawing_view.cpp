@@ -375,6 +375,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.selected = m_selection->selected();
   actions.kindOf = [this](MeshId which) { return shownKind(m_document->placed(), which); };
   actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
+  actions.layAxis = [this](AxisId axis, const AxisChoice& choice) { m_commands.layAxis(axis, choice); };
   actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
   actions.hold = [this, link] { m_commands.hold(link); };

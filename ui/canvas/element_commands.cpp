@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
@@ -139,7 +140,11 @@ void ElementCommands::removeSelected() {
   std::vector<ElementId> elements(selected.begin(), selected.end());
   if (elements.size() > 1) std::erase(elements, ElementId(m_document.mechanism()->links.front().id));
   apply(tr("Delete %1").arg(describe(*m_document.mechanism(), {elements.begin(), elements.end()})),
-        [elements](const Mechanism& mechanism) { return withoutElements(mechanism, elements); });
+        [elements](const Mechanism& mechanism) -> Expected<Mechanism> {
+          Expected<Mechanism> next = withoutElements(mechanism, elements);
+          if (!next) return next;
+          return withAxisLettersAsBefore(mechanism, *std::move(next));
+        });
 }
 
 void ElementCommands::flipSelected() {
@@ -197,6 +202,11 @@ void ElementCommands::pin(const ElementId& element, bool pinned) {
   const QString what = describe(*m_document.mechanism(), {element});
   apply(pinned ? tr("Pin %1").arg(what) : tr("Unpin %1").arg(what),
         [element, pinned](const PlacedMechanism& before) { return withPinned(before, element, pinned); });
+}
+
+void ElementCommands::layAxis(AxisId axis, const AxisChoice& choice) {
+  apply(tr("Lay axis %1").arg(QString::fromStdString(axis.text())),
+        [axis, choice](const PlacedMechanism& before) { return withAxisChosen(before, axis, choice); });
 }
 
 void ElementCommands::makeKind(MeshId mesh, MeshKind kind) {

@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "core/mechanism/fitting/axis_choice.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 
@@ -33,10 +34,11 @@ class ElementCommands {
   QString attachGear(LinkId link);
   void pin(const ElementId& element,
            bool pinned);  ///< an axis, a link for the teeth of its gears, or a mesh for its module
-  void makeKind(MeshId mesh, MeshKind kind);  ///< axes and pitch points follow
-  void flipSide(MeshId mesh, bool ofTail);    ///< of a bevel: to the other side of the apex
-  void hold(LinkId link);                     ///< with a new brake that is engaged
-  void tie(LinkId one, LinkId other);         ///< with a new clutch that is engaged
+  void layAxis(AxisId axis, const AxisChoice& choice);  ///< guesses about its meshes give way
+  void makeKind(MeshId mesh, MeshKind kind);            ///< axes and pitch points follow
+  void flipSide(MeshId mesh, bool ofTail);              ///< of a bevel: to the other side of the apex
+  void hold(LinkId link);                               ///< with a new brake that is engaged
+  void tie(LinkId one, LinkId other);                   ///< with a new clutch that is engaged
   void engage(CouplingId coupling, bool engaged);
   /// Engages the brake of the link, a new one where it has none, or releases it.
   void toggleBrake(LinkId link);

@@ -184,7 +184,7 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
   addLimits();
   auto* flip = new QPushButton(tr("Flip"), this);
   flip->setToolTip(tr("Exchange tail and head: the arrow turns round, and the speed changes its sign."));
-  addButtons({flip, m_pin});
+  addButtons({flip, makeLayButton(), m_pin});
 
   connect(flip, &QPushButton::clicked, this, [this] {
     newGesture();
@@ -206,45 +206,6 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
               placeAxes(index, number, ofPoint);
             });
   }
-}
-
-/// Two angles in degrees from the reference pose, side by side; an empty field is an open end.
-void JointForm::addLimits() {
-  auto* both = new QWidget(this);
-  auto* row = new QHBoxLayout(both);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (NumberField* field : {m_low, m_high}) {
-    const bool isLow = field == m_low;
-    field->setOptional(true);
-    field->setStep(Rational(5));
-    field->setToolTip(isLow ? tr("The joint turns back no farther than this from the reference pose, in "
-                                 "degrees: 0 or less. Empty: no limit.")
-                            : tr("The joint turns on no farther than this from the reference pose, in "
-                                 "degrees: 0 or more. Empty: no limit."));
-    row->addWidget(field);
-    connect(field, &NumberField::edited, this, [this, isLow](const std::optional<Number>& number) {
-      apply(tr("Limit joint"), [number, isLow](Mechanism before, const ElementId& joint) {
-        JointLimits limits = before.find(JointId(joint.id))->limits;
-        (isLow ? limits.low : limits.high) = number;
-        return withJointLimits(std::move(before), JointId(joint.id), limits);
-      });
-    });
-  }
-  addRow(tr("Limits, deg"), Term::jointLimits, both);
-}
-
-void JointForm::chooseAxis(int item) {
-  newGesture();
-  if (item == m_axis->count() - 1) {
-    std::vector<JointId> ids;
-    for (const ElementId& element : elements()) ids.emplace_back(element.id);
-    applyAtOnce(tr("New axis"), [ids](const Mechanism& before) { return withNewAxis(before, ids); });
-    return;
-  }
-  apply(tr("Change axis"),
-        [axis = AxisId(m_axis->currentText().toStdString())](Mechanism before, const ElementId& joint) {
-          return withJointAxis(std::move(before), JointId(joint.id), axis);
-        });
 }
 
 void JointForm::placeAxes(int index, const std::optional<Number>& number, bool ofPoint) {
@@ -293,11 +254,6 @@ void JointForm::refresh() {
   m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
   showLimit(*m_low, shared(all, [](const TurningJoint& joint) { return joint.limits.low; }));
   showLimit(*m_high, shared(all, [](const TurningJoint& joint) { return joint.limits.high; }));
-}
-
-void JointForm::showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit) {
-  field.setEmptyText(limit ? tr("none") : tr("several"));
-  field.setNumber(limit ? *limit : std::nullopt);
 }
 
 void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {

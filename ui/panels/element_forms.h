@@ -60,6 +60,8 @@ class JointForm : public PropertyForm {
   void fillAxes();
   void refreshAxes(const std::vector<const TurningJoint*>& joints);
   void addLimits();
+  /// Opens a menu of the ways in which the axes may lie.
+  [[nodiscard]] QPushButton* makeLayButton();
   /// No value: the joints differ; no number in it: none has a limit.
   static void showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit);
 

@@ -287,6 +287,44 @@ class TestDigraphCommands : public QObject {
     QCOMPARE(d.steps(), 4);
   }
 
+  void lettersOfAxesRunOnAfterADeletion() {
+    ViewDriver d(placedRobot());
+    const auto axes = [&] {
+      std::string letters;
+      for (const TurningJoint& joint : d.mechanism().turningJoints) letters += joint.axis.text();
+      return letters;
+    };
+    QCOMPARE(axes(), std::string("abbccde"));
+    d.click(d.center(4));
+    d.key(Qt::Key_Delete);
+    QCOMPARE(axes(), std::string("aabbcd"));
+    d.document.undoStack().undo();
+    QCOMPARE(axes(), std::string("abbccde"));
+  }
+
+  void menuLaysAnAxis() {
+    ViewDriver d(placedRobot());
+    const auto layMenu = [&] {
+      auto menu = menuAt(d, d.middle(JointId("12")));
+      QAction* lay = entry(*menu, "Lay axis c");
+      return std::pair(std::move(menu), lay);
+    };
+    {
+      const auto [menu, lay] = layMenu();
+      QCOMPARE(entries(*lay->menu()), (QStringList{"Along x", "Along y", "Along z", "Square to",
+                                                   "Parallel to", "Through the meeting point of"}));
+      QVERIFY(entry(*entry(*lay->menu(), "Square to")->menu(), "Axis b") != nullptr);
+      QVERIFY(entry(*entry(*lay->menu(), "Square to")->menu(), "Axis c") == nullptr);
+      entry(*lay->menu(), "Along y")->trigger();
+    }
+    QCOMPARE(d.steps(), 1);
+    const Placement& placement = d.document.placed().placement();
+    QVERIFY(std::abs(placement.axes[2].direction[1]) > 1 - 1e-12);
+    entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
+    const auto [menu, lay] = layMenu();
+    QVERIFY(!lay->isEnabled() && lay->text().contains("pinned"));
+  }
+
   void menuMakesAPairInternalAndExternal() {
     ViewDriver d(placedRobot());
     entry(*menuAt(d, d.middle(MeshId("15"))), "Make it internal")->trigger();

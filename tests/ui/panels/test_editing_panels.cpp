@@ -1,6 +1,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -196,10 +197,11 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     focus(axis);
     QTest::keyClick(axis, Qt::Key_End);
     const AxisId made = document->mechanism()->find(JointId("13"))->axis;
-    QCOMPARE(made, AxisId("f"));
+    QCOMPARE(made, AxisId("d"));  // letters run on
     QCOMPARE(document->mechanism()->find(JointId("14"))->axis, made);
-    QVERIFY(document->mechanism()->find(AxisId("d")) == nullptr);  // nobody uses it any more
-    QCOMPARE(axis->currentText(), QStringLiteral("f"));
+    QVERIFY(document->mechanism()->find(AxisId("e")) == nullptr);  // nobody uses it any more
+    QCOMPARE(document->mechanism()->axes.size(), std::size_t(4));
+    QCOMPARE(axis->currentText(), QStringLiteral("d"));
     QCOMPARE(document->undoStack().count(), 1);
   }
 
@@ -459,6 +461,40 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     QVERIFY(!numberOf("axisPoint.x")->isEnabled());
     document->undoStack().undo();
     QVERIFY(!box->isChecked() && numberOf("axisPoint.x")->isEnabled());
+  }
+
+  void anAxisIsLaidByItsButton() {
+    const Mechanism links = *withLink(*withLink(emptyMechanism(), {0, 0}), {100, 0});
+    const Mechanism one = *withTurningJoint(links, links.links[0].id, links.links[1].id);
+    document->replace(*withTurningJoint(one, links.links[0].id, links.links[2].id), {});
+    selection.select({ElementId(document->mechanism()->turningJoints[1].id)});
+    const auto choose = [this](const QString& text, const QString& other = {}) {
+      QMenu* menu = properties->findChild<QPushButton*>(QStringLiteral("layAxis"))->menu();
+      menu->popup(QPoint(0, 0));
+      for (const QString& wanted : {text, other}) {
+        if (wanted.isEmpty()) break;
+        for (QAction* action : menu->actions()) {
+          if (action->text() != wanted) continue;
+          if (action->menu() != nullptr) {
+            menu = action->menu();
+          } else {
+            action->trigger();
+          }
+          break;
+        }
+      }
+      properties->findChild<QPushButton*>(QStringLiteral("layAxis"))->menu()->close();
+    };
+    const auto along = [this](std::size_t axis, std::size_t component) {
+      return std::abs(document->placed().placement().axes[axis].direction[component]) > 1 - 1e-12;
+    };
+    choose(QStringLiteral("Along x"));
+    QVERIFY(along(0, 2) && along(1, 0));
+    choose(QStringLiteral("Parallel to"), QStringLiteral("Axis a"));
+    QVERIFY(along(1, 2));
+    choose(QStringLiteral("Square to"), QStringLiteral("Axis a"));
+    QVERIFY(along(1, 1));
+    QCOMPARE(document->undoStack().index(), 3);
   }
 };
 

@@ -176,7 +176,7 @@ class TestSchematicView : public QObject {
     const std::unique_ptr<QMenu> ofJoint(driver.view.contextMenuAt(driver.label(JointId("13"))));
     QVERIFY(entries(*ofJoint).contains("Drive it"));
     const std::unique_ptr<QMenu> ofAxis(driver.view.contextMenuAt(driver.label(AxisId("d"))));
-    QCOMPARE(entries(*ofAxis), (QStringList{"Axis d pinned", "", "Delete with its joints"}));
+    QCOMPARE(entries(*ofAxis), (QStringList{"Lay axis d", "Axis d pinned", "", "Delete with its joints"}));
     const std::unique_ptr<QMenu> ofSheet(driver.view.contextMenuAt({3, 3}));
     QVERIFY(!entries(*ofSheet).contains("New link here"));
     QVERIFY(!entries(*ofSheet).contains("Tidy the drawing"));

@@ -1,0 +1,94 @@
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPushButton>
+
+#include "core/mechanism/model/axis_letters.h"
+#include "core/mechanism/model/edits.h"
+#include "ui/models/axis_choices.h"
+#include "ui/panels/element_forms.h"
+#include "ui/panels/number_field.h"
+
+namespace geargraph::inline panels {
+namespace {
+
+Expected<Mechanism> lettersKept(const Mechanism& before, Expected<Mechanism> next) {
+  if (!next) return next;
+  return withAxisLettersAsBefore(before, *std::move(next));
+}
+
+}  // namespace
+
+QPushButton* JointForm::makeLayButton() {
+  auto* button = new QPushButton(tr("Lay axis"), this);
+  button->setObjectName(QStringLiteral("layAxis"));
+  button->setToolTip(
+      tr("Lay the axis along x, y or z, or as another axis lies. The kinds of its meshes follow."));
+  auto* menu = new QMenu(button);
+  menu->setObjectName(QStringLiteral("layAxisMenu"));
+  button->setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    std::set<AxisId> axes;
+    for (const TurningJoint* joint : joints()) axes.insert(joint->axis);
+    fillAxisMenu(*menu, axisChoices(mechanism(), axes), [this](const AxisChoice& choice) {
+      newGesture();
+      applyFitted(tr("Lay axis"), [choice](const PlacedMechanism& before, const ElementId& joint) {
+        return withAxisChosen(before, before.mechanism().find(JointId(joint.id))->axis, choice);
+      });
+    });
+  });
+  return button;
+}
+
+/// Two angles in degrees from the reference pose, side by side; an empty field is an open end.
+void JointForm::addLimits() {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (NumberField* field : {m_low, m_high}) {
+    const bool isLow = field == m_low;
+    field->setOptional(true);
+    field->setStep(Rational(5));
+    field->setToolTip(isLow ? tr("The joint turns back no farther than this from the reference pose, in "
+                                 "degrees: 0 or less. Empty: no limit.")
+                            : tr("The joint turns on no farther than this from the reference pose, in "
+                                 "degrees: 0 or more. Empty: no limit."));
+    row->addWidget(field);
+    connect(field, &NumberField::edited, this, [this, isLow](const std::optional<Number>& number) {
+      apply(tr("Limit joint"), [number, isLow](Mechanism before, const ElementId& joint) {
+        JointLimits limits = before.find(JointId(joint.id))->limits;
+        (isLow ? limits.low : limits.high) = number;
+        return withJointLimits(std::move(before), JointId(joint.id), limits);
+      });
+    });
+  }
+  addRow(tr("Limits, deg"), Term::jointLimits, both);
+}
+
+void JointForm::chooseAxis(int item) {
+  newGesture();
+  if (item == m_axis->count() - 1) {
+    std::vector<JointId> ids;
+    for (const ElementId& element : elements()) ids.emplace_back(element.id);
+    applyAtOnce(tr("New axis"), [ids](const Mechanism& before) -> Expected<Mechanism> {
+      return lettersKept(before, withNewAxis(before, ids));
+    });
+    return;
+  }
+  applyAtOnce(tr("Change axis"),
+              [ids = elements(), axis = AxisId(m_axis->currentText().toStdString())](
+                  const Mechanism& before) -> Expected<Mechanism> {
+                Expected<Mechanism> next = before;
+                for (std::size_t i = 0; i < ids.size() && next; ++i)
+                  next = withJointAxis(*std::move(next), JointId(ids[i].id), axis);
+                return lettersKept(before, std::move(next));
+              });
+}
+
+void JointForm::showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit) {
+  field.setEmptyText(limit ? tr("none") : tr("several"));
+  field.setNumber(limit ? *limit : std::nullopt);
+}
+
+}  // namespace geargraph::inline panels
