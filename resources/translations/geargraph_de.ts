@@ -5792,6 +5792,182 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <source>%1 …</source>
         <translation>%1 …</translation>
     </message>
+    <message>
+        <source>Lay axis %1</source>
+        <translation>Achse %1 legen</translation>
+    </message>
+    <message>
+        <source>it is pinned</source>
+        <translation>sie ist fixiert</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
+        <translation>Wo ein Getriebe sich selbst hemmt, bewegt kein Moment dessen, was die Lasten hält, diese, so groß es auch sei. Der Wirkungsgrad gilt als in allen Zahneingriffen gleich.</translation>
+    </message>
+    <message>
+        <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
+        <translation>i: die Zähnezahl des Rads am Anfang durch die des Rads an der Spitze; η: der Wirkungsgrad eines Zahneingriffs. Sie gilt, solange dieselben Räder treiben.</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh</source>
+        <translation>Wirkungsgrad eines Zahneingriffs</translation>
+    </message>
+    <message>
+        <source>Set efficiency</source>
+        <translation>Wirkungsgrad ändern</translation>
+    </message>
+    <message>
+        <source>Every mesh states an efficiency or a friction of its own.</source>
+        <translation>Jeder Zahneingriff gibt einen eigenen Wirkungsgrad oder eine eigene Reibung an.</translation>
+    </message>
+    <message>
+        <source>An efficiency replaces the coefficient of friction that the document states for all meshes.</source>
+        <translation>Ein Wirkungsgrad tritt an die Stelle der Reibungszahl, die das Dokument für alle Zahneingriffe angibt.</translation>
+    </message>
+    <message>
+        <source>Self-locking below η = %1</source>
+        <translation>Selbsthemmend unter η = %1</translation>
+    </message>
+    <message>
+        <source>Self-locking backward below η = %1</source>
+        <translation>Rückwärts selbsthemmend unter η = %1</translation>
+    </message>
+    <message>
+        <source>Never self-locking, at any efficiency</source>
+        <translation>Nie selbsthemmend, bei keinem Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>T in joint %1, link %2</source>
+        <translation>T in Gelenk %1, Glied %2</translation>
+    </message>
+    <message>
+        <source>A load: the torque that the joint&apos;s tail exerts on its head, link %1, about the direction of its axis.</source>
+        <translation>Eine Last: das Moment, das der Anfang des Gelenks auf seine Spitze, Glied %1, um die Richtung seiner Achse ausübt.</translation>
+    </message>
+    <message>
+        <source>T on link %1</source>
+        <translation>T an Glied %1</translation>
+    </message>
+    <message>
+        <source>A load: a torque from outside on the link; the ground takes the reaction.</source>
+        <translation>Eine Last: ein Moment von außen am Glied; das Gestell nimmt die Reaktion auf.</translation>
+    </message>
+    <message>
+        <source>link %1, held by brake %2</source>
+        <translation>Glied %1, von Bremse %2 gehalten</translation>
+    </message>
+    <message>
+        <source>links %1 and %2, joined by clutch %3</source>
+        <translation>Glieder %1 und %2, von Kupplung %3 verbunden</translation>
+    </message>
+    <message>
+        <source>carries %1 N m</source>
+        <translation>trägt %1 N m</translation>
+    </message>
+    <message>
+        <source>shares its load in unknown parts</source>
+        <translation>teilt seine Last zu unbekannten Teilen</translation>
+    </message>
+    <message>
+        <source>The torque of the brake on link %1, about its first axis on the way to the ground. At rest it passes no power.</source>
+        <translation>Das Moment der Bremse auf Glied %1, um dessen erste Achse auf dem Weg zum Gestell. In Ruhe überträgt sie keine Leistung.</translation>
+    </message>
+    <message>
+        <source>The torque of the clutch on link %1; the other link has the reaction.</source>
+        <translation>Das Moment der Kupplung auf Glied %1; das andere Glied hat die Reaktion.</translation>
+    </message>
+    <message>
+        <source>%1 N m, found</source>
+        <translation>%1 N m, gefunden</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts</source>
+        <translation>zu unbekannten Teilen geteilt</translation>
+    </message>
+    <message>
+        <source>Found: the torque that holds the loads here, of the joint&apos;s tail on its head, link %1, about the direction of its axis.</source>
+        <translation>Gefunden: das Moment, das hier die Lasten hält, vom Anfang des Gelenks auf seine Spitze, Glied %1, um die Richtung seiner Achse.</translation>
+    </message>
+    <message>
+        <source>Found: the torque from outside on the link that holds the loads.</source>
+        <translation>Gefunden: das Moment von außen am Glied, das die Lasten hält.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 torques are listed; all of them are in Forces</source>
+        <translation>%1 von %2 Momenten sind aufgeführt; alle stehen unter Kräfte</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Entlang x</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Entlang z</translation>
+    </message>
+    <message>
+        <source>Square to</source>
+        <translation>Rechtwinklig zu</translation>
+    </message>
+    <message>
+        <source>Parallel to</source>
+        <translation>Parallel zu</translation>
+    </message>
+    <message>
+        <source>Through the meeting point of</source>
+        <translation>Durch den Schnittpunkt von</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>wählen…</translation>
+    </message>
+    <message>
+        <source>Click to choose the input and the output link of this state</source>
+        <translation>Klicken, um das An- und das Abtriebsglied dieses Schaltzustands zu wählen</translation>
+    </message>
+    <message>
+        <source>State %1 has no ratio yet: click “choose…” in its row and name its input and output links.</source>
+        <translation>Schaltzustand %1 hat noch keine Übersetzung: Klicken Sie in seiner Zeile auf „wählen…“ und nennen Sie An- und Abtriebsglied.</translation>
+    </message>
+    <message>
+        <source>Which link is the input of state %1?</source>
+        <translation>Welches Glied ist der Antrieb von Schaltzustand %1?</translation>
+    </message>
+    <message>
+        <source>Which link is the output of state %1?</source>
+        <translation>Welches Glied ist der Abtrieb von Schaltzustand %1?</translation>
+    </message>
+    <message>
+        <source>Choose input and output</source>
+        <translation>An- und Abtrieb wählen</translation>
+    </message>
+    <message>
+        <source>Choose input and output…</source>
+        <translation>An- und Abtrieb wählen…</translation>
+    </message>
+    <message>
+        <source>Lay axis</source>
+        <translation>Achse legen</translation>
+    </message>
+    <message>
+        <source>Lay the axis along x, y or z, or as another axis lies. The kinds of its meshes follow.</source>
+        <translation>Legt die Achse entlang x, y oder z oder so, wie eine andere Achse liegt. Die Arten ihrer Zahneingriffe folgen.</translation>
+    </message>
+    <message>
+        <source>Slide to change the teeth; Esc puts back</source>
+        <translation>Schieben ändert die Zähnezahl; Esc stellt zurück</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

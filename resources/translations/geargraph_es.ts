@@ -5792,6 +5792,182 @@ Arrastrar cambia la carga; W la escribe</translation>
         <source>%1 …</source>
         <translation>%1 …</translation>
     </message>
+    <message>
+        <source>Lay axis %1</source>
+        <translation>Orientar el eje %1</translation>
+    </message>
+    <message>
+        <source>it is pinned</source>
+        <translation>está fijado</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Rendimiento</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
+        <translation>Donde un tren se autobloquea, ningún par de lo que sostiene las cargas las mueve, por grande que sea. El rendimiento cuenta como igual en todos los engranes.</translation>
+    </message>
+    <message>
+        <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
+        <translation>i: los dientes de la rueda de la cola entre los de la cabeza; η: el rendimiento de un engrane. Vale mientras accionen las mismas ruedas.</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh</source>
+        <translation>Rendimiento de un engrane</translation>
+    </message>
+    <message>
+        <source>Set efficiency</source>
+        <translation>Fijar el rendimiento</translation>
+    </message>
+    <message>
+        <source>Every mesh states an efficiency or a friction of its own.</source>
+        <translation>Cada engrane indica un rendimiento o un rozamiento propio.</translation>
+    </message>
+    <message>
+        <source>An efficiency replaces the coefficient of friction that the document states for all meshes.</source>
+        <translation>Un rendimiento sustituye al coeficiente de rozamiento que el documento indica para todos los engranes.</translation>
+    </message>
+    <message>
+        <source>Self-locking below η = %1</source>
+        <translation>Se autobloquea por debajo de η = %1</translation>
+    </message>
+    <message>
+        <source>Self-locking backward below η = %1</source>
+        <translation>Se autobloquea en sentido inverso por debajo de η = %1</translation>
+    </message>
+    <message>
+        <source>Never self-locking, at any efficiency</source>
+        <translation>Nunca se autobloquea, con ningún rendimiento</translation>
+    </message>
+    <message>
+        <source>T in joint %1, link %2</source>
+        <translation>T en el par %1, eslabón %2</translation>
+    </message>
+    <message>
+        <source>A load: the torque that the joint&apos;s tail exerts on its head, link %1, about the direction of its axis.</source>
+        <translation>Una carga: el par que la cola del par cinemático ejerce sobre su cabeza, el eslabón %1, alrededor de la dirección de su eje.</translation>
+    </message>
+    <message>
+        <source>T on link %1</source>
+        <translation>T en el eslabón %1</translation>
+    </message>
+    <message>
+        <source>A load: a torque from outside on the link; the ground takes the reaction.</source>
+        <translation>Una carga: un par exterior sobre el eslabón; la bancada toma la reacción.</translation>
+    </message>
+    <message>
+        <source>link %1, held by brake %2</source>
+        <translation>eslabón %1, retenido por el freno %2</translation>
+    </message>
+    <message>
+        <source>links %1 and %2, joined by clutch %3</source>
+        <translation>eslabones %1 y %2, unidos por el embrague %3</translation>
+    </message>
+    <message>
+        <source>carries %1 N m</source>
+        <translation>soporta %1 N m</translation>
+    </message>
+    <message>
+        <source>shares its load in unknown parts</source>
+        <translation>reparte su carga en partes desconocidas</translation>
+    </message>
+    <message>
+        <source>The torque of the brake on link %1, about its first axis on the way to the ground. At rest it passes no power.</source>
+        <translation>El par del freno sobre el eslabón %1, alrededor de su primer eje en el camino a la bancada. En reposo no transmite potencia.</translation>
+    </message>
+    <message>
+        <source>The torque of the clutch on link %1; the other link has the reaction.</source>
+        <translation>El par del embrague sobre el eslabón %1; el otro eslabón tiene la reacción.</translation>
+    </message>
+    <message>
+        <source>%1 N m, found</source>
+        <translation>%1 N m, hallado</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts</source>
+        <translation>repartido en partes desconocidas</translation>
+    </message>
+    <message>
+        <source>Found: the torque that holds the loads here, of the joint&apos;s tail on its head, link %1, about the direction of its axis.</source>
+        <translation>Hallado: el par que aquí sostiene las cargas, de la cola del par cinemático sobre su cabeza, el eslabón %1, alrededor de la dirección de su eje.</translation>
+    </message>
+    <message>
+        <source>Found: the torque from outside on the link that holds the loads.</source>
+        <translation>Hallado: el par exterior sobre el eslabón que sostiene las cargas.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 torques are listed; all of them are in Forces</source>
+        <translation>Se muestran %1 de %2 pares; todos están en Fuerzas</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>A lo largo de x</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>A lo largo de y</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>A lo largo de z</translation>
+    </message>
+    <message>
+        <source>Square to</source>
+        <translation>Perpendicular a</translation>
+    </message>
+    <message>
+        <source>Parallel to</source>
+        <translation>Paralelo a</translation>
+    </message>
+    <message>
+        <source>Through the meeting point of</source>
+        <translation>Por el punto de intersección de</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Eje %1</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>elegir…</translation>
+    </message>
+    <message>
+        <source>Click to choose the input and the output link of this state</source>
+        <translation>Haga clic para elegir el eslabón de entrada y el de salida de este estado</translation>
+    </message>
+    <message>
+        <source>State %1 has no ratio yet: click “choose…” in its row and name its input and output links.</source>
+        <translation>El estado %1 todavía no tiene relación: haga clic en «elegir…» en su fila e indique los eslabones de entrada y de salida.</translation>
+    </message>
+    <message>
+        <source>Which link is the input of state %1?</source>
+        <translation>¿Qué eslabón es la entrada del estado %1?</translation>
+    </message>
+    <message>
+        <source>Which link is the output of state %1?</source>
+        <translation>¿Qué eslabón es la salida del estado %1?</translation>
+    </message>
+    <message>
+        <source>Choose input and output</source>
+        <translation>Elegir entrada y salida</translation>
+    </message>
+    <message>
+        <source>Choose input and output…</source>
+        <translation>Elegir entrada y salida…</translation>
+    </message>
+    <message>
+        <source>Lay axis</source>
+        <translation>Orientar el eje</translation>
+    </message>
+    <message>
+        <source>Lay the axis along x, y or z, or as another axis lies. The kinds of its meshes follow.</source>
+        <translation>Orienta el eje según x, y o z, o según otro eje. Los tipos de sus engranes se adaptan.</translation>
+    </message>
+    <message>
+        <source>Slide to change the teeth; Esc puts back</source>
+        <translation>Deslice para cambiar los dientes; Esc los devuelve</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -5791,6 +5791,182 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <source>%1 …</source>
         <translation>%1 …</translation>
     </message>
+    <message>
+        <source>Lay axis %1</source>
+        <translation>Eksen %1 yerleştir</translation>
+    </message>
+    <message>
+        <source>it is pinned</source>
+        <translation>sabitlenmiş</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Verim</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
+        <translation>Bir düzenek kendini kilitlediğinde, yükleri tutanın momenti ne kadar büyük olursa olsun onları hareket ettirmez. Verim tüm kavramalarda aynı sayılır.</translation>
+    </message>
+    <message>
+        <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
+        <translation>i: kuyruktaki dişlinin diş sayısının baştakininkine oranı; η: bir kavramanın verimi. Aynı dişliler tahrik ettiği sürece geçerlidir.</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh</source>
+        <translation>Bir kavramanın verimi</translation>
+    </message>
+    <message>
+        <source>Set efficiency</source>
+        <translation>Verimi değiştir</translation>
+    </message>
+    <message>
+        <source>Every mesh states an efficiency or a friction of its own.</source>
+        <translation>Her kavrama kendi verimini ya da sürtünmesini belirtiyor.</translation>
+    </message>
+    <message>
+        <source>An efficiency replaces the coefficient of friction that the document states for all meshes.</source>
+        <translation>Bir verim, belgenin tüm kavramalar için belirttiği sürtünme katsayısının yerini alır.</translation>
+    </message>
+    <message>
+        <source>Self-locking below η = %1</source>
+        <translation>η = %1 altında kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Self-locking backward below η = %1</source>
+        <translation>η = %1 altında geri yönde kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Never self-locking, at any efficiency</source>
+        <translation>Hiçbir verimde kendini kilitlemez</translation>
+    </message>
+    <message>
+        <source>T in joint %1, link %2</source>
+        <translation>%1 eklemindeki T, uzuv %2</translation>
+    </message>
+    <message>
+        <source>A load: the torque that the joint&apos;s tail exerts on its head, link %1, about the direction of its axis.</source>
+        <translation>Bir yük: eklemin kuyruğunun başına, %1 uzvuna, ekseninin yönü etrafında uyguladığı moment.</translation>
+    </message>
+    <message>
+        <source>T on link %1</source>
+        <translation>%1 uzvundaki T</translation>
+    </message>
+    <message>
+        <source>A load: a torque from outside on the link; the ground takes the reaction.</source>
+        <translation>Bir yük: uzva dışarıdan etki eden bir moment; tepkiyi gövde alır.</translation>
+    </message>
+    <message>
+        <source>link %1, held by brake %2</source>
+        <translation>uzuv %1, %2 freni tutuyor</translation>
+    </message>
+    <message>
+        <source>links %1 and %2, joined by clutch %3</source>
+        <translation>%1 ve %2 uzuvları, %3 kavraması birleştiriyor</translation>
+    </message>
+    <message>
+        <source>carries %1 N m</source>
+        <translation>%1 N m taşır</translation>
+    </message>
+    <message>
+        <source>shares its load in unknown parts</source>
+        <translation>yükünü bilinmeyen oranlarda paylaşır</translation>
+    </message>
+    <message>
+        <source>The torque of the brake on link %1, about its first axis on the way to the ground. At rest it passes no power.</source>
+        <translation>Frenin %1 uzvuna, gövdeye giden yoldaki ilk ekseni etrafındaki momenti. Dururken güç aktarmaz.</translation>
+    </message>
+    <message>
+        <source>The torque of the clutch on link %1; the other link has the reaction.</source>
+        <translation>Kavramanın %1 uzvundaki momenti; tepki öbür uzuvdadır.</translation>
+    </message>
+    <message>
+        <source>%1 N m, found</source>
+        <translation>%1 N m, bulundu</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts</source>
+        <translation>bilinmeyen oranlarda paylaşılır</translation>
+    </message>
+    <message>
+        <source>Found: the torque that holds the loads here, of the joint&apos;s tail on its head, link %1, about the direction of its axis.</source>
+        <translation>Bulunan: burada yükleri tutan moment; eklemin kuyruğundan başına, %1 uzvuna, ekseninin yönü etrafında.</translation>
+    </message>
+    <message>
+        <source>Found: the torque from outside on the link that holds the loads.</source>
+        <translation>Bulunan: uzva dışarıdan etki edip yükleri tutan moment.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 torques are listed; all of them are in Forces</source>
+        <translation>%2 momentten %1 tanesi listelendi; tümü Kuvvetler'de</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>x boyunca</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>y boyunca</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>z boyunca</translation>
+    </message>
+    <message>
+        <source>Square to</source>
+        <translation>Şuna dik</translation>
+    </message>
+    <message>
+        <source>Parallel to</source>
+        <translation>Şuna paralel</translation>
+    </message>
+    <message>
+        <source>Through the meeting point of</source>
+        <translation>Şunun kesişme noktasından</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Eksen %1</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>seç…</translation>
+    </message>
+    <message>
+        <source>Click to choose the input and the output link of this state</source>
+        <translation>Bu durumun giriş ve çıkış uzvunu seçmek için tıklayın</translation>
+    </message>
+    <message>
+        <source>State %1 has no ratio yet: click “choose…” in its row and name its input and output links.</source>
+        <translation>%1 durumunun henüz oranı yok: satırındaki “seç…” öğesine tıklayıp giriş ve çıkış uzuvlarını belirtin.</translation>
+    </message>
+    <message>
+        <source>Which link is the input of state %1?</source>
+        <translation>%1 durumunun girişi hangi uzuv?</translation>
+    </message>
+    <message>
+        <source>Which link is the output of state %1?</source>
+        <translation>%1 durumunun çıkışı hangi uzuv?</translation>
+    </message>
+    <message>
+        <source>Choose input and output</source>
+        <translation>Giriş ve çıkışı seç</translation>
+    </message>
+    <message>
+        <source>Choose input and output…</source>
+        <translation>Giriş ve çıkışı seç…</translation>
+    </message>
+    <message>
+        <source>Lay axis</source>
+        <translation>Ekseni yerleştir</translation>
+    </message>
+    <message>
+        <source>Lay the axis along x, y or z, or as another axis lies. The kinds of its meshes follow.</source>
+        <translation>Ekseni x, y veya z boyunca ya da başka bir eksene göre yerleştirir. Dişli çiftlerinin türleri buna uyar.</translation>
+    </message>
+    <message>
+        <source>Slide to change the teeth; Esc puts back</source>
+        <translation>Diş sayısını değiştirmek için kaydırın; Esc geri alır</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -76,14 +76,15 @@ void JointForm::chooseAxis(int item) {
     });
     return;
   }
-  applyAtOnce(tr("Change axis"),
-              [ids = elements(), axis = AxisId(m_axis->currentText().toStdString())](
-                  const Mechanism& before) -> Expected<Mechanism> {
-                Expected<Mechanism> next = before;
-                for (std::size_t i = 0; i < ids.size() && next; ++i)
-                  next = withJointAxis(*std::move(next), JointId(ids[i].id), axis);
-                return lettersKept(before, std::move(next));
-              });
+  applyToEach(tr("Change axis"), [ids = elements(), axis = AxisId(m_axis->currentText().toStdString())](
+                                     const PlacedMechanism& before, const LongEdit::Progress& progress) {
+    Expected<Mechanism> next = before.mechanism();
+    for (auto id = ids.begin(); id != ids.end() && next && !progress.stop.stop_requested(); ++id) {
+      next = withJointAxis(*std::move(next), JointId(id->id), axis);
+      ++*progress.done;
+    }
+    return unplaced(lettersKept(before, std::move(next)));
+  });
 }
 
 void JointForm::showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit) {
