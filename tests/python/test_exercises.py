@@ -54,7 +54,7 @@ def test_sheets_are_those_of_the_command_line(robot, tmp_path):
 
 def test_kinds_tell_why_they_are_not_given(robot):
     offered = gg.exercises.kinds(robot)
-    assert len(offered) == 26 and len({kind.name for kind in offered}) == 26
+    assert len(offered) == 27 and len({kind.name for kind in offered}) == 27
     missing = next(kind for kind in offered if kind.reason)
     with pytest.raises(ValueError, match="gives no question"):
         gg.exercises.Sheet(robot, [missing.name])

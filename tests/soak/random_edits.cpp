@@ -14,6 +14,7 @@
 #include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/fitting/axis_choice.h"
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/mesh_snap.h"
@@ -317,6 +318,11 @@ std::vector<EditKind> numberEdits() {
                           [](Random& r) {
                             return std::tuple{r.axis(), r.triple()};
                           }),
+      kind<withAxisChosen>("withAxisChosen",
+                           [](Random& r) {
+                             const AxisChoice choice{AxisChoice::Way(r.below(6)), r.axis()};
+                             return std::tuple{r.axis(), choice};
+                           }),
       {"withAxisReach",
        [](Random& r) -> Reduce {
          const AxisId axis = r.axis();

@@ -175,12 +175,19 @@ QWidget* ForcesPanel::makeMiddle() {
   row->setSpacing(6);
   row->addWidget(scroll);
   row->addWidget(m_pages, 1);
-  m_card->setMinimumWidth(scaledPixels(kCardWidth));
+  // The card is higher than the panel need be.
+  m_cardView = new QScrollArea(middle);
+  m_cardView->setFrameShape(QFrame::NoFrame);
+  m_cardView->setWidgetResizable(true);
+  m_cardView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_cardView->setFocusPolicy(Qt::NoFocus);  // what is in it has
+  m_cardView->setWidget(m_card);
+  m_cardView->setMinimumWidth(scaledPixels(kCardWidth));
   m_middle = new QBoxLayout(QBoxLayout::LeftToRight, middle);
   m_middle->setContentsMargins(0, 0, 10, 0);
   m_middle->setSpacing(6);
   m_middle->addLayout(row, 1);
-  m_middle->addWidget(m_card);
+  m_middle->addWidget(m_cardView);
   return middle;
 }
 
@@ -427,7 +434,7 @@ void ForcesPanel::fitLoads() {
 QSize ForcesPanel::minimumSizeHint() const {
   const QSize wanted = QWidget::minimumSizeHint();
   const bool isBeside = m_middle->direction() == QBoxLayout::LeftToRight;
-  return {isBeside ? wanted.width() - m_card->minimumWidth() : wanted.width(), wanted.height()};
+  return {isBeside ? wanted.width() - m_cardView->minimumWidth() : wanted.width(), wanted.height()};
 }
 
 void ForcesPanel::resizeEvent(QResizeEvent* event) {

@@ -101,6 +101,7 @@ class ForcesPanel : public QWidget {
   QStackedWidget* m_pages;
   EfficiencyPage* m_plots;
   EfficiencyCard* m_card;
+  QScrollArea* m_cardView = nullptr;
   QBoxLayout* m_middle = nullptr;  ///< the table, and the card beside it or below
   QLabel* m_empty;
   QLabel* m_remark;

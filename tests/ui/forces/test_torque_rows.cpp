@@ -22,6 +22,7 @@ class TorqueRowsTest : public QObject {
   void settle() {
     service->follow(analyze(document->mechanism(), document->revision()));
     QTRY_VERIFY(service->isComplete());
+    QCoreApplication::processEvents();  // new rows are shown by an event
   }
   void open(Mechanism mechanism) {
     document->replace(std::move(mechanism), {});
