@@ -29,8 +29,7 @@ std::optional<char> separatorFrom(const Arguments& arguments) {
 std::variant<Mechanism, int> readEither(const std::string& path) {
   const auto bytes = readFile(path, kLargestFile);
   if (const auto* error = std::get_if<FileError>(&bytes)) return fileFailure(error->message);
-  const auto& text = std::get<std::string>(bytes);
-  auto document = looksLikeTable(text) ? readMechanismTable(text) : readMechanism(text);
+  auto document = readMechanismOrTable(std::get<std::string>(bytes));
   if (document) return std::move(document).value();
   std::cerr << diagnosticLines(path, document.error());
   return static_cast<int>(kMechanismErrors);

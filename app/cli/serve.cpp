@@ -116,8 +116,8 @@ class Server {
     if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
       return Refusal{"request",
                      "\"open\" takes \"text\": a document, as a text or as an object; or a table (CSV)."};
-    const std::string text = given->is(JsonKind::string) ? given->string() : std::string(given->slice());
-    auto read = looksLikeTable(text) ? readMechanismTable(text) : readMechanism(text);
+    auto read =
+        readMechanismOrTable(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
     if (!read) return refused(read.error());
     const std::string name = std::to_string(++m_opened);
     m_documents.emplace(name, std::make_shared<const Mechanism>(std::move(read).value()));

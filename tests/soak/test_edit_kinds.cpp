@@ -15,10 +15,17 @@ const std::set<QString> kNoEdits = {
     "emptyMechanism",  // the first document
     "familyTrain",     // trains on which both methods are counted
     "fragmentOf",      // what withFragment takes
-    "readMechanism",      "readDocument",  "readView",
-    "readMechanismTable",                                              // how documents come in
-    "unlessBroken",       "fitAxes",       "unplaced",                 // parts of the fitted edits
-    "checkedEdit",        "checkedLimits", "withAxisLettersAsBefore",  // the parts that edits end with
+    "readMechanism",
+    "readDocument",
+    "readView",
+    "readMechanismTable",
+    "readMechanismOrTable",  // how documents come in
+    "unlessBroken",
+    "fitAxes",
+    "unplaced",  // parts of the fitted edits
+    "checkedEdit",
+    "checkedLimits",
+    "withAxisLettersAsBefore",  // the parts that edits end with
 };
 
 /// The names of all functions of headers that return a mechanism or its view.

@@ -140,10 +140,8 @@ void ElementCommands::removeSelected() {
   std::vector<ElementId> elements(selected.begin(), selected.end());
   if (elements.size() > 1) std::erase(elements, ElementId(m_document.mechanism()->links.front().id));
   apply(tr("Delete %1").arg(describe(*m_document.mechanism(), {elements.begin(), elements.end()})),
-        [elements](const Mechanism& mechanism) -> Expected<Mechanism> {
-          Expected<Mechanism> next = withoutElements(mechanism, elements);
-          if (!next) return next;
-          return withAxisLettersAsBefore(mechanism, *std::move(next));
+        [elements](const Mechanism& mechanism) {
+          return withAxisLettersAsBefore(mechanism, withoutElements(mechanism, elements));
         });
 }
 

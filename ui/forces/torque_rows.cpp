@@ -3,7 +3,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
 #include <algorithm>
 
@@ -17,16 +16,6 @@ namespace geargraph::inline forces {
 namespace {
 
 constexpr std::size_t kMostTorqueRows = 12;  ///< the panel Forces lists all
-
-QPixmap linkDot(int label, qreal ratio) {
-  constexpr int kSize = 12;
-  QPixmap pixmap(qRound(kSize * ratio), qRound(kSize * ratio));
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  paintLinkDot(painter, {kSize / 2.0, kSize / 2.0}, label);
-  return pixmap;
-}
 
 QString withMinus(const std::string& text) {
   return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
@@ -217,7 +206,7 @@ TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {
   Row row;
   row.content = content;
   auto* dot = new QLabel(this);
-  dot->setPixmap(linkDot(content.link, devicePixelRatioF()));
+  dot->setPixmap(panels::linkDot(content.link, devicePixelRatioF()));
   dot->setAccessibleName(tr("Colour of link %1").arg(content.link));
   auto* name = new QToolButton(this);
   name->setText(content.name);

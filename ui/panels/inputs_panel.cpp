@@ -25,15 +25,6 @@
 namespace geargraph::inline panels {
 namespace {
 
-QPixmap linkDot(int label, qreal ratio) {
-  QPixmap pixmap(qRound(12 * ratio), qRound(12 * ratio));
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  paintLinkDot(painter, {6, 6}, label);
-  return pixmap;
-}
-
 /// Rows that are made at once: each is half a dozen widgets, and a train may have thousands of inputs.
 constexpr std::size_t kRowsAtOnce = 30;
 

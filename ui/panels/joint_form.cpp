@@ -10,15 +10,6 @@
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {
-namespace {
-
-Expected<Mechanism> lettersKept(const Mechanism& before, Expected<Mechanism> next) {
-  if (!next) return next;
-  return withAxisLettersAsBefore(before, *std::move(next));
-}
-
-}  // namespace
-
 QPushButton* JointForm::makeLayButton() {
   auto* button = new QPushButton(tr("Lay axis"), this);
   button->setObjectName(QStringLiteral("layAxis"));
@@ -71,19 +62,18 @@ void JointForm::chooseAxis(int item) {
   if (item == m_axis->count() - 1) {
     std::vector<JointId> ids;
     for (const ElementId& element : elements()) ids.emplace_back(element.id);
-    applyAtOnce(tr("New axis"), [ids](const Mechanism& before) -> Expected<Mechanism> {
-      return lettersKept(before, withNewAxis(before, ids));
+    applyAtOnce(tr("New axis"), [ids](const Mechanism& before) {
+      return withAxisLettersAsBefore(before, withNewAxis(before, ids));
     });
     return;
   }
   applyToEach(tr("Change axis"), [ids = elements(), axis = AxisId(m_axis->currentText().toStdString())](
                                      const PlacedMechanism& before, const LongEdit::Progress& progress) {
-    Expected<Mechanism> next = before.mechanism();
-    for (auto id = ids.begin(); id != ids.end() && next && !progress.stop.stop_requested(); ++id) {
-      next = withJointAxis(*std::move(next), JointId(id->id), axis);
-      ++*progress.done;
-    }
-    return unplaced(lettersKept(before, std::move(next)));
+    const Expected<Mechanism> next = changedInTurn<Mechanism>(
+        before.mechanism(), ids, progress, [axis](Mechanism mechanism, const ElementId& joint) {
+          return withJointAxis(std::move(mechanism), JointId(joint.id), axis);
+        });
+    return unplaced(withAxisLettersAsBefore(before, next));
   });
 }
 

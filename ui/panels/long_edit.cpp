@@ -14,6 +14,16 @@ constexpr int kTelling = 100;  // ms
 
 }  // namespace
 
+QString refusalOf(Document& document, const Edit& edit) {
+  QString why;
+  const auto heard =
+      QObject::connect(&document, &Document::refused, &document,
+                       [&why](const Diagnostics& found) { why = shownText(found.front().message); });
+  document.apply(edit);
+  QObject::disconnect(heard);
+  return why;
+}
+
 LongEdit::LongEdit(Document* document, QWidget* window, QString text, quint64 gesture, int elements,
                    Work work)
     : QObject(document),
@@ -48,12 +58,7 @@ void LongEdit::begin() {
 void LongEdit::take(const Result& result) {
   if (m_document->mechanism() != m_before) return begin();
   m_dialog.reset();
-  QString why;
-  const auto heard = connect(m_document, &Document::refused, this,
-                             [&why](const Diagnostics& found) { why = shownText(found.front().message); });
-  m_document->apply({m_text, [result](const PlacedMechanism&) { return *result; }, m_gesture});
-  disconnect(heard);
-  end(why);
+  end(refusalOf(*m_document, {m_text, [result](const PlacedMechanism&) { return *result; }, m_gesture}));
 }
 
 void LongEdit::tell() {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 #include "ui/document/document.h"
 #include "ui/service/service.h"
@@ -15,6 +17,9 @@ class QProgressDialog;
 class QWidget;
 
 namespace geargraph::inline panels {
+
+/// Applies an edit: why the document refused it, as a sentence; empty where it did not.
+[[nodiscard]] QString refusalOf(Document& document, const Edit& edit);
 
 /// An edit of many elements, worked out on a thread while the window goes on painting. After a moment a
 /// dialog says what is done, how far it is, and can cancel it. When it is ready the document gets it as one
@@ -62,5 +67,18 @@ class LongEdit final : public QObject {
   std::unique_ptr<QProgressDialog> m_dialog;
   std::unique_ptr<Service<PlacedMechanism, Result>> m_service;  // last: it ends before what it reads
 };
+
+/// The elements changed one after the other, until one is refused or a stop is requested.
+template <class Value, class Change>
+Expected<Value> changedInTurn(Value before, const std::vector<ElementId>& elements,
+                              const LongEdit::Progress& progress, const Change& change) {
+  Expected<Value> next = std::move(before);
+  for (auto each = elements.begin(); each != elements.end() && next && !progress.stop.stop_requested();
+       ++each) {
+    next = change(std::move(next).value(), *each);
+    ++*progress.done;
+  }
+  return next;
+}
 
 }  // namespace geargraph::inline panels

@@ -125,26 +125,14 @@ void PropertyForm::showWrong(const QString& why) {
 void PropertyForm::apply(const QString& text, const Change& change) {
   applyToEach(text,
               [change, ids = m_elements](const PlacedMechanism& before, const LongEdit::Progress& progress) {
-                Expected<Mechanism> next = before.mechanism();
-                for (auto element = ids.begin();
-                     element != ids.end() && next && !progress.stop.stop_requested(); ++element) {
-                  next = change(std::move(next).value(), *element);
-                  ++*progress.done;
-                }
-                return unplaced(std::move(next));
+                return unplaced(changedInTurn<Mechanism>(before.mechanism(), ids, progress, change));
               });
 }
 
 void PropertyForm::applyFitted(const QString& text, const FittedChange& change) {
   applyToEach(text,
               [change, ids = m_elements](const PlacedMechanism& before, const LongEdit::Progress& progress) {
-                Expected<PlacedMechanism> next = before;
-                for (auto element = ids.begin();
-                     element != ids.end() && next && !progress.stop.stop_requested(); ++element) {
-                  next = change(*next, *element);
-                  ++*progress.done;
-                }
-                return next;
+                return changedInTurn<PlacedMechanism>(before, ids, progress, change);
               });
 }
 
@@ -167,11 +155,7 @@ void PropertyForm::applyToEach(const QString& text, const LongEdit::Work& work) 
 }
 
 void PropertyForm::applyAtOnce(const QString& text, const Reduce& reduce) {
-  QString why;
-  const auto heard = connect(m_document, &Document::refused, this,
-                             [&why](const Diagnostics& found) { why = shownText(found.front().message); });
-  m_document->apply({text, reduce, m_gesture});
-  disconnect(heard);
+  const QString why = refusalOf(*m_document, {text, reduce, m_gesture});
   if (!why.isEmpty()) {
     for (NumberField* field : findChildren<NumberField*>()) {
       if (field->isCommitting()) field->reject(why);

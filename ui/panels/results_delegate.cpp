@@ -34,6 +34,16 @@ void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel) {
   painter.restore();
 }
 
+QPixmap linkDot(int linkLabel, qreal pixelRatio) {
+  constexpr int kSize = 12;
+  QPixmap pixmap(qRound(kSize * pixelRatio), qRound(kSize * pixelRatio));
+  pixmap.setDevicePixelRatio(pixelRatio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  paintLinkDot(painter, {kSize / 2.0, kSize / 2.0}, linkLabel);
+  return pixmap;
+}
+
 ResultsDelegate::ResultsDelegate(Selection* selection, QObject* parent)
     : QStyledItemDelegate(parent), m_selection(selection) {}
 

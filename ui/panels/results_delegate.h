@@ -3,6 +3,7 @@
 #include <QFont>
 #include <QHash>
 #include <QHeaderView>
+#include <QPixmap>
 #include <QStyledItemDelegate>
 
 #include "ui/selection/selection.h"
@@ -59,5 +60,7 @@ class LinkSpeedsDelegate : public QStyledItemDelegate {
 
 /// A disc in the colour that the link has in every view.
 void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel);
+/// The same as a picture of 12 by 12 logical pixels.
+[[nodiscard]] QPixmap linkDot(int linkLabel, qreal pixelRatio);
 
 }  // namespace geargraph::inline panels

@@ -9,7 +9,7 @@ namespace geargraph::inline arrangement {
 // Bearings on axes that cross their holder's.
 
 /// A pin that a link holds out from its own shaft along the axis that meets its own, for wheels that all
-/// stand on one side; nothing where somebody else's wheels or shafts are in the way.
+/// stand on one side; none where wheels or shafts of other links are in the way.
 [[nodiscard]] std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home,
                                             const Bearing& bearing);
 

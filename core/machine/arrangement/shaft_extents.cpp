@@ -18,7 +18,7 @@ bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place)
 }
 
 /// A frame has no shaft of its own: its arms begin about the shaft of the one link that it holds on their
-/// axis, where nobody else's wheels are in between.
+/// axis, where no wheels of other links are in between.
 std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link) {
   const AxisLayout& layout = draft.axis(axisClass);
   if (layout.bearings.size() != 1 || layout.bearings.front().child != link) return std::nullopt;

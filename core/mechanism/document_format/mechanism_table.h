@@ -43,4 +43,7 @@ struct TablePart {
 /// Cost      O(bytes).
 [[nodiscard]] Expected<Mechanism> readMechanismTable(std::string_view bytes);
 
+/// The mechanism of a document or of a table, whichever it looks like.
+[[nodiscard]] Expected<Mechanism> readMechanismOrTable(std::string_view bytes);
+
 }  // namespace geargraph::inline document_format

@@ -297,4 +297,8 @@ Expected<Mechanism> readMechanismTable(std::string_view bytes) {
   return TableReader(bytes).run();
 }
 
+Expected<Mechanism> readMechanismOrTable(std::string_view bytes) {
+  return looksLikeTable(bytes) ? readMechanismTable(bytes) : readMechanism(bytes);
+}
+
 }  // namespace geargraph::inline document_format

@@ -81,15 +81,11 @@ std::vector<Neighbour> neighboursOf(const PlacedMechanism& placed, AxisId axis) 
   const Mechanism& mechanism = placed.mechanism();
   const Placement& placement = placed.placement();
   if (!placement.classes) return found;
-  const auto axisAt = [&](int axisClass) {
-    const auto& each = placement.classes->classes[static_cast<std::size_t>(axisClass)];
-    return mechanism.axes[static_cast<std::size_t>(each.axis)].id;
-  };
   for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
     const auto& mesh = placement.meshes[m];
     if (!mesh) continue;
-    const AxisId tail = axisAt(mesh->tailClass);
-    const AxisId head = axisAt(mesh->headClass);
+    const AxisId tail = axisOfClass(mechanism, placement, mesh->tailClass).id;
+    const AxisId head = axisOfClass(mechanism, placement, mesh->headClass).id;
     if (tail == axis) found.push_back({mechanism.gearMeshes[m].id, head, mesh->kind});
     if (head == axis) found.push_back({mechanism.gearMeshes[m].id, tail, mesh->kind});
   }
@@ -112,7 +108,7 @@ Expected<PlacedMechanism> withKindsFor(PlacedMechanism next, AxisId axis, const 
   return next;
 }
 
-/// The axis stated where it is to lie. Where no axis is stated so far, the first one is, too: else all others
+/// The axis stated where it is to lie. Where no axis is stated, the first one is, too: else all others
 /// would be laid out round the one that is.
 Expected<PlacedMechanism> withLine(const PlacedMechanism& before, const PlacedMechanism& next, AxisId axis,
                                    const ExactLine& line) {

@@ -3,10 +3,11 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/load_edits.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -32,17 +33,10 @@ void rename(Mechanism& mechanism, const std::vector<AxisId>& from, const std::ve
   for (std::size_t i = 0; i < from.size(); ++i) names.emplace(from[i].atom(), to[i]);
   for (Axis& axis : mechanism.axes) axis.id = names.at(axis.id.atom());
   for (TurningJoint& joint : mechanism.turningJoints) joint.axis = names.at(joint.axis.atom());
-  const auto follow = [&names](std::optional<AxisId>& axis) {
+  forEachLoadAxis(mechanism, [&names](std::optional<AxisId>& axis) {
     if (!axis) return;
     if (const auto now = names.find(axis->atom()); now != names.end()) axis = now->second;
-  };
-  for (Load& load : mechanism.loads) {
-    if (auto* onLink = std::get_if<LinkTorque>(&load.action)) follow(onLink->axis);
-  }
-  if (!mechanism.balances) return;
-  for (Balance& balance : *mechanism.balances) {
-    if (auto* onLink = std::get_if<Balance::OnLink>(&balance.at)) follow(onLink->axis);
-  }
+  });
 }
 
 }  // namespace
@@ -52,12 +46,13 @@ bool doAxisLettersRun(const Mechanism& mechanism) {
   return axes == runningLetters(axes.size());
 }
 
-Mechanism withAxisLettersAsBefore(const Mechanism& before, Mechanism edited) {
-  if (!doAxisLettersRun(before)) return edited;
-  const std::vector<AxisId> axes = axesInUse(edited);
+Expected<Mechanism> withAxisLettersAsBefore(const Mechanism& before, Expected<Mechanism> edited) {
+  if (!edited || !doAxisLettersRun(before)) return edited;
+  Mechanism next = *std::move(edited);
+  const std::vector<AxisId> axes = axesInUse(next);
   const std::vector<AxisId> letters = runningLetters(axes.size());
-  if (axes != letters) rename(edited, axes, letters);
-  return edited;
+  if (axes != letters) rename(next, axes, letters);
+  return next;
 }
 
 }  // namespace geargraph::inline model

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::inline model {
@@ -8,8 +9,9 @@ namespace geargraph::inline model {
 /// the paper's? Cost: O(t).
 [[nodiscard]] bool doAxisLettersRun(const Mechanism& mechanism);
 
-/// `edited`, an edit of `before`, with letters that run where those of `before` do; names that somebody has
-/// chosen stay. Loads that name axes follow. Cost: O(t).
-[[nodiscard]] Mechanism withAxisLettersAsBefore(const Mechanism& before, Mechanism edited);
+/// `edited`, an edit of `before`, with letters that run where those of `before` do; chosen names stay. Loads
+/// that name axes follow. A refused edit stays refused. Cost: O(t).
+[[nodiscard]] Expected<Mechanism> withAxisLettersAsBefore(const Mechanism& before,
+                                                          Expected<Mechanism> edited);
 
 }  // namespace geargraph::inline model

@@ -37,18 +37,6 @@ Element* findIn(std::vector<Element>& list, ElementIdType id) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// Calls use(axis) for the axis of every torque on a link and of every balance on one, named or not.
-template <class Use>
-void forEachLoadAxis(Mechanism& mechanism, const Use& use) {
-  for (Load& load : mechanism.loads) {
-    if (auto* torque = std::get_if<LinkTorque>(&load.action)) use(torque->axis);
-  }
-  if (!mechanism.balances) return;
-  for (Balance& balance : *mechanism.balances) {
-    if (auto* onLink = std::get_if<Balance::OnLink>(&balance.at)) use(onLink->axis);
-  }
-}
-
 /// Loads and balances go with the joint, the link or the axis that they name.
 void dropLoads(Mechanism& mechanism, const std::unordered_set<ElementId>& gone) {
   std::unordered_set<Atom> joints;

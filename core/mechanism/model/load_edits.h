@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "core/foundations/base/expected.h"
@@ -38,5 +39,17 @@ namespace geargraph::inline model {
 /// The link that a load or a balance acts on; none where it is in a joint.
 [[nodiscard]] std::optional<LinkId> linkOf(const Load& load);
 [[nodiscard]] std::optional<JointId> jointOf(const Load& load);
+
+/// Calls use(axis) for the axis of every torque on a link and of every balance on one, named or not.
+template <class Use>
+void forEachLoadAxis(Mechanism& mechanism, const Use& use) {
+  for (Load& load : mechanism.loads) {
+    if (auto* torque = std::get_if<LinkTorque>(&load.action)) use(torque->axis);
+  }
+  if (!mechanism.balances) return;
+  for (Balance& balance : *mechanism.balances) {
+    if (auto* onLink = std::get_if<Balance::OnLink>(&balance.at)) use(onLink->axis);
+  }
+}
 
 }  // namespace geargraph::inline model

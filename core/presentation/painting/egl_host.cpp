@@ -50,7 +50,7 @@ class Turns {
     }
     m_changed.notify_all();
   }
-  /// To whoever waits. @pre the driver does nothing for this thread
+  /// To the next thread that waits. @pre the driver does nothing for this thread
   void pass() {
     give();
     take();
