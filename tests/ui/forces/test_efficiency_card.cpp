@@ -5,65 +5,23 @@
 #include <QUndoStack>
 
 #include "core/mechanism/model/load_edits.h"
-#include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/ui/forces/open_forces_panel.h"
 #include "ui/forces/efficiency_card.h"
-#include "ui/forces/forces_panel.h"
 #include "ui/forces/linked_table.h"
-#include "ui/panels/number_field.h"
 
 namespace geargraph {
 
-class EfficiencyCardTest : public QObject {
+class EfficiencyCardTest : public QObject, private OpenForcesPanel {
   Q_OBJECT
 
-  std::unique_ptr<Document> document;
-  Selection selection;
-  std::unique_ptr<ForcesService> service;
-  std::unique_ptr<ForcesPanel> panel;
-
-  void open(Mechanism mechanism) {
-    document->replace(std::move(mechanism), {});
-    settle();
-  }
-  void settle() {
-    const SnapshotPtr snapshot = analyze(document->mechanism(), document->revision());
-    service->follow(snapshot);
-    panel->setSnapshot(snapshot);
-    QTRY_VERIFY(panel->isUpToDate());
-  }
-  NumberField& field(const char* name) { return *panel->findChild<NumberField*>(QLatin1String(name)); }
-
-  /// Sun 5 at 100 rad/s, ring 6 held, carrier 7 out.
-  static Mechanism set() {
-    Mechanism mechanism = test::planetary(24, 18);
-    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
-                                          {mechanism.turningJoints[1].id, Number(0), {}}};
-    mechanism.balances =
-        std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
-    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
-    return mechanism;
-  }
-
  private slots:
-  void init() {
-    selection.clear();
-    document = std::make_unique<Document>();
-    service = std::make_unique<ForcesService>();
-    panel = std::make_unique<ForcesPanel>(document.get(), &selection, service.get());
-    panel->resize(900, 300);
-    panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
-    panel->setAwake(true);
-  }
-  void cleanup() {
-    panel.reset();
-    service.reset();
-  }
+  void init() { show(); }
+  void cleanup() { close(); }
 
   /// The card: in symbols, with the limit of self-locking; a drag of its slider is one undo step.
   void theCardOfTheEfficiency() {
-    open(set());
+    open(loadedSet());
     auto* slider = panel->findChild<QSlider*>(QStringLiteral("meshEfficiencySlider"));
     const auto stated = [&] {
       const auto& defaults = document->mechanism()->gearDefaults;
@@ -95,14 +53,14 @@ class EfficiencyCardTest : public QObject {
     document->undoStack().undo();
     QCOMPARE(stated(), Rational(199, 200));
     // Of a coefficient of friction it takes the place.
-    Mechanism rubbing = set();
+    Mechanism rubbing = loadedSet();
     rubbing.gearDefaults.emplace().friction = Number(Rational(1, 20));
     open(rubbing);
     QVERIFY(slider->toolTip().contains(QLatin1String("replaces the coefficient of friction")));
     slider->setValue(190);
     QVERIFY(!document->mechanism()->gearDefaults->friction);
     // Where all meshes state their own it moves nothing, and says so.
-    Mechanism own = set();
+    Mechanism own = loadedSet();
     for (GearMesh& mesh : own.gearMeshes) mesh.efficiency = Number(Rational(9, 10));
     open(own);
     QVERIFY(!slider->isEnabled() && slider->toolTip().startsWith(QLatin1String("Every mesh states")));
@@ -129,7 +87,7 @@ class EfficiencyCardTest : public QObject {
 
   /// Where the panel is narrow the card stands below the table.
   void theCardFindsRoom() {
-    open(set());
+    open(loadedSet());
     EfficiencyCard& card = panel->efficiency();
     panel->layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as in a dock
     panel->setMinimumSize(0, 0);

@@ -11,40 +11,22 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
-#include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
+#include "tests/ui/forces/open_forces_panel.h"
 #include "ui/forces/efficiency_page.h"
 #include "ui/forces/force_table_model.h"
-#include "ui/forces/forces_panel.h"
 #include "ui/forces/linked_table.h"
-#include "ui/panels/number_field.h"
 
 namespace geargraph {
 
-class ForcesPanelTest : public QObject {
+class ForcesPanelTest : public QObject, private OpenForcesPanel {
   Q_OBJECT
 
-  std::unique_ptr<Document> document;
-  Selection selection;
-  std::unique_ptr<ForcesService> service;
-  std::unique_ptr<ForcesPanel> panel;
-
-  void open(Mechanism mechanism) {
-    document->replace(std::move(mechanism), {});
-    settle();
-  }
-  void settle() {
-    const SnapshotPtr snapshot = analyze(document->mechanism(), document->revision());
-    service->follow(snapshot);
-    panel->setSnapshot(snapshot);
-    QTRY_VERIFY(panel->isUpToDate());
-  }
   void press(const char* button) {
     QTest::mouseClick(panel->findChild<QToolButton*>(QLatin1String(button)), Qt::LeftButton);
     settle();
   }
-  NumberField& field(const char* name) { return *panel->findChild<NumberField*>(QLatin1String(name)); }
   void type(const char* name, const char* text) {
     field(name).setFocus();
     field(name).selectAll();
@@ -63,35 +45,12 @@ class ForcesPanelTest : public QObject {
   }
   int loads() { return static_cast<int>(document->mechanism()->loads.size()); }
 
-  /// Sun 5 at 100 rad/s, ring 6 held, carrier 7 out.
-  static Mechanism set(int planets = 1) {
-    Mechanism mechanism = test::planetary(24, 18, planets);
-    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
-                                          {mechanism.turningJoints[1].id, Number(0), {}}};
-    mechanism.balances =
-        std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
-    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
-    return mechanism;
-  }
-
  private slots:
-  void init() {
-    selection.clear();
-    document = std::make_unique<Document>();
-    service = std::make_unique<ForcesService>();
-    panel = std::make_unique<ForcesPanel>(document.get(), &selection, service.get());
-    panel->resize(900, 300);
-    panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
-    panel->setAwake(true);
-  }
-  void cleanup() {
-    panel.reset();
-    service.reset();
-  }
+  void init() { show(); }
+  void cleanup() { close(); }
 
   void theTorquesOfAPlanetarySet() {
-    open(set());
+    open(loadedSet());
     QCOMPARE(panel->emptyText(), QString());
     QCOMPARE(panel->model().rowCount(), 4);
     QCOMPARE(cell(0, "carried by"), QStringLiteral("load"));
@@ -116,7 +75,7 @@ class ForcesPanelTest : public QObject {
   void equationsStandBesideTheirTwins() {
     auto* twin = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
     QVERIFY(!twin->isVisible());
-    open(set());
+    open(loadedSet());
     QTRY_VERIFY(twin->isVisible());
     const Mechanism& mechanism = *document->mechanism();
     selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
@@ -134,13 +93,13 @@ class ForcesPanelTest : public QObject {
   }
 
   void itDoesNotKeepTheWindowWide() {
-    open(set());
+    open(loadedSet());
     QVERIFY2(panel->minimumSizeHint().width() < 480,
              qPrintable(QString::number(panel->minimumSizeHint().width())));
   }
 
   void everyTableIsShownAndExplained() {
-    open(set());
+    open(loadedSet());
     QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
     for (const ForceTableKind kind : allForceTableKinds()) {
       panel->showTable(kind);
@@ -162,7 +121,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void loadsAreAddedChangedAndRemoved() {
-    open(set());
+    open(loadedSet());
     selection.select({document->mechanism()->turningJoints[2].id});
     press("addLoad");
     QCOMPARE(loads(), 2);
@@ -197,7 +156,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void aForceHasThreeComponents() {
-    Mechanism mechanism = set();
+    Mechanism mechanism = loadedSet();
     mechanism.loads.push_back(
         {{},
          LinkForce{
@@ -211,7 +170,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void rowsAndSelectionAreLinked() {
-    open(set());
+    open(loadedSet());
     const QModelIndex ring = panel->model().index(1, 0);
     QTest::mouseClick(panel->table().viewport(), Qt::LeftButton, Qt::NoModifier,
                       panel->table().visualRect(ring).center());
@@ -226,7 +185,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void whatNothingHoldsIsReported() {
-    Mechanism mechanism = set();
+    Mechanism mechanism = loadedSet();
     mechanism.balances->pop_back();
     open(mechanism);
     QVERIFY2(panel->remark().startsWith(QLatin1String("Nothing holds this motion")),
@@ -239,7 +198,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void sharedLoadsAskForAnAssumption() {
-    open(set(3));
+    open(loadedSet(3));
     auto* share = panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"));
     QVERIFY(share->isVisible());
     QVERIFY(panel->remark().contains(QLatin1String("share the load")));
@@ -249,12 +208,12 @@ class ForcesPanelTest : public QObject {
     QTRY_VERIFY(panel->isUpToDate());
     QVERIFY(cell(0, "on tail") != QLatin1String("shared"));
     QCOMPARE(cell(0, "on tail"), cell(2, "on tail"));
-    open(set());
+    open(loadedSet());
     QVERIFY(!share->isVisible());
   }
 
   void anEfficiencyOutOfRangeChangesNothing() {
-    open(set());
+    open(loadedSet());
     type("meshEfficiency", "0.9");
     const QString torque = cell(1, "torque");
     for (const char* wrong : {"0", "-1", "2", "much"}) {
@@ -281,7 +240,7 @@ class ForcesPanelTest : public QObject {
     QCOMPARE(cell(5, "efficiency"), QStringLiteral("1"));
     QVERIFY(cell(0, "efficiency").toDouble() < 1);
     QVERIFY(!cell(0, "A").isEmpty());
-    open(set());
+    open(loadedSet());
     QVERIFY(!states->isVisible());
     QVERIFY(panel->model().kind() == ForceTableKind::joints);
   }
@@ -313,7 +272,7 @@ class ForcesPanelTest : public QObject {
   /// A document without loads costs nothing while no view shows torques; loads are solved in any case.
   void outOfSightOnlyLoadsAreSolved() {
     panel->setAwake(false);
-    Mechanism without = set();
+    Mechanism without = loadedSet();
     without.loads.clear();
     open(without);
     QVERIFY(panel->forces() == nullptr);
@@ -321,7 +280,7 @@ class ForcesPanelTest : public QObject {
     QTRY_VERIFY(panel->forces() != nullptr && panel->model().rowCount() == 4);
     panel->setAwake(false);
     QVERIFY(panel->forces() == nullptr);
-    open(set());
+    open(loadedSet());
     QVERIFY(panel->forces() != nullptr && panel->forces()->report && panel->forces()->tables.empty());
     open(without);
     QVERIFY(panel->forces() == nullptr);
@@ -329,14 +288,14 @@ class ForcesPanelTest : public QObject {
 
   /// What is tried in the panel is no finding of the document.
   void findingsAreThoseOfTheDocument() {
-    open(set());
+    open(loadedSet());
     QVERIFY(panel->forces()->findings.empty());
-    Mechanism unheld = set();
+    Mechanism unheld = loadedSet();
     unheld.balances->pop_back();
     open(unheld);
     QCOMPARE(panel->forces()->findings.size(), std::size_t{1});
     QVERIFY(panel->forces()->findings.front().code == Code::unbalanced);
-    open(set(3));
+    open(loadedSet(3));
     const Diagnostics shared = panel->forces()->findings;
     QVERIFY(shared.size() == 1 && shared.front().code == Code::staticallyIndeterminate);
     panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"))->click();
@@ -366,7 +325,7 @@ class ForcesPanelTest : public QObject {
   }
 
   void tablesAreExportedAndCopied() {
-    open(set());
+    open(loadedSet());
     QSignalSpy wanted(panel.get(), &ForcesPanel::exportWanted);
     press("exportForces");
     QCOMPARE(wanted.count(), 1);
@@ -378,7 +337,7 @@ class ForcesPanelTest : public QObject {
 
   /// Two inputs: over the ratio of their speeds; the meshes' efficiency beside it. Off this thread, as CSV.
   void thePlots() {
-    open(set());
+    open(loadedSet());
     press("chip.plots");
     EfficiencyPage& plots = panel->plots();
     auto* axis = plots.findChild<QComboBox*>(QStringLiteral("efficiencyAxis"));
@@ -425,7 +384,7 @@ class ForcesPanelTest : public QObject {
 
   /// A joint, in the table or in a drawing: its cutset, lit in all views; a mesh: which gear drives.
   void whatIsSelectedIsExplained() {
-    open(set());
+    open(loadedSet());
     QCOMPARE(panel->explanation(), QString());
     const auto& mechanism = *document->mechanism();
     selection.select({mechanism.turningJoints[2].id});

@@ -6,8 +6,8 @@
 #include "core/mechanism/model/load_edits.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/ui/forces/open_forces_panel.h"
 #include "ui/forces/torque_rows.h"
-#include "ui/panels/number_field.h"
 
 namespace geargraph {
 
@@ -41,16 +41,6 @@ class TorqueRowsTest : public QObject {
     return find<QLabel>(qPrintable(QStringLiteral("torqueValue.%1").arg(row)))->text();
   }
 
-  static Mechanism set() {
-    Mechanism mechanism = test::planetary(24, 18);
-    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
-                                          {mechanism.turningJoints[1].id, Number(0), {}}};
-    mechanism.balances =
-        std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
-    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
-    return mechanism;
-  }
-
  private slots:
   void init() {
     selection.clear();
@@ -65,7 +55,7 @@ class TorqueRowsTest : public QObject {
 
   void loadsAndWhatHoldsThem() {
     QVERIFY(rows->isHidden());
-    open(set());
+    open(loadedSet());
     QVERIFY(!rows->isHidden());
     QCOMPARE(name(0), QStringLiteral("T in joint 5, link 1"));
     auto* torque = find<NumberField>("torqueOfLoad.0");
@@ -78,14 +68,14 @@ class TorqueRowsTest : public QObject {
       if (!each->isHidden()) QVERIFY2(each->toolTip().size() > 10, qPrintable(each->objectName()));
     }
     // With losses the exact torque is in the tooltip.
-    Mechanism lossy = *withDefaultLosses(set(), Number(Rational(98, 100)), std::nullopt);
+    Mechanism lossy = *withDefaultLosses(loadedSet(), Number(Rational(98, 100)), std::nullopt);
     open(lossy);
     QCOMPARE(value(1), QStringLiteral("24.01 N m, found"));
     QVERIFY(find<QLabel>("torqueValue.1")->toolTip().endsWith(QLatin1String("Exactly 2401/100")));
   }
 
   void aRowIsEditedSelectsAndGoes() {
-    open(set());
+    open(loadedSet());
     auto* torque = find<NumberField>("torqueOfLoad.0");
     torque->setValue(20);
     QCOMPARE(std::get<JointTorque>(document->mechanism()->loads[0].action).torque.exact(), Rational(20));
