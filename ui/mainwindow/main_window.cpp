@@ -41,6 +41,7 @@
 #include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
+#include "ui/view3d/motion_panel.h"
 #include "ui/view3d/stage_accessible.h"
 #include "ui/view3d/view3d.h"
 
@@ -349,6 +350,8 @@ void MainWindow::onDocumentChanged() {
     m_selection->keepOnly(
         [this](const ElementId& element) { return m_document->elements().contains(element); });
   }
+  m_results->setNames(m_document->mechanism());
+  m_motion->setNames(m_document->mechanism());
   m_status->clearRefusal();
   renewActions();
 }

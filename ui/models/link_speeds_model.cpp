@@ -1,8 +1,12 @@
 #include "ui/models/link_speeds_model.h"
 
-#include "core/theory/states/relative_speed.h"
+#include <algorithm>
+#include <cmath>
 
 namespace geargraph::inline models {
+namespace {
+constexpr double kRounding = 1e-13;  ///< of a difference of speeds, relative to them
+}
 
 void LinkSpeedsModel::setSnapshot(const SnapshotPtr& snapshot) {
   const auto rows = [](const SnapshotPtr& of) {
@@ -11,17 +15,60 @@ void LinkSpeedsModel::setSnapshot(const SnapshotPtr& snapshot) {
   };
   if (rows(snapshot) == rowCount()) {
     m_snapshot = snapshot;
+    m_names.setSnapshot(snapshot);
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
     return;
   }
   beginResetModel();
   m_snapshot = snapshot;
+  m_names.setSnapshot(snapshot);
   endResetModel();
 }
 
 void LinkSpeedsModel::setUnit(const SpeedUnit& unit) {
   m_unit = unit;
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
+}
+
+void LinkSpeedsModel::setNames(const MechanismPtr& newest) {
+  m_names.setNewest(newest);
+  if (rowCount() > 0) emit dataChanged(index(0, linkColumn), index(rowCount() - 1, linkColumn));
+}
+
+void LinkSpeedsModel::setObserver(const std::optional<LinkId>& observer) {
+  m_observer = observer;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
+  emit headerDataChanged(Qt::Horizontal, aboutColumn, aboutColumn);
+}
+
+int LinkSpeedsModel::observerNode() const {
+  if (!m_observer) return 0;
+  const std::vector<Link>& links = m_snapshot->mechanism->links;
+  const auto found =
+      std::find_if(links.begin(), links.end(), [this](const Link& link) { return link.id == *m_observer; });
+  return found == links.end() ? 0 : static_cast<int>(found - links.begin());
+}
+
+/// Directions that are parallel in the reference pose are one, as in absoluteSpeed().
+std::vector<SpeedAbout> LinkSpeedsModel::speedOf(int link) const {
+  const Placement& placement = m_snapshot->kinematics->placement();
+  std::vector<SpeedAbout> sum = absoluteSpeed(placement, *exactRates(), link);
+  const int observer = observerNode();
+  if (observer == 0) return sum;
+  for (const SpeedAbout& less : absoluteSpeed(placement, *exactRates(), observer)) {
+    const auto same = std::find_if(sum.begin(), sum.end(), [&](const SpeedAbout& about) {
+      return directionSign(placement, about.axisClass, less.axisClass) != 0;
+    });
+    if (same == sum.end()) {
+      sum.push_back({less.axisClass, -less.speed});
+    } else if (directionSign(placement, same->axisClass, less.axisClass) > 0) {
+      same->speed = same->speed - less.speed;
+    } else {
+      same->speed = same->speed + less.speed;
+    }
+  }
+  std::erase_if(sum, [](const SpeedAbout& about) { return about.speed.isZero(); });
+  return sum;
 }
 
 ElementId LinkSpeedsModel::linkAt(int row) const {
@@ -49,7 +96,7 @@ std::optional<Rational> LinkSpeedsModel::referenceSpeed() const {
   const Placement& placement = m_snapshot->kinematics->placement();
   for (std::size_t joint = 0; joint < joints.size(); ++joint) {
     if (joints[joint].id != m_unit.reference) continue;
-    const auto speeds = absoluteSpeed(placement, *rates, placement.tree->child[joint]);
+    const auto speeds = speedOf(placement.tree->child[joint]);
     if (speeds.size() == 1) return speeds.front().speed;
   }
   return std::nullopt;
@@ -61,7 +108,7 @@ QString LinkSpeedsModel::aboutText(int link) const {
   const Placement& placement = m_snapshot->kinematics->placement();
   const auto reference = referenceSpeed();
   QStringList parts;
-  for (const SpeedAbout& about : absoluteSpeed(placement, *rates, link)) {
+  for (const SpeedAbout& about : speedOf(link)) {
     const int axis = placement.classes->classes[static_cast<std::size_t>(about.axisClass)].axis;
     parts << tr("%1 about %2")
                  .arg(speedText(about.speed, m_unit, reference),
@@ -72,26 +119,30 @@ QString LinkSpeedsModel::aboutText(int link) const {
 }
 
 QString LinkSpeedsModel::componentText(int link, int component) const {
-  const Vector3& velocity = m_snapshot->matroid()->linkVelocities[static_cast<std::size_t>(link)];
+  const auto& velocities = m_snapshot->matroid()->linkVelocities;
+  const auto at = static_cast<std::size_t>(component);
+  const int observer = observerNode();
+  const double of = velocities[static_cast<std::size_t>(link)][at];
+  const double less = observer == 0 ? 0 : velocities[static_cast<std::size_t>(observer)][at];
+  const bool isRounding = std::abs(of - less) <= kRounding * (std::abs(of) + std::abs(less));
   const auto reference = referenceSpeed();
-  return speedText(velocity[static_cast<std::size_t>(component)], m_unit,
+  return speedText(isRounding ? 0 : of - less, m_unit,
                    reference ? std::optional(reference->toDouble()) : std::nullopt);
 }
 
 QVariant LinkSpeedsModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const int label = index.row() + 1;
-  const Link& element = m_snapshot->mechanism->links[static_cast<std::size_t>(label)];
   switch (role) {
     case LinkLabelRole:
       return label;
     case Qt::ToolTipRole:
-      return QString::fromStdString(element.name);
+      return QString::fromStdString(m_names.nameOf(label));
     case Qt::TextAlignmentRole:
       return static_cast<int>((index.column() >= xColumn ? Qt::AlignRight : Qt::AlignLeft) |
                               Qt::AlignVCenter);
     case Qt::DisplayRole:
-      if (index.column() == linkColumn) return tr("link %1").arg(label);
+      if (index.column() == linkColumn) return linkText(QString::number(label), m_names.nameOf(label));
       if (index.column() == aboutColumn) return aboutText(label);
       return componentText(label, index.column() - xColumn);
     default:
@@ -104,7 +155,10 @@ QVariant LinkSpeedsModel::headerData(int section, Qt::Orientation orientation, i
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((section >= xColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString names[] = {tr("link"), tr("absolute speed"), tr("x"), tr("y"), tr("z")};
+  const QString names[] = {
+      tr("link"),
+      m_snapshot && observerNode() != 0 ? tr("relative to %1").arg(observerNode()) : tr("absolute speed"),
+      tr("x"), tr("y"), tr("z")};
   return names[section];
 }
 

@@ -3,12 +3,14 @@
 #include <QAbstractTableModel>
 
 #include "core/theory/analysis/analysis.h"
+#include "core/theory/states/relative_speed.h"
+#include "ui/models/link_text.h"
 #include "ui/models/speed_unit.h"
 
 namespace geargraph::inline models {
 
-/// The absolute angular velocities of the links, in the reference pose: about which axes and how fast,
-/// exactly, and as a vector in the base frame.
+/// The angular velocities of the links relative to the ground or to another link, in the reference pose:
+/// about which axes and how fast, exactly, and as a vector in the base frame.
 class LinkSpeedsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -22,6 +24,10 @@ class LinkSpeedsModel : public QAbstractTableModel {
 
   void setSnapshot(const SnapshotPtr& snapshot);
   void setUnit(const SpeedUnit& unit);
+  /// The document that names of links are taken from.
+  void setNames(const MechanismPtr& newest);
+  /// The link that speeds are relative to; none, or one that is gone: the ground.
+  void setObserver(const std::optional<LinkId>& observer);
   [[nodiscard]] ElementId linkAt(int row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -32,13 +38,17 @@ class LinkSpeedsModel : public QAbstractTableModel {
 
  private:
   [[nodiscard]] const std::vector<Rational>* exactRates() const;
+  [[nodiscard]] int observerNode() const;
+  [[nodiscard]] std::vector<SpeedAbout> speedOf(int link) const;
   /// The speed that ratios are taken to; none where the unit is no ratio, or that link stands or tumbles.
   [[nodiscard]] std::optional<Rational> referenceSpeed() const;
   [[nodiscard]] QString aboutText(int link) const;
   [[nodiscard]] QString componentText(int link, int component) const;
 
   SnapshotPtr m_snapshot;
+  LinkNames m_names;
   SpeedUnit m_unit;
+  std::optional<LinkId> m_observer;
 };
 
 }  // namespace geargraph::inline models

@@ -23,6 +23,7 @@ bool sameHeadings(const AnalysisSnapshot& a, const AnalysisSnapshot& b) {
 
 // The rows and columns of a drag stay: then nothing that shows them is laid out anew.
 void ResultsModel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_names.setSnapshot(snapshot);
   if (m_snapshot && snapshot && sameHeadings(*m_snapshot, *snapshot)) {
     m_snapshot = snapshot;
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -31,6 +32,11 @@ void ResultsModel::setSnapshot(const SnapshotPtr& snapshot) {
   beginResetModel();
   m_snapshot = snapshot;
   endResetModel();
+}
+
+void ResultsModel::setNames(const MechanismPtr& newest) {
+  m_names.setNewest(newest);
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }
 
 void ResultsModel::setSymbolic(bool symbolic) {
@@ -63,6 +69,42 @@ ElementId ResultsModel::inputAt(int input) const {
 
 ElementId ResultsModel::linkAt(int row) const {
   return m_snapshot->graph->nodeId(linkNodeAt(row));
+}
+
+QString ResultsModel::jointText(int joint) const {
+  const int link = m_snapshot->graph->turningEdge(joint).head;
+  const QString name = QString::fromStdString(m_names.nameOf(link));
+  const QString label = QString::number(m_snapshot->graph->edgeLabel(joint));
+  return name.isEmpty() ? tr("joint %1").arg(label)
+                        : tr("joint %1 (%2)").arg(label, shortLinkText(QString(), m_names.nameOf(link)));
+}
+
+int ResultsModel::ratioRow() const {
+  int found = -1;
+  for (int row = 0; row < rowCount(); ++row) {
+    if (tailNodeAt(row) != 0 || inputCount() != 1 || isZero(row, 0)) continue;
+    if (found >= 0) return -1;
+    found = row;
+  }
+  return found;
+}
+
+QString ResultsModel::ratioText(int row) const {
+  if (row < 0 || row >= rowCount() || inputCount() != 1 || solution()->matrix.empty() || isZero(row, 0))
+    return {};
+  const QString names =
+      QStringLiteral("%1 : %2").arg(jointText(jointAt(row)), jointText(solution()->inputs.front()));
+  const double decimal = solution()->matrix[at(row, 0)];
+  const bool isExact =
+      m_snapshot->solved && m_snapshot->solved->exact && !m_snapshot->solved->exact->matrix.empty();
+  if (!isExact)
+    return tr("%1 = %2, inverse %3").arg(names, printedNumber(decimal), printedNumber(1 / decimal));
+  const Rational& ratio = m_snapshot->solved->exact->matrix[at(row, 0)];
+  const auto text = [](const Rational& exact) {
+    const QString fraction = printedFraction(exact);
+    return exact.isInteger() ? fraction : tr("%1 (%2)").arg(fraction, printedNumber(exact.toDouble()));
+  };
+  return tr("%1 = %2, inverse %3").arg(names, text(ratio), text(Rational(1) / ratio));
 }
 
 int ResultsModel::rowCount(const QModelIndex& parent) const {
@@ -141,6 +183,24 @@ QString ResultsModel::headOfRates() const {
   }
 }
 
+QString ResultsModel::rowText(int row) const {
+  const int head = linkNodeAt(row);
+  return relativeText(QString::number(m_snapshot->graph->nodeLabel(head)), m_names.nameOf(head),
+                      QString::number(m_snapshot->graph->nodeLabel(tailNodeAt(row))));
+}
+
+/// With the whole names, which the row may have shortened.
+QString ResultsModel::motionTip(int row) const {
+  const auto whole = [this](int node) {
+    const QString label = QString::number(m_snapshot->graph->nodeLabel(node));
+    const QString name = QString::fromStdString(m_names.nameOf(node));
+    return name.isEmpty() ? label : tr("%1 (%2)").arg(label, name);
+  };
+  return tr("Speed of joint %1: link %2 relative to link %3")
+      .arg(QString::number(m_snapshot->graph->edgeLabel(jointAt(row))), whole(linkNodeAt(row)),
+           whole(tailNodeAt(row)));
+}
+
 QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const int row = index.row();
@@ -149,11 +209,11 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (ofInput) return coefficient(row, input);
-      if (input < 0) return tr("link %1").arg(m_snapshot->graph->nodeLabel(linkNodeAt(row)));
+      if (input < 0) return rowText(row);
       return rateNow(row, false);
     case Qt::ToolTipRole:
       if (input == inputCount()) return tr("%1 rad/s").arg(rateNow(row, true));
-      return {};
+      return input < 0 ? motionTip(row) : ratioText(row);
     case ZeroRole:
       return ofInput && isZero(row, input);
     case SymbolRole:

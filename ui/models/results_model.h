@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 
 #include "core/theory/analysis/analysis.h"
+#include "ui/models/link_text.h"
 #include "ui/models/speed_unit.h"
 
 namespace geargraph::inline models {
@@ -26,6 +27,8 @@ class ResultsModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   void setSnapshot(const SnapshotPtr& snapshot);
+  /// The document that names of links are taken from.
+  void setNames(const MechanismPtr& newest);
   void setSymbolic(bool symbolic);
   [[nodiscard]] bool isSymbolic() const { return m_symbolic; }
   /// Of the rates now; the coefficients are pure numbers.
@@ -37,6 +40,12 @@ class ResultsModel : public QAbstractTableModel {
   /// By their ordinals. @pre the row or input is there
   [[nodiscard]] ElementId outputAt(int row) const;
   [[nodiscard]] ElementId inputAt(int input) const;
+  /// The ratio output : input and its inverse in one line, where there is one input and the row turns with
+  /// it: "joint 9 (carrier) : joint 8 (sun) = 1/4 (0.25), inverse 4"; else empty. Of relative speeds.
+  [[nodiscard]] QString ratioText(int row) const;
+  /// The row that such a ratio is about unless another is chosen: the only joint that turns on the ground
+  /// beside the input; -1 where there are several or none.
+  [[nodiscard]] int ratioRow() const;
   /// The link that the joint of a row carries: its head.
   [[nodiscard]] ElementId linkAt(int row) const;
 
@@ -52,6 +61,10 @@ class ResultsModel : public QAbstractTableModel {
   /// By their ordinals in the snapshot's digraph, which knows labels and ends without a search.
   [[nodiscard]] int jointAt(int row) const { return solution()->outputs[static_cast<std::size_t>(row)]; }
   [[nodiscard]] int linkNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).head; }
+  [[nodiscard]] int tailNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).tail; }
+  [[nodiscard]] QString jointText(int joint) const;
+  [[nodiscard]] QString rowText(int row) const;
+  [[nodiscard]] QString motionTip(int row) const;
   [[nodiscard]] std::size_t at(int row, int input) const;
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
   [[nodiscard]] QString coefficient(int row, int input) const;
@@ -62,6 +75,7 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] bool isZero(int row, int input) const;
 
   SnapshotPtr m_snapshot;
+  LinkNames m_names;
   SpeedUnit m_unit;
   bool m_symbolic = true;
 };

@@ -13,6 +13,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/matroid/input_roles.h"
+#include "ui/models/link_text.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/engagement_edits.h"
 #include "ui/panels/number_field.h"
@@ -86,7 +87,11 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
 
 std::string InputsPanel::titleOf(JointId joint) const {
   const ElementIndex& index = m_document->elements();
-  return index.labelOf(joint).value() + ' ' + index.labelOf(index.find(joint)->head).value();
+  const TurningJoint& turning = *index.find(joint);
+  std::string title = index.labelOf(joint).value();
+  for (const LinkId link : {turning.head, turning.tail})
+    title += ' ' + index.labelOf(link).value() + ' ' + index.find(link)->name;
+  return title;
 }
 
 void InputsPanel::renew() {
@@ -166,14 +171,17 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
 
   auto* dot = new QLabel(this);
   dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
-  auto* name = new RateLabel(jointLabel, tr("link %1").arg(head), this);
-  name->setToolTip(tr("Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the "
-                      "direction of the axis, by the right-hand rule.")
-                       .arg(jointLabel, head, tail));
+  const std::string& headName = index.find(joint.head)->name;
+  auto* name = new RateLabel(jointLabel, relativeText(head, headName, tail), this);
+  name->setToolTip(
+      tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: about the "
+         "direction of the axis, by the right-hand rule.")
+          .arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
   row.slider = new SpeedSlider(this);
   row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
   dot->setAccessibleName(tr("Colour of link %1").arg(head));
-  row.slider->setAccessibleName(tr("Speed of joint %1").arg(jointLabel));
+  row.slider->setAccessibleName(
+      tr("Speed of joint %1, %2").arg(jointLabel, relativeText(head, headName, tail)));
   row.field = new NumberField(this);
   row.field->setObjectName(QStringLiteral("speed.") + jointLabel);
   row.field->setAccessibleName(row.slider->accessibleName());

@@ -47,7 +47,7 @@ class InputsPanel : public QWidget {
   void renew();
   void clearRows();
   Row makeRow(const Input& input, int line);
-  /// "8 4": the labels of the joint and of the link that it drives.
+  /// "8 4 sun 0 ground": the labels of the joint and of the links that it joins, with their names.
   [[nodiscard]] std::string titleOf(JointId joint) const;
   void showSpeed(Row& row, const Number& speed);
   void setSpeed(JointId joint, const Number& speed);

@@ -158,7 +158,7 @@ QSize LinkSpeedsDelegate::sizeHint(const QStyleOptionViewItem& option, const QMo
   QFont bold = option.font;
   bold.setBold(true);
   const int room = index.column() == LinkSpeedsModel::linkColumn ? kMargin + kDotRoom + kGap : kGap;
-  return {room + QFontMetrics(bold).horizontalAdvance(index.data().toString()), 23};
+  return {room + QFontMetrics(bold).horizontalAdvance(index.data().toString()), scaledPixels(23)};
 }
 
 ResultsHeader::ResultsHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {

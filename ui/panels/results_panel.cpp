@@ -21,19 +21,6 @@
 namespace geargraph::inline panels {
 namespace {
 
-constexpr std::size_t kMostUnits = 40;   ///< entries of a menu
-constexpr std::size_t kMostChains = 12;  ///< entries of a menu, of which each takes ms of a large train
-
-/// Shortens what a menu offers to `most` entries, what is selected first. Returns how many are left out.
-template <class Item, class IsSelected>
-std::size_t keepSelected(std::vector<Item>& items, std::size_t most, const IsSelected& isSelected) {
-  if (items.size() <= most) return 0;
-  std::stable_partition(items.begin(), items.end(), isSelected);
-  const std::size_t hidden = items.size() - most;
-  items.resize(most);
-  return hidden;
-}
-
 constexpr int kRowHeight = 23;
 constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
@@ -57,6 +44,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
       m_pages(new QStackedWidget(this)),
       m_empty(emptyLabel(this)),
       m_note(new QLabel(this)),
+      m_ratio(new QLabel(this)),
       m_verdict(new QLabel(this)) {
   makeTable();
   makeLinkTable();
@@ -68,6 +56,15 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_note->setProperty("look", "hint");
   m_note->setWordWrap(true);
   m_note->setContentsMargins(16, 0, 16, 0);
+  m_ratio->setObjectName(QStringLiteral("ratio"));
+  m_ratio->setAccessibleName(tr("Ratio"));
+  m_ratio->setWordWrap(true);
+  m_ratio->setContentsMargins(16, 0, 16, 0);
+  m_ratio->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  m_ratio->setToolTip(
+      tr("Speed of an output over that of the only input, and the inverse. Select a joint or a "
+         "link to see its ratio."));
+  connect(m_selection, &Selection::selectionChanged, this, &ResultsPanel::renewRatio);
   m_verdict->setObjectName(QStringLiteral("verdict"));
   m_verdict->setWordWrap(true);
   m_patience.setSingleShot(true);
@@ -91,6 +88,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   layout->addLayout(makeStrip());
   layout->addWidget(m_note);
   layout->addWidget(m_pages, 1);
+  layout->addWidget(m_ratio);
   layout->addLayout(foot);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
@@ -140,7 +138,7 @@ void ResultsPanel::makeLinkTable() {
   m_links->setModel(m_linkModel);
   m_links->setObjectName(QStringLiteral("linkSpeeds"));
   m_links->verticalHeader()->hide();
-  m_links->verticalHeader()->setDefaultSectionSize(23);
+  m_links->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_links->setShowGrid(false);
   m_links->setMouseTracking(true);
   m_links->setSelectionMode(QAbstractItemView::NoSelection);
@@ -148,7 +146,7 @@ void ResultsPanel::makeLinkTable() {
   m_links->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_links->setItemDelegate(new LinkSpeedsDelegate(m_selection, m_links));
   m_links->horizontalHeader()->setHighlightSections(false);
-  m_links->horizontalHeader()->setFixedHeight(24);
+  m_links->horizontalHeader()->setFixedHeight(scaledPixels(kRowHeight + 1));
   m_links->viewport()->installEventFilter(this);
   connect(m_links, &QTableView::entered, this,
           [this](const QModelIndex& index) { m_selection->hover(m_linkModel->linkAt(index.row())); });
@@ -157,118 +155,6 @@ void ResultsPanel::makeLinkTable() {
   const auto repaint = [this] { m_links->viewport()->update(); };
   connect(m_selection, &Selection::hoverChanged, m_links, repaint);
   connect(m_selection, &Selection::selectionChanged, m_links, repaint);
-}
-
-QLayout* ResultsPanel::makeStrip() {
-  auto* strip = new QHBoxLayout;
-  strip->setContentsMargins(12, 6, 12, 2);
-  strip->setSpacing(6);
-  for (QToolButton* button : {m_frame, m_unit, m_motors}) button->setProperty("look", "control");
-  m_frame->setObjectName(QStringLiteral("speedFrame"));
-  m_unit->setObjectName(QStringLiteral("speedUnit"));
-  m_motors->setObjectName(QStringLiteral("readMotors"));
-  m_frame->setToolTip(tr("Relative: joint by joint. Absolute: the angular velocity vectors of the links."));
-  m_unit->setToolTip(tr("The unit of the speeds, or the member they are taken as ratio to"));
-  m_motors->setText(tr("Read the motors ▾"));
-  m_motors->setToolTip(
-      tr("Enter the speeds of a link relative to its own chain of joints, and read those of the motors"));
-  for (QToolButton* button : {m_unit, m_motors}) {
-    button->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(button);
-    button->setMenu(menu);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu, button] {
-      menu->clear();
-      button == m_unit ? fillUnits(*menu) : fillMotors(*menu);
-    });
-  }
-  connect(m_frame, &QToolButton::clicked, this, [this] { setAbsolute(!m_absolute); });
-  strip->addWidget(m_frame);
-  strip->addWidget(m_unit);
-  strip->addStretch(1);
-  strip->addWidget(m_motors);
-  setAbsolute(false);
-  setUnit({});
-  return strip;
-}
-
-void ResultsPanel::setAbsolute(bool absolute) {
-  m_absolute = absolute;
-  m_frame->setText(absolute ? tr("absolute speeds") : tr("relative speeds"));
-  if (absolute) m_linkModel->setSnapshot(m_snapshot);
-  renew();
-}
-
-void ResultsPanel::setUnit(const SpeedUnit& unit) {
-  m_model->setUnit(unit);
-  m_linkModel->setUnit(unit);
-  QString text = unit.kind == SpeedUnit::Kind::rpm ? tr("rpm") : tr("rad/s");
-  if (unit.kind == SpeedUnit::Kind::ratio && m_snapshot)
-    text = tr("ratio to %1").arg(shownText(labelOf(*m_snapshot->mechanism, unit.reference).value_or("?")));
-  m_unit->setText(text + QStringLiteral(" ▾"));
-  renew();
-}
-
-void ResultsPanel::fillUnits(QMenu& menu) {
-  menu.addAction(tr("rad/s"), this, [this] { setUnit({}); });
-  menu.addAction(tr("rpm, turns a minute"), this, [this] { setUnit({SpeedUnit::Kind::rpm, {}}); });
-  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
-  if (matroid == nullptr || !matroid->solution) return;
-  menu.addSeparator();
-  const Mechanism& mechanism = *m_snapshot->mechanism;
-  std::vector<std::size_t> turning;
-  for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
-    if (matroid->solution->rates[joint] != 0) turning.push_back(joint);
-  }
-  const auto hidden = keepSelected(turning, kMostUnits, [&](std::size_t joint) {
-    return m_selection->isSelected(mechanism.turningJoints[joint].id);
-  });
-  for (const std::size_t joint : turning) {
-    const JointId id = mechanism.turningJoints[joint].id;
-    const int link = m_snapshot->kinematics->placement().tree->child[joint];
-    menu.addAction(
-        tr("Ratio to joint %1 (link %2)").arg(mechanism.jointLabel(static_cast<int>(joint))).arg(link), this,
-        [this, id] {
-          setUnit({SpeedUnit::Kind::ratio, id});
-        });
-  }
-  if (hidden > 0) {
-    menu.addAction(tr("%1 more joints: select one to find it here").arg(hidden))->setEnabled(false);
-  }
-}
-
-/// For every link that carries no other: its chain of joints as inputs, where that is a valid choice.
-void ResultsPanel::fillMotors(QMenu& menu) {
-  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
-  if (matroid == nullptr || !matroid->solution) {
-    menu.addAction(tr("Nothing is solved yet"))->setEnabled(false);
-    return;
-  }
-  const SpanningTree& tree = *m_snapshot->tree;
-  std::vector<char> carries(static_cast<std::size_t>(m_snapshot->graph->n()) + 1, 0);
-  for (int link = 1; link <= m_snapshot->graph->n(); ++link)
-    carries[static_cast<std::size_t>(tree.parent(link))] = 1;
-  std::vector<int> ends;
-  for (int link = 1; link <= m_snapshot->graph->n(); ++link) {
-    if (carries[static_cast<std::size_t>(link)] == 0 && tree.parent(link) != 0) ends.push_back(link);
-  }
-  const auto hidden = keepSelected(
-      ends, kMostChains, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
-  for (const int link : ends) {
-    const std::vector<int> chain = chainTo(tree, link);
-    QStringList labels;
-    for (const int joint : chain) labels << QString::number(m_snapshot->graph->edgeLabel(joint));
-    const auto inputs = inputsWith(*m_snapshot->kinematics->model, chain, matroid->choice.joints);
-    QString text = tr("Give the joints of link %1: %2").arg(link).arg(labels.join(QStringLiteral(", ")));
-    if (!inputs) text += tr(" (they are not independent)");
-    QAction* action = menu.addAction(text);
-    action->setEnabled(inputs.has_value());
-    if (inputs)
-      connect(action, &QAction::triggered, this, [this, joints = *inputs] { emit inputsWanted(joints); });
-  }
-  if (hidden > 0) {
-    menu.addAction(tr("%1 more links: select one to find it here").arg(hidden))->setEnabled(false);
-  }
-  if (menu.isEmpty()) menu.addAction(tr("Every link turns on the ground"))->setEnabled(false);
 }
 
 /// The head of an input lights up what it commands.
@@ -289,6 +175,7 @@ void ResultsPanel::hoverHead(int section) {
 void ResultsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   const bool wasComplete = m_snapshot && m_snapshot->isComplete;
   m_snapshot = snapshot;
+  m_names.setSnapshot(snapshot);
   if (!snapshot || snapshot->isComplete) {
     m_patience.stop();
   } else if (wasComplete) {
@@ -332,6 +219,7 @@ void ResultsPanel::renew() {
   if (!isWaiting() || m_absolute) m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
   renewNote();
+  renewRatio();
   m_measured.clear();
   fitColumns();
   paintVerdict();
@@ -352,6 +240,22 @@ void ResultsPanel::renewNote() {
   }
   m_note->setText(note);
   m_note->setVisible(!note.isEmpty());
+}
+
+int ResultsPanel::ratioRow() const {
+  for (int row = 0; row < m_model->rowCount(); ++row) {
+    const bool isChosen =
+        m_selection->isSelected(m_model->outputAt(row)) || m_selection->isSelected(m_model->linkAt(row));
+    if (isChosen && !m_model->ratioText(row).isEmpty()) return row;
+  }
+  return m_model->ratioRow();
+}
+
+void ResultsPanel::renewRatio() {
+  const QString ratio = m_model->ratioText(ratioRow());
+  const QString text = ratio.isEmpty() ? QString() : tr("Ratio %1").arg(ratio);
+  if (text != m_ratio->text()) m_ratio->setText(text);
+  m_ratio->setVisible(!text.isEmpty());
 }
 
 int ResultsPanel::widthOfColumn(int column) const {
@@ -461,7 +365,9 @@ void ResultsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-    m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
+    for (QTableView* table : {m_table, m_links})
+      table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
+    m_links->horizontalHeader()->setFixedHeight(scaledPixels(kRowHeight + 1));
     m_measured.clear();
     fitColumns();
   }

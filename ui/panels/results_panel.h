@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/models/link_speeds_model.h"
+#include "ui/models/link_text.h"
 #include "ui/models/results_model.h"
 #include "ui/selection/selection.h"
 #include "ui/theme/application_theme.h"
@@ -33,8 +34,12 @@ class ResultsPanel : public QWidget {
   [[nodiscard]] QString verdict() const;
   /// How many columns of rates have the width of what they hold: those that are or were near to be seen.
   [[nodiscard]] int columnsFitted() const;
+  /// The document that names of links are taken from.
+  void setNames(const MechanismPtr& newest);
   /// The absolute velocities of the links instead of the relative ones of the joints.
   void setAbsolute(bool absolute);
+  /// The velocities of the links relative to this one.
+  void setObserver(LinkId observer);
   void setUnit(const SpeedUnit& unit);
   /// Asleep, behind another panel, it takes the results up but lays nothing out until it is seen again.
   void setAwake(bool awake);
@@ -55,15 +60,21 @@ class ResultsPanel : public QWidget {
   void makeTable();
   void makeLinkTable();
   QLayout* makeStrip();
+  void showLinkSpeeds(bool shown);
+  void renewFrame();
+  void fillFrames(QMenu& menu);
   void fillUnits(QMenu& menu);
   void fillMotors(QMenu& menu);
   void hoverHead(int section);
   void hoverRow(const QModelIndex& index);
   void renew();
   void renewNote();
+  void renewRatio();
   void fitColumns();
   [[nodiscard]] int widthOfColumn(int column) const;
   void paintVerdict();
+  /// The row whose ratio is told: that of the selected joint or link, else the only one on the ground.
+  [[nodiscard]] int ratioRow() const;
   /// What there is to be said of the two methods; nothing while the last word stays for a moment.
   [[nodiscard]] std::optional<std::pair<QString, ColorRole>> verdictNow() const;
   [[nodiscard]] bool isWaiting() const;
@@ -78,7 +89,10 @@ class ResultsPanel : public QWidget {
   QToolButton* m_frame;
   QToolButton* m_unit;
   QToolButton* m_motors;
+  LinkNames m_names;
+  MechanismPtr m_newest;  ///< that names are taken from
   bool m_absolute = false;
+  std::optional<LinkId> m_observer;  ///< of absolute speeds; none: the ground
   bool m_isAwake = true;
   bool m_isBehind = false;      ///< what is shown is not renewed yet
   std::vector<int> m_measured;  ///< widths of columns; 0: not yet
@@ -87,6 +101,7 @@ class ResultsPanel : public QWidget {
   QStackedWidget* m_pages;
   QLabel* m_empty;
   QLabel* m_note;
+  QLabel* m_ratio;
   QLabel* m_verdict;
   QTimer m_patience;  ///< runs out where solving exactly takes long enough to be said
 };

@@ -100,14 +100,42 @@ void MotionPanel::arrived(std::vector<CurveSheet> sheets, quint64 number) {
   if (number <= m_shown) return;  // overtaken
   m_shown = number;
   m_sheets = std::move(sheets);
+  showSheets();
+  m_empty->setVisible(m_sheets.empty());
+  m_save->setEnabled(!m_sheets.empty());
+}
+
+void MotionPanel::showSheets() {
   for (std::size_t i = 0; i < m_plots.size(); ++i) {
     const bool isThere = i < m_sheets.size();
     m_plots[i]->setVisible(isThere);
-    if (isThere) m_plots[i]->setSheet(m_sheets[i]);
+    if (isThere) m_plots[i]->setSheet(withNames(m_sheets[i]));
     m_plots[i]->setTime(m_view->playback().time());
   }
-  m_empty->setVisible(m_sheets.empty());
-  m_save->setEnabled(!m_sheets.empty());
+}
+
+void MotionPanel::setNames(const MechanismPtr& newest) {
+  const bool isOther = !m_names || m_names->links != newest->links;
+  m_names = newest;
+  if (isOther && !m_sheets.empty()) showSheets();
+}
+
+CurveSheet MotionPanel::withNames(CurveSheet sheet) const {
+  const auto nameOf = [this](const ElementId& element) -> std::string {
+    const Link* link = nullptr;
+    if (element.kind == ElementKind::link) link = m_names->find(LinkId(element.id));
+    if (element.kind == ElementKind::turningJoint) {
+      const TurningJoint* joint = m_names->find(JointId(element.id));
+      if (joint != nullptr) link = m_names->find(joint->head);
+    }
+    return link != nullptr ? link->name : std::string();
+  };
+  for (MotionCurve& curve : sheet.curves) {
+    if (!m_names || !curve.element || curve.isComponent) continue;
+    const std::string name = nameOf(*curve.element);
+    if (!name.empty()) curve.name += " (" + name + ")";
+  }
+  return sheet;
 }
 
 }  // namespace geargraph::inline view3d

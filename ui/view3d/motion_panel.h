@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "core/foundations/base/request_worker.h"
+#include "core/mechanism/model/mechanism.h"
 #include "core/presentation/stage/motion_curves.h"
 #include "ui/selection/selection.h"
 
@@ -26,6 +27,8 @@ class MotionPanel : public QWidget {
 
   [[nodiscard]] const std::vector<CurveSheet>& sheets() const { return m_sheets; }
   void setComponents(bool shown);
+  /// The document that names in legends are taken from. Sheets, and the files made of them, have labels only.
+  void setNames(const MechanismPtr& newest);
   /// Do the sheets show what is chosen now?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
 
@@ -45,10 +48,13 @@ class MotionPanel : public QWidget {
 
   void renew();
   void renewIfSeen();
+  void showSheets();
+  [[nodiscard]] CurveSheet withNames(CurveSheet sheet) const;
   void arrived(std::vector<CurveSheet> sheets, quint64 number);
 
   Selection* m_selection;
   View3D* m_view;
+  MechanismPtr m_names;
   std::vector<CurveSheet> m_sheets;
   std::vector<MotionPlot*> m_plots;
   QLabel* m_empty;

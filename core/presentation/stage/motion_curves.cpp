@@ -48,12 +48,12 @@ class Sampler {
     addJoints(sheets[0], links.empty());
     for (std::size_t k = 0; k < links.size(); ++k) {
       const Instance& part = m_stage.scene.instances[links[k]];
-      add(sheets[0], nameOf(part.element), part.colour, turning[k], true);
+      add(sheets[0], nameOf(part.element), part.colour, turning[k], part.element);
     }
     for (std::size_t k = 0; k < moving.size(); ++k) {
       const ShownTrace& trace = m_view.traces[k];
       const std::string name = "point " + std::to_string(k + 1) + " of " + nameOf(trace.element);
-      add(sheets[1], name, m_stage.scene.instances[trace.point.instance].colour, moving[k], false);
+      add(sheets[1], name, m_stage.scene.instances[trace.point.instance].colour, moving[k], {});
     }
     std::erase_if(sheets, [](const CurveSheet& sheet) { return sheet.curves.empty(); });
     return sheets;
@@ -99,7 +99,7 @@ class Sampler {
     for (const StageJoint& joint : m_stage.joints) {
       const bool chosen = all ? sheet.curves.size() < kMostJoints : isChosen(joint);
       if (!chosen) continue;
-      sheet.curves.push_back({"joint " + joint.text, joint.colour, false, {}});
+      sheet.curves.push_back({"joint " + joint.text, joint.colour, false, {}, joint.element});
       for (const std::vector<double>& now : speeds) {
         double rate = 0;
         for (std::size_t k = 0; k < joint.gains.size(); ++k) rate += joint.gains[k] * now[k];
@@ -120,7 +120,8 @@ class Sampler {
   }
 
   void add(CurveSheet& sheet, const std::string& name, const Rgb& colour,
-           const std::vector<Eigen::Vector3d>& vectors, bool isSigned) const {
+           const std::vector<Eigen::Vector3d>& vectors, const std::optional<ElementId>& link) const {
+    const bool isSigned = link.has_value();
     Eigen::Vector3d main = Eigen::Vector3d::Zero();
     double largest = 0;
     for (const Eigen::Vector3d& vector : vectors) {
@@ -134,7 +135,7 @@ class Sampler {
     // Positive about the axis' direction that points along +x, +y or +z most.
     Eigen::Index widest = 0;
     if (largest > 0) main.cwiseAbs().maxCoeff(&widest);
-    MotionCurve whole{name, colour, false, {}};
+    MotionCurve whole{name, colour, false, {}, link};
     for (const Eigen::Vector3d& vector : vectors) {
       const double sense = isOneLine && vector[widest] < 0 ? -1 : 1;
       whole.values.push_back(sense * vector.norm());
@@ -142,7 +143,7 @@ class Sampler {
     sheet.curves.push_back(std::move(whole));
     if (!m_choice.components || isOneLine) return;
     for (std::size_t axis = 0; axis < kCoordinates.size(); ++axis) {
-      MotionCurve part{name + kCoordinates[axis], colour, true, {}};
+      MotionCurve part{name + kCoordinates[axis], colour, true, {}, link};
       for (const Eigen::Vector3d& vector : vectors)
         part.values.push_back(vector[static_cast<Eigen::Index>(axis)]);
       sheet.curves.push_back(std::move(part));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -13,8 +14,9 @@ namespace geargraph::inline stage {
 struct MotionCurve {
   std::string name;  ///< "joint 10", "link 3, x"
   Rgb colour;
-  bool isComponent = false;    ///< a coordinate of the curve before it that is none
-  std::vector<double> values;  ///< one a time
+  bool isComponent = false;               ///< a coordinate of the curve before it that is none
+  std::vector<double> values;             ///< one a time
+  std::optional<ElementId> element = {};  ///< the joint or link; none for a point
 };
 
 /// Quantities of one unit over the same times.

@@ -90,7 +90,7 @@ class InputsAndResultsTest : public QObject {
 
   void theEndEffectorsJointsAreGivenAndTheMotorsRead() {
     const std::vector<Rational> before = snapshot->solved->exact->rates;
-    QAction* chain = entry(menuOf(*results, "readMotors"), QStringLiteral("joints of link 3: 10, 12, 14"));
+    QAction* chain = entry(menuOf(*results, "readMotors"), QStringLiteral("Joints of link 3: 10, 12, 14"));
     QVERIFY(chain != nullptr && chain->isEnabled());
     chain->trigger();
     QCOMPARE(inputLabels(), (QStringList{"10", "12", "14"}));
@@ -109,7 +109,7 @@ class InputsAndResultsTest : public QObject {
       for (int other = 1; other <= snapshot->graph->n(); ++other) carries |= tree.parent(other) == link;
       if (!carries && tree.parent(link) != 0) last = link;
     }
-    const QString wanted = QStringLiteral("joints of link %1:").arg(last);
+    const QString wanted = QStringLiteral("Joints of link %1:").arg(last);
     QVERIFY(entry(menuOf(*results, "readMotors"), wanted) == nullptr);
     QVERIFY(menuOf(*results, "readMotors").actions().size() < 20);
     QVERIFY(menuOf(*results, "speedUnit").actions().size() < 50);
@@ -141,6 +141,80 @@ class InputsAndResultsTest : public QObject {
     QCOMPARE(model->index(3, 4).data().toString(), QStringLiteral("1"));
     // Link 2 turns about b with link 1, and about c on it.
     QCOMPARE(model->index(1, 1).data().toString(), QStringLiteral("−1 about c, −1/2 about b"));
+  }
+
+  void speedsAreToldRelativeToAnyLink() {
+    const auto* model = results->findChild<QTableView*>(QStringLiteral("linkSpeeds"))->model();
+    QAction* observer = entry(menuOf(*results, "speedFrame"), QStringLiteral("Relative to link 1"));
+    QVERIFY(observer != nullptr);
+    observer->trigger();
+    const auto* frame = results->findChild<QToolButton*>(QStringLiteral("speedFrame"));
+    QCOMPARE(frame->text(), QStringLiteral("relative to link 1 ▾"));
+    QCOMPARE(model->headerData(1, Qt::Horizontal).toString(), QStringLiteral("relative to 1"));
+    QCOMPARE(model->index(0, 1).data().toString(), QStringLiteral("stands still"));
+    // Link 2 turns about c on link 1; link 4 about a on the ground, where link 1 turns about b, parallel to
+    // a.
+    QCOMPARE(model->index(1, 1).data().toString(), QStringLiteral("−1 about c"));
+    QCOMPARE(model->index(3, 1).data().toString(), QStringLiteral("3/2 about a"));
+    QCOMPARE(model->index(3, 4).data().toString(), QStringLiteral("1.5"));
+    QCOMPARE(model->index(0, 4).data().toString(), QStringLiteral("0"));
+    entry(menuOf(*results, "speedFrame"), QStringLiteral("Relative to the ground"))->trigger();
+    QCOMPARE(model->index(3, 1).data().toString(), QStringLiteral("1 about a"));
+    entry(menuOf(*results, "speedFrame"), QStringLiteral("Joint by joint"))->trigger();
+    QCOMPARE(frame->text(), QStringLiteral("joint by joint ▾"));
+  }
+
+  void linksAreCalledByTheirNames() {
+    const auto rename = [this](const char* link, const std::string& name) {
+      document->apply({"name",
+                       [link, name](const Mechanism& before) { return withName(before, LinkId(link), name); },
+                       0});
+      results->setNames(document->mechanism());  // no new analysis
+    };
+    rename("2", "");
+    rename("1", "");
+    QCOMPARE(cell(1, 0), QStringLiteral("link 2 relative to 1"));
+    rename("2", "forearm");
+    rename("4", "first motor");
+    QCOMPARE(cell(1, 0), QStringLiteral("link 2 (forearm) relative to 1"));
+    QCOMPARE(results->model().index(1, 0).data(Qt::ToolTipRole).toString(),
+             QStringLiteral("Speed of joint 12: link 2 (forearm) relative to link 1"));
+    QCOMPARE(inputs->findChild<QWidget*>(QStringLiteral("slider.8"))->accessibleName(),
+             QStringLiteral("Speed of joint 8, link 4 (first motor)"));
+    results->setAbsolute(true);
+    const auto* links = results->findChild<QTableView*>(QStringLiteral("linkSpeeds"))->model();
+    QCOMPARE(links->index(3, 0).data().toString(), QStringLiteral("link 4 (first motor)"));
+    results->setAbsolute(false);
+    rename("2", "link 2");  // it repeats the label
+    QCOMPARE(cell(1, 0), QStringLiteral("link 2 relative to 1"));
+  }
+
+  void oneInputAndOneOutputHaveARatio() {
+    const auto* ratio = results->findChild<QLabel*>(QStringLiteral("ratio"));
+    QVERIFY(ratio->isHidden());  // three inputs
+    test::TrainBuilder train("planetary set, ring held");
+    const int axis = train.axis({0, 0, 0}, {0, 0, 1});
+    const int sun = train.link(0, axis, "sun");
+    const int carrier = train.link(0, axis, "carrier");
+    const int planetAxis = train.axis({30, 0, 0}, {0, 0, 1});
+    const int planet = train.link(carrier, planetAxis, "planet");
+    train.external(sun, axis, 20, planet, planetAxis, 20);
+    train.internal(0, axis, 60, planet, planetAxis, 20);
+    train.input(0);
+    document->replace(train.mechanism(), {});
+    settle();
+    QVERIFY(!ratio->isHidden());
+    QCOMPARE(ratio->text(),
+             QStringLiteral("Ratio joint 5 (carrier) : joint 4 (sun) = 1/4 (0.25), inverse 4"));
+    selection.select({ElementId(document->mechanism()->turningJoints[2].id)});
+    QCOMPARE(
+        ratio->text(),
+        QStringLiteral("Ratio joint 6 (planet) : joint 4 (sun) = −3/4 (−0.75), inverse −4/3 (−1.33333)"));
+    selection.clear();
+    QVERIFY(ratio->text().contains(QStringLiteral("carrier")));
+    document->replace(test::robot(), {});
+    settle();
+    QVERIFY(ratio->isHidden());
   }
 
   void theHeadOfAnInputLightsUpWhatItCommands() {
