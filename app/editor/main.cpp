@@ -8,6 +8,7 @@
 #include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/screen_fit.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/window_help.h"
 #include "ui/mainwindow/window_set.h"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   installCrashHandler(QFile::encodeName(WindowSet::defaultFolder()).toStdString(),
                       programDetails().toStdString());
   const ActionRecorder recorder(nullptr);
+  const ScreenFit screenFit;
   WindowSet windows(WindowSet::defaultFolder());
   windows.start(line.documents);
   // Where nothing was asked for and nothing is opened again, this may be the first time that the program is

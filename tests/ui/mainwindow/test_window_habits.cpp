@@ -1,10 +1,12 @@
 #include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTest>
 #include <QTextBrowser>
@@ -15,6 +17,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/presentation.h"
+#include "ui/mainwindow/screen_fit.h"
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
@@ -79,6 +82,45 @@ class WindowHabitsTest : public QObject {
       QTRY_VERIFY(other.isSettled());
       QCOMPARE(other.size(), QSize(1280, 720));
     }
+  }
+
+  void windowsAreNoLargerThanTheScreen() {
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    QVERIFY(screen.width() < 1366);  // else nothing is tried here
+    const QByteArray larger = window->saveGeometry();
+    const ScreenFit fit;
+    MainWindow other;
+    other.restoreLayout(larger, {});
+    other.resize(2 * screen.size());
+    other.show();
+    QTRY_VERIFY2(screen.contains(other.frameGeometry()),
+                 qPrintable(QStringLiteral("%1 x %2").arg(other.width()).arg(other.height())));
+    QVERIFY(other.openDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")));
+    QTRY_VERIFY(other.isSettled());
+    QTRY_VERIFY(screen.contains(other.frameGeometry()));
+    // Panels that need more room do not push it past the screen later either.
+    for (auto* dock : other.findChildren<QDockWidget*>()) dock->show();
+    QTRY_VERIFY(screen.contains(other.frameGeometry()));
+
+    QDialog dialog;
+    dialog.setMinimumWidth(screen.width() + 300);
+    dialog.resize(screen.width() + 400, screen.height() + 100);
+    dialog.show();
+    QTRY_VERIFY(screen.contains(dialog.frameGeometry()));
+    // A window that fits stays as it is.
+    QDialog small;
+    small.setGeometry(screen.left() + 50, screen.top() + 60, 300, 200);
+    small.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&small));
+    QCoreApplication::processEvents();
+    QCOMPARE(small.geometry(), QRect(screen.left() + 50, screen.top() + 60, 300, 200));
+  }
+
+  void aPlaceOffTheScreenIsMovedOntoIt() {
+    const QRect room(0, 0, 960, 540);
+    QCOMPARE(fittedInto(room, QRect(0, 0, 1366, 768)), room);
+    QCOMPARE(fittedInto(room, QRect(900, -20, 400, 300)), QRect(560, 0, 400, 300));
+    QCOMPARE(fittedInto(room, QRect(100, 50, 400, 300)), QRect(100, 50, 400, 300));
   }
 
   void aGearIsAttachedFromTheMenu() {
