@@ -234,9 +234,6 @@ void MainWindow::wireViews() {
   connect(m_results, &ResultsPanel::menuWanted, this, &MainWindow::popUpMenuFor);
   connect(m_presentation, &Presentation::changed, this, [this](bool on) {
     m_actions->presentation->setChecked(on);
-    for (DrawingView* each : m_allDrawings) {
-      each->setLargestFit(DrawingView::kLargestFit * (on ? 2.5 : 1));
-    }
     setTheme(themeOf(QApplication::palette()));
   });
   connect(m_presentation, &Presentation::played, this, [this] { m_view3d->playback().toggle(); });
@@ -421,7 +418,11 @@ void MainWindow::setTheme(Theme theme) {
   const bool applied = themeOf(QApplication::palette()) == theme && scaledPixels(100) == qRound(100 * scale);
   if (!applied) applyTheme(*qApp, theme, scale);
   m_actions->setTheme(theme, followsSystemTheme(), savedTypeScale());
-  for (DrawingView* each : m_allDrawings) each->setTheme(theme);
+  const double largest = DrawingView::kLargestFit * savedTypeScale() * (m_presentation->isOn() ? 2.5 : 1);
+  for (DrawingView* each : m_allDrawings) {
+    each->setTheme(theme);
+    each->setLargestFit(largest);
+  }
   m_view3d->setDark(theme != Theme::light);
 }
 

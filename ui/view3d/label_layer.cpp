@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/theme/theme_colors.h"
+
 namespace geargraph::inline view3d {
 namespace {
 
@@ -22,6 +24,11 @@ QColor sheetColor(bool dark) {
   return dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
 }
 
+/// Device pixels for one of the painter's, which may be enlarged.
+double ratioOf(const QPainter& painter) {
+  return painter.device()->devicePixelRatio() * painter.worldTransform().m11();
+}
+
 /// The image with its corner on a whole device pixel, so that it stays sharp.
 void drawAt(QPainter& painter, const QPointF& corner, const QImage& image) {
   const double ratio = image.devicePixelRatio();
@@ -32,7 +39,7 @@ void drawAt(QPainter& painter, const QPointF& corner, const QImage& image) {
 void drawLine(QPainter& painter, const LabelPlate& plate, const QColor& color, bool dark) {
   constexpr double kLine = 1.4, kDot = 2.2, kRim = 1;
   const QPointF from = pointOf(plate.rim()), to = pointOf(plate.anchor);
-  const double ratio = painter.device()->devicePixelRatio(), margin = kDot + kRim + 1;
+  const double ratio = ratioOf(painter), margin = kDot + kRim + 1;
   const QRectF box = QRectF(from, to).normalized().adjusted(-margin, -margin, margin, margin);
   const QPointF corner = QPointF(std::floor(box.x() * ratio), std::floor(box.y() * ratio)) / ratio;
   QImage image((box.size() * ratio).toSize() + QSize(2, 2), QImage::Format_ARGB32_Premultiplied);
@@ -83,12 +90,16 @@ QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) 
 
 }  // namespace
 
+double overlayScale() {
+  return scaledPixels(100) / 100.0;
+}
+
 const std::vector<LabelPlate>& LabelLayer::place(const LabelGround& ground) {
   return m_plates = m_places.find(ground);
 }
 
 void LabelLayer::paint(QPainter& painter, const Stage& stage, bool dark) {
-  const double ratio = painter.device()->devicePixelRatio();
+  const double ratio = ratioOf(painter);
   for (const LabelPlate& plate : m_plates) {
     if (plate.hasLine()) drawLine(painter, plate, colorOf(stage.labels[plate.label].colour), dark);
   }
@@ -107,9 +118,10 @@ void LabelLayer::paint(QPainter& painter, const Stage& stage, bool dark) {
 }
 
 QPointF LabelLayer::meant(const QPointF& place) const {
+  const double scale = overlayScale();
   for (const LabelPlate& plate : m_plates) {
-    const QPointF away = place - pointOf(plate.middle);
-    if (std::hypot(away.x(), away.y()) <= kLabelRadius) return pointOf(plate.anchor);
+    const QPointF away = place / scale - pointOf(plate.middle);
+    if (std::hypot(away.x(), away.y()) <= kLabelRadius) return scale * pointOf(plate.anchor);
   }
   return place;
 }

@@ -12,6 +12,9 @@ class QPainter;
 
 namespace geargraph::inline view3d {
 
+/// How much larger than at the normal type size labels, forces and the scale bar of the window are.
+[[nodiscard]] double overlayScale();
+
 /// The plates with numbers that face the viewer, of the kinds that are shown, where LabelPlaces puts them;
 /// from one that stands beside its part a line leads there.
 class LabelLayer {
@@ -21,7 +24,10 @@ class LabelLayer {
   void reset() { m_places.reset(); }
   /// Nothing tells yet where links are seen: a map is wanted at once.
   [[nodiscard]] bool areNew() const { return m_places.areNew(); }
-  void setBorders(double above, double below) { m_places.setBorders(above, below); }
+  /// Of the window's own logical pixels.
+  void setBorders(double above, double below) {
+    m_places.setBorders(above / overlayScale(), below / overlayScale());
+  }
 
   /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
   const std::vector<LabelPlate>& place(const LabelGround& ground);
@@ -29,6 +35,7 @@ class LabelLayer {
   /// nothing by itself.
   void paint(QPainter& painter, const Stage& stage, bool dark);
   /// What somebody means who points here: the part that the plate under the place speaks of, else the place.
+  /// In the window's own logical pixels, as the place.
   [[nodiscard]] QPointF meant(const QPointF& place) const;
 
  private:

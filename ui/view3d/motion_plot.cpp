@@ -8,10 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/theme/theme_colors.h"
+
 namespace geargraph::inline view3d {
 namespace {
 
-constexpr double kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // logical pixels
+constexpr int kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // px at the normal type size
+constexpr int kLeastWithLegend = 360;
 constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall of lines
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
@@ -112,7 +115,9 @@ void MotionPlot::fitValues() {
 }
 
 QRectF MotionPlot::area() const {
-  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 360 ? kLegend : kRight), -kBelow);
+  const bool hasLegend = width() > scaledPixels(kLeastWithLegend);
+  return QRectF(rect()).adjusted(scaledPixels(kLeft), scaledPixels(kTop),
+                                 -scaledPixels(hasLegend ? kLegend : kRight), -scaledPixels(kBelow));
 }
 
 QPointF MotionPlot::placeOf(double time, double value) const {
@@ -176,22 +181,25 @@ void MotionPlot::paintAxes(QPainter& painter) const {
   const QColor hair = isDark(palette()) ? QColor(0x3A, 0x41, 0x4B) : QColor(0xD9, 0xDD, 0xE3);
   painter.setPen(ink);
   painter.drawText(
-      QRectF(inside.left(), 2, inside.width(), kTop - 4), Qt::AlignLeft | Qt::AlignVCenter,
+      QRectF(inside.left(), 2, inside.width(), scaledPixels(kTop) - 4), Qt::AlignLeft | Qt::AlignVCenter,
       tr("%1, %2").arg(QString::fromStdString(m_sheet.title), QString::fromStdString(m_sheet.unit)));
-  for (const double tick : niceTicks(m_values.low, m_values.high, qMax(2, qRound(inside.height() / 34)))) {
+  for (const double tick :
+       niceTicks(m_values.low, m_values.high, qMax(2, qRound(inside.height() / scaledPixels(34))))) {
     const double y = placeOf(0, tick).y();
     painter.setPen(QPen(tick == 0 ? quiet : hair, 1));
     painter.drawLine(QPointF(inside.left(), y), QPointF(inside.right(), y));
     painter.setPen(quiet);
-    painter.drawText(QRectF(0, y - 9, kLeft - 6, 18), Qt::AlignRight | Qt::AlignVCenter, text(tick));
+    painter.drawText(QRectF(0, y - scaledPixels(9), scaledPixels(kLeft) - 6, scaledPixels(18)),
+                     Qt::AlignRight | Qt::AlignVCenter, text(tick));
   }
-  for (const double tick : niceTicks(m_times.low, m_times.high, qMax(2, qRound(inside.width() / 80)))) {
+  for (const double tick :
+       niceTicks(m_times.low, m_times.high, qMax(2, qRound(inside.width() / scaledPixels(80))))) {
     const double x = placeOf(tick, 0).x();
     painter.setPen(QPen(hair, 1));
     painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
     painter.setPen(quiet);
-    painter.drawText(QRectF(x - 40, inside.bottom() + 1, 80, 16), Qt::AlignHCenter | Qt::AlignTop,
-                     text(tick));
+    painter.drawText(QRectF(x - scaledPixels(40), inside.bottom() + 1, scaledPixels(80), scaledPixels(16)),
+                     Qt::AlignHCenter | Qt::AlignTop, text(tick));
   }
   painter.drawText(QRectF(inside.left(), inside.bottom() + 15, inside.width(), 18), Qt::AlignHCenter,
                    tr("time, s"));
@@ -236,13 +244,13 @@ void MotionPlot::paintMoments(QPainter& painter) const {
 
 void MotionPlot::paintLegend(QPainter& painter) const {
   const QRectF inside = area();
-  if (inside.right() > width() - kLegend / 2) return;
+  if (inside.right() > width() - scaledPixels(kLegend) / 2) return;
   const double time = m_pointed.value_or(std::clamp(m_time, 0.0, m_sheet.times.back()));
   const double row = painter.fontMetrics().height() + 1;
   double y = inside.top();
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(inside.right() + 12, 2, kLegend - 16, kTop - 4), Qt::AlignLeft | Qt::AlignVCenter,
-                   tr("at %1 s").arg(text(time)));
+  painter.drawText(QRectF(inside.right() + 12, 2, scaledPixels(kLegend) - 16, scaledPixels(kTop) - 4),
+                   Qt::AlignLeft | Qt::AlignVCenter, tr("at %1 s").arg(text(time)));
   int coordinate = 0;
   for (const MotionCurve& curve : m_sheet.curves) {
     coordinate = curve.isComponent ? coordinate + 1 : 0;
@@ -252,7 +260,7 @@ void MotionPlot::paintLegend(QPainter& painter) const {
     painter.drawLine(QPointF(inside.right() + 12, y + row / 2), QPointF(inside.right() + 30, y + row / 2));
     painter.setPen(palette().color(QPalette::Text));
     const QString value = text(valueAt(curve, time), 4);
-    const QRectF line(inside.right() + 34, y, kLegend - 42, row);
+    const QRectF line(inside.right() + 34, y, scaledPixels(kLegend) - 42, row);
     const double room = line.width() - painter.fontMetrics().horizontalAdvance(value) - 6;
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, value);
     painter.drawText(

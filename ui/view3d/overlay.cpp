@@ -1,5 +1,6 @@
 #include "ui/view3d/overlay.h"
 
+#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <cmath>
@@ -74,10 +75,21 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
 void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark,
                   const ShownForces& forces) {
   if (ground.stage.scene.instances.empty()) return;
-  labels.place(ground);
+  // In larger pixels, so that plates, gaps and type keep their proportions.
+  const double scale = overlayScale();
+  const LabelGround enlarged{ground.stage,  ground.poses,    ground.showing,
+                             ground.camera, ground.viewport, ground.pixelRatio * scale,
+                             ground.seen};
+  painter.save();
+  painter.scale(scale, scale);
+  QFont font = painter.font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(QFontInfo(font).pixelSize() / scale))));
+  painter.setFont(font);
+  labels.place(enlarged);
   labels.paint(painter, ground.stage, dark);
-  paintForces(painter, ground, forces, dark);
-  if (scaleBar) paintScaleBar(painter, ground, kBarOverPlayback, dark);
+  paintForces(painter, enlarged, forces, dark);
+  if (scaleBar) paintScaleBar(painter, enlarged, kBarOverPlayback / scale, dark);
+  painter.restore();
 }
 
 PictureOverlay::PictureOverlay(const ViewOptions& options, bool dark)
