@@ -129,6 +129,114 @@ class WindowSearchTest : public QObject {
     QCOMPARE(window->selection().selected(), std::set<ElementId>{MeshId("17")});
   }
 
+  void everydayWordsFindTheirFeature_data() {
+    QTest::addColumn<QString>("command");
+    constexpr std::pair<const char*, const char*> kWanted[] = {
+        {"brake", "dock.gearbox|mechanism.hold"},
+        {"hold", "dock.gearbox|mechanism.hold"},
+        {"clutch", "dock.gearbox"},
+        {"engage", "dock.gearbox|mechanism.hold"},
+        {"release", "mechanism.releaseAll|dock.gearbox"},
+        {"unlock", "mechanism.releaseAll"},
+        {"shift", "dock.gearbox"},
+        {"gear ratio", "dock.gearbox|dock.inputs"},
+        {"ratio", "dock.inputs|dock.gearbox"},
+        {"transmission", "dock.inputs|dock.gearbox"},
+        {"reduction", "dock.inputs"},
+        {"speed", "dock.inputs|dock.speeds|mechanism.drive"},
+        {"rpm", "dock.inputs"},
+        {"relative", "dock.inputs"},
+        {"result", "dock.inputs"},
+        {"motor", "mechanism.drive|dock.inputs"},
+        {"actuator", "mechanism.drive"},
+        {"torque", "mechanism.load|dock.forces"},
+        {"force", "dock.forces|mechanism.load"},
+        {"load", "mechanism.load|dock.forces"},
+        {"efficiency", "dock.forces"},
+        {"losses", "dock.forces|view.powerFlow"},
+        {"bearing", "dock.forces"},
+        {"power", "view.powerFlow|dock.forces"},
+        {"watt", "view.powerFlow"},
+        {"inertia", "dock.dynamics"},
+        {"mass", "dock.dynamics"},
+        {"gravity", "dock.dynamics"},
+        {"simulation", "dock.dynamics|motion.play"},
+        {"teeth", "dock.properties|mechanism.attachGear"},
+        {"pinion", "mechanism.attachGear"},
+        {"wheel", "mechanism.attachGear"},
+        {"planetary", "mechanism.insertSet"},
+        {"epicyclic", "mechanism.insertSet"},
+        {"differential", "mechanism.insertSet"},
+        {"sun", "mechanism.insertSet"},
+        {"frame", "mechanism.ground"},
+        {"fix", "mechanism.ground|mechanism.hold|dock.problems"},
+        {"reverse", "mechanism.flip|motion.backwards"},
+        {"arrange", "mechanism.tidy"},
+        {"spreadsheet", "file.exportCsv"},
+        {"excel", "file.exportCsv"},
+        {"png", "file.exportPicture|edit.copyPicture"},
+        {"svg", "file.exportPicture|edit.copyPicture"},
+        {"video", "file.exportPicture"},
+        {"film", "file.exportPicture"},
+        {"web page", "file.exportHandout"},
+        {"html", "file.exportHandout"},
+        {"printer", "file.print"},
+        {"paper", "file.print|learn.check"},
+        {"clipboard", "edit.copyPicture"},
+        {"screenshot", "edit.copyPicture"},
+        {"remove", "edit.delete"},
+        {"clone", "edit.duplicate"},
+        {"undo", "edit.undo|edit.history"},
+        {"error", "dock.problems"},
+        {"mistake", "dock.problems"},
+        {"graph", "dock.speeds"},
+        {"chart", "dock.speeds"},
+        {"plot", "dock.speeds"},
+        {"matrix", "dock.matrices|file.exportCsv"},
+        {"equation", "dock.derivation|learn.derivation|learn.check|dock.dynamics"},
+        {"proof", "dock.derivation|learn.derivation"},
+        {"quiz", "learn.exercises"},
+        {"homework", "learn.exercises|learn.check"},
+        {"tutorial", "learn.lessons"},
+        {"course", "learn.lessons"},
+        {"dictionary", "learn.lookUp"},
+        {"definition", "learn.lookUp"},
+        {"animate", "motion.play"},
+        {"rewind", "motion.start|motion.backwards"},
+        {"beamer", "view.presentation"},
+        {"projector", "view.presentation"},
+        {"full screen", "view.presentation"},
+        {"night", "view.dark"},
+        {"theme", "view.dark|view.light|view.highContrast|view.asSystem"},
+        {"font", "view.typeSize150"},
+        {"language", "view.language.de|view.language.en|view.language.|view.language.tr"},
+        {"raster", "view.grid"},
+        {"zoom", "view.fit|view.zoomIn|view.zoomOut"},
+        {"hotkeys", "help.shortcuts"},
+        {"documentation", "help.manual"},
+        {"licence", "help.about"},
+        {"examples", "file.startPage"},
+        {"solid", "dock.view3d|view.half3d"},
+    };
+    for (const auto& [word, command] : kWanted) QTest::newRow(word) << QString(command);
+  }
+  void everydayWordsFindTheirFeature() {
+    QFETCH(QString, command);
+    const QStringList wanted = command.split('|');
+    ask(QString(QTest::currentDataTag()));
+    constexpr int kInSight = 6;
+    const SearchModel& model = *search()->model();
+    QStringList found;
+    for (int row = 0; row < std::min(kInSight, model.rowCount()); ++row) {
+      const SearchEntry& entry = model.entryAt(row);
+      found << (entry.action != nullptr ? entry.action->objectName() : entry.title);
+    }
+    const bool isFound =
+        std::any_of(found.begin(), found.end(), [&](const QString& name) { return wanted.contains(name); });
+    QVERIFY2(isFound, qPrintable(found.join(", ")));
+    press(Qt::Key_Escape);
+  }
+
   void whatIsNotThereIsSaid() {
     ask("xyzzy");
     QCOMPARE(popup().currentRow(), -1);
