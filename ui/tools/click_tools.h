@@ -4,13 +4,13 @@
 
 namespace geargraph::inline tools {
 
-/// Draws links: click on empty ground.
+/// Draws links: click on an empty area.
 ///
 ///     Hovering --press nothing--> Placing --release--> Hovering + AddLink
 ///     any --Esc--> Hovering
 namespace link_tool {
 
-/// Where the mouse is, if it is over empty ground: a link would come there.
+/// Where the mouse is, if it is over an empty area: a link would come there.
 struct Hovering {
   std::optional<SheetPoint> place;
 };

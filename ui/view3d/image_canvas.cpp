@@ -216,7 +216,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
   if (isWaiting()) paintWords(painter, m_waitingText);
 }
 
-// The first picture of a train may have to wait for the driver: an empty ground would say that there is none.
+// The first picture of a train may have to wait for the driver: an empty area would say that there is none.
 bool ImageCanvas::isWaiting() const {
   const auto hasBodies = [](const StagePtr& stage) {
     return stage != nullptr && !stage->scene.instances.empty();

@@ -323,8 +323,8 @@ class StaticsPart : private ReportPart {
     if (!m_statics.agreement) return;
     const std::optional<bool> inSymbols = m_statics.agreesInSymbols();
     paragraph(m_statics.agreement->equal
-                  ? "Torque by torque, both methods give the same fractions: " +
-                        std::to_string(m_statics.agreement->compared) + " compared, none differs."
+                  ? "Torque by torque, both methods give the same fractions: all " +
+                        std::to_string(m_statics.agreement->compared) + " entries agree."
                   : "The two methods differ by up to " +
                         shortDecimal(m_statics.agreement->largestDifference.number()) + " N m.");
     if (!inSymbols) return;
