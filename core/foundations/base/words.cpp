@@ -37,6 +37,10 @@ std::string translated(const char* text, int n) {
   return form;
 }
 
+std::string translated(const char* text, std::initializer_list<std::string_view> places) {
+  return filled(translated(text), places);
+}
+
 std::string filled(std::string_view text, std::initializer_list<std::string_view> places) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,10 @@ constexpr const char* toTranslate(const char* text) {
 /// In the plural form of `n`, which also takes the place of "%n". English: the literal with its "(s)" is for
 /// translators; give both forms by the catalogue or choose between two texts.
 [[nodiscard]] std::string translated(const char* text, int n);
+
+/// A text with others in its places %1 to %9, as filled(): whole sentences, never halves that are put
+/// together.
+[[nodiscard]] std::string translated(const char* text, std::initializer_list<std::string_view> places);
 
 /// Puts texts in the places %1 to %9 of a translated one, in whatever order its language has them.
 [[nodiscard]] std::string filled(std::string_view text, std::initializer_list<std::string_view> places);
