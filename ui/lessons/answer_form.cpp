@@ -12,6 +12,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/lessons/prepared_step.h"
 #include "ui/theme/theme_colors.h"
 
@@ -90,7 +91,7 @@ void AnswerForm::addTable(QGridLayout* grid) {
     grid->addWidget(label, row, column);
   };
   for (int column = 0; column < columns; ++column)
-    heading(table.columns[static_cast<std::size_t>(column)], 0, column + 1);
+    heading(base::translated(table.columns[static_cast<std::size_t>(column)]), 0, column + 1);
   std::size_t field = 0;
   for (int row = 0; row < static_cast<int>(table.rows.size()); ++row) {
     heading(table.rows[static_cast<std::size_t>(row)], row + 1, 0);
@@ -113,7 +114,7 @@ void AnswerForm::addList(QGridLayout* grid) {
       grid->addWidget(made, row, 0, 1, 2);
       continue;
     }
-    auto* label = new QLabel(shown(field.name), m_page);
+    auto* label = new QLabel(shown(field.shownName()), m_page);
     label->setWordWrap(true);
     label->setBuddy(made);
     grid->addWidget(label, row, 0);
@@ -125,11 +126,11 @@ void AnswerForm::addList(QGridLayout* grid) {
 QLineEdit* AnswerForm::makeLine(const AnswerField& field, bool isCell) {
   auto* line = new QLineEdit(m_page);
   line->setObjectName(QStringLiteral("answer.") + shown(field.name));
-  line->setAccessibleName(shown(field.name));
+  line->setAccessibleName(shown(field.shownName()));
   if (isCell) {
     line->setAlignment(Qt::AlignCenter);
     line->setProperty("look", "cell");
-    line->setToolTip(shown(field.name));
+    line->setToolTip(shown(field.shownName()));
   }
   line->installEventFilter(this);
   connect(line, &QLineEdit::textEdited, this, &AnswerForm::edited);
@@ -143,7 +144,7 @@ QWidget* AnswerForm::makeField(const AnswerField& field, Field& made) {
   if (field.kind == FieldKind::choice) {
     made.list = new QComboBox(m_page);
     made.list->setObjectName(QStringLiteral("answer.") + shown(field.name));
-    made.list->setAccessibleName(shown(field.name));
+    made.list->setAccessibleName(shown(field.shownName()));
     made.list->addItem(QString());
     for (const std::string& option : field.options) made.list->addItem(shown(option));
     made.list->installEventFilter(this);

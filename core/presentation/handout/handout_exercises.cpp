@@ -1,6 +1,7 @@
 #include "core/presentation/handout/handout_exercises.h"
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/base64.h"
 #include "core/foundations/files/gzip.h"
 #include "core/foundations/files/json_writer.h"
@@ -46,8 +47,9 @@ std::string blankTable(const Question& question) {
 /// What goes into a blank.
 std::string noteOf(const AnswerField& field) {
   if (field.options.empty() || field.options.size() > kMostOptions) return {};
-  return field.kind == FieldKind::set ? "some of " + listed(field.options, kMostOptions)
-                                      : "one of " + listed(field.options, kMostOptions, "or");
+  return field.kind == FieldKind::set
+             ? translated("some of %1", {listed(field.options, kMostOptions)})
+             : translated("one of %1", {listed(field.options, kMostOptions, toTranslate("or"))});
 }
 
 /// Blanks with their names, one below the other.
@@ -55,7 +57,7 @@ std::string blankList(const Question& question) {
   std::string text = "<table class=\"plain asked\"><tbody>\n";
   for (std::size_t field = 0; field < question.fields.size(); ++field) {
     const AnswerField& asked = question.fields[field];
-    text += "<tr>" + headCell(asked.name, "row") + blank(field, false) + "<td class=\"onpaper\">" +
+    text += "<tr>" + headCell(asked.shownName(), "row") + blank(field, false) + "<td class=\"onpaper\">" +
             escapedXml(noteOf(asked)) + "</td></tr>\n";
   }
   return text + "</tbody></table>";

@@ -1,6 +1,7 @@
 #include "core/presentation/sheets/sheet_report.h"
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/report/report_words.h"
 
@@ -129,11 +130,13 @@ class SheetWriter {
     for (std::size_t field = 0; field < question.fields.size(); ++field) {
       const AnswerField& asked = question.fields[field];
       const bool isShort = asked.kind == FieldKind::choice && asked.options.size() <= kMostOptions;
-      std::string note = isShort ? "one of " + listed(asked.options, kMostOptions, "or") : std::string();
-      if (asked.kind == FieldKind::set) note = "a list";
+      std::string note =
+          isShort ? translated("one of %1", {listed(asked.options, kMostOptions, toTranslate("or"))})
+                  : std::string();
+      if (asked.kind == FieldKind::set) note = translated("a list");
       ReportWords answer = cell(question, field);
       if (!m_isSolution) answer = plainWords("____________________");
-      table.rows.push_back({plainWords(asked.name), std::move(answer), plainWords(note)});
+      table.rows.push_back({plainWords(asked.shownName()), std::move(answer), plainWords(note)});
     }
     put(std::move(table));
   }

@@ -91,7 +91,8 @@ class BrakeQuestion {
   }
   [[nodiscard]] std::string nameOf(int coupling) const {
     const Coupling& named = couplingOf(coupling);
-    return (named.kind == CouplingKind::brake ? "brake " : "clutch ") + named.id.text();
+    return named.kind == CouplingKind::brake ? translated("brake %1", {named.id.text()})
+                                             : translated("clutch %1", {named.id.text()});
   }
   [[nodiscard]] std::string optionOf(const Carried& each) const {
     return m_comparison.isOfState ? couplingOf(each.coupling).id.text() : stateOf(*each.state).name;
@@ -104,50 +105,60 @@ class BrakeQuestion {
   static std::vector<std::string> texts(const Rational& size) {
     return {size.toString(), (-size).toString()};
   }
-  static std::string quoted(const std::string& name) { return "\u201c" + name + "\u201d"; }
+  /// The coupling or the state that a torque is compared by.
+  [[nodiscard]] std::string whose(const Carried& each) const {
+    return m_comparison.isOfState ? nameOf(each.coupling) : translated("state “%1”", {optionOf(each)});
+  }
 
-  /// "state “1” engages B2 and C, link 2 drives, link 3 bears the load"
-  [[nodiscard]] std::string described(const StateTorques& torques) const {
+  /// "State “1” engages B2 and C, link 2 drives, link 3 bears the load", which begins a sentence or goes on
+  /// with it
+  [[nodiscard]] std::string described(const StateTorques& torques, bool isFirst) const {
     const ShiftState& state = stateOf(torques);
     std::vector<std::string> engaged;
     for (std::size_t i = 0; i < torques.couplings.size(); ++i)
       if (torques.couplings[i]) engaged.push_back(namedInPrompt(couplingOf(static_cast<int>(i)).id.text()));
-    return "state " + quoted(namedInPrompt(state.name)) + " engages " + listed(engaged, kAllNames) +
-           ", link $" + label(state.drive) + "$ drives and link $" + label(state.driven) + "$ bears the load";
+    const std::string name = namedInPrompt(state.name);
+    const std::string couplings = listed(engaged, kAllNames);
+    const std::string drive = label(state.drive);
+    const std::string driven = label(state.driven);
+    return isFirst ? translated("State “%1” engages %2, link $%3$ drives and link $%4$ bears the load",
+                                {name, couplings, drive, driven})
+                   : translated("state “%1” engages %2, link $%3$ drives and link $%4$ bears the load",
+                                {name, couplings, drive, driven});
   }
 
   void ask() {
     const std::string torque =
-        ". The torque of the drive is $" + asText(m_drive) + "$ N m, and no power is lost. ";
+        translated("The torque of the drive is $%1$ N m, and no power is lost.", {asText(m_drive)});
     std::vector<std::string> options;
     if (m_comparison.isOfState) {
-      const std::string described = this->described(*m_largest.state);
-      m_build.question.prompt =
-          "S" + described.substr(1) + torque +
-          "Which of the engaged brakes and clutches carries the largest torque, and how "
-          "large is it in N m, without a sign? A fraction or a decimal of three digits will do.";
+      m_build.question.prompt = described(*m_largest.state, true) + ". " + torque + ' ';
+      m_build.question.prompt += translated(
+          "Which of the engaged brakes and clutches carries the largest torque, and how large is it in N m, "
+          "without a sign? A fraction or a decimal of three digits will do.");
       for (const Coupling& coupling : m_source.mechanism().couplings) options.push_back(coupling.id.text());
       for (const Carried& each : m_comparison.torques)
         m_build.question.elements.emplace_back(couplingOf(each.coupling).id);
     } else {
       std::string list;
       for (const Carried& each : m_comparison.torques)
-        list += (list.empty() ? "S" + described(*each.state).substr(1) : "; " + described(*each.state));
-      m_build.question.prompt =
-          list + torque + "In which state does " + namedInPrompt(nameOf(m_largest.coupling)) +
-          " carry the largest torque, and how large is it in N m, without a sign? A fraction or a "
-          "decimal of three digits will do.";
+        list += (list.empty() ? "" : "; ") + described(*each.state, list.empty());
+      m_build.question.prompt = list + ". " + torque + ' ';
+      m_build.question.prompt += translated(
+          "In which state does %1 carry the largest torque, and how large is it in N m, without a sign? A "
+          "fraction or a decimal of three digits will do.",
+          {namedInPrompt(nameOf(m_largest.coupling))});
       for (const ShiftState& state : m_source.mechanism().states) options.push_back(state.name);
       m_build.question.elements.emplace_back(couplingOf(m_largest.coupling).id);
     }
-    m_build.field(m_comparison.isOfState ? "largest torque in" : "state", FieldKind::choice, options);
-    m_build.field("torque in N m", FieldKind::number);
+    m_build.field(m_comparison.isOfState ? toTranslate("largest torque in") : toTranslate("state"),
+                  FieldKind::choice, options);
+    m_build.field(toTranslate("torque in N m"), FieldKind::number);
     std::vector<std::string> sizes;
     for (const Carried& each : m_comparison.torques)
-      sizes.push_back((m_comparison.isOfState ? nameOf(each.coupling) : "state " + quoted(optionOf(each))) +
-                      ' ' + newtonMetres(each).toString() + " N m");
+      sizes.push_back(whose(each) + ' ' + newtonMetres(each).toString() + " N m");
     m_build.question.rule =
-        "The torques on each link and in each mesh balance: " + listed(sizes, kAllNames) + ".";
+        translated("The torques on each link and in each mesh balance: %1.", {listed(sizes, kAllNames)});
   }
 
   void addChoices() {
@@ -155,26 +166,26 @@ class BrakeQuestion {
     for (const Carried& each : m_comparison.torques) {
       if (each.size() == m_largest.size()) continue;
       const std::vector<ElementId> elements{couplingOf(each.coupling).id};
-      const std::string less =
-          newtonMetres(each).toString() + " N m, less than the " + newtonMetres(m_largest).toString() +
-          " N m of " +
-          (m_comparison.isOfState ? nameOf(m_largest.coupling) : "state " + quoted(optionOf(m_largest))) +
-          ".";
+      const std::string less = newtonMetres(each).toString();
+      const std::string most = newtonMetres(m_largest).toString();
       if (fastest && fastest->coupling == each.coupling && fastest->state == each.state) {
         m_build.wrongField(
             m_comparison.isOfState ? "fastest-coupling" : "largest-ratio", 0, {optionOf(each)},
-            (m_comparison.isOfState
-                 ? "You choose the clutch that turns fastest, but the torque does not follow "
-                   "the speed: it carries "
-                 : "You choose the state of the largest ratio, but the brake's torque does not "
-                   "follow the ratio's size: it carries ") +
-                less,
+            m_comparison.isOfState
+                ? translated("You choose the clutch that turns fastest, but the torque does not follow "
+                             "the speed: it carries %1 N m, less than the %2 N m of %3.",
+                             {less, most, whose(m_largest)})
+                : translated("You choose the state of the largest ratio, but the brake's torque does not "
+                             "follow the ratio's size: it carries %1 N m, less than the %2 N m of %3.",
+                             {less, most, whose(m_largest)}),
             elements);
       } else {
         m_build.wrongField("smaller-torque", 0, {optionOf(each)},
-                           (m_comparison.isOfState ? "The " + nameOf(each.coupling) + " carries "
-                                                   : "In state " + quoted(optionOf(each)) + " it carries ") +
-                               less,
+                           m_comparison.isOfState
+                               ? translated("The %1 carries %2 N m, less than the %3 N m of %4.",
+                                            {nameOf(each.coupling), less, most, whose(m_largest)})
+                               : translated("In state “%1” it carries %2 N m, less than the %3 N m of %4.",
+                                            {optionOf(each), less, most, whose(m_largest)}),
                            elements);
       }
     }
@@ -187,9 +198,10 @@ class BrakeQuestion {
       for (std::size_t i = 0; i < m_largest.state->couplings.size(); ++i) {
         if (m_largest.state->couplings[i]) continue;
         const int coupling = static_cast<int>(i);
-        m_build.wrongField("released-coupling", 0, {couplingOf(coupling).id.text()},
-                           "The " + nameOf(coupling) + " is released in this state: it carries no torque.",
-                           {couplingOf(coupling).id});
+        m_build.wrongField(
+            "released-coupling", 0, {couplingOf(coupling).id.text()},
+            translated("The %1 is released in this state: it carries no torque.", {nameOf(coupling)}),
+            {couplingOf(coupling).id});
       }
       return;
     }
@@ -197,8 +209,8 @@ class BrakeQuestion {
     for (const ShiftState& state : m_source.mechanism().states) {
       if (std::find(state.engaged.begin(), state.engaged.end(), id) != state.engaged.end()) continue;
       m_build.wrongField("released-coupling", 0, {state.name},
-                         "State " + quoted(state.name) + " releases the " + nameOf(m_largest.coupling) +
-                             ": it carries no torque.",
+                         translated("State “%1” releases the %2: it carries no torque.",
+                                    {state.name, nameOf(m_largest.coupling)}),
                          {id});
     }
   }
@@ -215,25 +227,27 @@ class BrakeQuestion {
       const Rational sum = drive + load.abs();
       const Rational difference = (drive - load.abs()).abs();
       add("torques-without-signs", newtonMetres(m_largest) == sum ? difference : sum,
-          "The signs of both torques are lost: the brake holds the sum of " + inWords(m_drive) + " N m and " +
-              inWords(load) + " N m.");
+          translated("The signs of both torques are lost: the brake holds the sum of %1 N m and %2 N m.",
+                     {inWords(m_drive), inWords(load)}));
       add("ratio-upside-down", drive - drive / state.ratio,
-          "You use the ratio upside down: with the ratio " + inWords(state.ratio) +
-              " the torque on the driven link is " + inWords(load) + " N m.");
+          translated(
+              "You use the ratio upside down: with the ratio %1 the torque on the driven link is %2 N m.",
+              {inWords(state.ratio), inWords(load)}));
     }
     for (const Carried& other : m_comparison.torques) {
       if (other.size() == m_largest.size()) continue;
       add("torque-of-another", newtonMetres(other),
-          "This is the torque " +
-              (m_comparison.isOfState ? "of " + nameOf(other.coupling)
-                                      : "in state " + quoted(stateOf(*other.state).name)) +
-              ", which is not the largest.");
+          m_comparison.isOfState
+              ? translated("This is the torque of %1, which is not the largest.", {nameOf(other.coupling)})
+              : translated("This is the torque in state “%1”, which is not the largest.",
+                           {stateOf(*other.state).name}));
     }
     add("load-for-brake", load,
-        "This is the torque of the load on link " + label(stateOf(state).driven) + ": " +
-            nameOf(m_largest.coupling) + " has to keep the balance.");
+        translated("This is the torque of the load on link %1: %2 has to keep the balance.",
+                   {label(stateOf(state).driven), nameOf(m_largest.coupling)}));
     add("drive-for-brake", drive,
-        "This is the torque of the drive: " + nameOf(m_largest.coupling) + " does not carry it as it is.");
+        translated("This is the torque of the drive: %1 does not carry it as it is.",
+                   {nameOf(m_largest.coupling)}));
   }
 
   /// Is the largest torque that of the only brake, on the axis of drive and load?

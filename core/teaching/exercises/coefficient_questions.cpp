@@ -34,15 +34,15 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
   std::sort(joints.begin(), joints.end());
 
   QuestionBuilder build(ExerciseKind::coefficients, 5);
-  build.question.prompt =
-      "Write the row of mesh $" + label + "$ of the coefficient matrix $P$. Mesh $" + label + "$ has $" +
-      asText(gears.tailTeeth) + "$ teeth on link $" + source.linkLabel(graph.meshEdge(mesh).tail) +
-      "$ and $" + asText(gears.headTeeth) + "$ on link $" + source.linkLabel(graph.meshEdge(mesh).head) +
-      "$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{" + label + "}$.";
+  build.question.prompt = translated(
+      "Write the row of mesh $%1$ of the coefficient matrix $P$. Mesh $%1$ has $%2$ teeth on link $%3$ and "
+      "$%4$ on link $%5$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{%1}$.",
+      {label, asText(gears.tailTeeth), source.linkLabel(graph.meshEdge(mesh).tail), asText(gears.headTeeth),
+       source.linkLabel(graph.meshEdge(mesh).head)});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule =
-      "A joint on the axis of a gear counts with this gear's radius, the sign is that of the cycle, and "
-      "the joints of both gears have the signs of the mesh.";
+  build.question.rule = translated(
+      "A joint on the axis of a gear counts with this gear's radius, the sign is that of the cycle, and the "
+      "joints of both gears have the signs of the mesh.");
   std::vector<std::string> columns;
   for (const int joint : joints) columns.push_back(source.edgeLabel(joint));
   build.table({"C" + label}, columns, FieldKind::number);
@@ -58,16 +58,17 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
                                                             : "bevel-sign";
   const std::string signReason =
       kind == MeshKind::internal
-          ? "Mesh " + label + " is internal: both gears turn the same way, seen from their carrier."
+          ? translated("Mesh %1 is internal: both gears turn the same way, seen from their carrier.", {label})
       : kind == MeshKind::external
-          ? "Mesh " + label + " is external: its gears turn against each other, seen from their carrier."
-          : "The sign of bevel mesh " + label +
-                " follows from where its pitch point is, seen from both axes.";
-  build.wrongMultiple(
-      "ratio-upside-down", picked(source.teethRow(mesh, RowChange::upsideDown), joints),
-      "You exchange the radii of both gears: the joints on an axis count with the radius of the gear on "
-      "it.",
-      elements);
+          ? translated("Mesh %1 is external: its gears turn against each other, seen from their carrier.",
+                       {label})
+          : translated(
+                "The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes.",
+                {label});
+  build.wrongMultiple("ratio-upside-down", picked(source.teethRow(mesh, RowChange::upsideDown), joints),
+                      translated("You exchange the radii of both gears: the joints on an axis count with the "
+                                 "radius of the gear on it."),
+                      elements);
   build.wrongMultiple(signName, picked(source.teethRow(mesh, RowChange::signOfHead), joints), signReason,
                       elements);
   std::vector<Rational> cycle(row.size());
@@ -79,15 +80,18 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
   }
   build.wrongMultiple(
       "coefficients-left-out", picked(cycle, joints),
-      "This is the row of the cycle: in P its signs are multiplied by the radii of the gears.", elements);
-  build.wrongMultiple("arrow-sense-lost", picked(senseless, joints),
-                      "You write the radii without the signs of the cycle, which walks against some arrows.",
-                      elements);
+      translated("This is the row of the cycle: in P its signs are multiplied by the radii of the gears."),
+      elements);
+  build.wrongMultiple(
+      "arrow-sense-lost", picked(senseless, joints),
+      translated("You write the radii without the signs of the cycle, which walks against some arrows."),
+      elements);
   for (std::size_t other = 0; other < source.mechanism().gearMeshes.size(); ++other) {
     if (static_cast<int>(other) == mesh) continue;
-    build.wrongMultiple("another-cycle", picked(source.teethRow(static_cast<int>(other)), joints),
-                        "This is the row of mesh " + source.meshLabel(static_cast<int>(other)) + ".",
-                        {source.meshId(static_cast<int>(other))});
+    build.wrongMultiple(
+        "another-cycle", picked(source.teethRow(static_cast<int>(other)), joints),
+        translated("This is the row of mesh %1.", {source.meshLabel(static_cast<int>(other))}),
+        {source.meshId(static_cast<int>(other))});
   }
   std::vector<std::string> bothWrong = picked(source.teethRow(mesh, RowChange::upsideDown), joints);
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -95,9 +99,9 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
     const bool isHead = source.teethRow(mesh, RowChange::signOfHead)[joint] != row[joint];
     if (isHead) bothWrong[i] = (-*Rational::fromText(bothWrong[i])).toString();
   }
-  build.wrongMultiple("sign-and-ratio", bothWrong,
-                      "You exchange the radii of both gears, and the sign of the mesh is wrong, too.",
-                      elements);
+  build.wrongMultiple(
+      "sign-and-ratio", bothWrong,
+      translated("You exchange the radii of both gears, and the sign of the mesh is wrong, too."), elements);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto field = static_cast<int>(i);
     const std::vector<ElementId> joint{source.edgeId(joints[i])};
@@ -106,17 +110,18 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
     turned[i] = (-value).toString();
     std::vector<std::string> without = right;
     without[i] = "0";
-    const std::string name = "joint " + columns[i];
+    const std::string name = edgeName(source, joints[i]);
     if (value.isZero()) {
       build.wrongIf("joint-off-the-walk", {{Test::differs, {field}, {{"0"}}}},
-                    "The cycle of mesh " + label + " does not use " + name + ": 0.", joint, {field});
+                    translated("The cycle of mesh %1 does not use %2: 0.", {label, name}), joint, {field});
       continue;
     }
-    build.wrongIf("walked-against-arrow", {{Test::multiple, {}, {turned}}},
-                  "The sign of " + name + " is the opposite: the walk passes its arrow the other way.", joint,
-                  {field});
+    build.wrongIf(
+        "walked-against-arrow", {{Test::multiple, {}, {turned}}},
+        translated("The sign of %1 is the opposite: the walk passes its arrow the other way.", {name}), joint,
+        {field});
     build.wrongIf("joint-left-out", {{Test::values, {field}, {{"0"}}}},
-                  "The cycle of mesh " + label + " uses " + name + ": its coefficient is not 0.", joint,
+                  translated("The cycle of mesh %1 uses %2: its coefficient is not 0.", {label, name}), joint,
                   {field});
   }
   return std::move(build.question);

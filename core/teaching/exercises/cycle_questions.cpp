@@ -49,14 +49,15 @@ Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const DigraphEdge& gears = graph.meshEdge(mesh);
   const std::vector<int> joints = jointsOf(backThroughTree(source, mesh));
   QuestionBuilder build(ExerciseKind::cycle, 2);
-  build.question.prompt = "Which turning joints lie on the fundamental cycle of mesh $" + label + "$?";
+  build.question.prompt =
+      translated("Which turning joints lie on the fundamental cycle of mesh $%1$?", {label});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule = "The cycle of mesh " + label +
-                        " consists of the mesh and of the path through the tree from link " +
-                        source.linkLabel(gears.tail) + " to link " + source.linkLabel(gears.head) + ".";
+  build.question.rule = translated(
+      "The cycle of mesh %1 consists of the mesh and of the path through the tree from link %2 to link %3.",
+      {label, source.linkLabel(gears.tail), source.linkLabel(gears.head)});
   std::vector<std::string> options;
   for (int edge = 0; edge < graph.edgeCount(); ++edge) options.push_back(source.edgeLabel(edge));
-  build.field("joints", FieldKind::set, options);
+  build.field(toTranslate("joints"), FieldKind::set, options);
   build.accept({setOf(source, joints)});
 
   const std::vector<int> tailPath = jointsOf(treePath(*source.tree(), gears.tail, 0));
@@ -65,38 +66,43 @@ Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   std::vector<int> beyond;
   std::set_difference(toGround.begin(), toGround.end(), joints.begin(), joints.end(),
                       std::back_inserter(beyond));
-  build.wrong("paths-to-ground", {setOf(source, toGround)},
-              "You follow both paths to the ground: the cycle turns back at the first link that they share.",
-              idsOf(source, beyond));
+  build.wrong(
+      "paths-to-ground", {setOf(source, toGround)},
+      translated(
+          "You follow both paths to the ground: the cycle turns back at the first link that they share."),
+      idsOf(source, beyond));
   for (const auto& [path, gear] : {std::pair(tailPath, gears.tail), std::pair(headPath, gears.head)}) {
     if (path.empty()) continue;
-    build.wrong("one-gear-only", {setOf(source, path)},
-                "You follow the path of link " + source.linkLabel(gear) +
-                    " to the ground: the cycle needs the path between both gears.",
-                {source.linkId(gear)});
+    build.wrong(
+        "one-gear-only", {setOf(source, path)},
+        translated(
+            "You follow the path of link %1 to the ground: the cycle needs the path between both gears.",
+            {source.linkLabel(gear)}),
+        {source.linkId(gear)});
   }
   for (int other = 0; other < graph.c(); ++other) {
     if (other == mesh) continue;
     build.wrong("another-cycle", {setOf(source, jointsOf(backThroughTree(source, other)))},
-                "These are the joints on the cycle of mesh " + source.meshLabel(other) + ".",
+                translated("These are the joints on the cycle of mesh %1.", {source.meshLabel(other)}),
                 {source.meshId(other)});
   }
   for (int other = 0; other < graph.c(); ++other) {
-    build.wrongIf("mesh-among-joints", {{Test::touches, {}, {{source.meshLabel(other)}}}},
-                  source.meshLabel(other) + " is a mesh: the question asks for the turning joints.",
-                  {source.meshId(other)});
+    build.wrongIf(
+        "mesh-among-joints", {{Test::touches, {}, {{source.meshLabel(other)}}}},
+        translated("%1 is a mesh: the question asks for the turning joints.", {source.meshLabel(other)}),
+        {source.meshId(other)});
   }
   for (int joint = 0; joint < graph.t(); ++joint) {
     const std::string name = source.edgeLabel(joint);
     if (std::binary_search(joints.begin(), joints.end(), joint)) {
       build.wrongIf("joint-left-out", {{Test::lacks, {}, {{name}}}},
-                    "The path between links " + source.linkLabel(gears.tail) + " and " +
-                        source.linkLabel(gears.head) + " leads through joint " + name + ".",
+                    translated("The path between links %1 and %2 leads through joint %3.",
+                               {source.linkLabel(gears.tail), source.linkLabel(gears.head), name}),
                     {source.edgeId(joint)});
     } else {
       build.wrongIf("joint-off-the-walk", {{Test::touches, {}, {{name}}}},
-                    "The path between links " + source.linkLabel(gears.tail) + " and " +
-                        source.linkLabel(gears.head) + " does not lead through joint " + name + ".",
+                    translated("The path between links %1 and %2 does not lead through joint %3.",
+                               {source.linkLabel(gears.tail), source.linkLabel(gears.head), name}),
                     {source.edgeId(joint)});
     }
   }
@@ -111,13 +117,15 @@ Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random
             [](const PathStep& a, const PathStep& b) { return a.joint < b.joint; });
   steps.push_back({source.graph().t() + mesh, 1});
   QuestionBuilder build(ExerciseKind::cycleSense, 2);
-  build.question.prompt =
-      "Walk once round the cycle of mesh $" + label +
-      "$, in either sense: $1$ for each arrow that you follow, $-1$ for each that you walk against.";
+  build.question.prompt = translated(
+      "Walk once round the cycle of mesh $%1$, in either sense: $1$ for each arrow that you follow, $-1$ for "
+      "each that you walk against.",
+      {label});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule =
-      "One walk runs along mesh " + label +
-      " and back through the tree; the opposite walk has all signs exchanged and is right, too.";
+  build.question.rule = translated(
+      "One walk runs along mesh %1 and back through the tree; the opposite walk has all signs exchanged and "
+      "is right, too.",
+      {label});
   std::vector<std::string> columns;
   std::vector<int> right;
   for (const PathStep& step : steps) {
@@ -128,12 +136,14 @@ Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random
   for (std::size_t i = 0; i < steps.size(); ++i)
     build.question.fields[i].elements = {source.edgeId(steps[i].joint)};
   build.accept(asTexts(right), {asTexts(negated(right))});
-  build.wrong("signs-left-out", asTexts(magnitudes(right)),
-              "You give all edges one sense: some arrows point against every walk round the cycle.",
-              {source.meshId(mesh)});
-  build.wrong("signs-left-out", asTexts(negated(magnitudes(right))),
-              "You give all edges one sense: some arrows point against every walk round the cycle.",
-              {source.meshId(mesh)});
+  build.wrong(
+      "signs-left-out", asTexts(magnitudes(right)),
+      translated("You give all edges one sense: some arrows point against every walk round the cycle."),
+      {source.meshId(mesh)});
+  build.wrong(
+      "signs-left-out", asTexts(negated(magnitudes(right))),
+      translated("You give all edges one sense: some arrows point against every walk round the cycle."),
+      {source.meshId(mesh)});
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::vector<int> turned = right;
     turned[i] = -turned[i];
@@ -142,21 +152,20 @@ Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random
     const std::vector<std::vector<std::string>> both{asTexts(turned), asTexts(negated(turned))};
     if (steps.size() > 2) {
       build.wrongIf("walked-against-arrow", {{Test::values, {}, both}},
-                    "Your walk passes " + name +
-                        " the other way: with the other senses that you give, its sign is the "
-                        "opposite.",
+                    translated("Your walk passes %1 the other way: with the other senses that you give, its "
+                               "sign is the opposite.",
+                               {name}),
                     {source.edgeId(steps[i].joint)}, {field});
     }
     build.wrongField("joint-left-out", field, {"0"},
-                     "Every walk round the cycle uses " + name + ": 1 or \u22121, not 0.",
+                     translated("Every walk round the cycle uses %1: 1 or −1, not 0.", {name}),
                      {source.edgeId(steps[i].joint)});
   }
   build.wrongNonSigns();
-  build.wrongIf(
-      "orientation-lost", {{Test::within, {}, {{"-1", "1"}}}},
-      "These senses belong to no single walk round the cycle: start at one link and follow the edges one by "
-      "one.",
-      {source.meshId(mesh)});
+  build.wrongIf("orientation-lost", {{Test::within, {}, {{"-1", "1"}}}},
+                translated("These senses belong to no single walk round the cycle: start at one link and "
+                           "follow the edges one by one."),
+                {source.meshId(mesh)});
   return std::move(build.question);
 }
 
@@ -164,10 +173,10 @@ Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& /*rando
   const Digraph& graph = source.graph();
   const IntegerMatrix& cycles = *source.matrix(MatrixKind::cycleBasis);
   QuestionBuilder build(ExerciseKind::anyCycles, 6);
-  build.question.prompt =
-      "Write down all fundamental cycles, one in each row: in any order, each walked in either sense.";
-  build.question.rule =
-      "There is a cycle for each mesh; its row may be multiplied by \u22121, and rows may be exchanged.";
+  build.question.prompt = translated(
+      "Write down all fundamental cycles, one in each row: in any order, each walked in either sense.");
+  build.question.rule = translated(
+      "There is a cycle for each mesh; its row may be multiplied by −1, and rows may be exchanged.");
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   for (int edge = 0; edge < graph.edgeCount(); ++edge) columns.push_back(source.edgeLabel(edge));
@@ -194,11 +203,12 @@ Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& /*rando
     build.question.fields[static_cast<std::size_t>(i)].elements = {source.edgeId(i % graph.edgeCount())};
   build.accept(solution, {accepted});
   build.wrong("signs-left-out", unsignedRows,
-              "You mark the edges of the cycles without their senses: a walk that runs against an arrow has "
-              "\u22121.");
-  build.wrong("another-cycle", twice, "You write one cycle twice: each mesh closes a cycle of its own.");
+              translated("You mark the edges of the cycles without their senses: a walk that runs against an "
+                         "arrow has −1."));
+  build.wrong("another-cycle", twice,
+              translated("You write one cycle twice: each mesh closes a cycle of its own."));
   build.wrong("own-mesh-left-out", withoutMeshes,
-              "You leave out the meshes: each cycle holds the mesh that closes it.");
+              translated("You leave out the meshes: each cycle holds the mesh that closes it."));
   build.wrongNonSigns();
   return std::move(build.question);
 }

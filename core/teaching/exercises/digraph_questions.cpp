@@ -82,7 +82,8 @@ class IncidenceTable {
   }
   [[nodiscard]] std::string arrow(int edge) const {
     const DigraphEdge& ends = m_source.graph().edge(edge);
-    return "from link " + m_source.linkLabel(ends.tail) + " to link " + m_source.linkLabel(ends.head);
+    return translated("from link %1 to link %2",
+                      {m_source.linkLabel(ends.tail), m_source.linkLabel(ends.head)});
   }
 
   void addColumn(std::size_t first, std::size_t column) {
@@ -95,7 +96,7 @@ class IncidenceTable {
     }
     m_build.wrongFields(
         "arrow-reversed", fields, {asTexts(values)},
-        "You turn the arrow of " + edgeName(m_source, edge) + " round: it points " + arrow(edge) + ".",
+        translated("You turn the arrow of %1 round: it points %2.", {edgeName(m_source, edge), arrow(edge)}),
         {m_source.edgeId(edge)});
   }
 
@@ -105,22 +106,23 @@ class IncidenceTable {
     const int value = m_values[at(row, column)];
     const auto field = static_cast<int>(at(row, column));
     const std::vector<ElementId> elements{m_source.linkId(node), m_source.edgeId(edge)};
-    const std::string link = "link " + m_source.linkLabel(node);
+    const std::string link = m_source.linkLabel(node);
     const std::string name = edgeName(m_source, edge);
     if (value == 0) {
       m_build.wrongField(
           "not-an-end", field, {"1", "-1"},
-          "You give " + link + " an end of " + name + ", but its arrow points " + arrow(edge) + ": 0.",
+          translated("You give link %1 an end of %2, but its arrow points %3: 0.", {link, name, arrow(edge)}),
           elements);
       return;
     }
-    const std::string end = value > 0 ? " ends at " : " begins at ";
     m_build.wrongField("end-left-out", field, {"0"},
-                       "The arrow of " + name + end + link + ": " + inWords(value) + ", not 0.", elements);
-    m_build.wrongField(
-        "arrow-reversed", field, {asText(-value)},
-        "The arrow of " + name + end + link + ": " + inWords(value) + ", not " + inWords(-value) + ".",
-        elements);
+                       value > 0 ? translated("The arrow of %1 ends at link %2: 1, not 0.", {name, link})
+                                 : translated("The arrow of %1 begins at link %2: −1, not 0.", {name, link}),
+                       elements);
+    m_build.wrongField("arrow-reversed", field, {asText(-value)},
+                       value > 0 ? translated("The arrow of %1 ends at link %2: 1, not −1.", {name, link})
+                                 : translated("The arrow of %1 begins at link %2: −1, not 1.", {name, link}),
+                       elements);
   }
 
   const ExerciseSource& m_source;
@@ -131,24 +133,23 @@ class IncidenceTable {
 };
 
 constexpr const char* kExchanged =
-    "You exchange + and \u2212: a column holds \u22121 where the arrow begins and 1 where it ends.";
+    toTranslate("You exchange + and −: a column holds −1 where the arrow begins and 1 where it ends.");
 constexpr const char* kUnsigned =
-    "You mark both ends alike: the end where the arrow begins is \u22121, the one where it ends 1.";
+    toTranslate("You mark both ends alike: the end where the arrow begins is −1, the one where it ends 1.");
 
 }  // namespace
 
 Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   QuestionBuilder build(ExerciseKind::incidence, 4);
   IncidenceTable table(source, build, random);
-  build.question.prompt = "Fill in these columns of the incidence matrix $\\Gamma^0$.";
-  build.question.rule =
-      "A column of \u0393\u2070 holds \u22121 in the row of the link where the arrow begins, 1 where it "
-      "ends, and 0 "
-      "elsewhere.";
+  build.question.prompt = translated("Fill in these columns of the incidence matrix $\\Gamma^0$.");
+  build.question.rule = translated(
+      "A column of Γ⁰ holds −1 in the row of the link where the arrow begins, 1 where it ends, and 0 "
+      "elsewhere.");
   const std::vector<int>& values = table.values();
   build.accept(asTexts(values));
-  build.wrong("incidence-exchanged", asTexts(negated(values)), kExchanged);
-  build.wrong("signs-left-out", asTexts(magnitudes(values)), kUnsigned);
+  build.wrong("incidence-exchanged", asTexts(negated(values)), translated(kExchanged));
+  build.wrong("signs-left-out", asTexts(magnitudes(values)), translated(kUnsigned));
   std::vector<int> ground;
   std::vector<std::string> zeros;
   for (std::size_t i = 0; i < table.width(); ++i) {
@@ -158,7 +159,7 @@ Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random)
   if (std::count(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(table.width()), 0) <
       static_cast<std::ptrdiff_t>(table.width()) - 1) {
     build.wrongFields("ground-row-left-out", ground, {zeros},
-                      "You leave out the ground: \u0393\u2070 keeps its row, only \u0393 has none.",
+                      translated("You leave out the ground: Γ⁰ keeps its row, only Γ has none."),
                       {source.linkId(0)});
   }
   table.addMistakes(0);
@@ -169,13 +170,11 @@ Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random)
 Question reducedIncidenceQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   QuestionBuilder build(ExerciseKind::reducedIncidence, 4);
   IncidenceTable table(source, build, random);
-  build.question.prompt =
+  build.question.prompt = translated(
       "Fill in these columns of the reduced incidence matrix $\\Gamma$. Leave a row that $\\Gamma$ does not "
-      "have "
-      "empty.";
-  build.question.rule =
-      "\u0393 is \u0393\u2070 without the row of the ground, so that its rows are independent; all other "
-      "entries stay.";
+      "have empty.");
+  build.question.rule = translated(
+      "Γ is Γ⁰ without the row of the ground, so that its rows are independent; all other entries stay.");
   std::vector<std::string> values = asTexts(table.values());
   std::vector<std::string> withGround = values;
   std::vector<std::string> exchanged = asTexts(negated(table.values()));
@@ -188,13 +187,13 @@ Question reducedIncidenceQuestion(const ExerciseSource& source, ExerciseRandom& 
   }
   build.accept(values);
   build.wrong("ground-row-left-in", withGround,
-              "You leave the row of the ground in: \u0393 has the rows of the moving links only.",
+              translated("You leave the row of the ground in: Γ has the rows of the moving links only."),
               {source.linkId(0)});
-  build.wrong("incidence-exchanged", exchanged, kExchanged);
-  build.wrong("signs-left-out", unsignedValues, kUnsigned);
+  build.wrong("incidence-exchanged", exchanged, translated(kExchanged));
+  build.wrong("signs-left-out", unsignedValues, translated(kUnsigned));
   for (const int field : ground) {
     build.wrongIf("ground-row-left-in", {{Test::differs, {field}, {{""}}}},
-                  "You fill in the row of the ground: \u0393 has the rows of the moving links only.",
+                  translated("You fill in the row of the ground: Γ has the rows of the moving links only."),
                   {source.linkId(0)}, {field});
   }
   table.addMistakes(1);
@@ -236,32 +235,35 @@ Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& rando
     body += node + 1 < graph.nodeCount() ? " \\\\\n" : "\n";
   }
   build.question.formula = head + "}\n" + body + "\\end{array}";
-  build.question.prompt =
+  build.question.prompt = translated(
       "The mechanism is drawn with other arrows: these are columns of its incidence matrix $\\Gamma^0$. From "
-      "which link "
-      "to which link do they point?";
+      "which link to which link do they point?");
   build.question.rule =
-      "An arrow begins at the link whose entry is \u22121 and ends at the link whose entry is 1.";
-  build.table(rows, {"from", "to"}, FieldKind::choice);
+      translated("An arrow begins at the link whose entry is −1 and ends at the link whose entry is 1.");
+  build.table(rows, {toTranslate("from"), toTranslate("to")}, FieldKind::choice);
   for (std::size_t i = 0; i < build.question.fields.size(); ++i) {
     build.question.fields[i].options = links;
     build.question.fields[i].elements = {source.edgeId(edges[i / 2])};
   }
   build.accept(right);
   build.wrong("incidence-exchanged", reversed,
-              "You turn every arrow round: \u22121 is where an arrow begins, 1 where it ends.");
+              translated("You turn every arrow round: −1 is where an arrow begins, 1 where it ends."));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const std::vector<ElementId> elements{source.edgeId(edges[i])};
     const auto from = static_cast<int>(2 * i);
     const std::string name = edgeName(source, edges[i]);
-    build.wrongFields("arrow-reversed", {from, from + 1}, {{right[2 * i + 1], right[2 * i]}},
-                      "You turn the arrow of " + name + " round: it begins at link " + right[2 * i] +
-                          ", where the entry is \u22121.",
-                      elements);
+    build.wrongFields(
+        "arrow-reversed", {from, from + 1}, {{right[2 * i + 1], right[2 * i]}},
+        translated("You turn the arrow of %1 round: it begins at link %2, where the entry is −1.",
+                   {name, right[2 * i]}),
+        elements);
     for (const int field : {from, from + 1}) {
       build.wrongIf("not-an-end", {{Test::differs, {field}, {{right[2 * i]}, {right[2 * i + 1]}}}},
-                    "The link that you name as the " + std::string(field == from ? "beginning" : "end") +
-                        " of " + name + " has a 0 in column " + source.edgeLabel(edges[i]) + ".",
+                    field == from
+                        ? translated("The link that you name as the beginning of %1 has a 0 in column %2.",
+                                     {name, source.edgeLabel(edges[i])})
+                        : translated("The link that you name as the end of %1 has a 0 in column %2.",
+                                     {name, source.edgeLabel(edges[i])}),
                     elements, {field});
     }
   }

@@ -90,31 +90,34 @@ Question wrongEntryQuestion(const ExerciseSource& source, ExerciseRandom& random
 
   QuestionBuilder build(ExerciseKind::wrongEntry, 3);
   build.question.prompt =
-      std::string("One entry of this matrix $") + symbolOf(kind) + "$ is wrong. Find it and correct it.";
+      translated("One entry of this matrix $%1$ is wrong. Find it and correct it.", {symbolOf(kind)});
   build.question.formula = texWith(matrix, wrong);
-  build.question.rule = "The entry in row " + row + ", column " + column + " is " + inWords(value) +
-                        ", not " + inWords(wrong.shown) + ".";
+  build.question.rule = translated("The entry in row %1, column %2 is %3, not %4.",
+                                   {row, column, inWords(value), inWords(wrong.shown)});
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   for (int i = 0; i < matrix.rows(); ++i) rows.push_back(matrix.rowHeading(i).text);
   for (int i = 0; i < matrix.columns(); ++i) columns.push_back(matrix.columnHeading(i).text);
-  build.field("row", FieldKind::choice, rows);
-  build.field("column", FieldKind::choice, columns);
-  build.field("right value", FieldKind::integer);
+  build.field(toTranslate("row"), FieldKind::choice, rows);
+  build.field(toTranslate("column"), FieldKind::choice, columns);
+  build.field(toTranslate("right value"), FieldKind::integer);
   build.accept({row, column, asText(value)});
   const ElementId rowElement = matrix.rowHeading(wrong.row).element;
   const ElementId columnElement = matrix.columnHeading(wrong.column).element;
-  build.wrongIf(
-      "wrong-correction", {{Test::values, {0, 1}, {{row, column}}}, {Test::differs, {2}, {{asText(value)}}}},
-      "You find the wrong entry, but its right value is another one.", {rowElement, columnElement}, {2});
+  build.wrongIf("wrong-correction",
+                {{Test::values, {0, 1}, {{row, column}}}, {Test::differs, {2}, {{asText(value)}}}},
+                translated("You find the wrong entry, but its right value is another one."),
+                {rowElement, columnElement}, {2});
   build.wrongIf("right-row-only", {{Test::values, {0}, {{row}}}, {Test::differs, {1}, {{column}}}},
-                "The wrong entry is in this row, but the entry that you name is right.", {rowElement}, {1});
+                translated("The wrong entry is in this row, but the entry that you name is right."),
+                {rowElement}, {1});
   build.wrongIf("right-column-only", {{Test::values, {1}, {{column}}}, {Test::differs, {0}, {{row}}}},
-                "The wrong entry is in this column, but the entry that you name is right.", {columnElement},
-                {0});
-  build.wrongIf("right-entry-blamed", {{Test::differs, {0}, {{row}}}, {Test::differs, {1}, {{column}}}},
-                "The entry that you name is right: follow the arrows of its row and column once more.", {},
-                {0, 1});
+                translated("The wrong entry is in this column, but the entry that you name is right."),
+                {columnElement}, {0});
+  build.wrongIf(
+      "right-entry-blamed", {{Test::differs, {0}, {{row}}}, {Test::differs, {1}, {{column}}}},
+      translated("The entry that you name is right: follow the arrows of its row and column once more."), {},
+      {0, 1});
   return std::move(build.question);
 }
 

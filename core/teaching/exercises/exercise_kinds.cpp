@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/question_makers.h"
 
@@ -18,72 +19,77 @@ constexpr int kMostAnyEdges = 14;
 using Reason = std::optional<std::string>;
 
 Reason withoutEdges(const ExerciseSource& source) {
-  if (source.graph().edgeCount() == 0) return "no joints";
+  if (source.graph().edgeCount() == 0) return translated("no joints");
   return std::nullopt;
 }
 Reason withoutTree(const ExerciseSource& source) {
-  if (source.tree() == nullptr) return "the turning joints are no spanning tree";
-  if (source.graph().t() == 0) return "no joints";
+  if (source.tree() == nullptr) return translated("the turning joints are no spanning tree");
+  if (source.graph().t() == 0) return translated("no joints");
   return std::nullopt;
 }
 Reason withoutMeshes(const ExerciseSource& source) {
   if (const Reason reason = withoutTree(source)) return reason;
-  if (source.graph().c() == 0) return "no meshes";
+  if (source.graph().c() == 0) return translated("no meshes");
   return std::nullopt;
 }
 Reason withoutEquations(const ExerciseSource& source) {
   if (const Reason reason = withoutMeshes(source)) return reason;
-  if (source.ttGraph() == nullptr || source.matroid() == nullptr) return "a mesh has no geometry";
+  if (source.ttGraph() == nullptr || source.matroid() == nullptr) return translated("a mesh has no geometry");
   return std::nullopt;
 }
 Reason withoutOneCycle(const ExerciseSource& source) {
   if (const Reason reason = withoutMeshes(source)) return reason;
   const bool isSmall = source.graph().c() <= kMostAnyCycles && source.graph().edgeCount() <= kMostAnyEdges;
-  return isSmall ? Reason() : "too many cycles";
+  return isSmall ? Reason() : translated("too many cycles");
 }
 Reason withoutSmallGraph(const ExerciseSource& source) {
   if (const Reason reason = withoutMeshes(source)) return reason;
-  return source.graph().edgeCount() <= kMostTreeEdges ? Reason() : "too many edges";
+  return source.graph().edgeCount() <= kMostTreeEdges ? Reason() : translated("too many edges");
 }
 Reason withoutSearchable(const ExerciseSource& source) {
   if (const Reason reason = withoutEdges(source)) return reason;
-  return searchableMatrices(source).empty() ? Reason("the matrices are too large or too small")
+  return searchableMatrices(source).empty() ? Reason(translated("the matrices are too large or too small"))
                                             : std::nullopt;
 }
 Reason withoutRedundancy(const ExerciseSource& source) {
   if (const Reason reason = withoutEquations(source)) return reason;
-  return source.matroid()->redundancies.empty() ? Reason("no mesh is redundant") : std::nullopt;
+  return source.matroid()->redundancies.empty() ? Reason(translated("no mesh is redundant")) : std::nullopt;
 }
 Reason withoutFreedom(const ExerciseSource& source) {
   if (const Reason reason = withoutEquations(source)) return reason;
-  return source.matroid()->dof == 0 ? Reason("nothing can move") : std::nullopt;
+  return source.matroid()->dof == 0 ? Reason(translated("nothing can move")) : std::nullopt;
 }
 Reason withoutPredictable(const ExerciseSource& source) {
   if (const Reason reason = withoutFreedom(source)) return reason;
   constexpr int kMostInputs = 6;
-  if (source.matroid()->dof > kMostInputs) return "too many inputs";
-  return predictableJoints(source).empty() ? Reason("no speed follows from the inputs") : std::nullopt;
+  if (source.matroid()->dof > kMostInputs) return translated("too many inputs");
+  return predictableJoints(source).empty() ? Reason(translated("no speed follows from the inputs"))
+                                           : std::nullopt;
 }
 Reason withoutPlanets(const ExerciseSource& source) {
   if (const Reason reason = withoutEquations(source)) return reason;
-  return planetPairs(source).empty() ? Reason("no planet between a sun and a ring") : std::nullopt;
+  return planetPairs(source).empty() ? Reason(translated("no planet between a sun and a ring"))
+                                     : std::nullopt;
 }
 Reason withoutStates(const ExerciseSource& source) {
   if (const Reason reason = withoutEquations(source)) return reason;
-  if (source.mechanism().couplings.empty()) return "no brakes or clutches";
-  return statesWithRatio(source).empty() ? Reason("no states with a ratio") : std::nullopt;
+  if (source.mechanism().couplings.empty()) return translated("no brakes or clutches");
+  return statesWithRatio(source).empty() ? Reason(translated("no states with a ratio")) : std::nullopt;
 }
 Reason withoutBrakeTorques(const ExerciseSource& source) {
   if (const Reason reason = withoutStates(source)) return reason;
-  return hasBrakeComparison(source) ? Reason() : "no two torques of brakes or clutches to compare";
+  return hasBrakeComparison(source) ? Reason()
+                                    : translated("no two torques of brakes or clutches to compare");
 }
 Reason withoutReactions(const ExerciseSource& source) {
   if (const Reason reason = withoutStates(source)) return reason;
-  return hasBrakeReaction(source) ? Reason() : "no brake that carries a torque about the drive's axis";
+  return hasBrakeReaction(source) ? Reason()
+                                  : translated("no brake that carries a torque about the drive's axis");
 }
 Reason withoutLosses(const ExerciseSource& source) {
   if (const Reason reason = withoutFreedom(source)) return reason;
-  return drivenTrains(source).empty() ? Reason("no drive passes power through 1 to 6 meshes") : std::nullopt;
+  return drivenTrains(source).empty() ? Reason(translated("no drive passes power through 1 to 6 meshes"))
+                                      : std::nullopt;
 }
 
 struct KindEntry {
@@ -95,45 +101,58 @@ struct KindEntry {
 };
 
 constexpr std::array kKinds = {
-    KindEntry{ExerciseKind::incidence, "incidence", "Fill in \u0393\u2070", withoutEdges, incidenceQuestion},
-    KindEntry{ExerciseKind::orientation, "orientation", "Orient the digraph", withoutEdges,
+    KindEntry{ExerciseKind::incidence, "incidence", toTranslate("Fill in Γ⁰"), withoutEdges,
+              incidenceQuestion},
+    KindEntry{ExerciseKind::orientation, "orientation", toTranslate("Orient the digraph"), withoutEdges,
               orientationQuestion},
-    KindEntry{ExerciseKind::reducedIncidence, "reduced-incidence", "Fill in \u0393", withoutEdges,
+    KindEntry{ExerciseKind::reducedIncidence, "reduced-incidence", toTranslate("Fill in Γ"), withoutEdges,
               reducedIncidenceQuestion},
-    KindEntry{ExerciseKind::path, "path", "Fill in Z", withoutTree, pathQuestion},
-    KindEntry{ExerciseKind::treeMatrix, "tree-matrix", "Fill in T", withoutMeshes, treeMatrixQuestion},
-    KindEntry{ExerciseKind::cycle, "cycle", "Find the cycle of a mesh", withoutMeshes, cycleQuestion},
-    KindEntry{ExerciseKind::cycleSense, "cycle-sense", "Walk a cycle in either sense", withoutMeshes,
-              cycleSenseQuestion},
-    KindEntry{ExerciseKind::cycleBasis, "cycle-basis", "Fill in a row of C", withoutMeshes,
+    KindEntry{ExerciseKind::path, "path", toTranslate("Fill in Z"), withoutTree, pathQuestion},
+    KindEntry{ExerciseKind::treeMatrix, "tree-matrix", toTranslate("Fill in T"), withoutMeshes,
+              treeMatrixQuestion},
+    KindEntry{ExerciseKind::cycle, "cycle", toTranslate("Find the cycle of a mesh"), withoutMeshes,
+              cycleQuestion},
+    KindEntry{ExerciseKind::cycleSense, "cycle-sense", toTranslate("Walk a cycle in either sense"),
+              withoutMeshes, cycleSenseQuestion},
+    KindEntry{ExerciseKind::cycleBasis, "cycle-basis", toTranslate("Fill in a row of C"), withoutMeshes,
               cycleBasisQuestion},
-    KindEntry{ExerciseKind::anyCycles, "any-cycles", "Write all cycles", withoutOneCycle, anyCyclesQuestion},
-    KindEntry{ExerciseKind::spanningTree, "spanning-tree", "Choose a spanning tree", withoutSmallGraph,
-              spanningTreeQuestion},
-    KindEntry{ExerciseKind::wrongEntry, "wrong-entry", "Find the wrong entry", withoutSearchable,
+    KindEntry{ExerciseKind::anyCycles, "any-cycles", toTranslate("Write all cycles"), withoutOneCycle,
+              anyCyclesQuestion},
+    KindEntry{ExerciseKind::spanningTree, "spanning-tree", toTranslate("Choose a spanning tree"),
+              withoutSmallGraph, spanningTreeQuestion},
+    KindEntry{ExerciseKind::wrongEntry, "wrong-entry", toTranslate("Find the wrong entry"), withoutSearchable,
               wrongEntryQuestion},
-    KindEntry{ExerciseKind::coefficients, "p", "Fill in a row of P", withoutEquations, coefficientQuestion},
-    KindEntry{ExerciseKind::freedom, "freedom", "Rank and DOF", withoutEquations, freedomQuestion},
-    KindEntry{ExerciseKind::redundantMesh, "redundant-mesh", "Redundant mesh", withoutRedundancy,
+    KindEntry{ExerciseKind::coefficients, "p", toTranslate("Fill in a row of P"), withoutEquations,
+              coefficientQuestion},
+    KindEntry{ExerciseKind::freedom, "freedom", toTranslate("Rank and DOF"), withoutEquations,
+              freedomQuestion},
+    KindEntry{ExerciseKind::redundantMesh, "redundant-mesh", toTranslate("Redundant mesh"), withoutRedundancy,
               redundantMeshQuestion},
-    KindEntry{ExerciseKind::inputs, "inputs", "Valid inputs", withoutFreedom, inputsQuestion},
-    KindEntry{ExerciseKind::speed, "speed", "Predict a speed", withoutPredictable, speedQuestion},
-    KindEntry{ExerciseKind::levels, "levels", "Levels and transfer vertex", withoutEquations, levelsQuestion},
-    KindEntry{ExerciseKind::terminalEquation, "terminal", "Terminal equation, sign", withoutEquations,
-              terminalEquationQuestion},
-    KindEntry{ExerciseKind::fundamentalCircuit, "f-circuit", "f-circuit equation", withoutEquations,
-              fundamentalCircuitQuestion},
-    KindEntry{ExerciseKind::cutset, "cutset", "Fill in a row of Q", withoutMeshes, cutsetQuestion},
-    KindEntry{ExerciseKind::portTorque, "port-torque", "Torque of a port, sign", withoutEquations,
-              portTorqueQuestion},
-    KindEntry{ExerciseKind::teeth, "teeth", "Teeth for a ratio", withoutEquations, teethQuestion},
-    KindEntry{ExerciseKind::ringTeeth, "ring-teeth", "Teeth of the ring", withoutPlanets, ringTeethQuestion},
-    KindEntry{ExerciseKind::engagement, "brakes", "Brakes for a gear", withoutStates, engagementQuestion},
-    KindEntry{ExerciseKind::brakeTorque, "brake-torque", "Largest torque of a brake", withoutBrakeTorques,
-              brakeTorqueQuestion},
-    KindEntry{ExerciseKind::selfLocking, "self-locking", "Self-locking", withoutLosses, selfLockingQuestion},
-    KindEntry{ExerciseKind::brakeReaction, "brake-reaction", "Reaction of a brake, sense", withoutReactions,
-              brakeReactionQuestion},
+    KindEntry{ExerciseKind::inputs, "inputs", toTranslate("Valid inputs"), withoutFreedom, inputsQuestion},
+    KindEntry{ExerciseKind::speed, "speed", toTranslate("Predict a speed"), withoutPredictable,
+              speedQuestion},
+    KindEntry{ExerciseKind::levels, "levels", toTranslate("Levels and transfer vertex"), withoutEquations,
+              levelsQuestion},
+    KindEntry{ExerciseKind::terminalEquation, "terminal", toTranslate("Terminal equation, sign"),
+              withoutEquations, terminalEquationQuestion},
+    KindEntry{ExerciseKind::fundamentalCircuit, "f-circuit", toTranslate("f-circuit equation"),
+              withoutEquations, fundamentalCircuitQuestion},
+    KindEntry{ExerciseKind::cutset, "cutset", toTranslate("Fill in a row of Q"), withoutMeshes,
+              cutsetQuestion},
+    KindEntry{ExerciseKind::portTorque, "port-torque", toTranslate("Torque of a port, sign"),
+              withoutEquations, portTorqueQuestion},
+    KindEntry{ExerciseKind::teeth, "teeth", toTranslate("Teeth for a ratio"), withoutEquations,
+              teethQuestion},
+    KindEntry{ExerciseKind::ringTeeth, "ring-teeth", toTranslate("Teeth of the ring"), withoutPlanets,
+              ringTeethQuestion},
+    KindEntry{ExerciseKind::engagement, "brakes", toTranslate("Brakes for a gear"), withoutStates,
+              engagementQuestion},
+    KindEntry{ExerciseKind::brakeTorque, "brake-torque", toTranslate("Largest torque of a brake"),
+              withoutBrakeTorques, brakeTorqueQuestion},
+    KindEntry{ExerciseKind::selfLocking, "self-locking", toTranslate("Self-locking"), withoutLosses,
+              selfLockingQuestion},
+    KindEntry{ExerciseKind::brakeReaction, "brake-reaction", toTranslate("Reaction of a brake, sense"),
+              withoutReactions, brakeReactionQuestion},
 };
 
 const KindEntry& entryOf(ExerciseKind kind) {
@@ -157,8 +176,8 @@ std::string_view kindName(ExerciseKind kind) {
   return entryOf(kind).name;
 }
 
-std::string_view kindTitle(ExerciseKind kind) {
-  return entryOf(kind).title;
+std::string kindTitle(ExerciseKind kind) {
+  return translated(entryOf(kind).title);
 }
 
 std::optional<ExerciseKind> kindFromName(std::string_view name) {

@@ -44,12 +44,12 @@ enum class ExerciseKind : std::uint8_t {
 };
 
 [[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();
-[[nodiscard]] std::string_view kindName(ExerciseKind kind);   ///< "cycle-basis": stable, of the command line
-[[nodiscard]] std::string_view kindTitle(ExerciseKind kind);  ///< "Fill in a row of C"
+[[nodiscard]] std::string_view kindName(ExerciseKind kind);  ///< "cycle-basis": stable, of the command line
+[[nodiscard]] std::string kindTitle(ExerciseKind kind);      ///< "Fill in a row of C"
 [[nodiscard]] std::optional<ExerciseKind> kindFromName(std::string_view name);
 /// Where to look and which rule to use, in plain text. It is the same for every mechanism, so it cannot hold
 /// the answer.
-[[nodiscard]] std::string_view kindHint(ExerciseKind kind);
+[[nodiscard]] std::string kindHint(ExerciseKind kind);
 
 /// Why the mechanism gives no question of this kind: "no brakes or clutches". Nothing where it does.
 [[nodiscard]] std::optional<std::string> reasonAgainst(const ExerciseSource& source, ExerciseKind kind);

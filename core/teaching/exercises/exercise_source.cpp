@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
 namespace geargraph::inline exercises {
@@ -135,25 +136,26 @@ std::vector<Rational> ExerciseSource::teethRow(int mesh, RowChange change) const
 
 DifficultyNote difficultyOf(const ExerciseSource& source) {
   const int cycles = source.graph().c();
-  std::string text = std::to_string(cycles) + (cycles == 1 ? " cycle" : " cycles");
+  std::string text =
+      cycles == 1 ? translated("one cycle") : translated("%1 cycles", {std::to_string(cycles)});
   int weight = cycles;
   if (const MatroidAnalysis* matroid = source.matroid()) {
-    text += ", " + std::to_string(matroid->dof) + (matroid->dof == 1 ? " input" : " inputs");
+    text += ", " + (matroid->dof == 1 ? translated("one input")
+                                      : translated("%1 inputs", {std::to_string(matroid->dof)}));
     const int redundant = cycles - matroid->rank;
-    if (redundant > 0) text += ", " + std::to_string(redundant) + " redundant";
+    if (redundant > 0) text += ", " + translated("%1 redundant", {std::to_string(redundant)});
     weight += matroid->dof + 2 * redundant;
   }
   if (!source.mechanism().states.empty()) {
-    text += ", " + std::to_string(source.mechanism().states.size()) + " states";
+    text += ", " + translated("%1 states", {std::to_string(source.mechanism().states.size())});
     weight += 4;
   }
   const Difficulty level = weight <= 4   ? Difficulty::easy
                            : weight <= 9 ? Difficulty::medium
                                          : Difficulty::hard;
-  const char* const name = level == Difficulty::easy     ? "easy"
-                           : level == Difficulty::medium ? "medium"
-                                                         : "hard";
-  return {level, std::string(name) + ": " + text};
+  return {level, level == Difficulty::easy     ? translated("easy: %1", {text})
+                 : level == Difficulty::medium ? translated("medium: %1", {text})
+                                               : translated("hard: %1", {text})};
 }
 
 }  // namespace geargraph::inline exercises

@@ -10,8 +10,8 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr const char* kLocks = "locks itself";
-constexpr const char* kTurns = "turns";
+constexpr const char* kLocks = toTranslate("locks itself");
+constexpr const char* kTurns = toTranslate("turns");
 
 /// Four digits: "0.9412".
 std::string asDecimal(const Rational& value) {
@@ -61,16 +61,18 @@ class LockingQuestion {
         m_mesh(std::move(losses.meshEfficiency)) {}
 
   Question make() {
-    m_build.question.prompt =
-        prompt() + " Of the power that it takes, seen from its carrier, each mesh passes the part $" +
-        asTex(m_mesh) + "$; nothing else loses power. Now " + m_driven + " drives backwards and " + m_drive +
-        " takes the power. Does the train turn, or does it lock itself? With which efficiency does it pass "
-        "the power (0 where it locks itself)? A fraction or a decimal of three digits will do.";
+    m_build.question.prompt = prompt() + ' ';
+    m_build.question.prompt += translated(
+        "Of the power that it takes, seen from its carrier, each mesh passes the part $%1$; nothing else "
+        "loses power. Now %2 drives backwards and %3 takes the power. Does the train turn, or does it lock "
+        "itself? With which efficiency does it pass the power (0 where it locks itself)? A fraction or a "
+        "decimal of three digits will do.",
+        {asTex(m_mesh), m_driven, m_drive});
     for (const int mesh : m_passed.passing) m_build.question.elements.push_back(m_source.meshId(mesh));
     m_build.question.rule = m_passed.backward ? turningRule() : lockingRule();
-    m_build.field("driven backwards it", FieldKind::choice, {kTurns, kLocks});
-    m_build.field("efficiency backwards", FieldKind::number);
-    m_build.accept({m_passed.backward ? kTurns : kLocks, backward().toString()});
+    m_build.field(toTranslate("driven backwards it"), FieldKind::choice, {m_turns, m_locks});
+    m_build.field(toTranslate("efficiency backwards"), FieldKind::number);
+    m_build.accept({m_passed.backward ? m_turns : m_locks, backward().toString()});
     m_passed.backward ? addTurning() : addLocking();
     return std::move(m_build.question);
   }
@@ -80,31 +82,34 @@ class LockingQuestion {
 
   std::string prompt() {
     if (m_train.state < 0) {
-      m_drive = "joint $" + m_source.edgeLabel(m_train.drive) + "$";
-      m_driven = "joint $" + m_source.edgeLabel(m_train.driven) + "$";
+      m_drive = translated("joint $%1$", {m_source.edgeLabel(m_train.drive)});
+      m_driven = translated("joint $%1$", {m_source.edgeLabel(m_train.driven)});
       std::vector<std::string> held;
       for (const int input : m_source.inputs())
         if (input != m_train.drive) held.push_back("$" + m_source.edgeLabel(input) + "$");
-      const std::string inputs = held.empty()
-                                     ? ""
-                                     : ", with " + std::string(held.size() == 1 ? "joint " : "joints ") +
-                                           listed(held, kAllNames) + " held";
-      return "A motor in " + m_drive + " drives a load at " + m_driven + inputs + ".";
+      const std::string inputs = listed(held, kAllNames);
+      return held.empty()       ? translated("A motor in %1 drives a load at %2.", {m_drive, m_driven})
+             : held.size() == 1 ? translated("A motor in %1 drives a load at %2, with joint %3 held.",
+                                             {m_drive, m_driven, inputs})
+                                : translated("A motor in %1 drives a load at %2, with joints %3 held.",
+                                             {m_drive, m_driven, inputs});
     }
-    m_drive = "link $" + m_source.linkLabel(m_train.drive) + "$";
-    m_driven = "link $" + m_source.linkLabel(m_train.driven) + "$";
+    m_drive = translated("link $%1$", {m_source.linkLabel(m_train.drive)});
+    m_driven = translated("link $%1$", {m_source.linkLabel(m_train.driven)});
     const ShiftState& state = m_source.mechanism().states[static_cast<std::size_t>(m_train.state)];
     std::vector<std::string> engaged;
     for (const CouplingId& coupling : state.engaged) engaged.push_back(namedInPrompt(coupling.text()));
-    return "In state \u201c" + namedInPrompt(state.name) + "\u201d, with " + listed(engaged, kAllNames) +
-           " engaged, " + m_drive + " drives a load on " + m_driven + ".";
+    return translated("In state “%1”, with %2 engaged, %3 drives a load on %4.",
+                      {namedInPrompt(state.name), listed(engaged, kAllNames), m_drive, m_driven});
   }
 
   /// "2 W for each watt that is fed, seen from their carriers"
   [[nodiscard]] std::string latentPower() const {
-    return std::string(m_passed.passing.size() == 1 ? "the mesh passes " : "the meshes pass ") +
-           asDecimal(m_passed.latent) + " W for each watt that is fed, seen from " +
-           (m_passed.passing.size() == 1 ? "its carrier" : "their carriers");
+    return m_passed.passing.size() == 1
+               ? translated("the mesh passes %1 W for each watt that is fed, seen from its carrier",
+                            {asDecimal(m_passed.latent)})
+               : translated("the meshes pass %1 W for each watt that is fed, seen from their carriers",
+                            {asDecimal(m_passed.latent)});
   }
 
   [[nodiscard]] std::string turningRule() const {
@@ -115,36 +120,40 @@ class LockingQuestion {
       const bool isTail = driver == MeshLoss::Driver::tail;
       if (driver == MeshLoss::Driver::none) continue;
       const int gear = isTail ? m_source.graph().edge(edge).tail : m_source.graph().edge(edge).head;
-      drivers.push_back("gear " + m_source.linkLabel(gear) + " drives in mesh " + m_source.meshLabel(mesh));
+      drivers.push_back(
+          translated("gear %1 drives in mesh %2", {m_source.linkLabel(gear), m_source.meshLabel(mesh)}));
     }
-    return "Driven backwards, " + listed(drivers, kAllNames) + ": of each watt that is fed " +
-           asDecimal(backward()) + " W arrive, so that the train turns.";
+    return translated("Driven backwards, %1: of each watt that is fed %2 W arrive, so that the train turns.",
+                      {listed(drivers, kAllNames), asDecimal(backward())});
   }
 
   [[nodiscard]] std::string lockingRule() const {
-    return "Without losses " + latentPower() + ", and each loses " + inWords(Rational(1) - m_mesh) +
-           " of what it takes: with these losses no load, however large, turns the drive: the "
-           "train locks itself.";
+    return translated(
+        "Without losses %1, and each loses %2 of what it takes: with these losses no load, however large, "
+        "turns the drive: the train locks itself.",
+        {latentPower(), inWords(Rational(1) - m_mesh)});
   }
 
   void addTurning() {
-    const std::string right = " of the power arrives when it is driven backwards.";
-    addEfficiencies(" Backwards it passes " + asDecimal(backward()) + ".");
+    addEfficiencies(translated("Backwards it passes %1.", {asDecimal(backward())}));
     m_build.wrongField(
         "efficiency-upside-down", 1, {backward().inverse().toString()},
-        "Your efficiency is upside down: it is the power taken over the power fed, less than 1.");
-    m_build.wrongField("lock-claimed", 0, {kLocks},
-                       "It does not lock itself: the losses are less than the power fed, and " +
-                           asDecimal(backward()) + right);
+        translated("Your efficiency is upside down: it is the power taken over the power fed, less than 1."));
+    m_build.wrongField("lock-claimed", 0, {m_locks},
+                       translated("It does not lock itself: the losses are less than the power fed, and %1 "
+                                  "of the power arrives when it is driven backwards.",
+                                  {asDecimal(backward())}));
   }
 
   void addLocking() {
-    addEfficiencies(" Backwards it locks itself.");
-    m_build.wrongField("lock-overlooked", 0, {kTurns},
-                       "It locks itself: " + latentPower() +
-                           ", and with these losses no load, however large, turns the drive.");
-    m_build.wrongIf("locked-with-power", {{Test::values, {0}, {{kLocks}}}, {Test::differs, {1}, {{"0"}}}},
-                    "It locks itself, right; but then no power passes: the efficiency is 0.", {}, {1});
+    addEfficiencies(translated("Backwards it locks itself."));
+    m_build.wrongField(
+        "lock-overlooked", 0, {m_turns},
+        translated("It locks itself: %1, and with these losses no load, however large, turns the drive.",
+                   {latentPower()}));
+    m_build.wrongIf("locked-with-power", {{Test::values, {0}, {{m_locks}}}, {Test::differs, {1}, {{"0"}}}},
+                    translated("It locks itself, right; but then no power passes: the efficiency is 0."), {},
+                    {1});
   }
 
   /// Efficiencies that answer another question; `instead` says what the right one is.
@@ -152,13 +161,16 @@ class LockingQuestion {
     Rational fixed = 1;
     for (std::size_t i = 0; i < m_passed.passing.size(); ++i) fixed *= m_mesh;
     m_build.wrong(
-        "forward-for-backward", {kTurns, m_passed.forward->toString()},
-        "This is the efficiency with the motor driving: backwards the other gears drive." + instead);
-    m_build.wrong("losses-ignored", {kTurns, "1"}, "You leave out the losses of the meshes." + instead);
-    m_build.wrong("fixed-axis-losses", {kTurns, fixed.toString()},
-                  "You multiply the efficiencies of the meshes as in a train of fixed axes: seen from its "
-                  "carrier a mesh passes another power." +
-                      instead);
+        "forward-for-backward", {m_turns, m_passed.forward->toString()},
+        translated("This is the efficiency with the motor driving: backwards the other gears drive.") + ' ' +
+            instead);
+    m_build.wrong("losses-ignored", {m_turns, "1"},
+                  translated("You leave out the losses of the meshes.") + ' ' + instead);
+    m_build.wrong(
+        "fixed-axis-losses", {m_turns, fixed.toString()},
+        translated("You multiply the efficiencies of the meshes as in a train of fixed axes: seen from its "
+                   "carrier a mesh passes another power.") +
+            ' ' + instead);
   }
 
   const ExerciseSource& m_source;
@@ -166,6 +178,8 @@ class LockingQuestion {
   TrainEfficiency m_passed;
   Rational m_mesh;
   std::string m_drive, m_driven;
+  std::string m_turns = translated(kTurns);
+  std::string m_locks = translated(kLocks);
   QuestionBuilder m_build{ExerciseKind::selfLocking, 5};
 };
 

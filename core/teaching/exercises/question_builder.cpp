@@ -15,7 +15,14 @@ QuestionBuilder::QuestionBuilder(ExerciseKind kind, int points) {
 
 void QuestionBuilder::field(std::string name, FieldKind kind, std::vector<std::string> options,
                             std::vector<ElementId> elements) {
+  const std::string title = translated(name);
   question.fields.push_back({std::move(name), kind, std::move(options), std::move(elements), false});
+  titled(title);
+}
+
+void QuestionBuilder::titled(const std::string& title) {
+  AnswerField& field = question.fields.back();
+  if (title != field.name) field.title = title;
 }
 
 void QuestionBuilder::table(std::vector<std::string> rows, std::vector<std::string> columns, FieldKind kind) {
@@ -92,7 +99,7 @@ void QuestionBuilder::wrongNonSigns() {
     if (!question.fields[i].mayBeEmpty) filled.push_back(static_cast<int>(i));
   }
   wrongIf("entry-not-a-sign", {{Test::outside, filled, {{"-1", "1"}}}},
-          "The entries of this matrix are \u22121, 0 and 1 only: they tell senses, not sizes.");
+          translated("The entries of this matrix are −1, 0 and 1 only: they tell senses, not sizes."));
 }
 
 std::string asText(int value) {
@@ -144,7 +151,8 @@ std::vector<int> magnitudes(std::vector<int> values) {
 }
 
 std::string edgeName(const ExerciseSource& source, int edge) {
-  return (edge < source.graph().t() ? "joint " : "mesh ") + source.edgeLabel(edge);
+  return edge < source.graph().t() ? translated("joint %1", {source.edgeLabel(edge)})
+                                   : translated("mesh %1", {source.edgeLabel(edge)});
 }
 
 std::vector<int> firstNumbers(int count) {

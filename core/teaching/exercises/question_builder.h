@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 #include "core/teaching/grading/read_answer.h"
 
@@ -18,9 +19,11 @@ class QuestionBuilder {
 
   Question question;
 
-  /// A field of the list.
+  /// A field of the list. A name of words is marked by toTranslate(); titled() where it holds labels, too.
   void field(std::string name, FieldKind kind, std::vector<std::string> options = {},
              std::vector<ElementId> elements = {});
+  /// What people read for the last field, where its name is no marked text.
+  void titled(const std::string& title);
   /// A table of whole numbers or others, its fields named "row,column".
   void table(std::vector<std::string> rows, std::vector<std::string> columns, FieldKind kind);
 

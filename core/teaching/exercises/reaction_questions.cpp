@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kLeastTorque = 5;  ///< N m at the drive
 constexpr int kMostTorque = 60;
-constexpr const char* kWith = "as the drive's torque";
-constexpr const char* kAgainst = "against the drive's torque";
+constexpr const char* kWith = toTranslate("as the drive's torque");
+constexpr const char* kAgainst = toTranslate("against the drive's torque");
 
 /// An engaged brake that carries a torque about the axis of the drive.
 struct HoldingBrake {
@@ -78,7 +78,9 @@ class ReactionQuestion {
 
  private:
   /// The drive's torque is positive.
-  static const char* senseOf(const Rational& torque) { return torque.sign() > 0 ? kWith : kAgainst; }
+  [[nodiscard]] const std::string& senseOf(const Rational& torque) const {
+    return torque.sign() > 0 ? m_with : m_against;
+  }
   [[nodiscard]] std::string label(const LinkId& link) const {
     return m_source.linkLabel(m_source.graph().nodeOf(link));
   }
@@ -90,19 +92,21 @@ class ReactionQuestion {
       if (m_brake.state.couplings[i])
         engaged.push_back(namedInPrompt(couplingOf(m_source, static_cast<int>(i)).id.text()));
     const std::string brake = namedInPrompt(m_coupling.id.text());
-    m_build.question.prompt =
-        "State \u201c" + namedInPrompt(m_state.name) + "\u201d engages " + listed(engaged, kAllNames) +
-        ", link $" + label(*m_state.drive) + "$ drives and link $" + label(*m_state.driven) +
-        "$ bears the load. The torque of the drive is $" + asText(m_drive) +
-        "$ N m, and no power is lost. What torque, with its sign, does brake " + brake + " exert on link $" +
-        held() + "$? And in which sense does it try to turn the housing? A fraction or a decimal of three " +
-        "digits will do.";
+    const std::string held = this->held();
+    m_build.question.prompt = translated(
+        "State “%1” engages %2, link $%3$ drives and link $%4$ bears the load. The torque of the drive is "
+        "$%5$ N m, and no power is lost. What torque, with its sign, does brake %6 exert on link $%7$? And "
+        "in "
+        "which sense does it try to turn the housing? A fraction or a decimal of three digits will do.",
+        {namedInPrompt(m_state.name), listed(engaged, kAllNames), label(*m_state.drive),
+         label(*m_state.driven), asText(m_drive), brake, held});
     m_build.question.elements = {m_coupling.id, m_coupling.links.front()};
-    m_build.field("torque on link " + held() + " in N m", FieldKind::number);
-    m_build.field("turns the housing", FieldKind::choice, {kWith, kAgainst});
-    m_build.question.rule = "Brake " + m_coupling.id.text() + " holds link " + held() + " with " +
-                            inWords(m_torque) + " N m; the housing has the opposite, " + inWords(-m_torque) +
-                            " N m.";
+    m_build.field("torque on link " + held + " in N m", FieldKind::number);
+    m_build.titled(translated("torque on link %1 in N m", {held}));
+    m_build.field(toTranslate("turns the housing"), FieldKind::choice, {m_with, m_against});
+    m_build.question.rule =
+        translated("Brake %1 holds link %2 with %3 N m; the housing has the opposite, %4 N m.",
+                   {m_coupling.id.text(), held, inWords(m_torque), inWords(-m_torque)});
   }
 
   void addTorques() {
@@ -110,34 +114,40 @@ class ReactionQuestion {
     const Rational drive = m_drive;
     const Rational load = m_brake.state.driven * m_drive;
     m_build.wrongField("reaction-for-action", 0, {(-m_torque).toString()},
-                       "This is what the housing feels: on link " + held() + " the brake acts with " +
-                           inWords(m_torque) + " N m.",
+                       translated("This is what the housing feels: on link %1 the brake acts with %2 N m.",
+                                  {held(), inWords(m_torque)}),
                        elements);
     if (m_brake.isAlone) {
       for (const Rational& size : {drive - load, load - drive})
-        m_build.wrongField("torques-without-signs", 0, {size.toString()},
-                           "A sign is lost: " + inWords(m_drive) + " N m of the drive, " + inWords(load) +
-                               " N m that hold the load and the torque of the brake add up to 0.",
-                           elements);
-      m_build.wrongField("ratio-upside-down", 0, {(drive / m_brake.state.ratio - drive).toString()},
-                         "You use the ratio upside down: with the ratio " + inWords(m_brake.state.ratio) +
-                             " the load is held by " + inWords(load) + " N m.",
-                         elements);
+        m_build.wrongField(
+            "torques-without-signs", 0, {size.toString()},
+            translated("A sign is lost: %1 N m of the drive, %2 N m that hold the load and the "
+                       "torque of the brake add up to 0.",
+                       {inWords(m_drive), inWords(load)}),
+            elements);
+      m_build.wrongField(
+          "ratio-upside-down", 0, {(drive / m_brake.state.ratio - drive).toString()},
+          translated("You use the ratio upside down: with the ratio %1 the load is held by %2 N m.",
+                     {inWords(m_brake.state.ratio), inWords(load)}),
+          elements);
     }
     m_build.wrongField("load-for-brake", 0, {load.toString(), (-load).toString()},
-                       "This is the torque at the load on link " + label(*m_state.driven) +
-                           ": the brake has to keep the balance of drive and load.",
+                       translated("This is the torque at the load on link %1: the brake has to keep the "
+                                  "balance of drive and load.",
+                                  {label(*m_state.driven)}),
                        elements);
     m_build.wrongField("drive-for-brake", 0, {drive.toString(), (-drive).toString()},
-                       "This is the torque of the drive: the brake does not carry it as it is.", elements);
+                       translated("This is the torque of the drive: the brake does not carry it as it is."),
+                       elements);
   }
 
   void addSenses() {
-    m_build.wrongField("same-sense-on-both", 1, {senseOf(m_torque)},
-                       "Link " + held() +
-                           " and the housing are turned in opposite senses by the brake: link " + held() +
-                           " has " + inWords(m_torque) + " N m, the housing " + inWords(-m_torque) + " N m.",
-                       {m_coupling.id});
+    m_build.wrongField(
+        "same-sense-on-both", 1, {senseOf(m_torque)},
+        translated("Link %1 and the housing are turned in opposite senses by the brake: link %1 "
+                   "has %2 N m, the housing %3 N m.",
+                   {held(), inWords(m_torque), inWords(-m_torque)}),
+        {m_coupling.id});
   }
 
   const ExerciseSource& m_source;
@@ -146,6 +156,8 @@ class ReactionQuestion {
   const ShiftState& m_state;
   const Coupling& m_coupling;
   Rational m_torque;
+  std::string m_with = translated(kWith);
+  std::string m_against = translated(kAgainst);
   QuestionBuilder m_build{ExerciseKind::brakeReaction, 4};
 };
 

@@ -71,45 +71,48 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   std::vector<std::string> given;
   for (const auto& [input, speed] : speeds)
     given.push_back("$\\dot{\\theta}_{" + source.edgeLabel(input) + "} = " + asTex(speed) + "$");
-  build.question.prompt = "The inputs turn at " + listed(given, kAllNames) +
-                          " rad/s. What is $\\dot{\\theta}_{" + name +
-                          "}$ in rad/s? A fraction or a decimal of three digits will do.";
+  build.question.prompt = translated(
+      "The inputs turn at %1 rad/s. What is $\\dot{\\theta}_{%2}$ in rad/s? A fraction or a decimal of three "
+      "digits will do.",
+      {listed(given, kAllNames), name});
   build.question.elements = {source.edgeId(joint)};
   build.question.rule =
-      "The meshes in the chain give joint " + name + " the rate " + inWords(right) + " rad/s.";
+      translated("The meshes in the chain give joint %1 the rate %2 rad/s.", {name, inWords(right)});
   build.field("speed of joint " + name, FieldKind::number, {}, {source.edgeId(joint)});
+  build.titled(translated("speed of joint %1", {name}));
   build.accept({right.toString()});
 
   const auto add = [&](const char* mistake, const std::optional<std::vector<Rational>>& all,
                        const std::string& reason, const std::vector<ElementId>& elements) {
     if (all) build.wrong(mistake, {(*all)[static_cast<std::size_t>(joint)].toString()}, reason, elements);
   };
-  build.wrong("sign-lost", {(-right).toString()}, "The size is right, but the joint turns the other way.",
-              {source.edgeId(joint)});
+  build.wrong("sign-lost", {(-right).toString()},
+              translated("The size is right, but the joint turns the other way."), {source.edgeId(joint)});
   for (std::size_t i = 0; i < speeds.size() && speeds.size() > 1; ++i) {
     const std::string input = source.edgeLabel(speeds[i].first);
     build.wrong("input-ignored", {(right - rates[i] * speeds[i].second).toString()},
-                "You leave out input " + input + ": the contributions of all inputs add up.",
+                translated("You leave out input %1: the contributions of all inputs add up.", {input}),
                 {source.edgeId(speeds[i].first)});
   }
   if (speeds.size() == 1) {
-    build.wrong("speed-inverted", {(speeds.front().second * speeds.front().second / right).toString()},
-                "You multiply by the whole ratio where you have to divide by it: " + name + " turns at " +
-                    inWords(right) + " rad/s.",
-                {source.edgeId(joint)});
+    build.wrong(
+        "speed-inverted", {(speeds.front().second * speeds.front().second / right).toString()},
+        translated("You multiply by the whole ratio where you have to divide by it: %1 turns at %2 rad/s.",
+                   {name, inWords(right)}),
+        {source.edgeId(joint)});
   }
   const int meshes = std::min(source.graph().c(), kMostMeshes);
   for (int mesh = 0; mesh < meshes; ++mesh) {
     const std::string label = source.meshLabel(mesh);
     add("ratio-upside-down", ratesFrom(rowsWith(source, mesh, RowChange::upsideDown), speeds),
-        "You use the ratio of mesh " + label + " upside down.", {source.meshId(mesh)});
+        translated("You use the ratio of mesh %1 upside down.", {label}), {source.meshId(mesh)});
     add("mesh-sign", ratesFrom(rowsWith(source, mesh, RowChange::signOfHead), speeds),
-        "The sign of mesh " + label + " is the opposite in your chain.", {source.meshId(mesh)});
+        translated("The sign of mesh %1 is the opposite in your chain.", {label}), {source.meshId(mesh)});
   }
   if (source.ttGraph() != nullptr) {
     add("carrier-ignored", ratesFrom(rowsFromGround(source), speeds),
-        "You use speeds relative to the ground in the meshes: a mesh relates the speeds of its gears in "
-        "their carrier.",
+        translated("You use speeds relative to the ground in the meshes: a mesh relates the speeds of its "
+                   "gears in their carrier."),
         {source.edgeId(joint)});
   }
   const Speeds known = speeds;
@@ -119,8 +122,9 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
     for (int other = 0; other < source.graph().t(); ++other)
       absolute += (*all)[static_cast<std::size_t>(other)] * Rational(-source.tree()->pathEntry(other, child));
     build.wrong("absolute-for-relative", {absolute.toString()},
-                "This is the speed of link " + source.linkLabel(child) +
-                    " relative to the ground: the joint's rate is relative to the link that carries it.",
+                translated("This is the speed of link %1 relative to the ground: the joint's rate is "
+                           "relative to the link that carries it.",
+                           {source.linkLabel(child)}),
                 {source.edgeId(joint), source.linkId(child)});
   }
   return std::move(build.question);

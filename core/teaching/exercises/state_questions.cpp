@@ -47,15 +47,15 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
   const EngagedSet& right = sets[*source.setOfState(asked)];
   const Rational ratio = *right.solution.ratio;
   QuestionBuilder build(ExerciseKind::engagement, 3);
-  build.question.prompt = "Which brakes and clutches have to be engaged for state \u201c" +
-                          namedInPrompt(state.name) + "\u201d, in which link $" +
-                          linkOf(source, *state.drive) + "$ turns at $" + asTex(ratio) +
-                          "$ times the speed of link $" + linkOf(source, *state.driven) + "$?";
-  build.question.rule = "With " + couplingSet(source, right.couplings) +
-                        " engaged one degree of freedom is left and the ratio is " + inWords(ratio) + ".";
+  build.question.prompt = translated(
+      "Which brakes and clutches have to be engaged for state “%1”, in which link $%2$ turns at $%3$ times "
+      "the speed of link $%4$?",
+      {namedInPrompt(state.name), linkOf(source, *state.drive), asTex(ratio), linkOf(source, *state.driven)});
+  build.question.rule = translated("With %1 engaged one degree of freedom is left and the ratio is %2.",
+                                   {couplingSet(source, right.couplings), inWords(ratio)});
   std::vector<std::string> options;
   for (const Coupling& coupling : source.mechanism().couplings) options.push_back(coupling.id.text());
-  build.field("engaged", FieldKind::set, options);
+  build.field(toTranslate("engaged"), FieldKind::set, options);
   build.question.fields.front().mayBeEmpty = true;
   std::vector<std::vector<std::string>> alternatives;
   for (const EngagedSet& set : sets) {
@@ -68,10 +68,9 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
     const ShiftState& other = source.mechanism().states[i];
     if (static_cast<int>(i) == asked || !place) continue;
     const std::vector<int>& couplings = source.engagedSets(static_cast<int>(i))[*place].couplings;
-    build.wrong(
-        "another-gear", {couplingSet(source, couplings)},
-        "These couplings engage state \u201c" + other.name + "\u201d, not \u201c" + state.name + "\u201d.",
-        couplingIds(source, couplings));
+    build.wrong("another-gear", {couplingSet(source, couplings)},
+                translated("These couplings engage state “%1”, not “%2”.", {other.name, state.name}),
+                couplingIds(source, couplings));
   }
   Condition locked{Test::values, {}, {}};
   Condition free{Test::values, {}, {}};
@@ -88,13 +87,15 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
     }
   }
   if (!free.values.empty())
-    build.wrongIf("too-free", {free},
-                  "More than one degree of freedom is left: another brake or clutch has to be engaged.");
+    build.wrongIf(
+        "too-free", {free},
+        translated("More than one degree of freedom is left: another brake or clutch has to be engaged."));
   if (!locked.values.empty())
-    build.wrongIf("drive-locked", {locked}, "These couplings together lock the drive.");
+    build.wrongIf("drive-locked", {locked}, translated("These couplings together lock the drive."));
   if (!different.values.empty()) {
-    build.wrongIf("another-ratio", {different},
-                  "The drive turns with these couplings, but its ratio is not " + inWords(ratio) + ".");
+    build.wrongIf(
+        "another-ratio", {different},
+        translated("The drive turns with these couplings, but its ratio is not %1.", {inWords(ratio)}));
   }
   return std::move(build.question);
 }

@@ -15,28 +15,30 @@ Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random
   const Rational speed(pair.sign * pair.tailTeeth, pair.headTeeth);  // w_head = speed * w_tail
   const Rational factor = -speed.inverse();
   QuestionBuilder build(ExerciseKind::portTorque, 3);
-  build.question.prompt =
-      "The terminal equation of mesh $" + label + "$ is $\\omega_{" + head + "} = " + asTex(speed) +
-      " \\, \\omega_{" + tail +
-      "}$. No power is lost. Write the torque of the second port in terms of the first one's: the "
-      "factor $f$ with its sign.";
+  build.question.prompt = translated(
+      "The terminal equation of mesh $%1$ is $\\omega_{%2} = %3 \\, \\omega_{%4}$. No power is lost. Write "
+      "the torque of the second port in terms of the first one's: the factor $f$ with its sign.",
+      {label, head, asTex(speed), tail});
   build.question.formula = "M_{" + head + "} = f \\, M_{" + tail + "}";
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule =
+  build.question.rule = translated(
       "The powers of both ports add up to 0, so that the torques have the inverse ratio of the speeds with "
-      "the opposite sign: f = " +
-      inWords(factor) + ".";
+      "the opposite sign: f = %1.",
+      {inWords(factor)});
   build.field("f", FieldKind::number, {}, {source.meshId(mesh)});
   build.accept({factor.toString()});
   const std::vector<ElementId> elements{source.meshId(mesh)};
-  build.wrong("torque-sign", {(-factor).toString()},
-              "The ratio is right, but the sign is not: what one port takes in the other gives off.",
-              elements);
-  build.wrong("torque-as-speed", {speed.toString()},
-              "You use the relation of the speeds: torques have the inverse ratio and the opposite sign.",
-              elements);
+  build.wrong(
+      "torque-sign", {(-factor).toString()},
+      translated("The ratio is right, but the sign is not: what one port takes in the other gives off."),
+      elements);
+  build.wrong(
+      "torque-as-speed", {speed.toString()},
+      translated("You use the relation of the speeds: torques have the inverse ratio and the opposite sign."),
+      elements);
   build.wrong("ratio-upside-down", {factor.inverse().toString()},
-              "Your ratio is upside down: the gear that turns more slowly has the larger torque.", elements);
+              translated("Your ratio is upside down: the gear that turns more slowly has the larger torque."),
+              elements);
   return std::move(build.question);
 }
 

@@ -33,25 +33,27 @@ Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const std::string least = asText(kFewestTeethAsked);
   const std::string most = asText(kMostTeethAsked);
   QuestionBuilder build(ExerciseKind::teeth, 2);
-  build.question.prompt = "Choose numbers of teeth between $" + least + "$ and $" + most + "$ for mesh $" +
-                          label + "$ so that $i_{" + label + "} = \\frac{N_{" + tail + "}}{N_{" + head +
-                          "}} = " + asTex(ratio) + "$.";
+  build.question.prompt = translated(
+      "Choose numbers of teeth between $%1$ and $%2$ for mesh $%3$ so that $i_{%3} = \\frac{N_{%4}}{N_{%5}} "
+      "= %6$.",
+      {least, most, label, tail, head, asTex(ratio)});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule = "N" + tail + " : N" + head + " = " + asText(above) + " : " + asText(below) +
-                        ", for example " + asText(above * factor) + " and " + asText(below * factor) +
-                        " teeth.";
+  build.question.rule =
+      translated("N%1 : N%2 = %3 : %4, for example %5 and %6 teeth.",
+                 {tail, head, asText(above), asText(below), asText(above * factor), asText(below * factor)});
   build.field("N" + tail, FieldKind::integer, {}, {source.linkId(source.graph().meshEdge(mesh).tail)});
   build.field("N" + head, FieldKind::integer, {}, {source.linkId(source.graph().meshEdge(mesh).head)});
   build.accept({asText(above * factor), asText(below * factor)},
                {{Test::quotient, {}, {{ratio.toString()}}}, {Test::within, {}, {{least, most}}}});
   build.wrongIf("teeth-out-of-range", {{Test::outside, {}, {{least, most}}}},
-                "A number of teeth is a whole number between " + least + " and " + most + " here.");
+                translated("A number of teeth is a whole number between %1 and %2 here.", {least, most}));
   build.wrongIf(
       "ratio-upside-down", {{Test::quotient, {}, {{ratio.inverse().toString()}}}},
-      "Your ratio is upside down: it is " + inWords(ratio.inverse()) + ", not " + inWords(ratio) + ".",
+      translated("Your ratio is upside down: it is %1, not %2.", {inWords(ratio.inverse()), inWords(ratio)}),
       {source.meshId(mesh)});
   build.wrongIf("ratio-not-met", {{Test::within, {}, {{least, most}}}},
-                "The quotient of your numbers is not " + inWords(ratio) + ".", {source.meshId(mesh)});
+                translated("The quotient of your numbers is not %1.", {inWords(ratio)}),
+                {source.meshId(mesh)});
   return std::move(build.question);
 }
 
@@ -96,29 +98,34 @@ Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random)
   const std::string sunLabel = source.meshLabel(pair.sunMesh);
   const std::string ringLabel = source.meshLabel(pair.ringMesh);
   QuestionBuilder build(ExerciseKind::ringTeeth, 2);
-  build.question.prompt =
-      "Planet $" + planet + "$ is in external mesh $" + sunLabel + "$ with link $" +
-      source.linkLabel(pair.sun) + "$ and in internal mesh $" + ringLabel + "$ with ring $" +
-      source.linkLabel(pair.ring) + "$. Let link $" + source.linkLabel(pair.sun) + "$ have $" + asText(sun) +
-      "$ teeth and the planet $" + asText(atSun) + "$" +
-      (isStepped ? " in mesh $" + sunLabel + "$ and $" + asText(atRing) + "$ in mesh $" + ringLabel + "$"
-                 : std::string()) +
-      ", all of one module and without profile shift. How many teeth must the ring have, so that both "
-      "centre distances are equal?";
+  const std::string teeth =
+      isStepped
+          ? translated(
+                "Let link $%1$ have $%2$ teeth and the planet $%3$ in mesh $%4$ and $%5$ in mesh $%6$, all "
+                "of one module and without profile shift.",
+                {source.linkLabel(pair.sun), asText(sun), asText(atSun), sunLabel, asText(atRing), ringLabel})
+          : translated(
+                "Let link $%1$ have $%2$ teeth and the planet $%3$, all of one module and without profile "
+                "shift.",
+                {source.linkLabel(pair.sun), asText(sun), asText(atSun)});
+  build.question.prompt = translated(
+      "Planet $%1$ is in external mesh $%2$ with link $%3$ and in internal mesh $%4$ with ring $%5$. %6 How "
+      "many teeth must the ring have, so that both centre distances are equal?",
+      {planet, sunLabel, source.linkLabel(pair.sun), ringLabel, source.linkLabel(pair.ring), teeth});
   build.question.elements = {source.meshId(pair.sunMesh), source.meshId(pair.ringMesh)};
-  build.question.rule =
-      "The centre distance is half the sum of an external pair and half the difference of an internal "
-      "one: " +
-      asText(sun) + " + " + asText(atSun) + " = N \u2212 " + asText(atRing) +
-      ", so that N = " + asText(right) + ".";
-  build.field("teeth of the ring", FieldKind::integer, {}, {source.linkId(pair.ring)});
+  build.question.rule = translated(
+      "The centre distance is half the sum of an external pair and half the difference of an internal one: "
+      "%1 + %2 = N − %3, so that N = %4.",
+      {asText(sun), asText(atSun), asText(atRing), asText(right)});
+  build.field(toTranslate("teeth of the ring"), FieldKind::integer, {}, {source.linkId(pair.ring)});
   build.accept({asText(right)});
   build.wrong(
       "ring-teeth-added", {asText(sun + atSun - atRing)},
-      "You add the teeth of the ring: the centre distance of an internal pair is half the difference.",
+      translated(
+          "You add the teeth of the ring: the centre distance of an internal pair is half the difference."),
       {source.meshId(pair.ringMesh)});
   build.wrong("planet-counted-once", {asText(sun + atSun)},
-              "You count the planet once: it is between the sun and the ring on both sides.",
+              translated("You count the planet once: it is between the sun and the ring on both sides."),
               {source.linkId(pair.planet)});
   return std::move(build.question);
 }

@@ -12,13 +12,14 @@ Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& rand
   const std::string label = source.meshLabel(mesh);
   const std::string count = asText(graph.n());
   QuestionBuilder build(ExerciseKind::spanningTree, 3);
-  build.question.prompt =
+  build.question.prompt = translated(
       "Take meshes and turning joints alike as edges of one graph. Choose a spanning tree of it that "
-      "contains mesh $" +
-      label + "$.";
+      "contains mesh $%1$.",
+      {label});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule = "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
-                        " edges and no loop: take the mesh in and a joint of its cycle out.";
+  build.question.rule = translated(
+      "A spanning tree of %1 links has %2 edges and no loop: take the mesh in and a joint of its cycle out.",
+      {asText(graph.n() + 1), count});
   std::vector<std::string> options;
   std::vector<std::vector<std::string>> edges;
   for (int edge = 0; edge < graph.edgeCount(); ++edge) {
@@ -26,7 +27,7 @@ Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& rand
     edges.push_back({source.edgeLabel(edge), source.linkLabel(graph.edge(edge).tail),
                      source.linkLabel(graph.edge(edge).head)});
   }
-  build.field("edges", FieldKind::set, options);
+  build.field(toTranslate("edges"), FieldKind::set, options);
 
   const DigraphEdge& gears = graph.meshEdge(mesh);
   const int out = treePath(*source.tree(), gears.tail, gears.head).front().joint;
@@ -39,18 +40,18 @@ Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& rand
   solution.push_back(label);
   build.accept({setText(solution)}, {{Test::spanningTree, {}, edges}, {Test::includes, {}, {{label}}}});
   build.wrong("required-edge-missing", {setText(turningTree)},
-              "The turning joints are a spanning tree, but mesh " + label + " is not in it.",
+              translated("The turning joints are a spanning tree, but mesh %1 is not in it.", {label}),
               {source.meshId(mesh)});
   build.wrongIf("too-few-edges", {{Test::fewer, {}, {{count}}}},
-                "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
-                    " edges: yours leaves links loose.");
+                translated("A spanning tree of %1 links has %2 edges: yours leaves links loose.",
+                           {asText(graph.n() + 1), count}));
   build.wrongIf("too-many-edges", {{Test::more, {}, {{count}}}},
-                "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
-                    " edges: with more of them some close a loop.");
+                translated("A spanning tree of %1 links has %2 edges: with more of them some close a loop.",
+                           {asText(graph.n() + 1), count}));
   build.wrongIf("closes-a-loop", {{Test::hasLoop, {}, edges}},
-                "Some of your edges close a loop, so that another link is left loose.");
+                translated("Some of your edges close a loop, so that another link is left loose."));
   build.wrongIf("required-edge-missing", {{Test::lacks, {}, {{label}}}},
-                "Your edges are a spanning tree, but mesh " + label + " is not among them.",
+                translated("Your edges are a spanning tree, but mesh %1 is not among them.", {label}),
                 {source.meshId(mesh)});
   return std::move(build.question);
 }

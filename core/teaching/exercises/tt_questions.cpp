@@ -34,12 +34,13 @@ void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, in
                         int carrier) {
   const DigraphEdge& gears = source.graph().meshEdge(mesh);
   const std::vector<int> path = pathNodes(source, gears);
-  const std::string right = "the level changes at link " + source.linkLabel(carrier) + ".";
+  const std::string right = source.linkLabel(carrier);
   for (const int gear : {gears.tail, gears.head}) {
-    build.wrongField("gear-as-carrier", field, {source.linkLabel(gear)},
-                     "Link " + source.linkLabel(gear) + " is a gear of mesh " + source.meshLabel(mesh) +
-                         ", not its carrier: " + right,
-                     {source.linkId(gear), source.linkId(carrier)});
+    build.wrongField(
+        "gear-as-carrier", field, {source.linkLabel(gear)},
+        translated("Link %1 is a gear of mesh %2, not its carrier: the level changes at link %3.",
+                   {source.linkLabel(gear), source.meshLabel(mesh), right}),
+        {source.linkId(gear), source.linkId(carrier)});
   }
   for (int node = 0; node < source.graph().nodeCount(); ++node) {
     if (node == carrier || node == gears.tail || node == gears.head) continue;
@@ -48,10 +49,13 @@ void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, in
                              : isOnPath ? "wrong-level"
                                         : "carrier-off-the-path";
     const std::string why =
-        node == 0  ? "You measure from the ground, but "
-        : isOnPath ? "Both edges of the path at link " + source.linkLabel(node) + " are on one level: "
-                   : "Link " + source.linkLabel(node) + " is not on the path between both gears: ";
-    build.wrongField(name, field, {source.linkLabel(node)}, why + right,
+        node == 0 ? translated("You measure from the ground, but the level changes at link %1.", {right})
+        : isOnPath
+            ? translated("Both edges of the path at link %1 are on one level: the level changes at link %2.",
+                         {source.linkLabel(node), right})
+            : translated("Link %1 is not on the path between both gears: the level changes at link %2.",
+                         {source.linkLabel(node), right});
+    build.wrongField(name, field, {source.linkLabel(node)}, why,
                      {source.linkId(node), source.linkId(carrier)});
   }
 }
@@ -82,35 +86,40 @@ Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const std::string tailLevel = levels.name(vertex.tailLevel);
   const std::string headLevel = levels.name(vertex.headLevel);
   QuestionBuilder build(ExerciseKind::levels, 3);
-  build.question.prompt =
-      "Walk from link $" + tail + "$ through the tree branches to link $" + head + "$, the gears of mesh $" +
-      source.meshLabel(mesh) +
-      "$. On which levels do both gears turn in their carrier, and which link is the transfer vertex?";
+  build.question.prompt = translated(
+      "Walk from link $%1$ through the tree branches to link $%2$, the gears of mesh $%3$. On which levels "
+      "do both gears turn in their carrier, and which link is the transfer vertex?",
+      {tail, head, source.meshLabel(mesh)});
   build.question.elements = {source.meshId(mesh)};
-  build.question.rule = "The walk begins on level " + tailLevel + " and ends on level " + headLevel +
-                        "; the link where the level changes, " + carrier +
-                        ", is the transfer vertex: the carrier of the mesh.";
+  build.question.rule = translated(
+      "The walk begins on level %1 and ends on level %2; the link where the level changes, %3, is the "
+      "transfer vertex: the carrier of the mesh.",
+      {tailLevel, headLevel, carrier});
   std::vector<std::string> names;
   for (int level = 0; level < levels.count(); ++level) names.push_back(levels.name(level));
   build.field("level of link " + tail, FieldKind::choice, names, {source.linkId(gears.tail)});
+  build.titled(translated("level of link %1", {tail}));
   build.field("level of link " + head, FieldKind::choice, names, {source.linkId(gears.head)});
-  build.field("transfer vertex", FieldKind::choice, linkLabels(source));
+  build.titled(translated("level of link %1", {head}));
+  build.field(toTranslate("transfer vertex"), FieldKind::choice, linkLabels(source));
   build.accept({tailLevel, headLevel, carrier});
   build.wrongFields("levels-exchanged", {0, 1}, {{headLevel, tailLevel}},
-                    "You exchange the levels: link " + tail + " turns on level " + tailLevel + ", link " +
-                        head + " on level " + headLevel + ".",
+                    translated("You exchange the levels: link %1 turns on level %2, link %3 on level %4.",
+                               {tail, tailLevel, head, headLevel}),
                     {source.linkId(gears.tail), source.linkId(gears.head)});
   addCarrierMistakes(source, build, mesh, 2, vertex.carrier);
   for (const int field : {0, 1}) {
     const std::string& right = field == 0 ? tailLevel : headLevel;
     const std::string& other = field == 0 ? headLevel : tailLevel;
-    build.wrongField("levels-exchanged", field, {other},
-                     "Level " + other + " is that of the other gear: this one turns on level " + right + ".",
-                     {source.linkId(field == 0 ? gears.tail : gears.head)});
+    build.wrongField(
+        "levels-exchanged", field, {other},
+        translated("Level %1 is that of the other gear: this one turns on level %2.", {other, right}),
+        {source.linkId(field == 0 ? gears.tail : gears.head)});
     if (levels.count() == 2) continue;
-    build.wrongIf("level-off-the-path", {{Test::differs, {field}, {{right}, {other}}}},
-                  "The walk between both gears uses the levels " + tailLevel + " and " + headLevel + " only.",
-                  {source.linkId(field == 0 ? gears.tail : gears.head)}, {field});
+    build.wrongIf(
+        "level-off-the-path", {{Test::differs, {field}, {{right}, {other}}}},
+        translated("The walk between both gears uses the levels %1 and %2 only.", {tailLevel, headLevel}),
+        {source.linkId(field == 0 ? gears.tail : gears.head)}, {field});
   }
   return std::move(build.question);
 }
@@ -124,20 +133,40 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
   const std::string comma = source.graph().n() > 9 ? "," : "";
   const Rational factor(pair.sign * pair.headTeeth, pair.tailTeeth);
   QuestionBuilder build(ExerciseKind::terminalEquation, 4);
-  build.question.prompt = "Write the terminal equation of mesh $" + label + "$, with $N_{" + tail +
-                          "} = " + asText(pair.tailTeeth) + "$ and $N_{" + head +
-                          "} = " + asText(pair.headTeeth) +
-                          "$ teeth: the carrier $k$, and the factor $f$ with its sign.";
+  build.question.prompt = translated(
+      "Write the terminal equation of mesh $%1$, with $N_{%2} = %3$ and $N_{%4} = %5$ teeth: the carrier "
+      "$k$, and the factor $f$ with its sign.",
+      {label, tail, asText(pair.tailTeeth), head, asText(pair.headTeeth)});
   build.question.formula = "\\omega_{" + tail + comma + "k} = f \\, \\omega_{" + head + comma + "k}";
   build.question.elements = {source.meshId(mesh)};
   const MeshKind kind = source.meshKind(mesh);
-  const char* const kindName = kind == MeshKind::internal   ? "internal"
-                               : kind == MeshKind::external ? "external"
-                                                            : "bevel";
-  const std::string turn = pair.sign > 0 ? "the same way" : "against each other";
-  build.question.rule = "Seen from carrier " + source.linkLabel(pair.carrier) + ", the gears of this " +
-                        kindName + " mesh turn " + turn +
-                        ", each along its own axis: f = " + inWords(factor) + ".";
+  const bool isSame = pair.sign > 0;
+  const std::string right = inWords(factor);
+  build.question.rule = isSame ? translated(
+                                     "Seen from carrier %1, the gears of mesh %2 turn the same way, each "
+                                     "along its own axis: f = %3.",
+                                     {source.linkLabel(pair.carrier), label, right})
+                               : translated(
+                                     "Seen from carrier %1, the gears of mesh %2 turn against each other, "
+                                     "each along its own axis: f = %3.",
+                                     {source.linkLabel(pair.carrier), label, right});
+  const std::string why =
+      kind == MeshKind::internal
+          ? translated(
+                "Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.",
+                {label, right})
+      : kind == MeshKind::external ? translated(
+                                         "Mesh %1 is external: seen from the carrier, its gears turn against "
+                                         "each other, so that f is %2.",
+                                         {label, right})
+      : isSame ? translated(
+                     "Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f "
+                     "is %2.",
+                     {label, right})
+               : translated(
+                     "Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so "
+                     "that f is %2.",
+                     {label, right});
   build.field("k", FieldKind::choice, linkLabels(source));
   build.field("f", FieldKind::number, {}, {source.meshId(mesh)});
   build.accept({source.linkLabel(pair.carrier), factor.toString()});
@@ -146,18 +175,16 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
   const char* const signName = kind == MeshKind::internal   ? "internal-as-external"
                                : kind == MeshKind::external ? "external-as-internal"
                                                             : "bevel-sign";
-  build.wrongField(signName, 1, {(-factor).toString()},
-                   "Mesh " + label + " is " + (kind == MeshKind::bevel ? "a bevel mesh" : kindName) +
-                       ": its gears turn " + turn + ", seen from the carrier, so that f is " +
-                       inWords(factor) + ".",
-                   elements);
+  build.wrongField(signName, 1, {(-factor).toString()}, why, elements);
   build.wrongField(
       "ratio-upside-down", 1, {factor.inverse().toString()},
-      "Your ratio is upside down: the gear with more teeth turns more slowly, f = " + inWords(factor) + ".",
+      translated("Your ratio is upside down: the gear with more teeth turns more slowly, f = %1.",
+                 {inWords(factor)}),
       elements);
-  build.wrongField("sign-and-ratio", 1, {(-factor.inverse()).toString()},
-                   "Your ratio is upside down, and the sign is wrong, too: f = " + inWords(factor) + ".",
-                   elements);
+  build.wrongField(
+      "sign-and-ratio", 1, {(-factor.inverse()).toString()},
+      translated("Your ratio is upside down, and the sign is wrong, too: f = %1.", {inWords(factor)}),
+      elements);
   std::set<Rational> others;
   for (int other = 0; other < source.graph().c(); ++other) {
     const TerminalPair& next = *source.ttGraph()->terminal(other);
@@ -174,10 +201,11 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
     const bool isUsed =
         other == factor || other == -factor || other == factor.inverse() || other == -factor.inverse();
     if (isUsed) continue;
-    build.wrongField("teeth-of-another-wheel", 1, {other.toString()},
-                     "You take the teeth of another wheel on the same link: mesh " + label + " has " +
-                         asText(pair.tailTeeth) + " and " + asText(pair.headTeeth) + ".",
-                     elements);
+    build.wrongField(
+        "teeth-of-another-wheel", 1, {other.toString()},
+        translated("You take the teeth of another wheel on the same link: mesh %1 has %2 and %3.",
+                   {label, asText(pair.tailTeeth), asText(pair.headTeeth)}),
+        elements);
   }
   addCarrierMistakes(source, build, mesh, 0, pair.carrier);
   return std::move(build.question);
@@ -210,14 +238,15 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
   const std::string comma = source.graph().n() > 9 ? "," : "";
   const std::string chord = source.linkLabel(gear) + comma + source.linkLabel(pair.carrier);
   QuestionBuilder build(ExerciseKind::fundamentalCircuit, 3);
-  build.question.prompt = "Write the f-circuit equation of the chord between gear $" +
-                          source.linkLabel(gear) + "$ and carrier $" + source.linkLabel(pair.carrier) +
-                          "$: the coefficients of the branches.";
+  build.question.prompt = translated(
+      "Write the f-circuit equation of the chord between gear $%1$ and carrier $%2$: the coefficients of the "
+      "branches.",
+      {source.linkLabel(gear), source.linkLabel(pair.carrier)});
   build.question.elements = {source.meshId(mesh), source.linkId(gear), source.linkId(pair.carrier)};
-  build.question.rule =
-      "The speed of gear " + source.linkLabel(gear) + " in carrier " + source.linkLabel(pair.carrier) +
-      " is the sum over the branches between them: 1 for a branch that points to the gear, \u22121 for one "
-      "that points to the carrier, as their axes do.";
+  build.question.rule = translated(
+      "The speed of gear %1 in carrier %2 is the sum over the branches between them: 1 for a branch that "
+      "points to the gear, −1 for one that points to the carrier, as their axes do.",
+      {source.linkLabel(gear), source.linkLabel(pair.carrier)});
   std::vector<std::string> columns;
   std::string sum;
   for (const int joint : joints) {
@@ -230,45 +259,48 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
   for (std::size_t i = 0; i < joints.size(); ++i)
     build.question.fields[i].elements = {source.edgeId(joints[i])};
   build.accept(picked(row, joints));
-  build.wrong("chord-backwards", picked(negated(row), joints),
-              "You write the speed of the carrier relative to the gear: all signs are the opposite.",
-              {source.linkId(gear), source.linkId(pair.carrier)});
+  build.wrong(
+      "chord-backwards", picked(negated(row), joints),
+      translated("You write the speed of the carrier relative to the gear: all signs are the opposite."),
+      {source.linkId(gear), source.linkId(pair.carrier)});
   build.wrong("another-chord", picked(other, joints),
-              "This is the circuit of the other chord of mesh " + source.meshLabel(mesh) + ", of gear " +
-                  source.linkLabel(isTail ? pair.head : pair.tail) + ".",
+              translated("This is the circuit of the other chord of mesh %1, of gear %2.",
+                         {source.meshLabel(mesh), source.linkLabel(isTail ? pair.head : pair.tail)}),
               {source.linkId(isTail ? pair.head : pair.tail)});
   build.wrong("circuit-to-ground", picked(toGround, joints),
-              "You write the speed relative to the ground: the chord ends at carrier " +
-                  source.linkLabel(pair.carrier) + ".",
+              translated("You write the speed relative to the ground: the chord ends at carrier %1.",
+                         {source.linkLabel(pair.carrier)}),
               {source.linkId(pair.carrier), source.linkId(0)});
   build.wrong("whole-walk", picked(whole, joints),
-              "You follow the walk from gear to gear: the chord ends at carrier " +
-                  source.linkLabel(pair.carrier) + ".",
+              translated("You follow the walk from gear to gear: the chord ends at carrier %1.",
+                         {source.linkLabel(pair.carrier)}),
               {source.linkId(pair.carrier)});
   build.wrong("whole-walk", picked(negated(whole), joints),
-              "You follow the walk from gear to gear: the chord ends at carrier " +
-                  source.linkLabel(pair.carrier) + ".",
+              translated("You follow the walk from gear to gear: the chord ends at carrier %1.",
+                         {source.linkLabel(pair.carrier)}),
               {source.linkId(pair.carrier)});
-  build.wrong("signs-left-out", picked(magnitudes(row), joints),
-              "You give all branches one sign: one that points from the gear to the carrier counts \u22121.");
+  build.wrong(
+      "signs-left-out", picked(magnitudes(row), joints),
+      translated("You give all branches one sign: one that points from the gear to the carrier counts −1."));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto field = static_cast<int>(i);
     const int value = row[static_cast<std::size_t>(joints[i])];
     const std::vector<ElementId> elements{source.edgeId(joints[i])};
-    const std::string name = "joint " + columns[i];
+    const std::string name = edgeName(source, joints[i]);
     if (value == 0) {
       build.wrongField("joint-off-the-walk", field, {"1", "-1"},
-                       "The branches between gear " + source.linkLabel(gear) + " and carrier " +
-                           source.linkLabel(pair.carrier) + " do not include " + name + ": 0.",
+                       translated("The branches between gear %1 and carrier %2 do not include %3: 0.",
+                                  {source.linkLabel(gear), source.linkLabel(pair.carrier), name}),
                        elements);
       continue;
     }
     build.wrongField("walked-against-arrow", field, {asText(-value)},
-                     "The sign of " + name +
-                         " is the opposite on the way from the carrier to the gear: " + inWords(value) + ".",
+                     translated("The sign of %1 is the opposite on the way from the carrier to the gear: %2.",
+                                {name, inWords(value)}),
                      elements);
     build.wrongField("joint-left-out", field, {"0"},
-                     "The circuit closes through " + name + ": " + inWords(value) + ", not 0.", elements);
+                     translated("The circuit closes through %1: %2, not 0.", {name, inWords(value)}),
+                     elements);
   }
   build.wrongNonSigns();
   return std::move(build.question);

@@ -72,17 +72,18 @@ class WalkTable {
     const int value = m_values[at(row, column)];
     const auto field = static_cast<int>(at(row, column));
     if (value == 0) {
-      m_build.wrongField("joint-off-the-walk", field, {"1", "-1"}, walk + " does not use " + joint + ": 0.",
-                         {element});
+      m_build.wrongField("joint-off-the-walk", field, {"1", "-1"},
+                         translated("%1 does not use %2: 0.", {walk, joint}), {element});
       return;
     }
-    const std::string way = value > 0 ? "along" : "against";
+    const bool isAlong = value > 0;
     m_build.wrongField("walked-against-arrow", field, {asText(-value)},
-                       walk + " runs " + way + " the arrow of " + joint + ": " + inWords(value) + ", not " +
-                           inWords(-value) + ".",
+                       isAlong ? translated("%1 runs along the arrow of %2: 1, not −1.", {walk, joint})
+                               : translated("%1 runs against the arrow of %2: −1, not 1.", {walk, joint}),
                        {element});
     m_build.wrongField("joint-left-out", field, {"0"},
-                       walk + " uses " + joint + ", " + way + " its arrow: " + inWords(value) + ", not 0.",
+                       isAlong ? translated("%1 uses %2, along its arrow: 1, not 0.", {walk, joint})
+                               : translated("%1 uses %2, against its arrow: −1, not 0.", {walk, joint}),
                        {element});
   }
 
@@ -111,7 +112,7 @@ std::vector<int> columnsFor(const IntegerMatrix& matrix, const std::vector<int>&
 }
 
 std::string cycleName(const ExerciseSource& source, int mesh) {
-  return "The cycle of mesh " + source.meshLabel(mesh);
+  return translated("The cycle of mesh %1", {source.meshLabel(mesh)});
 }
 
 /// Rows of T or C of these meshes.
@@ -132,35 +133,37 @@ void addCycleRows(const ExerciseSource& source, QuestionBuilder& build, WalkTabl
     allBackwards.push_back(asTexts(backwards));
     const std::vector<int> fields = table.fieldsOfRow(row);
     build.wrongFields("cycle-backwards", fields, allBackwards,
-                      "You walk the cycle against mesh " + source.meshLabel(meshes[row]) +
-                          ": it runs along the mesh from tail to head and back through the tree.",
+                      translated("You walk the cycle against mesh %1: it runs along the mesh from tail to "
+                                 "head and back through the tree.",
+                                 {source.meshLabel(meshes[row])}),
                       {source.meshId(meshes[row])});
-    build.wrongFields(
-        "signs-left-out", fields, {asTexts(walked)},
-        "You mark the joints of the cycle without their senses: \u22121 where the walk runs against an "
-        "arrow.",
-        {source.meshId(meshes[row])});
+    build.wrongFields("signs-left-out", fields, {asTexts(walked)},
+                      translated("You mark the joints of the cycle without their senses: −1 where the walk "
+                                 "runs against an arrow."),
+                      {source.meshId(meshes[row])});
     for (int other = 0; other < source.graph().c(); ++other) {
       if (other == meshes[row]) continue;
       build.wrongFields("another-cycle", fields, {asTexts(table.valuesOf({other}))},
-                        "This is the row of the cycle of mesh " + source.meshLabel(other) + ", not of mesh " +
-                            source.meshLabel(meshes[row]) + ".",
+                        translated("This is the row of the cycle of mesh %1, not of mesh %2.",
+                                   {source.meshLabel(other), source.meshLabel(meshes[row])}),
                         {source.meshId(other)});
     }
     for (std::size_t j = 0; j < width; ++j) {
       const auto field = static_cast<int>(table.at(row, j));
       if (columns[j] < t) {
-        table.addWalked(row, j, cycle, "joint " + source.edgeLabel(columns[j]), source.edgeId(columns[j]));
+        table.addWalked(row, j, cycle, edgeName(source, columns[j]), source.edgeId(columns[j]));
       } else if (columns[j] - t == meshes[row] && kind == MatrixKind::cycleBasis) {
-        build.wrongField("own-mesh-left-out", field, {"0"}, cycle + " begins along the mesh itself: 1.",
+        build.wrongField("own-mesh-left-out", field, {"0"},
+                         translated("%1 begins along the mesh itself: 1.", {cycle}),
                          {source.edgeId(columns[j])});
         build.wrongField("cycle-backwards", field, {"-1"},
-                         cycle + " is walked along its mesh, from tail to head: 1, not \u22121.",
+                         translated("%1 is walked along its mesh, from tail to head: 1, not −1.", {cycle}),
                          {source.edgeId(columns[j])});
       } else {
-        build.wrongField("another-mesh-in-cycle", field, {"1", "-1"},
-                         cycle + " holds one mesh only, not mesh " + source.edgeLabel(columns[j]) + ": 0.",
-                         {source.edgeId(columns[j])});
+        build.wrongField(
+            "another-mesh-in-cycle", field, {"1", "-1"},
+            translated("%1 holds one mesh only, not mesh %2: 0.", {cycle, source.edgeLabel(columns[j])}),
+            {source.edgeId(columns[j])});
       }
     }
   }
@@ -186,28 +189,29 @@ Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   std::sort(joints.begin(), joints.end());
 
   QuestionBuilder build(ExerciseKind::path, 4);
-  build.question.prompt =
+  build.question.prompt = translated(
       "Fill in these rows and columns of the path matrix $Z$: how the walk from each link to the ground uses "
-      "the "
-      "turning joints.";
-  build.question.rule =
-      "Walk from the link to the ground: 1 where the walk follows a joint's arrow, \u22121 where it runs "
-      "against it, 0 "
-      "off the walk.";
+      "the turning joints.");
+  build.question.rule = translated(
+      "Walk from the link to the ground: 1 where the walk follows a joint's arrow, −1 where it runs against "
+      "it, 0 off the walk.");
   WalkTable table(source, build, MatrixKind::path, joints, links);
   const std::vector<int>& values = table.values();
   build.accept(asTexts(values));
   build.wrong("walk-from-ground", asTexts(negated(values)),
-              "You walk from the ground to the links: the walks of Z end at the ground.", {source.linkId(0)});
+              translated("You walk from the ground to the links: the walks of Z end at the ground."),
+              {source.linkId(0)});
   build.wrong(
       "signs-left-out", asTexts(magnitudes(values)),
-      "You mark the joints of the walks without their senses: \u22121 where a walk runs against an arrow.");
+      translated(
+          "You mark the joints of the walks without their senses: −1 where a walk runs against an arrow."));
   std::vector<int> transposed;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     for (std::size_t j = 0; j < links.size(); ++j) transposed.push_back(values[table.at(j, i)]);
   }
-  build.wrong("transposed", asTexts(transposed),
-              "You exchange rows and columns: a column of Z belongs to a link and tells its walk.");
+  build.wrong(
+      "transposed", asTexts(transposed),
+      translated("You exchange rows and columns: a column of Z belongs to a link and tells its walk."));
   for (std::size_t j = 0; j < links.size(); ++j) {
     const int node = links[j] + 1;
     for (int other = 1; other < source.graph().nodeCount(); ++other) {
@@ -216,15 +220,16 @@ Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
       for (const int joint : joints) column.push_back(tree.pathEntry(joint, other));
       if (std::count(column.begin(), column.end(), 0) == static_cast<std::ptrdiff_t>(column.size())) continue;
       build.wrongFields("another-link", table.fieldsOfColumn(j), {asTexts(column)},
-                        "This is the walk of link " + source.linkLabel(other) + ", not of link " +
-                            source.linkLabel(node) + ".",
+                        translated("This is the walk of link %1, not of link %2.",
+                                   {source.linkLabel(other), source.linkLabel(node)}),
                         {source.linkId(node), source.linkId(other)});
     }
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     for (std::size_t j = 0; j < links.size(); ++j) {
-      table.addWalked(i, j, "The walk from link " + source.linkLabel(links[j] + 1) + " to the ground",
-                      "joint " + source.edgeLabel(joints[i]), source.edgeId(joints[i]));
+      table.addWalked(i, j,
+                      translated("The walk from link %1 to the ground", {source.linkLabel(links[j] + 1)}),
+                      edgeName(source, joints[i]), source.edgeId(joints[i]));
     }
   }
   build.wrongNonSigns();
@@ -235,24 +240,23 @@ Question treeMatrixQuestion(const ExerciseSource& source, ExerciseRandom& random
   const std::vector<int> meshes = random.someOf(firstNumbers(source.graph().c()), kMostTreeRows);
   const std::vector<int> columns = columnsFor(*source.matrix(MatrixKind::spanningTree), meshes, random);
   QuestionBuilder build(ExerciseKind::treeMatrix, 4);
-  build.question.prompt = meshes.size() == 1 ? "Fill in this row of the spanning-tree matrix $T$."
-                                             : "Fill in these rows of the spanning-tree matrix $T$.";
-  build.question.rule =
+  build.question.prompt = meshes.size() == 1
+                              ? translated("Fill in this row of the spanning-tree matrix $T$.")
+                              : translated("Fill in these rows of the spanning-tree matrix $T$.");
+  build.question.rule = translated(
       "Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows a "
-      "joint's "
-      "arrow, \u22121 where it runs against it.";
+      "joint's arrow, −1 where it runs against it.");
   WalkTable table(source, build, MatrixKind::spanningTree, meshes, columns);
   build.accept(asTexts(table.values()));
   build.wrong("cycle-backwards", asTexts(negated(table.values())),
-              "You walk the cycles against their meshes: they run along the mesh from tail to head and back "
-              "through the "
-              "tree.");
+              translated("You walk the cycles against their meshes: they run along the mesh from tail to "
+                         "head and back through the tree."));
   build.wrong("signs-left-out", asTexts(magnitudes(table.values())),
-              "You mark the joints of the cycles without their senses: \u22121 where the walk runs against "
-              "an arrow.");
+              translated("You mark the joints of the cycles without their senses: −1 where the walk runs "
+                         "against an arrow."));
   if (meshes.size() == 2) {
     build.wrong("another-cycle", asTexts(table.valuesOf({meshes[1], meshes[0]})),
-                "You exchange the rows of both cycles.",
+                translated("You exchange the rows of both cycles."),
                 {source.meshId(meshes[0]), source.meshId(meshes[1])});
   }
   addCycleRows(source, build, table, MatrixKind::spanningTree, meshes, columns);
@@ -263,13 +267,13 @@ Question cycleBasisQuestion(const ExerciseSource& source, ExerciseRandom& random
   const std::vector<int> meshes{random.below(source.graph().c())};
   const std::vector<int> columns = columnsFor(*source.matrix(MatrixKind::cycleBasis), meshes, random);
   QuestionBuilder build(ExerciseKind::cycleBasis, 4);
-  build.question.prompt = "Fill in row $C_{" + source.meshLabel(meshes.front()) +
-                          "}$ of the cycle-basis matrix $C = \\left[ T \\mid U \\right]$.";
+  build.question.prompt =
+      translated("Fill in row $C_{%1}$ of the cycle-basis matrix $C = \\left[ T \\mid U \\right]$.",
+                 {source.meshLabel(meshes.front())});
   build.question.elements = {source.meshId(meshes.front())};
-  build.question.rule =
+  build.question.rule = translated(
       "Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows "
-      "an arrow, "
-      "\u22121 where it runs against one.";
+      "an arrow, −1 where it runs against one.");
   WalkTable table(source, build, MatrixKind::cycleBasis, meshes, columns);
   build.accept(asTexts(table.values()));
   addCycleRows(source, build, table, MatrixKind::cycleBasis, meshes, columns);
@@ -281,15 +285,15 @@ Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const int joint = random.below(t);
   const IntegerMatrix& cutsets = *source.matrix(MatrixKind::cutset);
   const std::vector<int> columns = columnsFor(cutsets, {joint}, random);
-  const std::string name = "joint " + source.edgeLabel(joint);
+  const std::string name = edgeName(source, joint);
   QuestionBuilder build(ExerciseKind::cutset, 4);
-  build.question.prompt = "Fill in the row of joint $" + source.edgeLabel(joint) +
-                          "$ of the fundamental cutset matrix $Q = \\left[ U \\mid -T^T \\right]$.";
+  build.question.prompt = translated(
+      "Fill in the row of joint $%1$ of the fundamental cutset matrix $Q = \\left[ U \\mid -T^T \\right]$.",
+      {source.edgeLabel(joint)});
   build.question.elements = {source.edgeId(joint)};
-  build.question.rule =
+  build.question.rule = translated(
       "Without the joint the tree falls into two halves: every edge between them counts, 1 where it crosses "
-      "in the "
-      "joint's direction, \u22121 where it crosses the other way.";
+      "in the joint's direction, −1 where it crosses the other way.");
   WalkTable table(source, build, MatrixKind::cutset, {joint}, columns);
   const std::vector<int>& values = table.values();
   build.accept(asTexts(values));
@@ -298,16 +302,16 @@ Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random) {
     if (columns[j] >= t) asCycles[j] = -values[j];
   }
   build.wrong("cutset-as-cycle", asTexts(asCycles),
-              "You take the signs of the cycles: Q holds \u2212T transposed beside the unit matrix.",
+              translated("You take the signs of the cycles: Q holds −T transposed beside the unit matrix."),
               {source.edgeId(joint)});
   build.wrong("signs-left-out", asTexts(magnitudes(values)),
-              "You mark the edges of the cutset without their senses: \u22121 where an edge crosses against "
-              "the joint.",
+              translated("You mark the edges of the cutset without their senses: −1 where an edge crosses "
+                         "against the joint."),
               {source.edgeId(joint)});
   for (int other = 0; other < t; ++other) {
     if (other == joint) continue;
     build.wrong("another-joint", asTexts(table.valuesOf({other})),
-                "This is the cutset of joint " + source.edgeLabel(other) + ", not of " + name + ".",
+                translated("This is the cutset of joint %1, not of %2.", {source.edgeLabel(other), name}),
                 {source.edgeId(other)});
   }
   for (std::size_t j = 0; j < columns.size(); ++j) {
@@ -316,23 +320,27 @@ Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random) {
     const std::vector<ElementId> elements{source.edgeId(columns[j])};
     if (columns[j] == joint) {
       build.wrongField("crosses-backwards", field, {"-1"},
-                       "The joint crosses its own cut in its own direction: 1, not \u22121.", elements);
-      build.wrongField("joint-left-out", field, {"0"}, "The cutset holds its own joint: 1, not 0.", elements);
+                       translated("The joint crosses its own cut in its own direction: 1, not −1."),
+                       elements);
+      build.wrongField("joint-left-out", field, {"0"},
+                       translated("The cutset holds its own joint: 1, not 0."), elements);
     } else if (values[j] == 0 && columns[j] < t) {
       build.wrongField("joint-in-cutset", field, {"1", "-1"},
-                       "A fundamental cutset holds one turning joint only, not " + edge + ": 0.", elements);
+                       translated("A fundamental cutset holds one turning joint only, not %1: 0.", {edge}),
+                       elements);
     } else if (values[j] == 0) {
       build.wrongField("mesh-not-cut", field, {"1", "-1"},
-                       "Both gears of " + edge + " are on one side of " + name + ": 0.", elements);
+                       translated("Both gears of %1 are on one side of %2: 0.", {edge, name}), elements);
     } else {
-      build.wrongField("crosses-backwards", field, {asText(-values[j])},
-                       "The arrow of " + edge + " crosses the cut " +
-                           (values[j] > 0 ? "in the direction of " : "against ") + name + ": " +
-                           inWords(values[j]) + ", not " + inWords(-values[j]) + ".",
-                       elements);
+      build.wrongField(
+          "crosses-backwards", field, {asText(-values[j])},
+          values[j] > 0
+              ? translated("The arrow of %1 crosses the cut in the direction of %2: 1, not −1.", {edge, name})
+              : translated("The arrow of %1 crosses the cut against %2: −1, not 1.", {edge, name}),
+          elements);
       build.wrongField("mesh-not-counted", field, {"0"},
-                       "The ends of " + edge + " are on different sides of " + name + ": " +
-                           inWords(values[j]) + ", not 0.",
+                       translated("The ends of %1 are on different sides of %2: %3, not 0.",
+                                  {edge, name, inWords(values[j])}),
                        elements);
     }
   }

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/grading/conditions.h"
 
 namespace geargraph::inline grading {
 namespace {
 
 constexpr std::size_t kFewestForHalf = 4;
-
-std::string quoted(const std::string& text) {
-  return "\u201c" + text + "\u201d";
-}
 
 /// The mistake of a field that cannot be read.
 FoundMistake unreadable(const AnswerField& field, int position, const std::string& text, AnswerFault fault) {
@@ -20,22 +17,23 @@ FoundMistake unreadable(const AnswerField& field, int position, const std::strin
     case AnswerFault::none:
     case AnswerFault::empty:
       found.name = "unanswered";
-      found.reason = "The field " + field.name + " is empty.";
+      found.reason = translated("The field %1 is empty.", {field.shownName()});
       break;
     case AnswerFault::ambiguousNumber:
       found.name = "ambiguous-number";
-      found.reason = quoted(text) +
-                     " can be read as a thousand or as a decimal: write it without the comma, or as a "
-                     "fraction.";
+      found.reason = translated(
+          "“%1” can be read as a thousand or as a decimal: write it without the comma, or as a fraction.",
+          {text});
       break;
     case AnswerFault::notANumber:
       found.name = "not-a-number";
-      found.reason =
-          quoted(text) + " is not a number: write a whole number, a fraction such as \u22123/4 or a decimal.";
+      found.reason = translated(
+          "“%1” is not a number: write a whole number, a fraction such as −3/4 or a decimal.", {text});
       break;
     case AnswerFault::notAChoice:
       found.name = "not-a-choice";
-      found.reason = quoted(text) + " is not among what the question offers for " + field.name + ".";
+      found.reason =
+          translated("“%1” is not among what the question offers for %2.", {text, field.shownName()});
       break;
   }
   return found;

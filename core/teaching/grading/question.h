@@ -19,6 +19,9 @@ struct AnswerField {
   std::vector<std::string> options = {};  ///< of a choice or a set
   std::vector<ElementId> elements = {};   ///< what lights up with the field
   bool mayBeEmpty = false;                ///< an empty field is an answer, too
+  std::string title = {};  ///< what people read for the name in the language in use, where it differs; not
+                           ///< kept in files
+  [[nodiscard]] const std::string& shownName() const { return title.empty() ? name : title; }
   friend bool operator==(const AnswerField&, const AnswerField&) = default;
 };
 

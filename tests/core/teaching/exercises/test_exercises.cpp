@@ -89,10 +89,10 @@ class ExercisesTest : public QObject {
       for (const ExerciseKind kind : offeredKinds(ExerciseSource(mechanism))) seen.insert(kind);
     }
     QCOMPARE(seen.size(), allExerciseKinds().size());
-    std::set<std::string_view> hints;
+    std::set<std::string> hints;
     for (const ExerciseKind kind : allExerciseKinds()) {
-      const std::string_view hint = kindHint(kind);
-      QVERIFY2(hint.size() > 60 && (hint.ends_with('.') || hint.ends_with('?')), std::string(hint).c_str());
+      const std::string hint = kindHint(kind);
+      QVERIFY2(hint.size() > 60 && (hint.ends_with('.') || hint.ends_with('?')), hint.c_str());
       QCOMPARE(std::count(hint.begin(), hint.end(), '$') % 2, 0);
       hints.insert(hint);
     }
