@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/load_checks.h"
@@ -351,13 +352,17 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
     oneAxis = oneAxis && other.axis == last.axis;
   }
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
-  std::string message = "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") +
-                        listed(names, kMostNamesInASentence) + ". ";
+  std::string message = path.empty() ? translated("Turning joint %1 closes a loop.", {label})
+                                     : translated("Turning joint %1 closes a loop with %2.",
+                                                  {label, listed(names, kMostNamesInASentence)});
   const bool isRedundant = oneAxis && !path.empty();
-  message += isRedundant
-                 ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
-                       " is a redundant bearing: drop it."
-                 : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
+  message += ' ';
+  message +=
+      isRedundant
+          ? translated("All of them turn about axis %1, so joint %2 is a redundant bearing: drop it.",
+                       {last.axis.text(), label})
+          : translated(
+                "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.");
   Diagnostic result = finding(Code::turningLoop, std::move(message), std::move(elements));
   result.detail = isRedundant ? Detail::redundantBearing : Detail::turningCycle;
   return result;
@@ -411,11 +416,15 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
     const bool one = loose.size() == 1;
     findings.insert(
         findings.begin(),
-        finding(Code::disconnected,
-                (one ? "Link " : "Links ") + listed(labels, kMostNamesInASentence) + (one ? " is" : " are") +
-                    " not tied to the ground by turning joints: draw a turning joint to " +
-                    (one ? "it." : "them."),
-                std::move(loose)));
+        finding(
+            Code::disconnected,
+            one ? translated(
+                      "Link %1 is not tied to the ground by turning joints: draw a turning joint to it.",
+                      {labels.front()})
+                : translated(
+                      "Links %1 are not tied to the ground by turning joints: draw a turning joint to them.",
+                      {listed(labels, kMostNamesInASentence)}),
+            std::move(loose)));
   }
   return findings;
 }

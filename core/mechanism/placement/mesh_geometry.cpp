@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline placement {
 namespace {
 
@@ -37,7 +39,7 @@ Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::s
   const GearMesh& element = mechanism.gearMeshes[mesh];
   Diagnostic result;
   result.code = code;
-  result.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) + ": " + message;
+  result.message = translated("Mesh %1: %2", {std::to_string(mechanism.meshLabel(mesh)), message});
   result.elements = {element.id, element.tail, element.head};
   return result;
 }
@@ -75,16 +77,31 @@ std::optional<Vector3> fittingPoint(const GearPair<double>& pair, LinePosition p
 /// `found` tells where the pair is.
 std::string fit(const GearPair<double>& pair, LinePosition position, const MeshGeometry& found, int sign) {
   const auto point = fittingPoint(pair, position, found.tailToPitch, sign);
-  if (!point) return "another tooth count";
-  return "the pitch point " +
-         text(found.pitchPoint + (*point - found.tailToPitch), reachOf(found.tailToPitch));
+  if (!point) return translated("another tooth count");
+  return translated("the pitch point %1",
+                    {text(found.pitchPoint + (*point - found.tailToPitch), reachOf(found.tailToPitch))});
+}
+
+std::string kindWord(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::external:
+      return translated("external");
+    case MeshKind::internal:
+      return translated("internal");
+    case MeshKind::bevel:
+      break;
+  }
+  return translated("bevel");
 }
 
 Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& found, bool ofTail) {
   return finding(mechanism, mesh, Code::pitchPointOnAxis,
-                 "the pitch point " + pitchPointText(found) + " lies on the axis of the " +
-                     (ofTail ? "tail" : "head") +
-                     " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.");
+                 ofTail ? translated("the pitch point %1 lies on the axis of the tail gear, so its pitch "
+                                     "radius is 0. What fits: a point off both axes, in their plane.",
+                                     {pitchPointText(found)})
+                        : translated("the pitch point %1 lies on the axis of the head gear, so its pitch "
+                                     "radius is 0. What fits: a point off both axes, in their plane.",
+                                     {pitchPointText(found)}));
 }
 
 Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
@@ -94,7 +111,7 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
                                   : cross(pair.tailDirection, pair.headDirection);
   if (length(normal) <= roundingOf(length(pair.headPoint))) {
     return finding(mechanism, mesh, Detail::coincidentAxes,
-                   "its two axes are the same line in the reference pose.");
+                   translated("its two axes are the same line in the reference pose."));
   }
   const Vector3& point = found.tailToPitch;
   const double off = std::abs(dot(point - pair.tailPoint, unit(normal)));
@@ -103,29 +120,34 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
                        ? -1
                        : 1;
   return finding(mechanism, mesh, Detail::pitchPointOffPlane,
-                 "the pitch point " + pitchPointText(found) + " lies " + text(off) +
-                     " off the plane of the two axes, so the teeth would lock. What fits: " +
-                     fit(pair, position, found, sign) + ", or none (then it follows from the axes).");
+                 translated("the pitch point %1 lies %2 off the plane of the two axes, so the teeth would "
+                            "lock. What fits: %3, or none (then it follows from the axes).",
+                            {pitchPointText(found), text(off), fit(pair, position, found, sign)}));
 }
 
 Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
   return finding(mechanism, mesh, Detail::kindAgainstAxes,
-                 "it says " + std::string(meshKindName(kind)) + ", but its axes " +
-                     (position == LinePosition::parallel ? "are parallel. What fits: external or internal."
-                                                         : "meet. What fits: bevel."));
+                 position == LinePosition::parallel
+                     ? translated("it says %1, but its axes are parallel. What fits: external or internal.",
+                                  {kindWord(kind)})
+                     : translated("it says %1, but its axes meet. What fits: bevel.", {kindWord(kind)}));
 }
 
 Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
                      LinePosition position, const MeshGeometry& found) {
   const bool saysInternal = found.kind != MeshKind::internal;  // what it is, is the other one
-  std::string message = "it says " +
-                        std::string(meshKindName(saysInternal ? MeshKind::internal : MeshKind::external)) +
-                        ", but the pitch point " + pitchPointText(found) + " lies " +
-                        (saysInternal ? "between the axes, which is an external pair."
-                                      : "on one side of both axes, which is an internal pair.");
+  std::string message =
+      saysInternal
+          ? translated(
+                "it says internal, but the pitch point %1 lies between the axes, which is an external pair.",
+                {pitchPointText(found)})
+          : translated(
+                "it says external, but the pitch point %1 lies on one side of both axes, which is an "
+                "internal pair.",
+                {pitchPointText(found)});
   const int fittingSign = -found.sign;
-  message += " What fits: " + std::string(meshKindName(found.kind)) + ", or " +
-             fit(pair, position, found, fittingSign) + ".";
+  message += ' ' + translated("What fits: %1, or %2.",
+                              {kindWord(found.kind), fit(pair, position, found, fittingSign)});
   return finding(mechanism, mesh, Detail::kindAgainstSides, message);
 }
 
@@ -134,13 +156,13 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<doubl
   const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
   const double fitting = pair.tailTeeth * head / tail;
-  return finding(mechanism, mesh, Detail::teethAgainstRadii,
-                 "the pitch radii are " + text(tail) + " and " + text(head) + " (ratio " + text(tail / head) +
-                     "), but the teeth are " + std::to_string(pair.tailTeeth) + " and " +
-                     std::to_string(pair.headTeeth) + " (ratio " +
-                     text(static_cast<double>(pair.tailTeeth) / pair.headTeeth) +
-                     "). What fits: " + text(fitting) + " teeth on the head, or " +
-                     fit(pair, position, found, found.sign) + ".");
+  return finding(
+      mechanism, mesh, Detail::teethAgainstRadii,
+      translated("the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What "
+                 "fits: %7 teeth on the head, or %8.",
+                 {text(tail), text(head), text(tail / head), std::to_string(pair.tailTeeth),
+                  std::to_string(pair.headTeeth), text(static_cast<double>(pair.tailTeeth) / pair.headTeeth),
+                  text(fitting), fit(pair, position, found, found.sign)}));
 }
 
 /// The unit vector or its opposite: the one whose first component that is not 0 is positive.
@@ -162,16 +184,17 @@ LinePosition positionOf(const GearPair<double>& pair, const LineComparison& trai
 }
 
 Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
-  return finding(
-      mechanism, mesh, Detail::skewAxes,
-      "its axes are skew, " + text(axisDistance(pair)) +
-          " apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.");
+  return finding(mechanism, mesh, Detail::skewAxes,
+                 translated("its axes are skew, %1 apart: there is no point where the gears could roll. What "
+                            "fits: axes that are parallel or meet.",
+                            {text(axisDistance(pair))}));
 }
 
 Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
-  return finding(mechanism, mesh, Detail::equalInternalTeeth,
-                 "an internal pair needs different tooth counts, the ring the larger one; both have " +
-                     std::to_string(mechanism.gearMeshes[mesh].tailTeeth) + ".");
+  return finding(
+      mechanism, mesh, Detail::equalInternalTeeth,
+      translated("an internal pair needs different tooth counts, the ring the larger one; both have %1.",
+                 {std::to_string(mechanism.gearMeshes[mesh].tailTeeth)}));
 }
 
 bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"
 
@@ -11,6 +12,15 @@ namespace geargraph::inline matroid {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
+
+std::string countedMeshes(std::size_t count, const std::string& names) {
+  return count == 1 ? translated("mesh %1", {names}) : translated("meshes %1", {names});
+}
+
+std::string couplingName(const Coupling& coupling) {
+  return coupling.kind == CouplingKind::brake ? translated("brake %1", {coupling.id.text()})
+                                              : translated("clutch %1", {coupling.id.text()});
+}
 
 /// Speaks of elements by their labels and collects them as culprits.
 class Speaker {
@@ -44,9 +54,9 @@ class Speaker {
         ofCouplings.push_back(coupling);
       }
     }
-    std::string text =
-        ofMeshes.empty() ? "" : (ofMeshes.size() == 1 ? "mesh " : "meshes ") + meshes(ofMeshes);
-    if (!text.empty() && !ofCouplings.empty()) text += ofCouplings.size() == 1 ? " and " : ", ";
+    std::string text = ofMeshes.empty() ? std::string() : countedMeshes(ofMeshes.size(), meshes(ofMeshes));
+    if (!text.empty() && !ofCouplings.empty())
+      text += ofCouplings.size() == 1 ? ' ' + translated("and") + ' ' : ", ";
     return text + couplings(ofCouplings);
   }
   std::string couplings(std::span<const int> positions) {
@@ -54,7 +64,7 @@ class Speaker {
     for (const int position : positions) {
       const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
       m_finding.elements.emplace_back(coupling.id);
-      texts.push_back((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text());
+      texts.push_back(couplingName(coupling));
     }
     return texts.empty() ? std::string() : listed(texts, kMostNames);
   }
@@ -78,10 +88,6 @@ class Speaker {
   Diagnostic m_finding;
 };
 
-std::string plural(std::size_t count, const char* one, const char* many) {
-  return count == 1 ? one : many;
-}
-
 std::vector<int> marked(const std::vector<char>& marks) {
   std::vector<int> places;
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -95,9 +101,9 @@ Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundanc
   const std::vector<int> mesh{redundancy.equation};
   const std::string name = speaker.meshes(mesh);
   const std::string others = speaker.meshes(redundancy.dependsOn);
-  return speaker.say("Mesh " + name + " follows from " +
-                     plural(redundancy.dependsOn.size(), "mesh ", "meshes ") + others +
-                     ": it constrains nothing more. Harmless for the motion; the load is shared.");
+  return speaker.say(translated(
+      "Mesh %1 follows from %2: it constrains nothing more. Harmless for the motion; the load is shared.",
+      {name, countedMeshes(redundancy.dependsOn.size(), others)}));
 }
 
 /// The engaged couplings that add nothing, and from which equations they follow. A coupling over axes of
@@ -130,11 +136,22 @@ std::vector<IdleCoupling> idleCouplings(const Mechanism& mechanism, const Kinema
 Diagnostic redundantCoupling(const Mechanism& mechanism, const KinematicModel& model,
                              const IdleCoupling& idle) {
   Speaker speaker(mechanism, Code::redundantCoupling);
-  std::string name = speaker.couplings(std::vector<int>{idle.coupling});
-  name.front() = name.front() == 'b' ? 'B' : 'C';
+  speaker.couplings(std::vector<int>{idle.coupling});
+  const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(idle.coupling)];
+  const std::string& name = coupling.id.text();
   const std::string others = speaker.equations(model, idle.dependsOn);
-  return speaker.say(name + " is engaged and holds nothing that could move" +
-                     (others.empty() ? "." : ": that follows from " + others + "."));
+  if (coupling.kind == CouplingKind::brake) {
+    return speaker.say(
+        others.empty()
+            ? translated("Brake %1 is engaged and holds nothing that could move.", {name})
+            : translated("Brake %1 is engaged and holds nothing that could move: that follows from %2.",
+                         {name, others}));
+  }
+  return speaker.say(
+      others.empty()
+          ? translated("Clutch %1 is engaged and holds nothing that could move.", {name})
+          : translated("Clutch %1 is engaged and holds nothing that could move: that follows from %2.",
+                       {name, others}));
 }
 
 /// The loops that meshes alone close: what couplings hold is held on purpose.
@@ -150,15 +167,15 @@ std::string loopText(Speaker& speaker, const std::vector<LockedLoop>& loops) {
   for (std::size_t i = 0; i < loops.size() && i < 3; ++i) {
     text += (i == 0 ? "" : "; ") + speaker.meshes(loops[i].equations);
   }
-  return text;
+  return countedMeshes(loops.front().equations.size(), text);
 }
 
 Diagnostic locked(const Mechanism& mechanism, const std::vector<LockedLoop>& loops) {
   Speaker speaker(mechanism, Code::locked);
   return speaker.say(
-      "Nothing can move: the loop of " + plural(loops.front().equations.size(), "mesh ", "meshes ") +
-      loopText(speaker, loops) +
-      " locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.");
+      translated("Nothing can move: the loop of %1 locks it. Change a tooth count so that the ratios round "
+                 "the loop agree, or delete a mesh.",
+                 {loopText(speaker, loops)}));
 }
 
 Diagnostic lockedAsEngaged(const Mechanism& mechanism, const KinematicModel& model,
@@ -167,18 +184,21 @@ Diagnostic lockedAsEngaged(const Mechanism& mechanism, const KinematicModel& mod
   const std::vector<int>& held =
       analysis.independentHeld.empty() ? analysis.lockedLoops.front().equations : analysis.independentHeld;
   const std::string names = speaker.equations(model, held);
-  return speaker.say("Nothing can move: " + names + (held.size() == 1 ? " holds" : " hold") +
-                     " everything. Release a coupling.");
+  return speaker.say(held.size() == 1
+                         ? translated("Nothing can move: %1 holds everything. Release a coupling.", {names})
+                         : translated("Nothing can move: %1 hold everything. Release a coupling.", {names}));
 }
 
 Diagnostic deadJoints(const Mechanism& mechanism, const std::vector<int>& joints,
                       const std::vector<LockedLoop>& loops, const std::vector<std::vector<int>>& blocks) {
   Speaker speaker(mechanism, Code::deadJoint);
-  std::string message =
-      plural(joints.size(), "Joint ", "Joints ") + speaker.joints(joints) + " can never turn, locked by " +
-      plural(loops.front().equations.size(), "mesh ", "meshes ") + loopText(speaker, loops) + ".";
+  const std::string names = speaker.joints(joints);
+  const std::string meshes = loopText(speaker, loops);
+  std::string message = joints.size() == 1
+                            ? translated("Joint %1 can never turn, locked by %2.", {names, meshes})
+                            : translated("Joints %1 can never turn, locked by %2.", {names, meshes});
   for (std::size_t i = 0; i < blocks.size() && i < 3; ++i) {
-    message += " Links " + speaker.links(blocks[i]) + " form a rigid block.";
+    message += ' ' + translated("Links %1 form a rigid block.", {speaker.links(blocks[i])});
   }
   return speaker.say(std::move(message));
 }
@@ -212,8 +232,9 @@ Diagnostic idle(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
   Speaker speaker(mechanism, Code::idleJoint);
   const std::vector<int> joints = marked(analysis.idle);
   const std::string names = speaker.joints(joints);
-  return speaker.say("No mesh constrains " + plural(joints.size(), "joint ", "joints ") + names + ": " +
-                     plural(joints.size(), "it has", "they have") + " to be driven.");
+  return speaker.say(joints.size() == 1
+                         ? translated("No mesh constrains joint %1: it has to be driven.", {names})
+                         : translated("No mesh constrains joints %1: they have to be driven.", {names}));
 }
 
 /// What the joint's rate comes to over the inputs of the choice, with short factors in front of the q.
@@ -240,24 +261,34 @@ Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model
   constexpr std::size_t kMostRelations = 4;
   Speaker speaker(mechanism, Code::invalidInputs);
   const InputChoice& choice = analysis.choice;
-  std::string message = "The mechanism has " + std::to_string(analysis.dof) + " " +
-                        plural(static_cast<std::size_t>(analysis.dof), "degree", "degrees") +
-                        " of freedom, and " + std::to_string(wanted.size()) +
-                        plural(wanted.size(), " input is", " inputs are") + " chosen.";
+  const std::string dof = std::to_string(analysis.dof);
+  const std::string inputs = std::to_string(wanted.size());
+  const bool isOneInput = wanted.size() == 1;
+  std::string message =
+      analysis.dof == 1
+          ? (isOneInput
+                 ? translated("The mechanism has 1 degree of freedom, and 1 input is chosen.")
+                 : translated("The mechanism has 1 degree of freedom, and %1 inputs are chosen.", {inputs}))
+          : (isOneInput ? translated("The mechanism has %1 degrees of freedom, and 1 input is chosen.", {dof})
+                        : translated("The mechanism has %1 degrees of freedom, and %2 inputs are chosen.",
+                                     {dof, inputs}));
   for (std::size_t i = 0; i < choice.rejected.size() && i < kMostRelations; ++i) {
     const std::vector<int> joint{choice.rejected[i]};
     const std::string name = speaker.joints(joint);
     const auto twice = std::count(wanted.begin(), wanted.end(), joint[0]) > 1;
-    message += twice ? " Joint " + name + " is chosen twice."
-                     : " Joint " + name + " is no free choice: " +
-                           forcedRelation(mechanism, model, placement, analysis, joint[0], stop) + ".";
+    message += ' ';
+    message +=
+        twice ? translated("Joint %1 is chosen twice.", {name})
+              : translated("Joint %1 is no free choice: %2.",
+                           {name, forcedRelation(mechanism, model, placement, analysis, joint[0], stop)});
   }
   if (!choice.added.empty()) {
-    message += " Still free: choose " + speaker.joints(choice.added) + " too.";
+    message += ' ' + translated("Still free: choose %1 too.", {speaker.joints(choice.added)});
   }
   const std::string valid = speaker.joints(choice.joints);
-  message +=
-      choice.joints.empty() ? " The only valid set is the empty one." : " A valid set is " + valid + ".";
+  message += ' ';
+  message += choice.joints.empty() ? translated("The only valid set is the empty one.")
+                                   : translated("A valid set is %1.", {valid});
   return speaker.say(std::move(message));
 }
 
@@ -306,7 +337,7 @@ Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, 
   if (model.equations() == 0 && model.t() > 0) {
     Diagnostic none;
     none.code = Code::noMeshes;
-    none.message = "There are no gear meshes yet: every joint is free.";
+    none.message = translated("There are no gear meshes yet: every joint is free.");
     findings.push_back(std::move(none));
   } else if (std::find(analysis.idle.begin(), analysis.idle.end(), 1) != analysis.idle.end()) {
     findings.push_back(idle(mechanism, analysis));

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline states {
 namespace {
@@ -12,13 +13,12 @@ constexpr std::size_t kMostNames = 12;
 Diagnostic finding(const ShiftState& state, Code code) {
   Diagnostic result;
   result.code = code;
-  result.message = "State " + state.name;
   result.elements.emplace_back(ElementKind::state, Atom(state.name));
   return result;
 }
 
-std::string linkName(const Mechanism& mechanism, LinkId link) {
-  return "link " + labelOf(mechanism, link).value_or(link.text());
+std::string linkLabel(const Mechanism& mechanism, LinkId link) {
+  return labelOf(mechanism, link).value_or(link.text());
 }
 
 }  // namespace
@@ -26,21 +26,30 @@ std::string linkName(const Mechanism& mechanism, LinkId link) {
 Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, const std::vector<int>& locking,
                        bool byTrain) {
   Diagnostic result = finding(state, Code::stateLocked);
-  result.message += " locks its drive, " + linkName(mechanism, *state.drive) + ": ";
+  const std::string drive = linkLabel(mechanism, *state.drive);
   std::vector<std::string> names;
   for (const int coupling : locking) {
     names.push_back(mechanism.couplings[static_cast<std::size_t>(coupling)].id.text());
     result.elements.emplace_back(mechanism.couplings[static_cast<std::size_t>(coupling)].id);
   }
   if (byTrain) {
-    result.message += "the train holds it with nothing engaged. Change the train, or drive another link.";
+    result.message = translated(
+        "State %1 locks its drive, link %2: the train holds it with nothing engaged. Change the train, or "
+        "drive another link.",
+        {state.name, drive});
   } else if (names.empty()) {
-    result.message += "more couplings than one hold it. Release two or more, or drive another link.";
+    result.message = translated(
+        "State %1 locks its drive, link %2: more couplings than one hold it. Release two or more, or drive "
+        "another link.",
+        {state.name, drive});
   } else if (names.size() == 1) {
-    result.message += names.front() + " holds it. Release it, or drive another link.";
+    result.message =
+        translated("State %1 locks its drive, link %2: %3 holds it. Release it, or drive another link.",
+                   {state.name, drive, names.front()});
   } else {
-    result.message +=
-        listed(names, kMostNames) + " hold it together. Release one of them, or drive another link.";
+    result.message = translated(
+        "State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.",
+        {state.name, drive, listed(names, kMostNames)});
   }
   result.elements.emplace_back(*state.drive);
   return result;
@@ -49,19 +58,35 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
 Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
                      const std::vector<int>& links) {
   Diagnostic result = finding(state, Code::stateFree);
-  result.message += " leaves " + std::to_string(dof) + " degrees of freedom: ";
   std::vector<std::string> names;
   for (const int link : links) {
     names.push_back(std::to_string(mechanism.linkLabel(link)));
     result.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
   }
-  if (state.drive) result.message += "with the drive, " + linkName(mechanism, *state.drive) + ", held, ";
+  const std::string freedoms = std::to_string(dof);
+  const std::string turning = listed(names, kMostNames);
+  const bool isOne = names.size() == 1;
+  if (state.drive) {
+    const std::string drive = linkLabel(mechanism, *state.drive);
+    result.message = isOne ? translated(
+                                 "State %1 leaves %2 degrees of freedom: with the drive, link %3, held, link "
+                                 "%4 still turns.",
+                                 {state.name, freedoms, drive, turning})
+                           : translated(
+                                 "State %1 leaves %2 degrees of freedom: with the drive, link %3, held, "
+                                 "links %4 still turn.",
+                                 {state.name, freedoms, drive, turning});
+  } else {
+    result.message = isOne ? translated("State %1 leaves %2 degrees of freedom: link %3 still turns.",
+                                        {state.name, freedoms, turning})
+                           : translated("State %1 leaves %2 degrees of freedom: links %3 still turn.",
+                                        {state.name, freedoms, turning});
+  }
   const int missing = dof - 1;
-  result.message += (names.size() == 1 ? "link " + names.front() + " still turns"
-                                       : "links " + listed(names, kMostNames) + " still turn") +
-                    ". Engage " +
-                    (missing == 1 ? "one more coupling" : std::to_string(missing) + " more couplings") +
-                    " that " + (missing == 1 ? "holds" : "hold") + " them.";
+  result.message += ' ';
+  result.message += missing == 1
+                        ? translated("Engage one more coupling that holds them.")
+                        : translated("Engage %1 more couplings that hold them.", {std::to_string(missing)});
   return result;
 }
 
@@ -70,22 +95,43 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
   if (state != nullptr) result = finding(*state, Code::turningLoop);
   result.code = Code::turningLoop;
   result.detail = Detail::couplingLinkage;
-  result.message +=
-      (state != nullptr ? ": coupling " : "Engaged coupling ") + coupling.id.text() + " ties " +
-      linkName(mechanism, coupling.links.front()) + " to " +
-      (coupling.kind == CouplingKind::brake ? "the ground" : linkName(mechanism, coupling.links.back())) +
-      " over axes of four directions or more. That is a linkage whose speeds depend on the "
-      "pose: there is no ratio to state. Couple links that lie nearer to each other.";
+  const std::string& name = coupling.id.text();
+  const std::string link = linkLabel(mechanism, coupling.links.front());
+  const std::string other = linkLabel(mechanism, coupling.links.back());
+  const bool isBrake = coupling.kind == CouplingKind::brake;
+  if (state != nullptr) {
+    result.message =
+        isBrake
+            ? translated(
+                  "State %1: coupling %2 ties link %3 to the ground over axes of four directions or more.",
+                  {state->name, name, link})
+            : translated(
+                  "State %1: coupling %2 ties link %3 to link %4 over axes of four directions or more.",
+                  {state->name, name, link, other});
+  } else {
+    result.message =
+        isBrake
+            ? translated(
+                  "Engaged coupling %1 ties link %2 to the ground over axes of four directions or more.",
+                  {name, link})
+            : translated("Engaged coupling %1 ties link %2 to link %3 over axes of four directions or more.",
+                         {name, link, other});
+  }
+  result.message += ' ' + translated(
+                              "That is a linkage whose speeds depend on the pose: there is no ratio to "
+                              "state. Couple links that lie nearer to each other.");
   result.elements.emplace_back(coupling.id);
-  for (const LinkId link : coupling.links) result.elements.emplace_back(link);
+  for (const LinkId tied : coupling.links) result.elements.emplace_back(tied);
   return result;
 }
 
 Diagnostic ratioBeyondRange(const ShiftState& state) {
   Diagnostic result = finding(state, Code::schema);
-  result.message +=
-      " has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to "
-      "each other, or fewer meshes in a row, give one that it can.";
+  result.message = translated(
+      "State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts "
+      "nearer to "
+      "each other, or fewer meshes in a row, give one that it can.",
+      {state.name});
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/foundations/base/scratch.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/ttgraph/wording.h"
 
 namespace geargraph::inline ttgraph {
@@ -25,10 +26,6 @@ Diagnostic culprit(Code code, const Digraph& graph, int mesh) {
   return finding;
 }
 
-std::string meshName(const Digraph& graph, int mesh) {
-  return "Mesh " + std::to_string(graph.edgeLabel(graph.t() + mesh));
-}
-
 std::string label(int node) {
   return std::to_string(node);
 }
@@ -36,10 +33,12 @@ std::string label(int node) {
 Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh,
                    const std::vector<WalkStretch>& walk) {
   Diagnostic finding = culprit(Code::coaxialMesh, graph, mesh);
-  finding.message = meshName(graph, mesh) + " holds gears " + label(walk.front().from) + " and " +
-                    label(walk.back().to) + " on one axis (" + wordText(levels, walk) +
-                    "). Gears that mesh turn about two axes of one carrier: let one of them turn about "
-                    "another axis.";
+  finding.message = translated(
+      "Mesh %1 holds gears %2 and %3 on one axis (%4). Gears that mesh turn about two axes of one carrier: "
+      "let "
+      "one of them turn about another axis.",
+      {std::to_string(graph.edgeLabel(graph.t() + mesh)), label(walk.front().from), label(walk.back().to),
+       wordText(levels, walk)});
   return finding;
 }
 
@@ -55,11 +54,13 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
     const DigraphEdge& branch = graph.turningEdge(step.joint);
     node = branch.tail == node ? branch.head : branch.tail;
   }
-  finding.message = "The path between the gears of mesh " +
-                    std::to_string(graph.edgeLabel(graph.t() + mesh)) + " runs over " +
-                    countInWords(static_cast<int>(walk.size())) + " axes (" + wordText(levels, walk, ", ") +
-                    "), and no carrier holds both of theirs: attach gear " + label(walk.front().from) +
-                    " to link " + listed(carriers, kMostNames, "or") + ".";
+  finding.message = translated(
+      "The path between the gears of mesh %1 runs over %2 axes (%3), and no carrier holds both of theirs: "
+      "attach "
+      "gear %4 to link %5.",
+      {std::to_string(graph.edgeLabel(graph.t() + mesh)), countInWords(static_cast<int>(walk.size())),
+       wordText(levels, walk, ", "), label(walk.front().from),
+       listed(carriers, kMostNames, toTranslate("or"))});
   return finding;
 }
 

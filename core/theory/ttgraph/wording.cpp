@@ -2,13 +2,19 @@
 
 #include <array>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline ttgraph {
 
 std::string countInWords(int count) {
-  constexpr std::array<const char*, 13> kWords = {"no",    "one",   "two",  "three", "four",   "five",  "six",
-                                                  "seven", "eight", "nine", "ten",   "eleven", "twelve"};
-  return count >= 0 && count < static_cast<int>(kWords.size()) ? kWords[static_cast<std::size_t>(count)]
-                                                               : std::to_string(count);
+  constexpr std::array<const char*, 13> kWords = {
+      toTranslate("no"),    toTranslate("one"),  toTranslate("two"), toTranslate("three"),
+      toTranslate("four"),  toTranslate("five"), toTranslate("six"), toTranslate("seven"),
+      toTranslate("eight"), toTranslate("nine"), toTranslate("ten"), toTranslate("eleven"),
+      toTranslate("twelve")};
+  return count >= 0 && count < static_cast<int>(kWords.size())
+             ? translated(kWords[static_cast<std::size_t>(count)])
+             : std::to_string(count);
 }
 
 }  // namespace geargraph::inline ttgraph
