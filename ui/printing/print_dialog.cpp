@@ -4,18 +4,32 @@
 #include <QCheckBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLocale>
 #include <QPageSetupDialog>
 #include <QPainter>
 #include <QPrintDialog>
+#include <QPrinterInfo>
 #include <QPushButton>
 #include <QSpinBox>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ui/printing/page_preview.h"
 
 namespace geargraph::inline printing {
 namespace {
+
+/// The paper of a country: Letter in those for which CLDR names it, else A4.
+QPageSize usualPaper(const QLocale& locale) {
+  constexpr std::array kOfLetter = {QLocale::Belize,       QLocale::Canada,      QLocale::Chile,
+                                    QLocale::Colombia,     QLocale::CostaRica,   QLocale::ElSalvador,
+                                    QLocale::Guatemala,    QLocale::Mexico,      QLocale::Nicaragua,
+                                    QLocale::Panama,       QLocale::Philippines, QLocale::PuertoRico,
+                                    QLocale::UnitedStates, QLocale::Venezuela};
+  const bool isLetter = std::find(kOfLetter.begin(), kOfLetter.end(), locale.territory()) != kOfLetter.end();
+  return QPageSize(isLetter ? QPageSize::Letter : QPageSize::A4);
+}
 
 /// The derivation of a snapshot, worked out and set when it is first wanted. Used by one thread.
 class LazyReport {
@@ -57,6 +71,8 @@ PrintDialog::PrintDialog(PrintSource source, QWidget* parent)
   setWindowTitle(tr("Print"));
   setAttribute(Qt::WA_DeleteOnClose);
   m_printer->setDocName(m_source.title);
+  if (QPrinterInfo::defaultPrinter().isNull())
+    m_printer->setPageSize(usualPaper(QLocale()));  // a printer has its own
   auto* right = new QVBoxLayout;
   right->addWidget(m_preview, 1);
   right->addWidget(makePageField());

@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QPainter>
+#include <QPrinterInfo>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -71,6 +72,27 @@ class PrintingTest : public QObject {
       }
     }
     QVERIFY(pagesOn({420, 595}).count() > pagesOn(kPaper).count());
+  }
+
+  void thePaperIsThatOfTheCountry_data() {
+    QTest::addColumn<QString>("locale");
+    QTest::addColumn<int>("paper");
+    QTest::newRow("Germany") << "de_DE" << static_cast<int>(QPageSize::A4);
+    QTest::newRow("Turkey") << "tr_TR" << static_cast<int>(QPageSize::A4);
+    QTest::newRow("Spain") << "es_ES" << static_cast<int>(QPageSize::A4);
+    QTest::newRow("Mexico") << "es_MX" << static_cast<int>(QPageSize::Letter);
+    QTest::newRow("United States") << "en_US" << static_cast<int>(QPageSize::Letter);
+    QTest::newRow("United Kingdom") << "en_GB" << static_cast<int>(QPageSize::A4);
+  }
+  void thePaperIsThatOfTheCountry() {
+    if (!QPrinterInfo::defaultPrinter().isNull()) QSKIP("the printer of this machine has its own paper");
+    QFETCH(const QString, locale);
+    QFETCH(const int, paper);
+    const QLocale before;
+    QLocale::setDefault(QLocale(locale));
+    const PrintDialog dialog(source());
+    QLocale::setDefault(before);
+    QCOMPARE(static_cast<int>(dialog.printer()->pageLayout().pageSize().id()), paper);
   }
 
   void theDialogShowsWhatIsChosen() {
