@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "core/mechanism/model/pins.h"
+#include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/models/axis_choices.h"
+#include "ui/canvas/menu_preview.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -17,12 +19,13 @@ QString tr(const char* text) {
 
 /// An entry; with a reason why it is not possible it is grey and shows the reason. The key is shown only: the
 /// view answers to it, wherever it was pressed.
-void add(QMenu& menu, const QString& text, const QString& key, const std::function<void()>& action,
-         const QString& whyNot = {}) {
+QAction* add(QMenu& menu, const QString& text, const QString& key, const std::function<void()>& action,
+             const QString& whyNot = {}) {
   const QString shown = whyNot.isEmpty() ? text : text + " (" + whyNot + ")";
   QAction* entry = menu.addAction(key.isEmpty() ? shown : shown + "\t" + key);
   entry->setEnabled(whyNot.isEmpty());
   QObject::connect(entry, &QAction::triggered, &menu, [action] { action(); });
+  return entry;
 }
 
 /// An entry with a tick, which turns something on and off.
@@ -46,8 +49,9 @@ void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, con
   const auto& engaged = mechanism.engaged;
   const bool isEngaged = std::find(engaged.begin(), engaged.end(), coupling) != engaged.end();
   const QString what = describe(mechanism, {coupling});
-  add(menu, (isEngaged ? tr("Release %1") : tr("Engage %1")).arg(what), {},
-      [actions, coupling, isEngaged] { actions.engage(coupling, !isEngaged); });
+  QAction* entry = add(menu, (isEngaged ? tr("Release %1") : tr("Engage %1")).arg(what), {},
+                       [actions, coupling, isEngaged] { actions.engage(coupling, !isEngaged); });
+  MenuPreview::of(menu).add(entry, engageEdit(mechanism, coupling, !isEngaged));
 }
 
 void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
@@ -57,8 +61,9 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
     addEngage(menu, mechanism, brake->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
   } else {
-    add(menu, tr("Hold it with a brake"), "B", actions.hold,
-        ground ? tr("the ground does not move") : QString());
+    QAction* entry = add(menu, tr("Hold it with a brake"), "B", actions.hold,
+                         ground ? tr("the ground does not move") : QString());
+    MenuPreview::of(menu).add(entry, holdEdit(mechanism, link));
   }
 }
 
@@ -67,23 +72,26 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   for (const ElementId& element : actions.selected) {
     if (element.kind == ElementKind::link) links.emplace_back(element.id);
   }
-  if (links.size() != 2)
-    return add(
+  if (links.size() != 2) {
+    add(
         menu, tr("Connect it to another link with a clutch"), {}, [] {}, tr("select two links"));
+    return;
+  }
   const LinkId one = links[0];
   const LinkId other = links[1];
   if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
     const ElementId id = clutch->id;
     addEngage(menu, mechanism, clutch->id, actions);
-    return add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
-               [actions, id] { actions.takeOff(id); });
+    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
+    return;
   }
   const bool ground = mechanism.links.front().id == one || mechanism.links.front().id == other;
-  add(
+  QAction* entry = add(
       menu,
       tr("Connect %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})), {},
       [actions, one, other] { actions.tie(one, other); },
       ground ? tr("hold the link with a brake") : QString());
+  MenuPreview::of(menu).add(entry, tieEdit(one, other));
 }
 
 void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {

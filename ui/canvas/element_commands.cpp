@@ -10,9 +10,9 @@
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/torque_text.h"
 #include "core/theory/states/state_edits.h"
+#include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph::inline canvas {
@@ -47,17 +47,6 @@ std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
   }
   return SheetPoint{node->second.x + kDistance, node->second.y};
 }
-
-/// The coupling that was added is engaged at once.
-Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
-  if (!added) return added;
-  const CouplingId coupling = added->couplings.back().id;
-  return withCouplingEngaged(*std::move(added), coupling, true);
-}
-
-}  // namespace
-
-namespace {
 
 /// The position of the torque load in the joint or on the link; -1: there is none.
 int torqueLoadOf(const Mechanism& mechanism, const ElementId& element) {
@@ -218,29 +207,19 @@ void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
 }
 
 void ElementCommands::hold(LinkId link) {
-  apply(tr("Hold %1").arg(describe(*m_document.mechanism(), {link})),
-        [link](const Mechanism& mechanism) { return withLastEngaged(withBrake(mechanism, link)); });
+  m_document.apply(holdEdit(*m_document.mechanism(), link));
 }
 
 void ElementCommands::tie(LinkId one, LinkId other) {
-  apply(tr("Connect links"), [one, other](const Mechanism& mechanism) {
-    return withLastEngaged(withClutch(mechanism, one, other));
-  });
+  m_document.apply(tieEdit(one, other));
 }
 
 void ElementCommands::engage(CouplingId coupling, bool engaged) {
-  const QString what = describe(*m_document.mechanism(), {coupling});
-  apply((engaged ? tr("Engage %1") : tr("Release %1")).arg(what),
-        [=](const Mechanism& mechanism) { return withCouplingEngaged(mechanism, coupling, engaged); });
+  m_document.apply(engageEdit(*m_document.mechanism(), coupling, engaged));
 }
 
 void ElementCommands::toggleBrake(LinkId link) {
-  const Mechanism& now = *m_document.mechanism();
-  const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const Coupling& each) {
-    return each.kind == CouplingKind::brake && each.links.front() == link;
-  });
-  if (brake == now.couplings.end()) return hold(link);
-  engage(brake->id, std::find(now.engaged.begin(), now.engaged.end(), brake->id) == now.engaged.end());
+  m_document.apply(toggleBrakeEdit(*m_document.mechanism(), link));
 }
 
 void ElementCommands::takeOff(const ElementId& coupling) {

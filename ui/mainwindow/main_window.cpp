@@ -19,6 +19,7 @@
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
+#include "ui/mainwindow/edit_preview.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_clipboard.h"
@@ -283,7 +284,11 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
   });
   connect(drawing, &DrawingView::menuOpening, this,
           [this, drawing](QMenu* menu, const std::optional<ElementId>& element) {
-            if (element) return;
+            if (element) {
+              return showPreviews(*menu, *m_workbench, [this](const QString& hint) {
+                m_status->setHint(hint.isEmpty() ? this->drawing().hint() : hint);
+              });
+            }
             menu->addSeparator();
             menu->addAction(m_actions->copyPicture->text(), m_exports,
                             [this, drawing] { m_exports->copyPicture(drawing->objectName()); });

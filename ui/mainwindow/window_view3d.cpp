@@ -7,7 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/canvas/brake_edits.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/canvas/menu_preview.h"
+#include "ui/mainwindow/edit_preview.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/shapes_dialog.h"
 #include "ui/mainwindow/status_line.h"
@@ -42,6 +45,11 @@ void MainWindow::wireView3DCommands() {
     if (!element) return;
     menu->addSeparator();
     menu->addActions({m_actions->drive, m_actions->hold, m_actions->makeGround, m_actions->rename});
+    MenuPreview::of(*menu).add(m_actions->hold,
+                               toggleBrakeEdit(*m_document->mechanism(), LinkId(element->id)));
+    showPreviews(*menu, *m_workbench, [this](const QString& hint) {
+      m_status->setHint(hint.isEmpty() ? drawing().hint() : hint);
+    });
     menu->addAction(tr("Attached 3D files…"), this, [this, link = LinkId(element->id)] {
       (new ShapesDialog(m_document, link, this))->show();
     });

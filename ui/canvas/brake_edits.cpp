@@ -1,0 +1,53 @@
+#include "ui/canvas/brake_edits.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "core/mechanism/model/shift_edits.h"
+#include "core/theory/states/state_edits.h"
+#include "ui/canvas/canvas_edits.h"
+
+namespace geargraph::inline canvas {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("canvas", text);
+}
+
+/// The coupling that was added is engaged at once.
+Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
+  if (!added) return added;
+  const CouplingId coupling = added->couplings.back().id;
+  return withCouplingEngaged(*std::move(added), coupling, true);
+}
+
+}  // namespace
+
+Edit holdEdit(const Mechanism& now, LinkId link) {
+  return {tr("Hold %1").arg(describe(now, {link})),
+          [link](const Mechanism& mechanism) { return withLastEngaged(withBrake(mechanism, link)); }, 0};
+}
+
+Edit tieEdit(LinkId one, LinkId other) {
+  return {
+      tr("Connect links"),
+      [one, other](const Mechanism& mechanism) { return withLastEngaged(withClutch(mechanism, one, other)); },
+      0};
+}
+
+Edit engageEdit(const Mechanism& now, CouplingId coupling, bool engaged) {
+  return {(engaged ? tr("Engage %1") : tr("Release %1")).arg(describe(now, {coupling})),
+          [=](const Mechanism& mechanism) { return withCouplingEngaged(mechanism, coupling, engaged); }, 0};
+}
+
+Edit toggleBrakeEdit(const Mechanism& now, LinkId link) {
+  const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const Coupling& each) {
+    return each.kind == CouplingKind::brake && each.links.front() == link;
+  });
+  if (brake == now.couplings.end()) return holdEdit(now, link);
+  const bool isEngaged = std::find(now.engaged.begin(), now.engaged.end(), brake->id) != now.engaged.end();
+  return engageEdit(now, brake->id, !isEngaged);
+}
+
+}  // namespace geargraph::inline canvas
