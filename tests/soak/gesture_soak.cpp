@@ -71,6 +71,7 @@ GestureSoak::GestureSoak(const SoakOptions& options) : m_options(options), m_ran
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
   QApplication::setQuitOnLastWindowClosed(false);
   applyTheme(*qApp, Theme::light);
+  qApp->installEventFilter(this);
   m_windows = std::make_unique<WindowSet>(m_folder.filePath(QStringLiteral("recovery")));
   m_watchdog = std::make_unique<test::StallWatchdog>(
       kOpening, options.stacks ? test::StallWatchdog::Stacks::sampled : test::StallWatchdog::Stacks::none);
@@ -164,12 +165,16 @@ void GestureSoak::step() {
   if (m_sinceGesture.elapsed() > kStuck) return giveUp();
   if (isOver || m_ending) return endRound();
   next();
-  const std::vector<MainWindow*> before = m_windows->windows();
   act();
-  // Another language builds the windows anew.
-  for (const MainWindow* each : m_windows->windows()) {
-    if (std::find(before.begin(), before.end(), each) == before.end()) m_watchdog->renameActivity(kOpening);
-  }
+}
+
+/// A gesture that makes a window (opens an example, begins a practice, changes the language) is an opening.
+/// Known as soon as the window is there: the event that a gesture sends handles posted ones before it
+/// returns.
+bool GestureSoak::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Polish && qobject_cast<MainWindow*>(watched) != nullptr)
+    m_watchdog->renameActivity(kOpening);
+  return QObject::eventFilter(watched, event);
 }
 
 void GestureSoak::act() {

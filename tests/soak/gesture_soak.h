@@ -39,6 +39,8 @@ class GestureSoak : public QObject {
   /// The number of findings; each is printed. Runs the event loop of the application.
   int run();
 
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void next();
   void step();
