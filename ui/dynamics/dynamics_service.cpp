@@ -38,7 +38,7 @@ class Worker {
     dynamics->snapshot = m_snapshot;
     dynamics->train = m_train;
     dynamics->whyNone = m_whyNone;
-    if (m_train) evaluate(request.moment, *dynamics);
+    if (m_train && !evaluate(request.moment, *dynamics, respond.stop())) return;
     respond(std::move(dynamics));
   }
 
@@ -66,13 +66,16 @@ class Worker {
     return true;
   }
 
-  void evaluate(const InputMoment& moment, Dynamics& dynamics) {
+  /// False where `stop` was requested.
+  bool evaluate(const InputMoment& moment, Dynamics& dynamics, const std::stop_token& stop) {
     const Eigen::Index inputs = m_train->train.inputs();
     const Eigen::VectorXd angles = vectorOf(moment.angles, inputs);
-    dynamics.state.equation = m_evaluator->at(angles, vectorOf(moment.speeds, inputs));
+    dynamics.state.equation = m_evaluator->at(angles, vectorOf(moment.speeds, inputs), stop);
+    if (stop.stop_requested()) return false;
     dynamics.state.reflected = m_evaluator->reflectedInertias(angles);
     dynamics.isMassless = !accelerationsFor(dynamics.state.equation, Eigen::VectorXd::Zero(inputs));
     dynamics.metres = metresPerUnit(*m_snapshot->mechanism)->toDouble();
+    return true;
   }
 
   SnapshotPtr m_snapshot;  ///< whose masses these are; null: none are

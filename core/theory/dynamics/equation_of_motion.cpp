@@ -82,7 +82,8 @@ void TrainDynamics::addLoad(const MovingLoad& load) {
   m_equation.load += m_twists[link].transpose() * wrench;
 }
 
-const EquationOfMotion& TrainDynamics::at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds) {
+const EquationOfMotion& TrainDynamics::at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds,
+                                          const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(speeds.size() == m_train.inputs());
   place(angles);
   const SpanningTree& tree = *m_train.tree;
@@ -95,6 +96,7 @@ const EquationOfMotion& TrainDynamics::at(const Eigen::VectorXd& angles, const E
   std::vector<Twist> accelerations(m_poses.size(), Twist::Zero());  // where the inputs do not accelerate
   accelerations[0].tail<3>() = -m_train.gravity;  // weight is as if the ground accelerated upwards
   for (const int link : tree.preorder().subspan(1)) {
+    if (stop.stop_requested()) break;
     const auto i = static_cast<std::size_t>(link);
     const Twist velocity = m_twists[i] * speeds;
     accelerations[i] = accelerations[static_cast<std::size_t>(tree.parent(link))] +

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/machine/solids/mass_properties.h"
@@ -60,9 +61,10 @@ class TrainDynamics {
 
   /// At these angles and speeds of the inputs (rad, rad/s). Identities: M is the Hessian of the kinetic
   /// energy by the speeds; d(kinetic + potential)/dt = (tau + load) . theta'.
-  /// Cost: O(n E²).
+  /// Cost: O(n E²). Where `stop` is requested meanwhile, what it returns is good for nothing.
   /// @pre an angle and a speed for each input
-  const EquationOfMotion& at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds);
+  const EquationOfMotion& at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds,
+                             const std::stop_token& stop = {});
 
   /// The inertia that each link has at each motor while the others stand still, links x inputs, kg m²: for a
   /// link that turns about one axis its moment of inertia times the square of its ratio. The sum of a column
