@@ -14,6 +14,19 @@ bool isMesh(const ElementId& element) {
   return element.kind == ElementKind::gearMesh;
 }
 
+QPixmap gridDot(const QColor& color, double devicePixels) {
+  constexpr double kDot = 1.6, kSide = 4;  // px
+  QPixmap picture((QSizeF(kSide, kSide) * devicePixels).toSize());
+  picture.setDevicePixelRatio(devicePixels);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(QPointF(kSide / 2, kSide / 2), kDot / 2, kDot / 2);
+  return picture;
+}
+
 }  // namespace
 
 GraphView::GraphView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent)
@@ -95,14 +108,20 @@ void GraphView::drawBackground(QPainter* painter, const QRectF& rect) {
   constexpr double kStep = ToolController::kGridStep;
   constexpr double kDensest = 7;  // px between two dots
   if (!m_controller->hasGrid() || kStep * scaleNow() < kDensest) return;
-  QPen dots(toQColor(colorOf(ColorRole::secondary, theme())), 1.6 / scaleNow());
-  dots.setCapStyle(Qt::RoundCap);
-  painter->setPen(dots);
+  // Thousands of dots: copies of one picture take a tenth of the time that strokes of round caps take.
+  const QPixmap dot = gridDot(toQColor(colorOf(ColorRole::secondary, theme())), devicePixelRatioF());
+  const QRectF whole(QPointF(0, 0), QSizeF(dot.size()));
+  const double size = 1 / dot.devicePixelRatio();
+  const QTransform toView = painter->worldTransform();
+  std::vector<QPainter::PixmapFragment> dots;
   for (double x = kStep * std::floor(rect.left() / kStep); x <= rect.right(); x += kStep) {
-    for (double y = kStep * std::floor(rect.top() / kStep); y <= rect.bottom(); y += kStep) {
-      painter->drawPoint(QPointF(x, y));
-    }
+    for (double y = kStep * std::floor(rect.top() / kStep); y <= rect.bottom(); y += kStep)
+      dots.push_back(QPainter::PixmapFragment::create(toView.map(QPointF(x, y)), whole, size, size));
   }
+  painter->save();
+  painter->resetTransform();  // copies without scaling are the fastest
+  painter->drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), dot);
+  painter->restore();
 }
 
 }  // namespace geargraph::inline canvas
