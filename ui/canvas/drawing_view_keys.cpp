@@ -181,9 +181,12 @@ std::vector<ElementId> DrawingView::drawnElements() const {
 std::optional<ElementId> DrawingView::currentElement() const {
   const std::set<ElementId>& selected = m_selection->selected();
   if (m_current && selected.contains(*m_current) && middleOf(*m_current)) return m_current;
-  const auto drawn = std::find_if(selected.begin(), selected.end(),
-                                  [this](const ElementId& element) { return middleOf(element).has_value(); });
-  return drawn == selected.end() ? std::nullopt : std::optional(*drawn);
+  const ElementId* first = nullptr;  // of those selected, in their order
+  for (const Outline& outline : m_scene->outlines()) {
+    if (first != nullptr && !(outline.element < *first)) continue;
+    if (selected.contains(outline.element)) first = &outline.element;
+  }
+  return first == nullptr ? std::nullopt : std::optional(*first);
 }
 
 std::optional<SheetPoint> DrawingView::middleOf(const ElementId& element) const {
