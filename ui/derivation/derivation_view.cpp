@@ -115,7 +115,8 @@ void DerivationView::layOut() {
   flow.tallest = 1e6;
   flow.leastPart = 0.8;
   flow.leavesOutWide = false;
-  m_lines = m_report->lines(flow, FontMeasure(font()));
+  if (!m_measure || m_measure->font() != font()) m_measure.emplace(font());
+  m_lines = m_report->lines(flow, *m_measure);
   m_tops.clear();
   double y = kMargin, width = room;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {

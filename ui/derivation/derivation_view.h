@@ -78,6 +78,7 @@ class DerivationView : public QAbstractScrollArea {
 
   Selection* m_selection;
   SetReportPtr m_report;
+  std::optional<FontMeasure> m_measure;
   std::vector<FlowLine> m_lines;
   std::vector<double> m_tops;           ///< of lines; one more: the end
   std::vector<std::size_t> m_headings;  ///< blocks

@@ -32,9 +32,18 @@ void paintCurves(QPainter& painter, const FlowFigure& figure, QPointF origin, Th
 
 double FontMeasure::widthOf(std::string_view utf8, const WordLook& look) const {
   const std::pair key{std::lround(look.size), look.bold};
-  auto found = m_metrics.find(key);
-  if (found == m_metrics.end()) found = m_metrics.emplace(key, QFontMetricsF(fontOf(m_base, look))).first;
-  return found->second.horizontalAdvance(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
+  auto found = m_words.find(key);
+  if (found == m_words.end())
+    found = m_words.emplace(key, Words{QFontMetricsF(fontOf(m_base, look)), {}}).first;
+  Words& words = found->second;
+  const auto known = words.widths.find(utf8);
+  if (known != words.widths.end()) return known->second;
+  const double width =
+      words.metrics.horizontalAdvance(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
+  constexpr std::size_t kMostWords = 20000;
+  if (words.widths.size() >= kMostWords) words.widths.clear();
+  words.widths.emplace(utf8, width);
+  return width;
 }
 
 void FlowPainter::paint(QPainter& painter, const FlowLine& line, QPointF origin, const QFont& base,

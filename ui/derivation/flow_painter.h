@@ -3,21 +3,30 @@
 #include <QFont>
 #include <QFontMetricsF>
 #include <map>
+#include <string>
 
 #include "core/presentation/pages/flow.h"
 #include "ui/derivation/formula_painter.h"
 
 namespace geargraph::inline ui_derivation {
 
-/// Words as QPainter shows them in a font.
+/// Words as QPainter shows them in a font. Remembers the words it has measured: a report says the same words
+/// again and again, and its next version does, too.
 class FontMeasure : public WordMeasure {
  public:
   explicit FontMeasure(const QFont& base) : m_base(base) {}
   [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override;
+  [[nodiscard]] const QFont& font() const { return m_base; }
 
  private:
+  /// Of one size and weight.
+  struct Words {
+    QFontMetricsF metrics;
+    std::map<std::string, double, std::less<>> widths;
+  };
+
   QFont m_base;
-  mutable std::map<std::pair<long, bool>, QFontMetricsF> m_metrics;
+  mutable std::map<std::pair<long, bool>, Words> m_words;
 };
 
 /// Paints the strips of a report, on the screen and on pages. Use it on the thread that made it.
