@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
+#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -52,7 +53,8 @@ QString tipOf(ForceTableKind kind) {
   return {};
 }
 
-constexpr int kPlotsChip = 1000;  ///< beyond all kinds of tables
+constexpr int kPlotsChip = 1000;   ///< beyond all kinds of tables
+constexpr int kRowsMeasured = 40;  ///< for the widths of columns
 constexpr int kCardWidth = 216;
 constexpr int kRoomForCard = 700;  ///< px at which the card of the efficiency stands beside the table
 
@@ -156,6 +158,7 @@ QWidget* ForcesPanel::makeBar() {
 
 QWidget* ForcesPanel::makeMiddle() {
   m_table->setObjectName(QStringLiteral("forceTable"));
+  m_table->horizontalHeader()->setResizeContentsPrecision(kRowsMeasured);
   m_table->setAccessibleName(tr("Forces"));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);

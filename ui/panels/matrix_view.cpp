@@ -173,8 +173,9 @@ void MatrixView::fitSections() {
       wide / columns >= scaledPixels(kNarrowest) ? std::min(wide / columns, widest) : widest;
   const int cellHeight = high / rows >= scaledPixels(kLowest) ? std::min(high / rows, highest) : highest;
   verticalHeader()->setDefaultSectionSize(cellHeight);
-  horizontalHeader()->setDefaultSectionSize(cellWidth);
   const std::vector<int> widths = widthsOfQuantity();
+  // What most columns have, all at once: one by one thousands of them take long.
+  horizontalHeader()->setDefaultSectionSize(widths.empty() ? cellWidth : widths.back());
   for (int column = 0; column < columns; ++column) {
     const int entry = widths.empty() ? cellWidth : widths[std::min(widths.size() - 1, std::size_t(column))];
     const int size = entry + (column == columns - 1 ? kMatrixBracket : 0);
