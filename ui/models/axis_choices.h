@@ -17,8 +17,11 @@ struct NamedAxisChoice {
   AxisChoice choice;
 };
 
+/// How many axes are offered to lay another one by.
+constexpr std::size_t kMostAxesOffered = 30;
+
 /// All ways for these axes: along x, y, z; square to, parallel to, through the meeting point of each other
-/// one.
+/// one. Of more than kMostAxesOffered others, those first that the fewest joints are away.
 [[nodiscard]] std::vector<NamedAxisChoice> axisChoices(const Mechanism& mechanism,
                                                        const std::set<AxisId>& of);
 
