@@ -135,6 +135,7 @@ void InsertSetDialog::renew() {
     return;
   }
   QString text = tr("%1 links, %2 joints, %3 meshes").arg(set->n()).arg(set->t()).arg(set->c());
+  if (!set->engaged.empty()) text += tr("; brake %1 is engaged").arg(shownText(set->engaged.front().text()));
   if (!set->states.empty())
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
   m_summary->setText(text);

@@ -141,16 +141,26 @@ Expected<Mechanism> ChoiceForm::set() const {
 }
 
 PlanetaryForm::PlanetaryForm(QWidget* parent)
-    : ChoiceForm({tr("sun"), tr("planet"), tr("ring")}, Rational(7, 2), parent), m_use(new QComboBox(this)) {
+    : ChoiceForm({tr("sun"), tr("planet"), tr("ring")}, Rational(7, 2), parent),
+      m_use(new QComboBox(this)),
+      m_held(new QComboBox(this)) {
   m_use->setObjectName(QStringLiteral("use"));
   m_use->addItems({tr("sun to carrier, ring held"), tr("ring to carrier, sun held"),
                    tr("sun to ring, carrier held"), tr("carrier to sun, ring held"),
                    tr("carrier to ring, sun held"), tr("ring to sun, carrier held")});
   form().addRow(tr("From, to"), m_use);
+  m_held->setObjectName(QStringLiteral("held"));
+  m_held->addItems({tr("by an engaged brake"), tr("cut into the ground")});
+  m_held->setToolTip(tr(
+      "What \"held\" means: a link of its own with a brake that is engaged, so that you can release it; or "
+      "no link of its own, its teeth are the ground's, as in the example \"Planetary train, ring held\". "
+      "The speeds are the same."));
+  form().addRow(tr("Held"), m_held);
   m_planets = addWhole(tr("Planets"), "planets", 3, 1, 12);
   m_fewest = addWhole(tr("Fewest teeth"), "fewest", 17, 6, 200);
   m_most = addWhole(tr("Most teeth"), "most", 120, 20, 400);
-  connect(m_use, &QComboBox::activated, this, [this] { renew(); });
+  for (const QComboBox* choice : {m_use, m_held})
+    connect(choice, &QComboBox::activated, this, [this] { renew(); });
   for (NumberField* field : {m_planets, m_fewest, m_most})
     connect(field, &NumberField::edited, this, [this] { renew(); });
   addTable();
@@ -159,6 +169,8 @@ PlanetaryForm::PlanetaryForm(QWidget* parent)
 std::vector<ChoiceForm::Choice> PlanetaryForm::choices(const Rational& ratio) const {
   const Use& use = kUses[m_use->currentIndex()];
   PlanetaryWish wish{ratio, use.drive, use.driven, wholeOf(m_planets), wholeOf(m_fewest), wholeOf(m_most)};
+  const PlanetaryUse made{use.drive, use.driven,
+                          m_held->currentIndex() == 0 ? PlanetaryHolding::brake : PlanetaryHolding::ground};
   std::vector<Choice> choices;
   for (const PlanetaryChoice& choice : planetaryChoices(wish)) {
     const PlanetaryTeeth teeth = choice.teeth;
@@ -166,7 +178,7 @@ std::vector<ChoiceForm::Choice> PlanetaryForm::choices(const Rational& ratio) co
         {{QString::number(teeth.sun), QString::number(teeth.planet), QString::number(teeth.ring())},
          choice.ratio,
          choice.error,
-         [teeth, planets = wish.planets] { return planetarySet(teeth, planets); }});
+         [teeth, planets = wish.planets, made] { return planetarySet(teeth, planets, made); }});
   }
   return choices;
 }

@@ -98,6 +98,7 @@ class PlanetaryForm : public ChoiceForm {
 
  private:
   QComboBox* m_use;
+  QComboBox* m_held;
   NumberField* m_planets;
   NumberField* m_fewest;
   NumberField* m_most;

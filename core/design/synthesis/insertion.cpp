@@ -167,6 +167,7 @@ class Inserter {
       for (LinkId& link : coupling.links) link = m_links.at(link);
       m_result.couplings.push_back(std::move(coupling));
     }
+    for (const CouplingId& id : m_set.engaged) m_result.engaged.push_back(couplings.at(id));
     for (ShiftState state : m_set.states) {
       state.name = m_names.state(state.name);
       for (CouplingId& id : state.engaged) id = couplings.at(id);

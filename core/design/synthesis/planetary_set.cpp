@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/contract.h"
@@ -20,6 +23,33 @@ int weightOf(const PlanetaryTeeth& teeth, PlanetaryMember member) {
     default:
       return -(teeth.sun + teeth.ring());
   }
+}
+
+PlanetaryMember heldMember(const PlanetaryUse& use) {
+  GEARGRAPH_REQUIRE(use.drive != use.driven);
+  using enum PlanetaryMember;
+  for (const PlanetaryMember member : {sun, ring})
+    if (member != use.drive && member != use.driven) return member;
+  return carrier;
+}
+
+/// The numbers of the links.
+using Members = std::map<PlanetaryMember, int>;
+
+/// Links and meshes of a set; `cut` is the ground.
+Members addMembers(SetSketch& set, const PlanetaryTeeth& teeth, int planets,
+                   std::optional<PlanetaryMember> cut) {
+  using enum PlanetaryMember;
+  Members members;
+  for (const auto& [member, name] : {std::pair(sun, "sun"), {ring, "ring"}, {carrier, "carrier"}})
+    members[member] = member == cut ? 0 : set.link(0, "a", name);
+  for (int i = 0; i < planets; ++i) {
+    const std::string number = planets == 1 ? "" : " " + std::to_string(i + 1);
+    const int planet = set.link(members[carrier], "b" + std::to_string(i), "planet" + number);
+    set.mesh(members[sun], planet, teeth.sun, teeth.planet, MeshKind::external);
+    set.mesh(planet, members[ring], teeth.planet, teeth.ring(), MeshKind::internal);
+  }
+  return members;
 }
 
 }  // namespace
@@ -63,17 +93,22 @@ std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryWish& wish, std::si
 
 Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets) {
   SetSketch set("Planetary set");
-  const int sun = set.link(0, "a", "sun");
-  const int ring = set.link(0, "a", "ring");
-  const int carrier = set.link(0, "a", "carrier");
-  for (int i = 0; i < planets; ++i) {
-    const std::string number = planets == 1 ? "" : " " + std::to_string(i + 1);
-    const int planet = set.link(carrier, "b" + std::to_string(i), "planet" + number);
-    set.mesh(sun, planet, teeth.sun, teeth.planet, MeshKind::external);
-    set.mesh(planet, ring, teeth.planet, teeth.ring(), MeshKind::internal);
+  const Members members = addMembers(set, teeth, planets, {});
+  set.input(members.at(PlanetaryMember::sun), Number(1));
+  set.input(members.at(PlanetaryMember::ring), Number(0));
+  return std::move(set).build();
+}
+
+Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets, const PlanetaryUse& use) {
+  const PlanetaryMember held = heldMember(use);
+  const bool isCut = use.holding == PlanetaryHolding::ground;
+  SetSketch set("Planetary set");
+  const Members members = addMembers(set, teeth, planets, isCut ? std::optional(held) : std::nullopt);
+  set.input(members.at(use.drive), Number(1));
+  if (!isCut) {
+    set.brake("B", members.at(held));
+    set.engage("B");
   }
-  set.input(sun, Number(1));
-  set.input(ring, Number(0));
   return std::move(set).build();
 }
 

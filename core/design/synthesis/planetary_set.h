@@ -46,7 +46,22 @@ struct PlanetaryChoice {
 /// equals the smallest first; `most` at most. Empty where the signs can never agree. Cost: O(teeth^2).
 [[nodiscard]] std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryWish& wish, std::size_t most = 20);
 
-/// Sun 1, ring 2, carrier 3, planets 4..; places left open. Ring held, sun driven at 1 rad/s.
+/// Sun 1, ring 2, carrier 3, planets 4..; places left open. Inputs: the sun at 1 rad/s, the ring at 0.
 [[nodiscard]] Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets);
+
+/// How a member of a set is held: by an engaged brake, which can let go of it, or cut into the ground.
+enum class PlanetaryHolding { brake, ground };
+
+/// What a planetary set is for: `drive` turns at 1 rad/s, the member that is neither drive nor driven is
+/// held.
+struct PlanetaryUse {
+  PlanetaryMember drive = PlanetaryMember::sun;
+  PlanetaryMember driven = PlanetaryMember::carrier;
+  PlanetaryHolding holding = PlanetaryHolding::brake;
+};
+
+/// Sun, ring, carrier, planets in this order; a member that is cut into the ground is link 0. A brake is
+/// named "B". @pre drive and driven differ
+[[nodiscard]] Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets, const PlanetaryUse& use);
 
 }  // namespace geargraph::inline synthesis

@@ -63,6 +63,10 @@ void SetSketch::brake(const std::string& id, int link) {
   m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::brake, {idOf(link)}, {}});
 }
 
+void SetSketch::engage(const std::string& id) {
+  m_mechanism.engaged.emplace_back(id);
+}
+
 void SetSketch::clutch(const std::string& id, int link, int other) {
   m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::clutch, {idOf(link), idOf(other)}, {}});
 }

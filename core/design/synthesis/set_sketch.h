@@ -25,6 +25,8 @@ class SetSketch {
   WheelId wheel(const std::string& id, int link);
   void input(int link, const Number& speed);
   void brake(const std::string& id, int link);
+  /// Engages a coupling now.
+  void engage(const std::string& id);
   void clutch(const std::string& id, int link, int other);
   void state(const std::string& name, const std::vector<std::string>& engaged, int drive, int driven);
 

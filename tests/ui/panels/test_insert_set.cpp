@@ -1,3 +1,4 @@
+#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -56,6 +57,30 @@ class InsertSetTest : public QObject {
     QCOMPARE(inserted->n(), 6);
     QCOMPARE(inserted->gearMeshes[0].tailTeeth, sun);
     QVERIFY(!dialog->isVisible());
+  }
+
+  void whatIsHeldIsHeldAsTheDialogSays() {
+    auto* use = visible<QComboBox>("use");
+    const int sunHeld = use->findText(QStringLiteral("ring to carrier, sun held"));
+    QVERIFY(sunHeld >= 0);
+    use->setCurrentIndex(sunHeld);
+    emit use->activated(sunHeld);
+    QVERIFY(summary().contains(QStringLiteral("brake B is engaged")));
+    insert().click();
+    QVERIFY(inserted.has_value());
+    QCOMPARE(inserted->couplings.size(), std::size_t(1));
+    QCOMPARE(inserted->find(inserted->couplings[0].links[0])->name, std::string("sun"));
+    QCOMPARE(inserted->engaged, std::vector<CouplingId>{inserted->couplings[0].id});
+    QCOMPARE(inserted->inputs->size(), std::size_t(1));
+
+    dialog->show();
+    auto* held = visible<QComboBox>("held");
+    held->setCurrentIndex(1);
+    emit held->activated(1);
+    insert().click();
+    QVERIFY(inserted->couplings.empty());
+    QCOMPARE(inserted->n(), 5);  // the sun's teeth are the ground's
+    QCOMPARE(inserted->gearMeshes[0].tail, inserted->links[0].id);
   }
 
   void anotherChoiceIsTakenFromTheTable() {

@@ -8,6 +8,7 @@
 #include "core/machine/bodies/complete_train.h"
 #include "core/machine/teeth/phase.h"
 #include "core/mechanism/model/validate.h"
+#include "core/theory/analysis/analysis.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/state_solution.h"
 #include "tests/core/support/matroid_fixture.h"
@@ -68,6 +69,51 @@ class TestSynthesis : public QObject {
     QCOMPARE(planetaryRatio(teeth, sun, ring), Rational(-60, 24));     // carrier held
     const Mechanism set = planetarySet(teeth, 3);
     QCOMPARE(ratesOf(set)[2], Rational(24, 84));  // the carrier, the sun at 1
+  }
+
+  void everyUseOfAPlanetarySetHasItsRatio() {
+    using enum PlanetaryMember;
+    const PlanetaryTeeth teeth{24, 18};
+    const std::map<PlanetaryMember, std::string> names{{sun, "sun"}, {ring, "ring"}, {carrier, "carrier"}};
+    int uses = 0;
+    for (const PlanetaryMember drive : {sun, ring, carrier}) {
+      for (const PlanetaryMember driven : {sun, ring, carrier}) {
+        if (drive == driven) continue;
+        for (const PlanetaryHolding holding : {PlanetaryHolding::brake, PlanetaryHolding::ground}) {
+          const bool isCut = holding == PlanetaryHolding::ground;
+          const Mechanism set =
+              withInserted(emptyMechanism(), planetarySet(teeth, 3, {drive, driven, holding}), {0, 0});
+          QVERIFY(wellFormedDiagnostics(set).empty() && treeDiagnostics(set).empty());
+          QCOMPARE(set.n(), isCut ? 5 : 6);
+          QCOMPARE(set.engaged.size(), std::size_t(isCut ? 0 : 1));
+          const SnapshotPtr live = analyze(std::make_shared<const Mechanism>(set));
+          QVERIFY(live->matroid() != nullptr && live->matroid()->solution);
+          QCOMPARE(live->matroid()->dof, 1);
+          const auto jointOf = [&](PlanetaryMember member) {
+            for (int joint = 0; joint < set.t(); ++joint) {
+              const LinkId& head = set.turningJoints[static_cast<std::size_t>(joint)].head;
+              if (set.find(head)->name == names.at(member)) return joint;
+            }
+            return -1;
+          };
+          QCOMPARE(live->matroid()->choice.joints, std::vector<int>{jointOf(drive)});
+          const auto exact =
+              solveExact(*live->kinematics->model, live->matroid()->choice.joints, live->matroid()->speeds);
+          const Rational& turns = exact->rates.at(static_cast<std::size_t>(jointOf(driven)));
+          QCOMPARE(turns * planetaryRatio(teeth, drive, driven), Rational(1));
+          ++uses;
+        }
+      }
+    }
+    QCOMPARE(uses, 12);
+  }
+
+  void aSetGoesInWithItsBrakeEngaged() {
+    const Mechanism set = planetarySet({24, 18}, 3, PlanetaryUse{});
+    const Mechanism both = withInserted(withInserted(emptyMechanism(), set, {0, 0}), set, {500, 0});
+    QVERIFY(wellFormedDiagnostics(both).empty());
+    QCOMPARE(both.couplings.size(), std::size_t(2));
+    QCOMPARE(both.engaged, (std::vector<CouplingId>{both.couplings[0].id, both.couplings[1].id}));
   }
 
   void planetaryChoicesAssembleAndClearAndComeNear() {
