@@ -7,8 +7,8 @@
 #include "core/mechanism/model/pins.h"
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
-#include "ui/models/axis_choices.h"
 #include "ui/canvas/menu_preview.h"
+#include "ui/models/axis_choices.h"
 
 namespace geargraph::inline canvas {
 namespace {

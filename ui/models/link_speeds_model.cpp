@@ -37,7 +37,8 @@ void LinkSpeedsModel::setNames(const MechanismPtr& newest) {
 
 void LinkSpeedsModel::setObserver(const std::optional<LinkId>& observer) {
   m_observer = observer;
-  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
+  if (rowCount() == 0) return;
+  emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
   emit headerDataChanged(Qt::Horizontal, aboutColumn, aboutColumn);
 }
 

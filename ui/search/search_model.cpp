@@ -42,11 +42,13 @@ void SearchModel::setQuery(const QString& query) {
   std::vector<std::pair<int, std::size_t>> found;  // minus the score, so that the best sort first
   for (std::size_t i = 0; i < m_entries.size(); ++i) {
     const SearchEntry& entry = m_entries[i];
-    int score = matchScore(entry.haystack, words, !entry.element);
+    int score = matchScore(entry.haystack, words, false);
     if (score == 0 && !entry.everydayWords.isEmpty()) {
       // A name counts more than another word for it.
       score = matchScore(entry.haystack + QLatin1Char(' ') + entry.everydayWords, words, false) / 2;
     }
+    // What may be mistyped counts least: "film" is no "file" where a film is made.
+    if (score == 0 && !entry.element) score = matchScore(entry.haystack, words, true);
     // Pages tell about what commands do: those come first.
     if (!entry.page.isEmpty() && score > 0) score = std::max(1, score / kPagesBehind);
     if (score > 0) found.emplace_back(-score, i);

@@ -225,7 +225,7 @@ class WindowSearchTest : public QObject {
     const QStringList wanted = command.split('|');
     ask(QString(QTest::currentDataTag()));
     constexpr int kInSight = 6;
-    const SearchModel& model = *search()->model();
+    const SearchModel& model = search()->model();
     QStringList found;
     for (int row = 0; row < std::min(kInSight, model.rowCount()); ++row) {
       const SearchEntry& entry = model.entryAt(row);

@@ -179,8 +179,8 @@ class InputsAndResultsTest : public QObject {
     QCOMPARE(cell(1, 0), QStringLiteral("link 2 (forearm) relative to 1"));
     QCOMPARE(results->model().index(1, 0).data(Qt::ToolTipRole).toString(),
              QStringLiteral("Speed of joint 12: link 2 (forearm) relative to link 1"));
-    QCOMPARE(inputs->findChild<QWidget*>(QStringLiteral("slider.8"))->accessibleName(),
-             QStringLiteral("Speed of joint 8, link 4 (first motor)"));
+    QTRY_COMPARE(inputs->findChild<QWidget*>(QStringLiteral("slider.8"))->accessibleName(),
+                 QStringLiteral("Speed of joint 8, link 4 (first motor)"));
     results->setAbsolute(true);
     const auto* links = results->findChild<QTableView*>(QStringLiteral("linkSpeeds"))->model();
     QCOMPARE(links->index(3, 0).data().toString(), QStringLiteral("link 4 (first motor)"));
