@@ -15,6 +15,7 @@
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
+#include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
@@ -383,7 +384,7 @@ void MainWindow::onForces(const ForcesPtr& forces) {
   if (torques != nullptr || m_workbench->forces().isComplete())
     m_gearbox->setTorques(std::shared_ptr<const ForceTable>(forces, torques),
                           forces ? forces->snapshot->mechanism : nullptr);
-  m_view3d->setForces(forces ? forces->arrows : nullptr);
+  m_view3d->setForces(forces ? forces->arrows : nullptr, forcesCaption(forces));
   renewPowerFlow();
   tellWhenSettled();
 }

@@ -72,7 +72,10 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     Image image = (*painter)->paint(0);
     PictureOverlay overlay(content.seen->options, false);
     const SeenMap seen = (*painter)->seenForLabels();
-    if (image.width > 0) overlay.paint(image, (*painter)->labelGround(seen));
+    if (image.width > 0) {
+      const SeenStage& shown = (*painter)->seen();
+      overlay.paint(image, (*painter)->labelGround(seen), {shown.view().forces, shown.forceArrows(), {}, {}});
+    }
     const auto bytes = pngBytes(image, stop);
     picture.png =
         QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));

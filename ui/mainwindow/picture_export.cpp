@@ -22,17 +22,18 @@ namespace geargraph::inline mainwindow {
 namespace {
 
 /// The view's picture or film, with its labels, as a job for another thread.
-ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool dark, SolidForm form,
-                        const QString& path) {
+ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, const QString& forcesCaption,
+                        bool dark, SolidForm form, const QString& path) {
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
     ShotRun how;
     how.progress = progress;
     how.stop = stop;
     const auto overlay = std::make_shared<PictureOverlay>(options, dark);
-    how.finish = [overlay](Image& image, StagePainter& painter) {
+    const QString caption = options.marks.forces ? forcesCaption : QString();
+    how.finish = [overlay, caption](Image& image, StagePainter& painter) {
       const SeenMap seen = painter.seenForLabels();
       overlay->paint(image, painter.labelGround(seen),
-                     {painter.seen().view().forces, painter.seen().forceArrows(), {}});
+                     {painter.seen().view().forces, painter.seen().forceArrows(), {}, caption});
     };
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)
@@ -110,7 +111,8 @@ void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
   if (look.size) shot.size = {look.size->width, look.size->height};
   shot.fits = wish.isFitted;
   shot.film = wish.film;
-  m_jobs->add(shotJob(shot, m_views.view3d->options(), look.theme == Theme::dark, wish.solid, path));
+  m_jobs->add(shotJob(shot, m_views.view3d->options(), m_views.view3d->forcesCaption(),
+                      look.theme == Theme::dark, wish.solid, path));
 }
 
 void WindowExports::copyPicture(const QString& view) {

@@ -3,7 +3,11 @@
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+
+#include "core/foundations/base/words.h"
+#include "core/presentation/stage/force_arrow_shape.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -31,18 +35,91 @@ QColor inkOf(bool dark) {
   return dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E);
 }
 
+QColor sheetOf(bool dark) {
+  return dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
+}
+
 QColor colourOf(ForceKind kind, bool dark) {
   if (kind == ForceKind::tooth) return inkOf(dark);
   return dark ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2A, 0x68, 0xE4);
 }
 
-/// Boxes in the colours of their arrows, and what these colours mean on the upper left.
+QPointF pointOf(const Eigen::Vector2d& point) {
+  return {point.x(), point.y()};
+}
+
+/// Over the solids, as most forces act inside of one, and cased, so that it is seen before any of them.
+void paintArrow(QPainter& painter, const ForceArrowShape& shape, const QColor& colour, const QColor& casing) {
+  const QPen edge(casing, 2 * kForceCasing, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  painter.setPen(edge);
+  painter.setBrush(colour);
+  if (shape.isDisc) {
+    constexpr double kRadius = kForceDisc + kForceCasing / 2;
+    painter.drawEllipse(pointOf(shape.from), kRadius, kRadius);
+    return;
+  }
+  const QPointF head[] = {pointOf(shape.head[0]), pointOf(shape.head[1]), pointOf(shape.head[2])};
+  const QLineF shaft(pointOf(shape.from), pointOf(shape.neck));
+  painter.setPen(QPen(casing, kForceShaft + 2 * kForceCasing, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(shaft);
+  painter.setPen(edge);
+  painter.drawPolygon(head, 3);
+  painter.setPen(QPen(colour, kForceShaft, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(shaft);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(head, 3);
+}
+
+QString legendOf(ForceKind kind) {
+  return QString::fromStdString(base::translated(forceLegend(kind)));
+}
+
+/// What the colours of arrows mean, on the upper left, and what is not drawn. Returns where it is.
+QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
+  constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
+  constexpr double kWidestCaption = 380;
+  const QColor sheet = sheetOf(dark);
+  const QFontMetricsF metrics(painter.font());
+  double line = kLegendTop;
+  QRectF all;
+  for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
+    if (shown.arrows.empty()) break;
+    const QString text = legendOf(kind);
+    const QRectF row(kLegendLeft, line, 46 + metrics.horizontalAdvance(text), kLegendLine);
+    painter.fillRect(row, sheet);
+    painter.fillRect(QRectF(kLegendLeft + 6, line + kLegendLine / 2 - 1.4, 26, 2.8), colourOf(kind, dark));
+    painter.setPen(inkOf(dark));
+    painter.drawText(row.adjusted(40, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+    line += kLegendLine;
+    all |= row;
+  }
+  if (shown.caption.isEmpty()) return all;
+  const double room = ground.viewport.width / ground.pixelRatio - 2 * kLegendLeft;
+  const double wide = std::max(40.0, std::min(kWidestCaption, room) - 12);
+  constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  const QRectF needed = metrics.boundingRect(QRectF(0, 0, wide, 1000), kWrapped, shown.caption);
+  const QRectF box(kLegendLeft, line, needed.width() + 14, needed.height() + 4);
+  painter.fillRect(box, sheet);
+  painter.setPen(inkOf(dark));
+  painter.drawText(box.adjusted(6, 2, 0, 0), kWrapped, shown.caption);
+  return all | box;
+}
+
+/// Arrows, the legend, and boxes in the arrows' colours, of what is not lit only where they spare the legend.
 void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
-  if (shown.arrows.empty()) return;
-  const QColor sheet = dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
+  if (shown.arrows.empty() && shown.caption.isEmpty()) return;
+  const QColor sheet = sheetOf(dark);
   QFont font = painter.font();
   font.setPixelSize(12);
   painter.setFont(font);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const ForceArrow& arrow : shown.arrows)
+    paintArrow(painter, forceArrowShape(arrow, ground), colourOf((*shown.forces)[arrow.force].kind, dark),
+               dark ? QColor(0x1E, 0x22, 0x27) : QColor(Qt::white));
+  painter.restore();
+  const QRectF legend = paintForceLegend(painter, ground, shown, dark);
+  if (shown.arrows.empty()) return;
   const QFontMetricsF metrics(font);
   const auto widthOf = [&](const std::string& text) {
     return metrics.horizontalAdvance(QString::fromStdString(text));
@@ -52,21 +129,11 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
     const QRectF box(std::round(label.middle.x() - label.half.x()),
                      std::round(label.middle.y() - label.half.y()), std::round(2 * label.half.x()),
                      2 * label.half.y());
+    if (box.intersects(legend) && !shown.lit.contains(force.element)) continue;
     painter.fillRect(box.adjusted(-1, -1, 1, 1), colourOf(force.kind, dark));
     painter.fillRect(box, sheet);
     painter.setPen(inkOf(dark));
     painter.drawText(box, Qt::AlignCenter, QString::fromStdString(force.text));
-  }
-  constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
-  double line = kLegendTop;
-  for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
-    const QString text = QString::fromUtf8(forceLegend(kind).data(), qsizetype(forceLegend(kind).size()));
-    const QRectF row(kLegendLeft, line, 46 + metrics.horizontalAdvance(text), kLegendLine);
-    painter.fillRect(row, sheet);
-    painter.fillRect(QRectF(kLegendLeft + 6, line + kLegendLine / 2 - 1.4, 26, 2.8), colourOf(kind, dark));
-    painter.setPen(inkOf(dark));
-    painter.drawText(row.adjusted(40, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
-    line += kLegendLine;
   }
 }
 

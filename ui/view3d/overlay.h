@@ -14,6 +14,7 @@ struct ShownForces {
   StageForces forces;
   std::vector<ForceArrow> arrows;
   std::set<ElementId> lit;  ///< elements whose forces have labels in any case
+  QString caption;          ///< why some are not drawn, or all; empty where all are
 };
 
 /// What lies over the picture of the solids, the same in every canvas and file: the labels, and the scale

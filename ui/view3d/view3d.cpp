@@ -298,8 +298,11 @@ View3D::~View3D() {
   delete d->canvas();
 }
 
-void View3D::setForces(StageForces forces) {
-  d->viewer.setForces(std::move(forces));
+void View3D::setForces(StageForces forces, const QString& caption) {
+  d->viewer.setForces(std::move(forces), caption);
+}
+const QString& View3D::forcesCaption() const {
+  return d->viewer.forcesCaption();
 }
 
 void View3D::setStage(const StagePtr& stage) {

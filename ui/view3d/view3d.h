@@ -38,7 +38,9 @@ class View3D : public QWidget {
   void setStage(const StagePtr& stage);
   [[nodiscard]] const StagePtr& stage() const;
   /// The forces on its parts, for the entry "Forces" of its menu; null: there are none.
-  void setForces(StageForces forces);
+  /// `caption`: beside the legend, why some are not drawn, or all; empty where all are.
+  void setForces(StageForces forces, const QString& caption = {});
+  [[nodiscard]] const QString& forcesCaption() const;
   /// Shown in place of an empty stage: why there is nothing, and what to do.
   void setEmptyText(const QString& text);
   /// A sentence over the picture: why it is not that of the document as it is now. Empty: it is.

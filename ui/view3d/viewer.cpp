@@ -182,9 +182,10 @@ void Viewer::setHidden(std::set<ElementId> links) {
   emit optionsChanged();
 }
 
-void Viewer::setForces(StageForces forces) {
-  if (forces == m_view.forces) return;
+void Viewer::setForces(StageForces forces, const QString& caption) {
+  if (forces == m_view.forces && caption == m_forcesCaption) return;
   m_view.forces = std::move(forces);
+  m_forcesCaption = caption;
   if (!m_options.marks.forces) return;
   renewMarks();
   emit viewChanged();
@@ -192,7 +193,9 @@ void Viewer::setForces(StageForces forces) {
 
 ShownForces Viewer::shownForces() const {
   ShownForces shown;
-  if (m_stage == nullptr || m_seen.poses.empty() || !m_view.marks.forces || !m_view.forces) return shown;
+  if (m_stage == nullptr || m_seen.poses.empty() || !m_view.marks.forces) return shown;
+  shown.caption = m_forcesCaption;
+  if (!m_view.forces) return shown;
   shown.forces = m_view.forces;
   shown.arrows = seenForces(*m_stage, m_view, m_seen);
   shown.lit = m_selection->hovered();

@@ -83,7 +83,9 @@ class Viewer : public QObject {
   [[nodiscard]] const std::set<ElementId>& hidden() const { return m_view.hidden; }
   void setHidden(std::set<ElementId> links);
   /// Forces of the stage, which the marks of the options show; null: there are none.
-  void setForces(StageForces forces);
+  /// `caption`: why some are missing, or all.
+  void setForces(StageForces forces, const QString& caption);
+  [[nodiscard]] const QString& forcesCaption() const { return m_forcesCaption; }
   [[nodiscard]] ShownForces shownForces() const;
   /// The direction of the line that a link turns about, as it is seen; none where it does not turn.
   [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
@@ -186,6 +188,7 @@ class Viewer : public QObject {
   Selection* m_selection;
   StagePtr m_stage;
   StageView m_view;
+  QString m_forcesCaption;
   SeenPoses m_seen;
   std::optional<double> m_floor;  ///< where it is not that of the scene
   // Both look at every vertex: worked out where they are needed, not at every step of a drag.

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline stage {
 namespace {
 
@@ -13,20 +15,10 @@ constexpr double kLongest = 0.34;  // share of the scene's radius
 constexpr double kLeast = 1e-3;    // share of the greatest force
 constexpr float kWidth = 2.8F;
 constexpr float kCasing = 5.6F;
+constexpr double kHeadShare = 0.3;  // of an arrow: its head is painted over the picture
 
 bool isDark(const Look& look) {
   return look.letters.red > 0.5F;
-}
-
-/// Shaft and head of an arrow, in one colour.
-void addArrow(const ForceArrow& arrow, const Rgb& colour, float width, std::vector<MarkLine>& lines) {
-  const Eigen::Vector3d along = arrow.to - arrow.from;
-  const Eigen::Vector3d side = along.normalized().unitOrthogonal() * 0.1 * along.norm();
-  const Eigen::Vector3d other = along.normalized().cross(side);
-  lines.push_back({{arrow.from, arrow.to}, colour, width, false});
-  for (const Eigen::Vector3d& wing : {side, other})
-    lines.push_back(
-        {{arrow.to - 0.24 * along + wing, arrow.to, arrow.to - 0.24 * along - wing}, colour, width, false});
 }
 
 struct Box {
@@ -85,16 +77,17 @@ Rgb forceColour(ForceKind kind, const Look& look) {
 }
 
 std::string_view forceLegend(ForceKind kind) {
-  return kind == ForceKind::tooth ? "tooth forces on the heads of meshes"
-                                  : "bearing reactions on the heads of joints";
+  return kind == ForceKind::tooth ? base::toTranslate("tooth forces (on heads)")
+                                  : base::toTranslate("bearing reactions (on heads)");
 }
 
 void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const Look& look,
                    std::vector<MarkLine>& lines) {
   const Rgb casing = Rgb::fromHex(isDark(look) ? 0x1E2227 : 0xFFFFFF);
   for (const ForceArrow& arrow : arrows) {
-    addArrow(arrow, casing, kCasing, lines);
-    addArrow(arrow, forceColour(forces[arrow.force].kind, look), kWidth, lines);
+    const Eigen::Vector3d neck = arrow.to - kHeadShare * (arrow.to - arrow.from);
+    lines.push_back({{arrow.from, neck}, casing, kCasing, false});
+    lines.push_back({{arrow.from, neck}, forceColour(forces[arrow.force].kind, look), kWidth, false});
   }
 }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdio>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/stage/force_arrow_shape.h"
 #include "core/presentation/train_stage/train_forces.h"
 
 namespace geargraph::inline train_stage {
@@ -98,7 +100,27 @@ Tint tintOf(ForceKind kind) {
   return kind == ForceKind::tooth ? ColorRole::ink : ColorRole::accent;
 }
 
-/// A box in the arrow's colour beside each of the greatest forces.
+/// Cased in the colour of the sheet, shaft and head as one.
+std::vector<Mark> arrowMarks(const ForceArrowShape& shape, const Tint& tint) {
+  std::vector<Mark> marks;
+  const auto put = [&](auto what) { marks.push_back({ElementId(), MarkRole::line, 0, std::move(what)}); };
+  if (shape.isDisc) {
+    put(Fill{Circle{sheetPoint(shape.from), kForceDisc + kForceCasing}, ColorRole::sheet});
+    put(Fill{Circle{sheetPoint(shape.from), kForceDisc}, tint});
+    return marks;
+  }
+  const Shape shaft = Curve::straight(sheetPoint(shape.from), sheetPoint(shape.neck));
+  Polyline head;
+  for (const Eigen::Vector2d& corner : shape.head) head.points.push_back(sheetPoint(corner));
+  head.closed = true;
+  put(Stroke{shaft, ColorRole::sheet, kForceShaft + 2 * kForceCasing, Dash::solid});
+  put(Stroke{head, ColorRole::sheet, 2 * kForceCasing, Dash::solid});
+  put(Stroke{shaft, tint, kForceShaft, Dash::solid});
+  put(Fill{head, tint});
+  return marks;
+}
+
+/// The arrows, and a box in the arrow's colour beside each of the greatest forces.
 void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround& ground) {
   const StageView& view = painter.seen().view();
   const std::vector<ForceArrow> arrows = painter.seen().forceArrows();
@@ -106,6 +128,13 @@ void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround&
   const auto put = [&](const ElementId& element, MarkRole role, auto what) {
     list.marks.push_back({element, role, 0, std::move(what)});
   };
+  for (const ForceArrow& arrow : arrows) {
+    const StageForce& force = (*view.forces)[arrow.force];
+    for (Mark& mark : arrowMarks(forceArrowShape(arrow, ground), tintOf(force.kind))) {
+      mark.element = force.element;
+      list.marks.push_back(std::move(mark));
+    }
+  }
   const auto widthOf = [](const std::string& text) { return textWidth(text, kTextSize, false); };
   for (const ForceLabel& label : placeForceLabels(*view.forces, arrows, {}, ground, widthOf)) {
     const StageForce& force = (*view.forces)[label.force];
@@ -116,10 +145,10 @@ void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround&
         Text{force.text, sheetPoint(label.middle), kTextSize, false, ColorRole::ink});
   }
   double line = kFromEdge;
-  const double widest = std::max(widthOf(std::string(forceLegend(ForceKind::tooth))),
-                                 widthOf(std::string(forceLegend(ForceKind::bearing))));
+  const double widest = std::max(widthOf(base::translated(forceLegend(ForceKind::tooth))),
+                                 widthOf(base::translated(forceLegend(ForceKind::bearing))));
   for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
-    const std::string text(forceLegend(kind));
+    const std::string text = base::translated(forceLegend(kind));
     const double width = widthOf(text);
     put({}, MarkRole::line,
         Fill{boxAbout({kFromEdge + (widest + 44) / 2, line}, (widest + 52) / 2, 10, 0), ColorRole::sheet});

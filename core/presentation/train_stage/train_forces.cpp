@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/foundations/base/position_index.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline train_stage {
 namespace {
@@ -12,13 +13,21 @@ Eigen::Vector3d vectorOf(const Vector3& vector) {
   return {vector[0], vector[1], vector[2]};
 }
 
-/// "mesh 9: 443 N", in kN from 10 kN on.
-std::string textOf(const char* what, int label, double force) {
+/// "443 N", in kN from 10 kN on.
+std::string textOf(double force) {
   std::array<char, 64> text{};
   const bool isLarge = force >= 9999.5;
-  std::snprintf(text.data(), text.size(), "%s %d: %.*g %s", what, label, isLarge || force < 1000 ? 3 : 4,
+  std::snprintf(text.data(), text.size(), "%.*g %s", isLarge || force < 1000 ? 3 : 4,
                 isLarge ? force / 1000 : force, isLarge ? "kN" : "N");
   return text.data();
+}
+
+/// "mesh 9: 443 N"
+std::string textOfMesh(int label, double force) {
+  return base::translated("mesh %1: %2", {std::to_string(label), textOf(force)});
+}
+std::string textOfJoint(int label, double force) {
+  return base::translated("joint %1: %2", {std::to_string(label), textOf(force)});
 }
 
 std::optional<ElementId> movingLink(const Mechanism& mechanism, int link) {
@@ -37,7 +46,7 @@ std::vector<StageForce> stageForces(const Mechanism& mechanism, const Placement&
     if (!tooth.isDetermined || !report.solution().isDetermined(static_cast<int>(mesh))) continue;
     const MeshGeometry& geometry = *placement.meshes[mesh];
     forces.push_back({ForceKind::tooth, mechanism.gearMeshes[mesh].id,
-                      textOf("mesh", mechanism.meshLabel(static_cast<int>(mesh)), length(tooth.force)),
+                      textOfMesh(mechanism.meshLabel(static_cast<int>(mesh)), length(tooth.force)),
                       vectorOf(geometry.pitchPoint), vectorOf(tooth.force),
                       movingLink(mechanism, geometry.carrier)});
   }
@@ -47,7 +56,7 @@ std::vector<StageForce> stageForces(const Mechanism& mechanism, const Placement&
     if (!bearing.isDetermined) continue;
     const TurningJoint& turning = mechanism.turningJoints[joint];
     forces.push_back({ForceKind::bearing, turning.id,
-                      textOf("joint", mechanism.jointLabel(static_cast<int>(joint)), length(bearing.force)),
+                      textOfJoint(mechanism.jointLabel(static_cast<int>(joint)), length(bearing.force)),
                       vectorOf(bearing.point), vectorOf(bearing.force),
                       movingLink(mechanism, links.at(turning.tail))});
   }

@@ -1,6 +1,8 @@
 #include <QTest>
 
+#include "core/presentation/stage/force_arrow_shape.h"
 #include "core/presentation/stage/stage_view.h"
+#include "core/presentation/train_stage/stage_labels.h"
 #include "core/presentation/train_stage/train_forces.h"
 #include "core/presentation/train_stage/train_stage.h"
 #include "tests/core/support/statics_case.h"
@@ -103,7 +105,34 @@ class TrainForcesTest : public QObject {
     view.marks.forces = true;
     seen.show(view);
     QVERIFY(!seen.forceArrows().empty());
-    QCOMPARE(seen.frame({400, 300}, 1).marks.size(), 6 * seen.forceArrows().size());  // cased, with two wings
+    QCOMPARE(seen.frame({400, 300}, 1).marks.size(), 2 * seen.forceArrows().size());  // cased shafts
+  }
+
+  /// Shaft and head from where the force acts to the tip; along the line of sight a disc.
+  void arrowsOfThePicture() {
+    const LoadedSet set;
+    const auto poses = set.poses();
+    const Viewport viewport{900, 600};
+    const Bounds bounds = boundsOf(set.stage->scene);
+    const std::vector<Eigen::Vector3d> corners{bounds.box.min(), bounds.box.max()};
+    const Camera camera = Camera::home().fitted(corners, viewport, 0.2);
+    const LabelGround ground{*set.stage, poses, {}, camera, viewport, 2, nullptr};
+    for (const ForceArrow& arrow : forceArrows(*set.stage, set.forces, poses, Pose::Identity())) {
+      const ForceArrowShape shape = forceArrowShape(arrow, ground);
+      const Eigen::Vector2d from = ground.project(arrow.from), tip = ground.project(arrow.to);
+      QVERIFY((shape.from - from).norm() < 1e-9);
+      QVERIFY(shape.isDisc == ((tip - from).norm() < 6));
+      if (shape.isDisc) continue;
+      QVERIFY((shape.head[0] - tip).norm() < 1e-9);
+      // The neck is on the way to the tip, in the middle between the wings.
+      QVERIFY((0.5 * (shape.head[1] + shape.head[2]) - shape.neck).norm() < 1e-9);
+      const double walked = (shape.neck - from).dot((tip - from).normalized());
+      QVERIFY(walked > 0 && walked < (tip - from).norm());
+      QVERIFY(std::abs((shape.neck - from).norm() - walked) < 1e-9);
+    }
+    const Eigen::Vector3d middle = bounds.box.center();
+    const Eigen::Vector3d sight = camera.right().cross(camera.up());
+    QVERIFY(forceArrowShape({0, middle, middle + sight}, ground).isDisc);
   }
 
   void labelsOfTheGreatestForcesTouchNothing() {

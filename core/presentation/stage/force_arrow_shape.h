@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "core/presentation/stage/label_anchors.h"
+#include "core/presentation/stage/stage_forces.h"
+
+namespace geargraph::inline stage {
+
+/// An arrow of a force in the picture, in logical pixels: a line from `from` to `neck`, and a filled
+/// triangle. One that points along the line of sight, shorter than its head would be, is a disc about `from`
+/// instead.
+struct ForceArrowShape {
+  Eigen::Vector2d from{0, 0};
+  Eigen::Vector2d neck{0, 0};
+  std::array<Eigen::Vector2d, 3> head;
+  bool isDisc = false;
+};
+
+constexpr double kForceShaft = 2.8;   ///< width, px
+constexpr double kForceCasing = 1.4;  ///< px on each side of shaft, head and disc, in the sheet's colour
+constexpr double kForceDisc = 4.5;    ///< radius, px
+
+/// Arrows are painted over the solids: most begin inside of one.
+[[nodiscard]] ForceArrowShape forceArrowShape(const ForceArrow& arrow, const LabelGround& ground);
+
+}  // namespace geargraph::inline stage
