@@ -56,7 +56,7 @@ QString tipOf(ForceTableKind kind) {
 constexpr int kPlotsChip = 1000;   ///< beyond all kinds of tables
 constexpr int kRowsMeasured = 40;  ///< for the widths of columns
 constexpr int kCardWidth = 216;
-constexpr int kRoomForCard = 700;  ///< px at which the card of the efficiency stands beside the table
+constexpr int kRoomForCard = 1080;  ///< px at which the card of the efficiency has a column of its own
 
 /// Every kind, in the order of the chips.
 std::vector<ForceTableKind> kindsOfChips() {
@@ -165,32 +165,32 @@ QWidget* ForcesPanel::makeMiddle() {
   m_pages->addWidget(m_plots);
   connect(m_plots, &EfficiencyPage::tableChanged, this, [this] { showPage(); });
 
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(m_loads);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_loads->installEventFilter(this);
-  m_loadsView = scroll;
+  m_side = new QWidget(this);
+  auto* column = new QVBoxLayout(m_side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addWidget(m_loads);
+  column->addStretch(1);
+  m_side->installEventFilter(this);
+  m_sideView = new QScrollArea(this);
+  m_sideView->setWidget(m_side);
   auto* middle = new QWidget(this);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
-  row->addWidget(scroll);
-  row->addWidget(m_pages, 1);
   // The card is higher than the panel need be.
   m_cardView = new QScrollArea(middle);
-  m_cardView->setFrameShape(QFrame::NoFrame);
-  m_cardView->setWidgetResizable(true);
-  m_cardView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_cardView->setFocusPolicy(Qt::NoFocus);  // what is in it has
   m_cardView->setWidget(m_card);
   m_cardView->setMinimumWidth(scaledPixels(kCardWidth));
-  m_middle = new QBoxLayout(QBoxLayout::LeftToRight, middle);
-  m_middle->setContentsMargins(0, 0, 10, 0);
-  m_middle->setSpacing(6);
-  m_middle->addLayout(row, 1);
-  m_middle->addWidget(m_cardView);
+  for (QScrollArea* view : {m_sideView, m_cardView}) {
+    view->setFrameShape(QFrame::NoFrame);
+    view->setWidgetResizable(true);
+    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view->setFocusPolicy(Qt::NoFocus);  // what is in it has
+  }
+  auto* row = new QHBoxLayout(middle);
+  row->setContentsMargins(0, 0, 10, 0);
+  row->setSpacing(6);
+  row->addWidget(m_sideView);
+  row->addWidget(m_pages, 1);
+  row->addWidget(m_cardView);
   return middle;
 }
 
@@ -202,6 +202,8 @@ QWidget* ForcesPanel::makeTotals() {
   addTotal(layout, "fed", tr("fed, W"), tr("The power that loads and balances feed into the train."));
   addTotal(layout, "taken", tr("taken, W"), tr("The power that loads and balances take from the train."));
   addTotal(layout, "lost", tr("lost, W"), tr("What the meshes lose: fed less taken."));
+  addTotal(layout, "efficiency", tr("efficiency"),
+           tr("The power taken over the power fed; backward and in symbols it is on the card Efficiency."));
   addTotal(layout, "latent", tr("latent ratio"),
            tr("What all meshes pass, seen from their carriers, over the power fed: the losses are about this "
               "many times those of one mesh."));
@@ -214,7 +216,6 @@ QWidget* ForcesPanel::makeTotals() {
   m_share->setCheckable(true);
   connect(m_share, &QToolButton::toggled, this, [this] { ask(); });
   m_verdict = new QLabel(strip);
-  m_verdict->setWordWrap(true);
   m_verdict->setProperty("look", "hint");
   layout->addWidget(m_share);
   layout->addWidget(m_verdict, 1);
@@ -371,7 +372,7 @@ QString ForcesPanel::total(const QString& name) const {
 }
 
 void ForcesPanel::showTotals() {
-  for (const char* name : {"fed", "taken", "lost", "latent", "circulating"})
+  for (const char* name : {"fed", "taken", "lost", "efficiency", "latent", "circulating"})
     setTotal(name, QStringLiteral("–"));
   m_share->setVisible(false);
   m_verdict->clear();
@@ -386,6 +387,11 @@ void ForcesPanel::showTotals() {
   setTotal("fed", numberText(report.sums->fed));
   setTotal("taken", numberText(report.sums->taken));
   setTotal("lost", numberText(report.sums->lost));
+  const bool hasLosses = report.lossy && report.lossy->outcome == LossySolution::Outcome::solved;
+  const auto efficiency = hasLosses ? report.sums->efficiency() : std::nullopt;
+  if (efficiency)
+    setTotal("efficiency", numberText(*efficiency),
+             efficiency->isExact() ? shownText(shownReal(*efficiency)) : QString());
   if (report.latentRatio) setTotal("latent", numberText(*report.latentRatio));
   if (report.circulations)
     setTotal("circulating",
@@ -427,27 +433,41 @@ QString ForcesPanel::emptyText() const {
   return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
 }
 
-/// The list of loads is as wide as its rows need.
-void ForcesPanel::fitLoads() {
-  const int width = m_loads->minimumSizeHint().width() + m_loadsView->verticalScrollBar()->sizeHint().width();
-  m_loadsView->setFixedWidth(std::max(width, scaledPixels(236)));
+/// As wide as the rows of the loads, and the card, need.
+void ForcesPanel::fitSide() {
+  const int width = m_side->minimumSizeHint().width() + m_sideView->verticalScrollBar()->sizeHint().width();
+  m_sideView->setFixedWidth(std::max(width, scaledPixels(236)));
 }
 
-/// Where there is no room for the card beside the table, it goes below.
+/// The table comes first: where three columns do not fit, the card goes below the loads.
+void ForcesPanel::placeCard() {
+  const bool isBeside = width() >= scaledPixels(kRoomForCard);
+  if (isBeside == (m_cardView->widget() == m_card)) return;
+  if (isBeside) {
+    m_side->layout()->removeWidget(m_card);
+    m_cardView->setWidget(m_card);
+  } else {
+    m_cardView->takeWidget();
+    static_cast<QVBoxLayout*>(m_side->layout())->insertWidget(1, m_card);  // below the loads
+  }
+  m_card->setVisible(true);
+  m_cardView->setVisible(isBeside);
+  fitSide();
+}
+
 QSize ForcesPanel::minimumSizeHint() const {
   const QSize wanted = QWidget::minimumSizeHint();
-  const bool isBeside = m_middle->direction() == QBoxLayout::LeftToRight;
+  const bool isBeside = m_cardView->widget() == m_card;
   return {isBeside ? wanted.width() - m_cardView->minimumWidth() : wanted.width(), wanted.height()};
 }
 
 void ForcesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  m_middle->setDirection(width() >= scaledPixels(kRoomForCard) ? QBoxLayout::LeftToRight
-                                                               : QBoxLayout::TopToBottom);
+  placeCard();
 }
 
 bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_loads && event->type() == QEvent::LayoutRequest) fitLoads();
+  if (watched == m_side && event->type() == QEvent::LayoutRequest) fitSide();
   return QWidget::eventFilter(watched, event);
 }
 

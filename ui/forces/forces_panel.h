@@ -7,7 +7,6 @@
 #include "ui/selection/selection.h"
 #include "ui/statics/forces_service.h"
 
-class QBoxLayout;
 class QButtonGroup;
 class QComboBox;
 class QHBoxLayout;
@@ -52,6 +51,7 @@ class ForcesPanel : public QWidget {
   void showPlots();
   [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
   [[nodiscard]] EfficiencyCard& efficiency() { return *m_card; }
+  [[nodiscard]] TwinLine& twinLine() { return *m_twin; }
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// The finding under the table; empty where all is well.
   [[nodiscard]] QString remark() const;
@@ -84,7 +84,8 @@ class ForcesPanel : public QWidget {
   void showRemark();
   /// `exact`: the number as a fraction, for the tooltip.
   void setTotal(const char* name, const QString& text, const QString& exact = {});
-  void fitLoads();
+  void fitSide();
+  void placeCard();
   [[nodiscard]] bool showsPlots() const;
   void showPage();
   [[nodiscard]] std::optional<ValueTable> shownTable() const;
@@ -96,13 +97,13 @@ class ForcesPanel : public QWidget {
   ForcesService* m_service;
   ForceTableModel* m_model;
   LoadsList* m_loads;
-  QScrollArea* m_loadsView = nullptr;
+  QWidget* m_side = nullptr;  ///< the loads, and below them the card where it has no column of its own
+  QScrollArea* m_sideView = nullptr;
   LinkedTable* m_table;
   QStackedWidget* m_pages;
   EfficiencyPage* m_plots;
   EfficiencyCard* m_card;
   QScrollArea* m_cardView = nullptr;
-  QBoxLayout* m_middle = nullptr;  ///< the table, and the card beside it or below
   QLabel* m_empty;
   QLabel* m_remark;
   TwinLine* m_twin = nullptr;
