@@ -1,18 +1,24 @@
 #include "ui/forces/twin_line.h"
 
+#include <QBuffer>
 #include <QEvent>
+#include <QFontInfo>
+#include <QImage>
+#include <QPainter>
+#include <QtMath>
 #include <algorithm>
 
 #include "core/teaching/force_tables/twin_words.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline forces {
 namespace {
 
-constexpr std::size_t kMostColumns = 8;
-constexpr std::size_t kMostRows = 2;   ///< beside the equations there is room for no more
-constexpr QChar kFrameBegins(0xE000);  ///< private use: no text has it
+constexpr std::size_t kMostMatrixColumns = 8;
+constexpr std::size_t kMostMatrixRows = 2;  ///< beside the equations there is room for no more
+constexpr QChar kFrameBegins(0xE000);       ///< private use: no text has it
 constexpr QChar kFrameEnds(0xE001);
 
 QString signText(int factor) {
@@ -24,11 +30,35 @@ QString printed(const std::string& text) {
   return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+/// The symbol of a rate as a picture that stands on the base line of rich text: few text fonts place a
+/// combining dot on a θ, most put it far above.
+QString rateSymbol(const QFont& labelFont, const QColor& ink, double pixelRatio) {
+  QFont font = labelFont;
+  font.setPixelSize(QFontInfo(labelFont).pixelSize());
+  const QSize size(qCeil(panels::paintRate(nullptr, font, {}, {})), qCeil(QFontMetricsF(font).ascent()));
+  QImage image(size * pixelRatio, QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(pixelRatio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setPen(ink);
+  panels::paintRate(&painter, font, QPointF(0, size.height()), {});
+  painter.end();
+  QByteArray png;
+  QBuffer buffer(&png);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return QStringLiteral("<img src='data:image/png;base64,%1' width=%2 height=%3>")
+      .arg(QString::fromLatin1(png.toBase64()))
+      .arg(size.width())
+      .arg(size.height());
+}
+
 /// Rich text of a pair of equations, in the colours of a theme.
 class TwinText {
  public:
-  TwinText(const Mechanism& mechanism, const TwinWords& words, Theme theme)
-      : m_mechanism(mechanism), m_words(words), m_theme(theme) {}
+  /// `rate`: the symbol of a rate
+  TwinText(const Mechanism& mechanism, const TwinWords& words, Theme theme, QString rate)
+      : m_mechanism(mechanism), m_words(words), m_theme(theme), m_rate(std::move(rate)) {}
 
   [[nodiscard]] QString html() const {
     return QStringLiteral(
@@ -49,7 +79,12 @@ class TwinText {
     return QStringLiteral(" style='border:2px solid %1; background:%2; padding:0px 4px; font-weight:bold'")
         .arg(color(ColorRole::accent), color(ColorRole::halo));
   }
-  static QString framed(const QString& text) { return kFrameBegins + text + kFrameEnds; }
+  /// A link, to be clicked.
+  [[nodiscard]] QString entry(const QString& text) const {
+    return QStringLiteral("<a href='entry' style='color:%1; text-decoration:none'>%2</a>")
+        .arg(color(ColorRole::ink), text);
+  }
+  [[nodiscard]] QString framed(const QString& text) const { return kFrameBegins + entry(text) + kFrameEnds; }
   /// A line whose framed parts are cells of their own, as only these can have a border.
   [[nodiscard]] QString line(QString html) const {
     html.replace(kFrameBegins, QStringLiteral("</td><td%1>").arg(frame()));
@@ -79,7 +114,7 @@ class TwinText {
     for (const int joint : m_words.joints)
       if (cell(m_words.mesh, joint) != 0)
         sum += term(sum.isEmpty(), m_words.mesh, joint,
-                    QStringLiteral("\u03B8\u0307<sub>%1</sub>").arg(jointLabel(joint)));
+                    m_rate + QStringLiteral("<sub>%1</sub>").arg(jointLabel(joint)));
     const QString title = TwinLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_words.mesh));
     return quiet(title + QStringLiteral(" (17)")) + line(sum + QStringLiteral(" = 0")) +
            quiet(printed(m_words.speeds));
@@ -105,10 +140,10 @@ class TwinText {
   [[nodiscard]] QString matrix() const {
     std::vector<int> meshes{m_words.mesh};
     for (const int mesh : m_words.meshes)
-      if (mesh != m_words.mesh && meshes.size() < kMostRows) meshes.push_back(mesh);
+      if (mesh != m_words.mesh && meshes.size() < kMostMatrixRows) meshes.push_back(mesh);
     std::sort(meshes.begin(), meshes.end());
     std::vector<int> joints = m_words.joints;
-    while (joints.size() > kMostColumns)
+    while (joints.size() > kMostMatrixColumns)
       joints.erase(joints.front() == m_words.joint ? joints.end() - 1 : joints.begin());
     const QString tint = QStringLiteral(" bgcolor='%1'").arg(color(ColorRole::panel));
     QString rows = QStringLiteral("<tr><td></td>");
@@ -132,7 +167,7 @@ class TwinText {
                     .arg(isCommon ? frame()
                          : isLit  ? tint
                                   : QString(),
-                         text);
+                         isCommon ? entry(text) : text);
       }
       rows += QStringLiteral("</tr>");
     }
@@ -142,6 +177,7 @@ class TwinText {
   const Mechanism& m_mechanism;
   const TwinWords& m_words;
   Theme m_theme;
+  QString m_rate;
 };
 
 template <class Elements>
@@ -156,14 +192,35 @@ std::optional<int> firstSelected(const Elements& elements, const std::set<Elemen
 TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_selection(selection) {
   setObjectName(QStringLiteral("twinLine"));
   setTextFormat(Qt::RichText);
+  setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  setAccessibleName(tr("The entry that speeds and torques share"));
   setContentsMargins(12, 2, 12, 2);
   setToolTip(tr(
       "A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. "
       "Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. "
-      "Select a joint or a mesh to see its own."));
+      "Select a joint or a mesh to see its own; click the framed entry to see it in Matrices."));
   constexpr int kQuarters = 15;  // of a line: three lines with dots above their letters
   setMinimumHeight(kQuarters * fontMetrics().lineSpacing() / 4);
   connect(selection, &Selection::selectionChanged, this, &TwinLine::renew);
+  connect(selection, &Selection::hoverChanged, this, [this] {
+    if (isVisible()) renew();
+  });
+  connect(this, &QLabel::linkActivated, this, &TwinLine::entryWanted);
+}
+
+void TwinLine::pointAt(const ElementId& row, const ElementId& column) {
+  m_cell = {row, column};
+  std::erase_if(m_cell, [](const ElementId& each) {
+    return each.kind != ElementKind::gearMesh && each.kind != ElementKind::turningJoint;
+  });
+  if (m_cell.size() < 2) m_cell.clear();
+  renew();
+}
+
+/// A cell, or one element: a cycle or a cutset that is lit would choose by chance.
+std::set<ElementId> TwinLine::pointedAt() const {
+  if (!m_cell.empty()) return m_cell;
+  return m_selection->hovered().size() == 1 ? m_selection->hovered() : std::set<ElementId>();
 }
 
 void TwinLine::show(const ForcesPtr& forces) {
@@ -178,17 +235,33 @@ void TwinLine::changeEvent(QEvent* event) {
 
 void TwinLine::renew() {
   std::optional<TwinWords> words;
+  ElementId entryMesh;
+  ElementId entryJoint;
   if (m_forces && m_forces->report && m_forces->report->isSolved) {
     const Mechanism& mechanism = *m_forces->solved->mechanism;
     const std::set<ElementId>& selected = m_selection->selected();
-    words =
-        twinWords(mechanism, *m_forces->solved->kinematics->model, m_forces->solved->kinematics->placement(),
-                  *m_forces->report, firstSelected(mechanism.turningJoints, selected),
-                  firstSelected(mechanism.gearMeshes, selected));
-    if (words) setText(TwinText(mechanism, *words, themeOf(palette())).html());
+    const std::set<ElementId> pointed = pointedAt();
+    auto joint = firstSelected(mechanism.turningJoints, pointed);
+    auto mesh = firstSelected(mechanism.gearMeshes, pointed);
+    if (!joint) joint = firstSelected(mechanism.turningJoints, selected);
+    if (!mesh) mesh = firstSelected(mechanism.gearMeshes, selected);
+    words = twinWords(mechanism, *m_forces->solved->kinematics->model,
+                      m_forces->solved->kinematics->placement(), *m_forces->report, joint, mesh);
+    if (words) {
+      const Theme theme = themeOf(palette());
+      const QString rate = rateSymbol(font(), qColor(ColorRole::ink, theme), devicePixelRatioF());
+      setText(TwinText(mechanism, *words, theme, rate).html());
+      entryMesh = mechanism.gearMeshes[static_cast<std::size_t>(words->mesh)].id;
+      entryJoint = mechanism.turningJoints[static_cast<std::size_t>(words->joint)].id;
+    }
   }
   if (!words) clear();
   emit filled(words.has_value());
+  std::set<ElementId> entry;
+  if (words) entry = {entryMesh, entryJoint};
+  if (entry == m_entry) return;
+  m_entry = std::move(entry);
+  emit entryChanged(entryMesh, entryJoint);
 }
 
 }  // namespace geargraph::inline forces

@@ -8,13 +8,16 @@
 
 #include "ui/derivation/derivation_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
+#include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/torque_rows.h"
+#include "ui/forces/twin_line.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
@@ -30,6 +33,22 @@ bool isUrgent(const Diagnostic& diagnostic) {
   if (diagnostic.code == Code::disconnected) return false;  // the next stroke mends it
   return diagnostic.severity() == Severity::error || diagnostic.code == Code::locked ||
          diagnostic.code == Code::assembly;
+}
+
+/// The entry that an equation of speeds and its twin of torques share is framed in Matrices, too: a click on
+/// it shows it there, in P or where that is too large in Q, and the cell under the mouse there is shown in
+/// Forces.
+void wireSharedEntry(TwinLine& line, MatricesPanel& matrices, QDockWidget& dock) {
+  MatrixView& view = matrices.view();
+  QObject::connect(&line, &TwinLine::entryChanged, &view, &MatrixView::setFramed);
+  QObject::connect(&view, &MatrixView::entryHovered, &line, &TwinLine::pointAt);
+  QObject::connect(&line, &TwinLine::entryWanted, &matrices, [&matrices, &view, &dock] {
+    dock.show();
+    dock.raise();
+    matrices.showQuantity(QuantityKind::coefficients);
+    if (!view.showFramed()) matrices.showMatrix(MatrixKind::cutset);
+    view.showFramed();
+  });
 }
 
 }  // namespace
@@ -110,6 +129,8 @@ void MainWindow::makeDocks() {
   connect(dynamics, &QDockWidget::visibilityChanged, m_dynamics, &DynamicsPanel::setAwake);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
+  m_view3d->setForces(nullptr, forcesCaption(nullptr));
+  wireSharedEntry(m_forces->twinLine(), *m_matrices, *dock("dock.matrices"));
   placeDocks();
 }
 

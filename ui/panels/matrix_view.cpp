@@ -82,6 +82,11 @@ class EntryDelegate : public QStyledItemDelegate {
       painter.setPen(QPen(qColor(ColorRole::accent, theme), 1.6));
       painter.drawRoundedRect(pill, 5, 5);
     }
+    if (m_view->isFramed(index.row(), index.column())) {
+      painter.setBrush(value == 0 ? QBrush(qColor(ColorRole::halo, theme)) : QBrush(Qt::NoBrush));
+      painter.setPen(QPen(qColor(ColorRole::accent, theme), 2));
+      painter.drawRoundedRect(pill, 5, 5);
+    }
     QFont font = option.font;
     font.setItalic(ghost);
     painter.setFont(font);
@@ -119,6 +124,7 @@ MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent
   m_rest.setInterval(kRestMilliseconds);
   connect(&m_rest, &QTimer::timeout, this, [this] { emit restedOn(m_under); });
   connect(model, &MatrixModel::matrixChanged, this, &MatrixView::fitSections);
+  connect(model, &MatrixModel::matrixChanged, this, &MatrixView::placeFrame);
   connect(selection, &Selection::hoverChanged, this, &MatrixView::repaintLit);
   connect(selection, &Selection::selectionChanged, this, &MatrixView::repaintLit);
   fitSections();
@@ -220,6 +226,48 @@ void MatrixView::setEntryPixels(int pixels) {
   setFont(entryFont);
 }
 
+void MatrixView::setFramed(const ElementId& mesh, const ElementId& joint) {
+  m_framedMesh = mesh;
+  m_framedJoint = joint;
+  placeFrame();
+}
+
+void MatrixView::placeFrame() {
+  const auto find = [](int count, const auto& elementAt, const ElementId& wanted) {
+    for (int i = 0; i < count; ++i)
+      if (elementAt(i) == wanted) return i;
+    return -1;
+  };
+  const auto rowOf = [&](const ElementId& wanted) {
+    return find(
+        m_model->rowCount(), [this](int row) { return m_model->rowElement(row); }, wanted);
+  };
+  const auto columnOf = [&](const ElementId& wanted) {
+    return find(
+        m_model->columnCount(), [this](int column) { return m_model->columnElement(column); }, wanted);
+  };
+  m_framedRow = m_framedColumn = -1;
+  if (!m_framedMesh.id.empty() && m_model->isThere()) {
+    m_framedRow = rowOf(m_framedMesh);
+    if (m_framedRow >= 0) {
+      m_framedColumn = columnOf(m_framedJoint);
+    } else if ((m_framedColumn = columnOf(m_framedMesh)) >= 0) {
+      m_framedRow = rowOf(m_framedJoint);
+    }
+    if (m_framedRow < 0 || m_framedColumn < 0) m_framedRow = m_framedColumn = -1;
+  }
+  viewport()->update();
+}
+
+bool MatrixView::showFramed() {
+  if (m_framedRow < 0) return false;
+  const QModelIndex index = m_model->index(m_framedRow, m_framedColumn);
+  setCurrentIndex(index);
+  scrollTo(index);
+  emit restedOn(index);
+  return true;
+}
+
 bool MatrixView::isRowLit(int row) const {
   return m_model->isThere() && m_lit.contains(m_model->rowElement(row));
 }
@@ -267,11 +315,13 @@ void MatrixView::hoverCell(const QModelIndex& index) {
   if (!index.isValid()) {
     m_rest.stop();
     tellCycle(-1);
+    emit entryHovered({}, {});
     m_selection->unhover();
     return;
   }
   m_rest.start();
   tellCycle(index.row());
+  emit entryHovered(m_model->rowElement(index.row()), m_model->columnElement(index.column()));
   m_selection->hover(m_model->elementsOfCell(index.row(), index.column()));
 }
 

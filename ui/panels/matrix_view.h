@@ -11,7 +11,7 @@ namespace geargraph::inline panels {
 
 /// A matrix as it is printed: labels above and beside, brackets, the partition as a dashed line, ±1 tinted,
 /// zeros as faint dots. What the mouse is over lights up everywhere through the selection, and what is
-/// hovered or selected elsewhere lights up its row and column here.
+/// hovered or selected elsewhere lights up its row and column here. One entry can be framed.
 class MatrixView : public QTableView {
   Q_OBJECT
 
@@ -34,9 +34,20 @@ class MatrixView : public QTableView {
   /// The column of the one element that is pointed at, which is then tinted as a whole.
   [[nodiscard]] bool isColumnTinted(int column) const;
 
+  /// Frames the entry of this mesh and this joint in every matrix that has one: of T, C and P the mesh is the
+  /// row, of Q the joint. Empty: none. Cost: the headings, here and when another matrix is shown.
+  void setFramed(const ElementId& mesh, const ElementId& joint);
+  [[nodiscard]] bool isFramed(int row, int column) const {
+    return row >= 0 && row == m_framedRow && column == m_framedColumn;
+  }
+  /// Scrolls to the framed entry, makes it the current one and explains it; false where there is none.
+  bool showFramed();
+
  signals:
   /// The mouse rests on a cell for half a second, or (-1, -1) has left it.
   void restedOn(const QModelIndex& index);
+  /// What the row and the column of the cell under the mouse stand for; both empty: the mouse is over none.
+  void entryHovered(const geargraph::ElementId& row, const geargraph::ElementId& column);
   /// The mouse is over the row of this mesh's cycle; empty: over none.
   void cycleHovered(geargraph::MeshId mesh);
   /// A right click on a label or a row.
@@ -57,12 +68,17 @@ class MatrixView : public QTableView {
   [[nodiscard]] std::vector<int> widthsOfQuantity() const;
   void hoverCell(const QModelIndex& index);
   void tellCycle(int row);
+  void placeFrame();
   void repaintLit();
 
   MatrixModel* m_model;
   Selection* m_selection;
   std::unordered_set<ElementId> m_lit;
   bool m_zerosAsDots = true;
+  ElementId m_framedMesh;
+  ElementId m_framedJoint;
+  int m_framedRow = -1;
+  int m_framedColumn = -1;
   QPersistentModelIndex m_under;
   QTimer m_rest;
 };

@@ -14,9 +14,12 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "tests/ui/forces/open_forces_panel.h"
+#include "ui/forces/efficiency_card.h"
 #include "ui/forces/efficiency_page.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
+#include "ui/forces/loads_list.h"
+#include "ui/forces/twin_line.h"
 
 namespace geargraph {
 
@@ -62,6 +65,8 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     type("meshEfficiency", "0.98");
     QCOMPARE(cell(1, "exact torque"), QStringLiteral("2401/100"));
     QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("0.971714"));
+    QCOMPARE(panel->total(QStringLiteral("efficiency")),
+             QStringLiteral("0.971714"));  // in sight without the card
     const auto* forward = panel->findChild<QLabel*>(QStringLiteral("total.forward"));
     QVERIFY(forward->toolTip().endsWith(QLatin1String("Exactly 3401/3500")));
     QCOMPARE(panel->total(QStringLiteral("lost")), QStringLiteral("28.2857"));
@@ -83,13 +88,72 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
          {"Row 10: speeds of mesh 10", "(17)", "Column 6: torque in joint 6", "(17*)", "here 25 N m", "P10"})
       QVERIFY2(twin->text().contains(QLatin1String(words)), qPrintable(twin->text()));
     QCOMPARE(twin->text().count(QStringLiteral("border:2px solid")), 3);  // in row, matrix and column
-    QCOMPARE(twin->text().count(QRegularExpression(QStringLiteral("border:2px[^>]*>\u2212?60</td>"))), 3);
+    QCOMPARE(
+        twin->text().count(QRegularExpression(QStringLiteral("border:2px[^>]*><a [^>]*>\u2212?60</a></td>"))),
+        3);
     selection.select({mechanism.turningJoints[0].id});
     QVERIFY2(twin->text().contains(QLatin1String("Row 9: speeds of mesh 9")), qPrintable(twin->text()));
     // It follows the train with losses.
     type("meshEfficiency", "0.98");
     selection.select({mechanism.turningJoints[1].id});
     QVERIFY2(twin->text().contains(QLatin1String("here 24.01 N m")), qPrintable(twin->text()));
+  }
+
+  /// The framed entry follows what is pointed at, tells others, and can be clicked.
+  void theSharedEntryIsTold() {
+    QSignalSpy changed(&panel->twinLine(), &TwinLine::entryChanged);
+    QSignalSpy wanted(&panel->twinLine(), &TwinLine::entryWanted);
+    open(loadedSet());
+    const Mechanism& mechanism = *document->mechanism();
+    const auto entry = [&](int mesh, int joint) {
+      return !changed.isEmpty() &&
+             changed.last() ==
+                 QVariantList{QVariant::fromValue(ElementId(mechanism.gearMeshes[std::size_t(mesh)].id)),
+                              QVariant::fromValue(ElementId(mechanism.turningJoints[std::size_t(joint)].id))};
+    };
+    QTRY_VERIFY(panel->twinLine().isVisible());
+    selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
+    QVERIFY(entry(1, 1));
+    selection.hover(ElementId(mechanism.turningJoints[2].id));
+    QVERIFY(entry(1, 2));
+    selection.unhover();
+    QVERIFY(entry(1, 1));
+    // The cell of a matrix comes before the cycle that lights up with it.
+    panel->twinLine().pointAt(mechanism.gearMeshes[0].id, mechanism.turningJoints[3].id);
+    selection.hover(
+        {mechanism.turningJoints[0].id, mechanism.turningJoints[3].id, mechanism.gearMeshes[0].id});
+    QVERIFY(entry(0, 3));
+    panel->twinLine().pointAt({}, {});
+    selection.unhover();
+    QVERIFY(entry(1, 1));
+    emit panel->twinLine().linkActivated(QStringLiteral("entry"));
+    QCOMPARE(wanted.size(), 1);
+    // Without torques there is none.
+    changed.clear();
+    open(Mechanism());
+    QCOMPARE(changed.size(), 1);
+    QVERIFY(changed.last() ==
+            (QVariantList{QVariant::fromValue(ElementId()), QVariant::fromValue(ElementId())}));
+  }
+
+  /// As wide as in a window of 1366 px the table has most of the room; the card has a column in wider ones.
+  void theTableHasItsRoom() {
+    open(loadedSet());
+    const auto isBelowLoads = [&] {
+      const auto* loads = panel->findChild<LoadsList*>();
+      return loads->parentWidget() == panel->efficiency().parentWidget();
+    };
+    panel->resize(800, 330);
+    QCoreApplication::processEvents();
+    QVERIFY2(panel->table().width() > 450, qPrintable(QString::number(panel->table().width())));
+    QVERIFY(isBelowLoads() && panel->efficiency().isVisible());
+    panel->resize(1300, 330);
+    QCoreApplication::processEvents();
+    QVERIFY(!isBelowLoads() && panel->efficiency().isVisible());
+    QVERIFY(panel->table().width() > 600);
+    panel->resize(800, 330);
+    QCoreApplication::processEvents();
+    QVERIFY(isBelowLoads() && panel->efficiency().isVisible());
   }
 
   void itDoesNotKeepTheWindowWide() {

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
@@ -10,9 +11,13 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/forces/forces_panel.h"
+#include "ui/forces/twin_line.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/panels/gearbox_panel.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_view.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -266,6 +271,48 @@ class WindowForcesTest : public QObject {
     QVERIFY(window->view3d().view().marks.forces);
     change([](const Mechanism& before) { return withoutLoad(before, 0); });
     QVERIFY(window->view3d().view().forces == nullptr);
+    QVERIFY2(window->view3d().forcesCaption().contains("without loads"),
+             qPrintable(window->view3d().forcesCaption()));
+  }
+
+  /// Where forces are shared the picture says which are missing, and how they are found.
+  void sharedForcesAreTold() {
+    open(set());
+    QTRY_VERIFY(window->view3d().view().forces != nullptr);
+    QVERIFY2(window->view3d().forcesCaption().isEmpty(), qPrintable(window->view3d().forcesCaption()));
+    Mechanism planets = test::planetary(24, 18, 3);
+    const auto& joints = planets.turningJoints;
+    planets.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
+    planets.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    planets.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
+    open(planets);
+    const auto caption = [&] { return window->view3d().forcesCaption(); };
+    QTRY_VERIFY2(caption().contains("shared in unknown parts") && caption().contains("Share by stiffness"),
+                 qPrintable(caption()));
+    for (int mesh = 0; mesh < planets.c(); ++mesh)
+      QVERIFY2(caption().contains(QString::number(planets.meshLabel(mesh))), qPrintable(caption()));
+    show("dock.forces");
+    auto* share = window->findChild<QToolButton*>(QStringLiteral("shareByStiffness"));
+    QTRY_VERIFY(share->isVisible());
+    share->click();
+    QTRY_VERIFY2(caption().isEmpty(), qPrintable(caption()));
+    QVERIFY(window->view3d().view().forces->size() >= std::size_t(planets.c()));
+  }
+
+  /// One entry in three places: it is framed in Matrices, and a click in Forces shows it there.
+  void theSharedEntryIsFramedInMatrices() {
+    open(set());
+    show("dock.forces");
+    QTRY_VERIFY(window->forces().twinLine().isVisible());
+    const Mechanism& mechanism = *window->document().mechanism();
+    window->selection().select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
+    auto& matrices = *window->findChild<MatricesPanel*>();
+    QVERIFY(matrices.view().isFramed(1, 1));  // C10 below joint 6, not in sight yet
+    emit window->forces().twinLine().linkActivated(QStringLiteral("entry"));
+    QTRY_VERIFY(matrices.isVisible() && !matrices.visibleRegion().isEmpty());
+    QVERIFY(matrices.model().quantityKind() == QuantityKind::coefficients);
+    QVERIFY(matrices.view().isFramed(1, 1));
+    QCOMPARE(matrices.view().currentIndex(), matrices.model().index(1, 1));
   }
 };
 

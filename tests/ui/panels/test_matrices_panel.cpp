@@ -67,6 +67,43 @@ class MatricesPanelTest : public QObject {
     QVERIFY(panel->findChild<QLabel*>(QStringLiteral("cellText"))->text().endsWith("(from 1 to 0). Eq. (5)"));
   }
 
+  /// In every matrix that has the entry, wherever it is there.
+  void theEntryOfAMeshAndAJointIsFramed() {
+    QVERIFY(!view().showFramed());
+    view().setFramed(MeshId("16"), JointId("10"));
+    const auto framed = [&] {
+      std::set<std::pair<int, int>> cells;
+      for (int row = 0; row < panel->model().rowCount(); ++row)
+        for (int column = 0; column < panel->model().columnCount(); ++column)
+          if (view().isFramed(row, column)) cells.emplace(row, column);
+      return cells;
+    };
+    using Cells = std::set<std::pair<int, int>>;
+    QVERIFY(framed() == Cells({{1, 2}}));  // C16 below 10
+    panel->showMatrix(MatrixKind::spanningTree);
+    QVERIFY(framed() == Cells({{1, 2}}));
+    panel->showMatrix(MatrixKind::cutset);  // row of joint 10, column of mesh 16, behind the 7 joints
+    QVERIFY(framed() == Cells({{2, 8}}));
+    QVERIFY(view().showFramed());
+    QCOMPARE(view().currentIndex(), panel->model().index(2, 8));
+    QVERIFY2(!cardTitle().isEmpty() && cardTitle().contains(QLatin1String("16")), qPrintable(cardTitle()));
+    panel->showMatrix(MatrixKind::path);  // of joints and links
+    QVERIFY(framed().empty() && !view().showFramed());
+    panel->showMatrix(MatrixKind::cycleBasis);
+    view().setFramed({}, {});
+    QVERIFY(framed().empty());
+  }
+
+  void theCellUnderTheMouseIsTold() {
+    QSignalSpy hovered(&view(), &MatrixView::entryHovered);
+    QTest::mouseMove(view().viewport(), centre(1, 2));
+    QTRY_VERIFY(!hovered.isEmpty());
+    QVERIFY(hovered.last() == (QVariantList{QVariant::fromValue(ElementId(MeshId("16"))),
+                                            QVariant::fromValue(ElementId(JointId("10")))}));
+    QTest::mouseMove(panel.get(), QPoint(3, 3));
+    QTRY_VERIFY(hovered.last().front() == QVariant::fromValue(ElementId()));
+  }
+
   void hoveringHeadersLightsTheirElements() {
     QTest::mouseMove(view().horizontalHeader()->viewport(), QPoint(MatrixView::kColumnWidth * 3 / 2, 10));
     QTRY_COMPARE(selection.hovered(), (std::set<ElementId>{JointId("9")}));
