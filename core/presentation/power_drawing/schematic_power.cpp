@@ -55,6 +55,11 @@ class SchematicBands {
   DisplayList run() && {
     for (const auto& [element, flow] : m_joined) add(element, flow);
     for (std::size_t link = 1; link < m_networks.size(); ++link) addRuns(static_cast<int>(link));
+    // Where the link itself carries unknown parts, what enters or leaves it has the label.
+    for (auto& [link, band] : m_outside) {
+      band.hasLabel = carriesUnknown(link);
+      m_painter.add(std::move(band));
+    }
     return std::move(m_painter).finish();
   }
 
@@ -226,12 +231,17 @@ class SchematicBands {
     enter(link, end, port, isKnown);
     std::vector<SheetPoint> course{end + kOutside * way, end};
     if (port.power < 0) std::reverse(course.begin(), course.end());
-    m_painter.add(Band{element, std::move(course), tintOf(link), std::abs(port.power), 0, isKnown, false});
+    m_outside.emplace_back(
+        link, Band{element, std::move(course), tintOf(link), std::abs(port.power), 0, isKnown, false});
+  }
+
+  [[nodiscard]] bool carriesUnknown(int link) const {
+    return std::find(m_unknown.begin(), m_unknown.end(), link) != m_unknown.end();
   }
 
   void addRuns(int link) {
     if (network(link).isEmpty()) return;
-    const bool isKnown = std::find(m_unknown.begin(), m_unknown.end(), link) == m_unknown.end();
+    const bool isKnown = !carriesUnknown(link);
     const ElementId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
     for (BandNetwork::Run& run : network(link).runs(m_entries[static_cast<std::size_t>(link)]))
       m_painter.add(Band{id, std::move(run.course), tintOf(link), run.power, std::max(0.0, run.circulating),
@@ -248,7 +258,8 @@ class SchematicBands {
   std::vector<BandNetwork> m_networks;                              ///< by link
   std::vector<std::vector<BandNetwork::Entry>> m_entries;           ///< by link
   std::map<Key, Joined> m_joined;
-  std::vector<int> m_unknown;  ///< links that carry unknown parts of a load
+  std::vector<std::pair<int, Band>> m_outside;  ///< of motors and loads, by link
+  std::vector<int> m_unknown;                   ///< links that carry unknown parts of a load
   int m_onLinks = 0;
 };
 

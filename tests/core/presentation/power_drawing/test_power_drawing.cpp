@@ -96,6 +96,14 @@ Powered robot() {
   return {mechanism, options};
 }
 
+/// 10 N m at the right axle, held by the case and the left one: -20 N m at 1 rad/s, 10 N m at 3/2 rad/s.
+Powered differential() {
+  StaticsOptions options;
+  options.loads = {{{}, JointTorque{JointId("8"), Number(10)}}};
+  options.balances = {{JointId("6")}, {JointId("7")}};
+  return {example("bevel-differential"), options};
+}
+
 /// A bevel wrist whose three motors turn, 0.98 a mesh.
 Powered wrist() {
   Mechanism mechanism = example("bevel-wrist");
@@ -276,9 +284,17 @@ class TestPowerDrawing : public QObject {
     QCOMPARE(widthsAt(bands, set.train.mechanism.links[1].id).front(), kWidestBand);
   }
 
+  /// The gears of a bevel differential share the load in unknown parts, but what goes in and out is known.
+  void whatEntersSharedTrainsHasItsPower() {
+    const Powered train = differential();
+    const DisplayList bands = train.schematicBands();
+    QVERIFY(has(bands, "shared in unknown parts"));
+    for (const char* power : {"20 W", "15 W", "5 W"}) QVERIFY2(has(bands, power), power);
+  }
+
   void labelsTouchNothing() {
-    for (const Powered& each :
-         {planetarySet(), planetarySet(3, 10, false), closedTrain(), robot(), gearboxIn(0), gearboxIn(8)}) {
+    for (const Powered& each : {planetarySet(), planetarySet(3, 10, false), closedTrain(), robot(),
+                                gearboxIn(0), gearboxIn(8), differential()}) {
       QCOMPARE(overlaps(each.digraphBands(), each.digraph()), QString());
       QCOMPARE(overlaps(each.schematicBands(), schematicDrawing(each.schematic(), {})), QString());
     }
