@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/mechanism/model/load_edits.h"
+#include "core/theory/states/state_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/results_delegate.h"
@@ -31,6 +32,29 @@ decltype(Load::action) withTorque(decltype(Load::action) action, const Number& t
   if (auto* inJoint = std::get_if<JointTorque>(&action)) inJoint->torque = torque;
   if (auto* onLink = std::get_if<LinkTorque>(&action)) onLink->torque = torque;
   return action;
+}
+
+ElementId elementOf(const Balance& balance) {
+  if (const auto* joint = std::get_if<JointId>(&balance.at)) return *joint;
+  return std::get<Balance::OnLink>(balance.at).link;
+}
+
+bool isEngaged(const Mechanism& mechanism, const ElementId& coupling) {
+  return std::find(mechanism.engaged.begin(), mechanism.engaged.end(), CouplingId(coupling.id)) !=
+         mechanism.engaged.end();
+}
+
+bool isBalanced(const Mechanism& mechanism, const ElementId& element) {
+  return mechanism.balances && std::any_of(mechanism.balances->begin(), mechanism.balances->end(),
+                                           [&](const Balance& each) { return elementOf(each) == element; });
+}
+
+/// Without the balances there; where none is left the program chooses.
+Expected<Mechanism> withoutBalance(const Mechanism& before, const ElementId& element) {
+  std::optional<std::vector<Balance>> balances = before.balances;
+  std::erase_if(*balances, [&](const Balance& each) { return elementOf(each) == element; });
+  if (balances->empty()) balances.reset();
+  return withBalances(before, std::move(balances));
 }
 
 }  // namespace
@@ -125,6 +149,7 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
     const bool isBrake = coupling.kind == CouplingKind::brake;
     row.kind = Kind::held;
     row.element = coupling.id;
+    row.isOwn = isEngaged(*m_document->mechanism(), row.element);
     row.link = first.toInt();
     row.name =
         isBrake
@@ -155,6 +180,7 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
     row.name = tr("T on link %1").arg(row.link);
     row.tip = tr("Found: the torque from outside on the link that holds the loads.");
   }
+  row.isOwn = isBalanced(*m_document->mechanism(), row.element);
   return row;
 }
 
@@ -229,7 +255,7 @@ TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {
           {tr("Remove load"), [load](const Mechanism& before) { return withoutLoad(before, load); }, 0});
     });
     row.widgets.insert(row.widgets.end(), {row.field, unit, gone});
-    m_grid->addWidget(row.field, line, 2);
+    m_grid->addWidget(row.field, line, 2, Qt::AlignRight);
     m_grid->addWidget(unit, line, 3);
     m_grid->addWidget(gone, line, 4);
   } else {
@@ -237,13 +263,44 @@ TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {
     row.value->setObjectName(QStringLiteral("torqueValue.%1").arg(line));
     row.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.widgets.push_back(row.value);
-    m_grid->addWidget(row.value, line, 2, 1, 3, Qt::AlignRight);
+    // Below the unit and the cross of a load: the columns stay as narrow as they are.
+    m_grid->addWidget(row.value, line, 2, 1, content.isOwn ? 1 : 3, Qt::AlignRight);
+    if (content.isOwn) {
+      QWidget* letGo = makeLetGo(content, line);
+      row.widgets.push_back(letGo);
+      m_grid->addWidget(letGo, line, 3, 1, 2, Qt::AlignRight);
+    }
   }
   for (QWidget* widget : row.widgets) {
     if (widget->toolTip().isEmpty()) widget->setToolTip(content.tip);
     widget->installEventFilter(this);
   }
   return row;
+}
+
+/// Of a coupling: releases it. Of a balance: what holds the loads is not sought there any more.
+QWidget* TorqueRows::makeLetGo(const Content& content, int line) {
+  const bool isCoupling = content.kind == Kind::held;
+  QToolButton* button = controlButton(
+      QStringLiteral("letGo.%1").arg(line), tr("Let go"),
+      isCoupling ? tr("Release %1; the motion goes on").arg(shownText(content.element.id.text()))
+                 : tr("Find no torque here any more; without any such place the inputs hold the loads"),
+      this);
+  button->setAccessibleDescription(content.name);
+  connect(button, &QToolButton::clicked, this, [this, element = content.element, isCoupling] {
+    m_selection->unhover();
+    if (isCoupling) {
+      m_document->apply({tr("Release %1").arg(shownText(element.id.text())),
+                         [element](const Mechanism& before) {
+                           return withCouplingEngaged(before, CouplingId(element.id), false);
+                         },
+                         0});
+      return;
+    }
+    m_document->apply({tr("Remove balance"),
+                       [element](const Mechanism& before) { return withoutBalance(before, element); }, 0});
+  });
+  return button;
 }
 
 QWidget* TorqueRows::makeField(const Content& content) {

@@ -15,7 +15,8 @@ namespace geargraph::inline forces {
 
 /// Between the inputs and the results of a document with loads, a row each: the torque of a load (a number to
 /// type or spin, and a button that removes it), the torques that were found, and the links that brakes and
-/// clutches hold. A click on a row's name selects what it is about.
+/// clutches hold. What the document itself holds (a balance of its own, an engaged coupling) has a button
+/// that lets it go. A click on a row's name selects what it is about.
 class TorqueRows : public QWidget {
   Q_OBJECT
 
@@ -38,9 +39,10 @@ class TorqueRows : public QWidget {
     std::optional<Number> torque;  ///< of a load
     QString value;                 ///< else
     QString exact;                 ///< the value as a fraction; empty: it is one already, or none
+    bool isOwn = false;            ///< the document holds it, and can let it go
     [[nodiscard]] bool hasSameRow(const Content& other) const {
       return kind == other.kind && load == other.load && element == other.element && name == other.name &&
-             link == other.link && tip == other.tip;
+             link == other.link && tip == other.tip && isOwn == other.isOwn;
     }
   };
   struct Row {
@@ -57,6 +59,7 @@ class TorqueRows : public QWidget {
   [[nodiscard]] Content contentOf(const HeldPart& part, const Real& torque, bool isKnown) const;
   Row makeRow(const Content& content, int line);
   QWidget* makeField(const Content& content);
+  QWidget* makeLetGo(const Content& content, int line);
   void showNumber(Row& row, const Content& content);
   void clear();
 

@@ -108,6 +108,40 @@ class TorqueRowsTest : public QObject {
     find<QToolButton>("torque.1")->click();
     QVERIFY(selection.isSelected(CouplingId("A")));
   }
+
+  /// Only what the document itself holds can be let go, in a step that can be undone.
+  void whatIsHeldCanBeLetGo() {
+    open(loadedSet());
+    QCOMPARE(document->mechanism()->balances->size(), std::size_t{2});
+    QVERIFY(find<QToolButton>("letGo.0") == nullptr);  // a load: it is removed
+    find<QToolButton>("letGo.2")->click();
+    QCOMPARE(document->mechanism()->balances->size(), std::size_t{1});
+    QVERIFY(document->mechanism()->balances->front() == Balance{document->mechanism()->turningJoints[1].id});
+    document->undoStack().undo();
+    QCOMPARE(document->mechanism()->balances->size(), std::size_t{2});
+    // The last one leaves the choice to the program, whose own torques cannot be let go.
+    Mechanism one = test::planetary(24, 18);
+    one.inputs = std::vector<Input>{{one.turningJoints[0].id, Number(100), {}},
+                                    {one.turningJoints[1].id, Number(0), {}}};
+    one.loads = {{{}, JointTorque{one.turningJoints[2].id, Number(10)}}};
+    open(one);
+    QVERIFY(value(1).endsWith(QLatin1String("found")));
+    QVERIFY(find<QToolButton>("letGo.1") == nullptr);
+
+    Mechanism gearbox = test::eightSpeed();
+    gearbox.engaged = gearbox.states[0].engaged;
+    gearbox.inputs = std::vector<Input>{{gearbox.turningJoints[0].id, Number(1), {}}};
+    gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
+    gearbox.balances = std::vector<Balance>{{Balance::OnLink{gearbox.links[2].id, {}}}};
+    open(gearbox);
+    const auto engaged = document->mechanism()->engaged;
+    find<QToolButton>("letGo.1")->click();
+    QCOMPARE(document->mechanism()->engaged.size(), engaged.size() - 1);
+    QVERIFY(std::find(document->mechanism()->engaged.begin(), document->mechanism()->engaged.end(),
+                      CouplingId("A")) == document->mechanism()->engaged.end());
+    document->undoStack().undo();
+    QVERIFY(document->mechanism()->engaged == engaged);
+  }
 };
 
 }  // namespace geargraph
