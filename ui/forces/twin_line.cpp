@@ -205,7 +205,10 @@ TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_se
   connect(selection, &Selection::hoverChanged, this, [this] {
     if (isVisible()) renew();
   });
-  connect(this, &QLabel::linkActivated, this, &TwinLine::entryWanted);
+  connect(this, &QLabel::linkActivated, this, [this] {
+    tell(m_mesh, m_joint);
+    emit entryWanted();
+  });
 }
 
 void TwinLine::pointAt(const ElementId& row, const ElementId& column) {
@@ -235,8 +238,8 @@ void TwinLine::changeEvent(QEvent* event) {
 
 void TwinLine::renew() {
   std::optional<TwinWords> words;
-  ElementId entryMesh;
-  ElementId entryJoint;
+  m_mesh = m_joint = {};
+  bool isChosen = false;
   if (m_forces && m_forces->report && m_forces->report->isSolved) {
     const Mechanism& mechanism = *m_forces->solved->mechanism;
     const std::set<ElementId>& selected = m_selection->selected();
@@ -245,23 +248,27 @@ void TwinLine::renew() {
     auto mesh = firstSelected(mechanism.gearMeshes, pointed);
     if (!joint) joint = firstSelected(mechanism.turningJoints, selected);
     if (!mesh) mesh = firstSelected(mechanism.gearMeshes, selected);
+    isChosen = joint || mesh;
     words = twinWords(mechanism, *m_forces->solved->kinematics->model,
                       m_forces->solved->kinematics->placement(), *m_forces->report, joint, mesh);
     if (words) {
       const Theme theme = themeOf(palette());
       const QString rate = rateSymbol(font(), qColor(ColorRole::ink, theme), devicePixelRatioF());
       setText(TwinText(mechanism, *words, theme, rate).html());
-      entryMesh = mechanism.gearMeshes[static_cast<std::size_t>(words->mesh)].id;
-      entryJoint = mechanism.turningJoints[static_cast<std::size_t>(words->joint)].id;
+      m_mesh = mechanism.gearMeshes[static_cast<std::size_t>(words->mesh)].id;
+      m_joint = mechanism.turningJoints[static_cast<std::size_t>(words->joint)].id;
     }
   }
   if (!words) clear();
   emit filled(words.has_value());
-  std::set<ElementId> entry;
-  if (words) entry = {entryMesh, entryJoint};
+  isChosen ? tell(m_mesh, m_joint) : tell({}, {});
+}
+
+void TwinLine::tell(const ElementId& mesh, const ElementId& joint) {
+  std::set<ElementId> entry{mesh, joint};
   if (entry == m_entry) return;
   m_entry = std::move(entry);
-  emit entryChanged(entryMesh, entryJoint);
+  emit entryChanged(mesh, joint);
 }
 
 }  // namespace geargraph::inline forces

@@ -24,7 +24,7 @@ class TwinLine : public QLabel {
  signals:
   /// There is something to show, or no longer.
   void filled(bool isFilled);
-  /// Another entry is framed; both empty: none is.
+  /// Another entry is chosen, by what is pointed at or selected or by a click on it; both empty: none is.
   void entryChanged(const geargraph::ElementId& mesh, const geargraph::ElementId& joint);
   /// The framed entry was clicked.
   void entryWanted();
@@ -35,11 +35,14 @@ class TwinLine : public QLabel {
  private:
   void renew();
   [[nodiscard]] std::set<ElementId> pointedAt() const;
+  void tell(const ElementId& mesh, const ElementId& joint);
 
   Selection* m_selection;
   ForcesPtr m_forces;
   std::set<ElementId> m_cell;  ///< that of a matrix, under the mouse
-  std::set<ElementId> m_entry;
+  ElementId m_mesh, m_joint;   ///< of the entry that is framed here
+  std::set<ElementId> m_entry{
+      ElementId()};  ///< that others were told; nobody is told of one that nobody chose
 };
 
 }  // namespace geargraph::inline forces

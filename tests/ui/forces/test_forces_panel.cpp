@@ -112,6 +112,10 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
                               QVariant::fromValue(ElementId(mechanism.turningJoints[std::size_t(joint)].id))};
     };
     QTRY_VERIFY(panel->twinLine().isVisible());
+    QVERIFY(changed.isEmpty());  // nobody has chosen one
+    emit panel->twinLine().linkActivated(QStringLiteral("entry"));
+    QVERIFY(entry(0, 0));
+    wanted.clear();
     selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
     QVERIFY(entry(1, 1));
     selection.hover(ElementId(mechanism.turningJoints[2].id));
