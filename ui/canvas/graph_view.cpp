@@ -1,5 +1,6 @@
 #include "ui/canvas/graph_view.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <cmath>
 
@@ -69,6 +70,34 @@ MeshId GraphView::chosenMesh() const {
   const std::set<ElementId>& selected = selection().selected();
   if (selected.size() != 1 || !isMesh(*selected.begin())) return {};
   return MeshId(selected.begin()->id);
+}
+
+std::optional<AxisChoice::Way> GraphView::axisKey(const QKeyEvent& event) const {
+  if (!m_controller->isDrawingJoint() || event.modifiers() != Qt::NoModifier) return std::nullopt;
+  switch (event.key()) {
+    case Qt::Key_X:
+      return AxisChoice::Way::alongX;
+    case Qt::Key_Y:
+      return AxisChoice::Way::alongY;
+    case Qt::Key_Z:
+      return AxisChoice::Way::alongZ;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool GraphView::event(QEvent* event) {
+  // While a joint is drawn these keys are no commands of the window.
+  if (event->type() == QEvent::ShortcutOverride && axisKey(*static_cast<QKeyEvent*>(event))) {
+    event->accept();
+    return true;
+  }
+  return DrawingView::event(event);
+}
+
+void GraphView::keyPressEvent(QKeyEvent* event) {
+  const std::optional<AxisChoice::Way> way = axisKey(*event);
+  way ? m_controller->setAxisOfStroke(*way) : DrawingView::keyPressEvent(event);
 }
 
 void GraphView::toggleInputs() {

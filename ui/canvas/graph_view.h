@@ -27,6 +27,8 @@ class GraphView : public DrawingView, protected NodeSheet {
  protected:
   void forgetDocument() override { m_wantedCycle = {}; }
   [[nodiscard]] QString message() const override;
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
   void pressed(const Pointer& pointer) override;
@@ -38,6 +40,8 @@ class GraphView : public DrawingView, protected NodeSheet {
 
   /// The mesh whose circuit is to be shown; empty where there is none, or no analysis yet.
   [[nodiscard]] MeshId chosenMesh() const;
+  /// What a key says of the axis of the joint that is being drawn.
+  [[nodiscard]] std::optional<AxisChoice::Way> axisKey(const QKeyEvent& event) const;
   /// Gives all these links their places, as one undo step.
   void place(const NodePositions& positions) { m_controller->place(positions); }
 

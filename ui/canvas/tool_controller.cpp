@@ -8,6 +8,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/hit_test.h"
+#include "ui/canvas/drawn_joint.h"
 #include "ui/canvas/element_commands.h"
 
 namespace geargraph::inline canvas {
@@ -21,8 +22,7 @@ QString translated(std::string_view text) {
 
 /// Would the arrow make a joint if it were released here?
 Expected<PlacedMechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draft) {
-  if (draft.kind != ElementKind::gearMesh)
-    return unplaced(withTurningJoint(mechanism, draft.tail, draft.head));
+  if (draft.kind != ElementKind::gearMesh) return withDrawnJoint(mechanism, draft.tail, draft.head);
   const Expected<PlacedMechanism> drawn = unplaced(withDrawnMesh(mechanism, draft.tail, draft.head));
   if (!drawn) return drawn;
   return withMeshSnapped(*drawn, drawn->mechanism().gearMeshes.back().id);
@@ -147,9 +147,12 @@ void ToolController::addLink(SheetPoint at) {
 void ToolController::addJoint(const AddJoint& joint) {
   const bool mesh = joint.kind == ElementKind::gearMesh;
   const ArrowDraft draft{joint.kind, joint.tail, joint.head, {}};
-  const bool done =
-      m_document.apply({mesh ? tr("Add gear mesh") : tr("Add turning joint"),
-                        [draft](const Mechanism& mechanism) { return withDraft(mechanism, draft); }, 0});
+  const auto reduce = [draft, way = m_axisOfStroke](const Mechanism& before) -> Expected<PlacedMechanism> {
+    Expected<PlacedMechanism> drawn = withDraft(before, draft);
+    if (!drawn || !way) return drawn;
+    return withAxisChosen(*drawn, drawn->mechanism().turningJoints.back().axis, {*way});
+  };
+  const bool done = m_document.apply({mesh ? tr("Add gear mesh") : tr("Add turning joint"), reduce, 0});
   if (!done) return;
   const Mechanism& mechanism = *m_document.mechanism();
   m_selection.select(
@@ -170,9 +173,21 @@ void ToolController::selectInside(const SelectInside& band) {
   m_selection.select(std::move(elements));
 }
 
+bool ToolController::isDrawingJoint() const {
+  const std::optional<ArrowDraft> draft = m_machine.arrowDraft();
+  return draft && draft->kind == ElementKind::turningJoint;
+}
+
+void ToolController::setAxisOfStroke(AxisChoice::Way way) {
+  if (!isDrawingJoint()) return;
+  m_axisOfStroke = way;
+  showState();
+}
+
 // --- what is shown meanwhile ------------------------------------------------------------------------------
 
 void ToolController::showState() {
+  if (!isDrawingJoint()) m_axisOfStroke.reset();
   std::optional<JointPreview> preview;
   QString hint = previewAndHint(preview);
   if (!m_notice.isEmpty()) hint = m_notice;
@@ -186,8 +201,16 @@ void ToolController::showState() {
   emit hintChanged(hint);
 }
 
+/// What can be said of the axis meanwhile, behind the hint of the tool.
+QString ToolController::withAxisOfStroke(const QString& hint) const {
+  if (!isDrawingJoint()) return hint;
+  if (!m_axisOfStroke) return tr("%1; X, Y or Z lays its axis along x, y or z").arg(hint);
+  const int letter = 'x' + static_cast<int>(*m_axisOfStroke) - static_cast<int>(AxisChoice::Way::alongX);
+  return tr("%1; its axis lies along %2").arg(hint, QChar(letter));
+}
+
 QString ToolController::previewAndHint(std::optional<JointPreview>& preview) const {
-  const QString hint = translated(m_machine.hint());
+  const QString hint = withAxisOfStroke(translated(m_machine.hint()));
   const std::optional<ArrowDraft> draft = m_machine.arrowDraft();
   if (!draft) return hint;
   preview = JointPreview{draft->kind, draft->tail, draft->head, false};

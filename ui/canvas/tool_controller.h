@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointF>
 
+#include "core/mechanism/fitting/axis_choice.h"
 #include "ui/canvas/node_sheet.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
@@ -27,6 +28,11 @@ class ToolController final : public QObject {
   void setTool(ToolKind tool);
   [[nodiscard]] bool isIdle() const { return m_machine.isIdle(); }
   [[nodiscard]] QString hint() const { return m_hint; }
+
+  /// Is a turning joint under way: begun, and not ended yet?
+  [[nodiscard]] bool isDrawingJoint() const;
+  /// How the axis of that joint will lie; without it the program guesses. Holds for this one.
+  void setAxisOfStroke(AxisChoice::Way way);
 
   /// `scale`: pixels a unit of the sheet takes, for the width of what lies over the drawing.
   void handle(const ToolEvent& event, double scale);
@@ -59,6 +65,7 @@ class ToolController final : public QObject {
   [[nodiscard]] Drag beginDrag();
   void apply(const QString& text, Reduce reduce, quint64 gesture = 0);
   void showState();
+  [[nodiscard]] QString withAxisOfStroke(const QString& hint) const;
   [[nodiscard]] QString previewAndHint(std::optional<JointPreview>& preview) const;
   /// A line through all nodes of a row or column.
   [[nodiscard]] Curve guide(const std::function<bool(SheetPoint)>& isOnLine) const;
@@ -70,6 +77,7 @@ class ToolController final : public QObject {
   ToolMachine m_machine{ToolKind::select};
   std::optional<Drag> m_drag;
   Snap m_snap;
+  std::optional<AxisChoice::Way> m_axisOfStroke;
   quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held
   double m_scale = 1;
   bool m_grid = false;

@@ -1,5 +1,6 @@
 #include <QUndoStack>
 
+#include "core/mechanism/placement/placement.h"
 #include "core/presentation/drawing/hit_test.h"
 #include "tests/ui/canvas/view_driver.h"
 
@@ -218,6 +219,37 @@ class TestDigraphView : public QObject {
     QCOMPARE(refusals, 1);
     QCOMPARE(d.steps(), 0);
     QVERIFY(!last);
+  }
+
+  void keysLayTheAxisOfTheJointThatIsDrawn() {
+    Mechanism two = *withLink(emptyMechanism(), {300, 200});
+    two.view.nodes[two.links[0].id] = {100, 200};
+    const Qt::Key keys[] = {Qt::Key_X, Qt::Key_Y, Qt::Key_Z};
+    for (int along = 0; along < 3; ++along) {
+      ViewDriver d(two);
+      d.key(Qt::Key_T);
+      d.press(d.center(0));
+      d.move(d.center(1));
+      QVERIFY2(d.view.hint().contains("X, Y or Z"), qPrintable(d.view.hint()));
+      d.key(keys[(along + 1) % 3]);  // changed one's mind
+      d.key(keys[along]);
+      QVERIFY2(d.view.hint().endsWith(QString("along ") + QChar('x' + along)), qPrintable(d.view.hint()));
+      d.release(d.center(1));
+      QCOMPARE(d.steps(), 1);
+      QCOMPARE(d.mechanism().t(), 1);
+      const Placement placement = placementOf(d.mechanism());
+      for (int i = 0; i < 3; ++i)
+        QCOMPARE(placement.axes.at(0).direction[static_cast<std::size_t>(i)], i == along ? 1.0 : 0.0);
+      d.document.undoStack().undo();
+      QCOMPARE(d.mechanism().t(), 0);
+      // The choice was for that stroke.
+      d.key(Qt::Key_Escape);
+      d.key(Qt::Key_T);
+      d.press(d.center(0));
+      d.move(d.center(1));
+      QVERIFY2(d.view.hint().contains("X, Y or Z"), qPrintable(d.view.hint()));
+      d.key(Qt::Key_Escape);
+    }
   }
 
   void escapeGivesUpAnArrowButKeepsTheTool() {
