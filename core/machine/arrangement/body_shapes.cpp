@@ -1,6 +1,7 @@
 #include "core/machine/arrangement/body_shapes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace geargraph::inline arrangement {
@@ -11,6 +12,8 @@ using Eigen::Vector3d;
 const AxisLayout& axis(const Arrangement& plan, int c) {
   return plan.axes[static_cast<std::size_t>(c)];
 }
+
+constexpr double kPost = 1.5;  // modules: radius of a post and of the end of the arm that it stands on
 
 double sineBetween(const AxisLayout& a, const AxisLayout& b) {
   return a.direction.cross(b.direction).norm();
@@ -39,30 +42,47 @@ Eye endOf(const Arrangement& plan, const ArmPlan& arm) {
   const AxisLayout& from = axis(plan, arm.from);
   const AxisLayout& to = axis(plan, arm.to);
   const bool parallel = sineBetween(from, to) < 1e-6;
+  const auto post = postOf(plan, arm);
   const Eigen::Isometry3d frame = frameAlong(from.at(arm.level), from.direction, Vector3d::UnitX());
-  const Vector3d local = frame.inverse() * to.at(arm.at);
+  const Vector3d local = frame.inverse() * (post ? post->foot : to.at(arm.at));
   Eye eye;
   eye.hole = parallel ? holeFor(plan, arm.to, arm.at, arm.link) : 0;
-  eye.radius = parallel ? eye.hole + eyeWall(to) : 1.5 * from.module;
+  eye.radius = parallel ? eye.hole + eyeWall(to) : kPost * from.module;
   eye.centre = local.head<2>();
   return eye;
+}
+
+PostEnd postEnd(const AxisLayout& from, const AxisLayout& to, double hole, double sense) {
+  const double radius = kPost * from.module, wall = 0.5 * eyeWall(to);
+  const double cosine = from.direction.dot(to.direction), sine = sineBetween(from, to);
+  const double lean = std::abs(cosine);
+  // In the plane of both directions: how far the end's middle is from the eye's axis, and the length along
+  // that axis of what lies within the wall.
+  const double away = hole + wall + radius * lean;
+  PostEnd end{Vector3d::Zero(), away * sine};
+  if (lean < 1e-9) return end;
+  const double within = sine * std::min(wall / lean, 2 * radius);
+  const double along = std::max(0.0, radius * sine - within / 2 - to.width() / 4);
+  const Vector3d way = sense * from.direction;
+  const Vector3d onwards = (sense * cosine < 0 ? -1 : 1) * to.direction;  // as the post runs
+  end.aside = (along * sine + away * lean) / sine * (onwards - lean * way);
+  end.before -= along * lean;
+  return end;
 }
 
 std::optional<Post> postOf(const Arrangement& plan, const ArmPlan& arm) {
   const AxisLayout& from = axis(plan, arm.from);
   const AxisLayout& to = axis(plan, arm.to);
-  const double sine = sineBetween(from, to);
-  if (sine < 1e-6) return std::nullopt;
+  if (sineBetween(from, to) < 1e-6) return std::nullopt;
   const Vector3d end = to.at(arm.at);
   const double rise = (end - from.at(arm.level)).dot(from.direction);
-  // An oblique post's edge comes near first.
-  const double cosine = std::abs(from.direction.dot(to.direction));
+  const double sense = rise < 0 ? -1 : 1;
+  const PostEnd met = postEnd(from, to, holeFor(plan, arm.to, arm.at, arm.link), sense);
   Post post;
-  post.foot = end - rise * from.direction;
-  post.way = (rise < 0 ? -1 : 1) * from.direction;
-  post.radius = endOf(plan, arm).radius;
-  const double hole = holeFor(plan, arm.to, arm.at, arm.link);
-  post.reach = std::abs(rise) - (hole + 0.5 * eyeWall(to) + post.radius * cosine) / sine;
+  post.foot = end - rise * from.direction + met.aside;
+  post.way = sense * from.direction;
+  post.radius = kPost * from.module;
+  post.reach = std::abs(rise) - met.before;
   if (post.reach <= 0.5 * from.width()) return std::nullopt;
   return post;
 }

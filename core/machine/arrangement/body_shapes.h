@@ -30,6 +30,17 @@ namespace geargraph::inline arrangement {
 /// direction across the arm's axis.
 [[nodiscard]] Eye endOf(const Arrangement& plan, const ArmPlan& arm);
 
+/// How the end of a post along one axis lies to the middle of the eye about another that it holds.
+struct PostEnd {
+  Eigen::Vector3d aside = Eigen::Vector3d::Zero();  ///< in the plane of the arm; zero at right angles
+  double before = 0;                                ///< along the post
+};
+/// So that the post meets the eye's wall and leaves its hole free: the edge of its end comes as far as the
+/// middle of the wall, and what lies within the wall lies beside the middle of the eye, not beyond its faces.
+/// `hole`: the eye's radius. `sense`: 1 where the post runs along the direction of `from`, -1 against it.
+/// @pre the axes are not parallel
+[[nodiscard]] PostEnd postEnd(const AxisLayout& from, const AxisLayout& to, double hole, double sense);
+
 /// A post from an arm to the bearing on a crossing axis, as far as the bearing's wall.
 struct Post {
   Eigen::Vector3d foot;  ///< in the plane of the arm

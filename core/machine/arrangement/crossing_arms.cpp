@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/arrangement/feet.h"
 #include "core/machine/solids/gear_body.h"
 
@@ -34,18 +35,35 @@ Stretch reachOf(const PlanDraft& draft, const ArmPlan& arm) {
   return reach;
 }
 
+/// The middle lines of an arm across to another axis: from its own axis to the foot of its post, and on to
+/// the eye's middle. An oblique post passes beside that, and its line ends where it does, as shafts are whose
+/// radii are not known yet.
+struct ArmLines {
+  Vector3d start, foot, end;
+};
+
+ArmLines linesOf(const AxisLayout& from, const AxisLayout& to, const ArmPlan& arm) {
+  ArmLines lines{from.at(arm.level), {}, to.at(arm.at)};
+  const double rise = (lines.end - lines.start).dot(from.direction), sense = rise < 0 ? -1 : 1;
+  lines.foot = lines.end - rise * from.direction;
+  const PostEnd met = postEnd(from, to, kShaftRadius * to.module + eyePlay(to), sense);
+  if (met.aside.isZero() || std::abs(rise) - met.before <= 0.5 * from.width()) return lines;
+  lines.foot += met.aside;
+  lines.end += met.aside - met.before * sense * from.direction;
+  return lines;
+}
+
 /// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing,
 /// or in what stands on the axis that the post runs along.
 int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const AxisLayout& to = draft.axis(arm.to);
-  const Vector3d start = from.at(arm.level);
-  const Vector3d end = to.at(arm.at);
-  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  const auto [start, foot, end] = linesOf(from, to, arm);
+  const Vector3d eye = to.at(arm.at);
   constexpr double kNear = 5.5;  // modules: a post beside an eye about two shafts
   int count = 0;
   if ((foot - start).norm() < kNear * from.module) {
-    const auto [near, far] = std::minmax({arm.level, from.coordinate(end)});
+    const auto [near, far] = std::minmax({arm.level, from.coordinate(eye)});
     for (const Stretch& s : from.taken)
       count += s.link >= 0 && s.link != arm.link && from.overlap(s.low, s.high, near, far);
   }
@@ -64,7 +82,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
   const double sine = std::max(from.direction.cross(to.direction).norm(), 0.1);
-  const double postEnd = (reach + 0.5 * to.module) / sine;  // nearer to the shaft the post does not come
+  const double nearest = (reach + 0.5 * to.module) / sine;  // that the post comes to the shaft
   const auto isInShaft = [&](const Vector3d& p) {
     const double along = to.coordinate(p);
     return to.isBelow(low, along) && to.isBelow(along, high) && to.isBelow((p - to.at(along)).norm(), reach);
@@ -74,7 +92,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
     const double part = static_cast<double>(i) / kPlaces;
     const Vector3d onPost = end + part * (foot - end);
     const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onPost) - arm.at)) ||
-                           to.isBelow((onPost - end).norm(), postEnd);
+                           to.isBelow((onPost - eye).norm(), nearest);
     count += isInShaft(start + part * (foot - start)) ? 1 : 0;
     count += !inBearing && isInShaft(onPost) ? 1 : 0;
   }
@@ -84,9 +102,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
 /// How many places of an arm with its post lie in gears of other links.
 int armHits(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
-  const Vector3d start = from.at(arm.level);
-  const Vector3d end = draft.axis(arm.to).at(arm.at);
-  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  const auto [start, foot, end] = linesOf(from, draft.axis(arm.to), arm);
   const double margin = 0.5 * from.width() + 0.3 * from.module;
   return draft.obstacles.hits(arm.link, start, foot, margin) +
          draft.obstacles.hits(arm.link, end, foot, margin) + shaftHits(draft, arm);
