@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/machine/arrangement/body_shapes.h"
+#include "core/machine/arrangement/carrier_cases.h"
 #include "core/machine/arrangement/swept_envelope.h"
 #include "core/machine/solids/gear_body.h"
 
@@ -18,10 +19,11 @@ namespace {
 using Eigen::Vector3d;
 
 // In modules.
-constexpr double kBar = 1.0;             ///< radius of a bar across an axis
-constexpr double kColumn = 1.3;          ///< radius of a column
-constexpr double kPlay = 0.4;            ///< between the frame and what sweeps past it
-constexpr double kLongestHousing = 8.0;  ///< between two bearings
+constexpr double kBar = 1.0, kStoutBar = 1.4;        ///< radius of a bar across an axis; of a long one
+constexpr double kColumn = 1.3, kStoutColumn = 2.4;  ///< radius of a column; of a long one
+constexpr double kRim = 1.2 * kColumn;               ///< of the base about a column
+constexpr double kPlay = 0.4;                        ///< between the frame and what sweeps past it
+constexpr double kLongestHousing = 8.0;              ///< between two bearings
 constexpr double kBaseThickness = 2.0;
 constexpr double kAboveBase = 1.0;  ///< what sweeps over the base
 constexpr int kDirections = 16;
@@ -54,8 +56,8 @@ struct Bracket {
 
 class FrameMaker {
  public:
-  FrameMaker(const Arrangement& plan, const GearTrain& train, const Placement& placement)
-      : m_plan(plan), m_train(train), m_envelopes(sweptEnvelopes(plan, train, placement)) {}
+  FrameMaker(const Arrangement& plan, const GearTrain& train, std::vector<SweptEnvelope> envelopes)
+      : m_plan(plan), m_train(train), m_envelopes(std::move(envelopes)) {}
 
   FramePlan make() {
     findPieces();
@@ -91,6 +93,11 @@ class FrameMaker {
   void use(std::size_t group, const Bracket& bracket);
   [[nodiscard]] bool isClear(const Vector3d& from, const Vector3d& to, double radius, const Piece* own) const;
   [[nodiscard]] std::vector<double> reachesFrom(const Piece& piece, const Vector3d& way) const;
+  [[nodiscard]] std::optional<Bracket> bracketTo(const Piece& piece, const Vector3d& way, double reach,
+                                                 bool isStout) const;
+  [[nodiscard]] double stout(double slender, double most, double length) const {
+    return std::clamp(length / 16, slender * module(), std::max(slender, most) * module());
+  }
 
   // Pieces that hang together.
   [[nodiscard]] std::size_t rootOf(std::size_t piece) const {
@@ -340,9 +347,10 @@ void FrameMaker::considerRims(const Piece& piece, Bracket& best) const {
       if (!isClear(start, corner, kBar * module(), &piece) ||
           !isClear(on.at(at + beyond) + reach * way, on.at(face) + reach * way, radius, nullptr))
         continue;
+      const double wide = stout(kBar, std::min(kStoutBar, 1.2 * radius / module()), reach);
+      const double bar = isClear(start, corner, wide, &piece) ? wide : kBar * module();
       best = {length,
-              {{start, corner, kBar * module()},
-               {on.at(at + beyond) + reach * way, on.at(end) + reach * way, radius}},
+              {{start, corner, bar}, {on.at(at + beyond) + reach * way, on.at(end) + reach * way, radius}},
               {},
               {},
               rim.piece};
@@ -396,26 +404,44 @@ void FrameMaker::considerBase(const Piece& piece, Bracket& best) const {
       const Vector3d end(centre.x(), centre.y(), floor);
       const Vector3d below(centre.x(), centre.y(), m_made.top);
       if (length < best.length && isClear(start, below, column, &piece))
-        best = {length, {{start, end, column}}, {}, FramePlan::Foot{end.head<2>(), 2.2 * column}, -1};
+        best = {
+            length, {{start, end, column}}, {}, FramePlan::Foot{end.head<2>(), column + kRim * module()}, -1};
       continue;
     }
     if (way.z() < -0.5) continue;  // no room for the column
     for (const double reach : reachesFrom(piece, way)) {
       const Vector3d corner = centre + reach * way;
-      const Vector3d top = corner + Vector3d(0, 0, 1.2 * column);
-      const Vector3d end(corner.x(), corner.y(), floor);
       const double length = reach + corner.z() - floor + 2 * module();  // straight ones rather
       if (length >= best.length) break;
       if (!isClear(start, corner, kBar * module(), &piece)) break;
-      if (!isClear(top, {corner.x(), corner.y(), m_made.top}, column, nullptr)) continue;
-      best = {length,
-              {{start, corner, kBar * module()}, {top, end, column}},
-              {},
-              FramePlan::Foot{end.head<2>(), 2.2 * column},
-              -1};
+      const auto slender = bracketTo(piece, way, reach, false);
+      if (!slender) continue;
+      best = bracketTo(piece, way, reach, true).value_or(*slender);
+      best.length = length;
       break;
     }
   }
+}
+
+/// A bar outward and a column down to the base, slender or stouter the longer they are; none: no way.
+std::optional<Bracket> FrameMaker::bracketTo(const Piece& piece, const Vector3d& way, double reach,
+                                             bool isStout) const {
+  const AxisLayout& on = axis(piece.axisClass);
+  const Vector3d centre = on.at((piece.low + piece.high) / 2);
+  const Vector3d start = centre + (piece.outer - 0.5 * eyeWall(on)) * way;
+  const double floor = m_made.top - 0.5 * m_made.thickness;
+  double bar = kBar * module(), column = kColumn * module();
+  if (isStout) {
+    column = stout(kColumn, kStoutColumn, (centre + reach * way).z() - floor);
+    reach += column - kColumn * module();
+    bar = stout(kBar, std::min(kStoutBar, on.width() / 2 / module()), reach);
+  }
+  const Vector3d corner = centre + reach * way;
+  const Vector3d top = corner + Vector3d(0, 0, 1.2 * kColumn * module() + bar - kBar * module());
+  const Vector3d end(corner.x(), corner.y(), floor), below(corner.x(), corner.y(), m_made.top);
+  if (!isClear(start, corner, bar, &piece) || !isClear(top, below, column, nullptr)) return std::nullopt;
+  return Bracket{
+      0, {{start, corner, bar}, {top, end, column}}, {}, {{end.head<2>(), column + kRim * module()}}};
 }
 
 Bracket FrameMaker::bestBracket(std::size_t group, bool onRims) const {
@@ -460,7 +486,14 @@ void FrameMaker::standOnBase(const std::vector<std::size_t>& open) {
 
 FramePlan planFrame(const Arrangement& plan, const GearTrain& train, const Placement& placement) {
   if (plan.axes.empty() || plan.isSimple) return {};
-  return FrameMaker(plan, train, placement).make();
+  std::vector<SweptEnvelope> envelopes = sweptEnvelopes(plan, train, placement);
+  const auto cases = carrierCases(plan, train, placement);
+  FramePlan frame = FrameMaker(plan, train, envelopes).make();
+  if (cases.empty()) return frame;
+  for (const CasePlan& made : cases)
+    envelopes.push_back(envelopeOf(made, plan.axes[static_cast<std::size_t>(made.axisClass)]));
+  FramePlan round = FrameMaker(plan, train, std::move(envelopes)).make();
+  return round.onFeet.size() > frame.onFeet.size() ? frame : round;
 }
 
 }  // namespace geargraph::inline arrangement

@@ -12,7 +12,8 @@ namespace geargraph::inline arrangement {
 /// 1. Bearings of one axis with nothing but shafts between them share a housing.
 /// 2. What is still separate gets a bracket of one or two straight bars: straight down to the base; or
 ///    outward at right angles to the axis, then down to the base or onto the rim of a ring of the ground.
-///    The shortest that stays clear of the swept envelopes (swept_envelope.h) is taken.
+///    The shortest that stays clear of the swept envelopes (swept_envelope.h) and of cases
+///    (carrier_cases.h) is taken; long bars are thicker where they stay clear then, too.
 /// 3. The feet stand on one plate, below everything that moves. Where everything hangs together without a
 ///    base there is none.
 ///

@@ -12,6 +12,8 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr int kFlange = -3;  ///< in place of a link: kept free for the flange of a carrier
+
 /// Does a plate of the ring's cup at this place cut through planets that have wheels on both of its sides?
 bool cutsPlanets(const PlanDraft& draft, const TrainGear& ring, double plate) {
   const AxisLayout& own = draft.axis(ring.axisClass);
@@ -25,6 +27,24 @@ bool cutsPlanets(const PlanDraft& draft, const TrainGear& ring, double plate) {
     const auto [low, high] = std::minmax(
         {draft.carried(c, span->low, ring.axisClass), draft.carried(c, span->high, ring.axisClass)});
     return own.overlap(low, high, plate - half, plate + half);
+  });
+}
+
+/// Do the ring's teeth mesh with planets that a carrier on the ring's axis holds, so that the carrier may
+/// have a flange between them and the ring's plate?
+bool enclosesPlanets(const PlanDraft& draft, const TrainGear& ring) {
+  return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
+    const auto isMesh = [&](int mesh) {
+      return std::find(ring.meshes.begin(), ring.meshes.end(), mesh) != ring.meshes.end();
+    };
+    if (&gear == &ring || !std::any_of(gear.meshes.begin(), gear.meshes.end(), isMesh)) return false;
+    const AxisClasses& classes = *draft.placement.classes;
+    const int top = classes.classes[static_cast<std::size_t>(gear.axisClass)].top;
+    if (top == 0 || classes.classOfLink(top) != ring.axisClass) return false;
+    const auto& held = draft.heldBy[static_cast<std::size_t>(top)];
+    return classes.classes[static_cast<std::size_t>(ring.axisClass)].top == 0 &&
+           std::all_of(held.begin(), held.end(),
+                       [&](const auto& place) { return draft.parallel(ring.axisClass, place.first); });
   });
 }
 
@@ -65,8 +85,13 @@ void placeRingCarriers(PlanDraft& draft) {
       return layout.slotIsFree(plate) && !cutsPlanets(draft, gear, plate);
     };
     if (!isOpen(side) && (isOpen(-side) || !layout.slotIsFree(middle + side * reach))) side = -side;
-    draft.plan.cups.push_back({static_cast<int>(g), side, middle + side * reach});
-    layout.take(middle + side * reach, gear.link);
+    const double flange = middle + side * reach, plate = flange + side * (layout.width() + layout.gap());
+    const bool hasFlange = enclosesPlanets(draft, gear) && isOpen(side) && layout.slotIsFree(plate) &&
+                           !cutsPlanets(draft, gear, plate);
+    if (hasFlange)
+      layout.taken.push_back({flange - layout.width() / 2, flange + layout.width() / 2, kFlange});
+    draft.plan.cups.push_back({static_cast<int>(g), side, hasFlange ? plate : flange});
+    layout.take(draft.plan.cups.back().plate, gear.link);
   }
 }
 

@@ -11,6 +11,8 @@
 #include "core/machine/arrangement/arrangement.h"
 #include "core/machine/arrangement/body_clashes.h"
 #include "core/machine/arrangement/body_shapes.h"
+#include "core/machine/arrangement/carrier_cases.h"
+#include "core/machine/arrangement/carrier_flanges.h"
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_solid.h"
@@ -22,6 +24,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kCageBars = 5;
+constexpr int kCaseBars = 4;
 
 class BodyBuilder {
  public:
@@ -29,6 +32,9 @@ class BodyBuilder {
       : m_plan(plan), m_train(train), m_recipes(links), m_armsOf(links) {
     for (const ArmPlan& arm : plan.arms) m_armsOf[static_cast<std::size_t>(arm.link)].push_back(&arm);
   }
+
+  void addCase(const CasePlan& made);
+  void addFlange(const FlangePlan& made);
 
   /// By link.
   std::vector<BodyRecipe> build() {
@@ -255,6 +261,49 @@ void BodyBuilder::addCage(const CagePlan& plan) {
   }
 }
 
+/// The rings, the bars between them, and what holds them.
+void BodyBuilder::addCase(const CasePlan& made) {
+  const AxisLayout& own = axis(made.axisClass);
+  for (const auto& [low, high] : made.rings)
+    add(made.link, TubePart{made.outer, made.inner, low, high}, own, line(own));
+  for (const CaseTube& tube : made.tubes) {
+    const Vector3d way = tube.to - tube.from;
+    add(made.link, TubePart{tube.outer, tube.inner, 0, way.norm()}, own,
+        frameAlong(tube.from, way.normalized()));
+  }
+  if (made.rings.size() < 2) return;
+  const auto middle = [](const auto& ring) { return (ring.first + ring.second) / 2; };
+  const auto [from, to] = std::minmax({middle(made.rings.front()), middle(made.rings.back())});
+  const double rim = 0.15 * own.module;  // no face of one lies on one of the other
+  const BarPart bar{made.outer - rim, made.inner + rim, from, to, 1.5 * own.module / made.outer};
+  for (int i = 0; i < kCaseBars; ++i) {
+    const Eigen::AngleAxisd turn(2 * std::numbers::pi * (i + 0.5) / kCaseBars, Vector3d::UnitZ());
+    add(made.link, bar, own, frameAlong(own.point, own.direction, made.towards) * turn);
+  }
+}
+
+/// The second flange, the pillars, and arms to these from the first.
+void BodyBuilder::addFlange(const FlangePlan& made) {
+  const AxisLayout& own = axis(made.axisClass);
+  const double half = 0.5 * own.width();
+  const auto at = [&](double level) { return frame(made.axisClass, level, Vector3d::UnitX()); };
+  add(made.link, SpiderPart{made.hub, made.ends, -half, half}, own, at(made.level));
+  // Arms to pillars are parts of their own, between those to planets; no face of one lies on one of another.
+  const auto addArmsToPillars = [&](double level, Eye hub) {
+    hub.radius -= 0.1 * own.module;
+    hub.hole += hub.hole > 0 ? 0.05 * own.module : 0;
+    add(made.link, SpiderPart{hub, made.pillars, -0.9 * half, 0.9 * half}, own, at(level));
+  };
+  addArmsToPillars(made.level, made.hub);
+  addArmsToPillars(made.arms, footOf(m_plan, {made.link, made.axisClass, made.arms}));
+  const auto [low, high] = std::minmax({made.arms, made.level});
+  for (const Eye& pillar : made.pillars) {
+    Eigen::Isometry3d place = at(low);
+    place.translate(Vector3d(pillar.centre.x(), pillar.centre.y(), 0));
+    add(made.link, TubePart{pillar.radius - 0.05 * own.module, 0, 0, high - low}, own, place);
+  }
+}
+
 /// Housings, bars, and the base.
 void BodyBuilder::addFrame(const FramePlan& frame) {
   for (const HousingPlan& h : frame.housings)
@@ -325,6 +374,8 @@ Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, Ge
                       const std::stop_token& stop) {
   Arrangement plan = arrangementOf(mechanism, placement, train, stop);
   if (stop.stop_requested()) return plan;
+  const std::vector<CasePlan> cases = carrierCases(plan, train, placement);
+  const std::vector<FlangePlan> flanges = carrierFlanges(plan, train, placement);
   train.hasSimpleBodies = plan.isSimple;
   train.blocked = plan.blocked;
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
@@ -334,7 +385,12 @@ Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, Ge
   }
   // Webs with windows are half of what a wheel is made of, and cannot be told apart in so large a train.
   for (TrainGear& gear : train.gears) gear.spec.body = plan.isSimple ? GearBody::plain : gear.spec.body;
-  std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
+  Arrangement built = plan;
+  reachFlanges(built, flanges);
+  BodyBuilder builder(built, train, mechanism.links.size());
+  for (const CasePlan& made : cases) builder.addCase(made);
+  for (const FlangePlan& made : flanges) builder.addFlange(made);
+  std::vector<BodyRecipe> recipes = builder.build();
   for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
     if (!recipes[link].empty())
       train.bodies.push_back(bodyOf(static_cast<int>(link), std::move(recipes[link])));

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/machine/arrangement/arrangement.h"
+#include "core/machine/solids/part_solids.h"
+
+namespace geargraph::inline arrangement {
+
+/// The second flange of a planetary carrier, on the other side of the planets than its arms, and the pillars
+/// that join the two.
+struct FlangePlan {
+  int link = 0;
+  int axisClass = 0;  ///< the carrier's own
+  double arms = 0;    ///< level of the arms
+  double level = 0;   ///< of the second flange
+  Eye hub;
+  std::vector<Eye> ends;      ///< about the planets' shafts, in the frame of endOf() but at `level`
+  std::vector<int> children;  ///< by end
+  std::vector<Eye> pillars;   ///< without holes
+};
+
+/// The second flanges of carriers on axes of the ground, whose planets stand on one side of their arms, where
+/// the gears leave room for two pillars at least and nothing else is in the way in any pose. Deterministic.
+/// Cost: O(arms * gears).
+[[nodiscard]] std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain& train,
+                                                     const Placement& placement);
+
+/// Shafts of planets reach through the second flanges.
+void reachFlanges(Arrangement& plan, const std::vector<FlangePlan>& flanges);
+
+}  // namespace geargraph::inline arrangement
