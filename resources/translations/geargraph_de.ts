@@ -3695,16 +3695,8 @@
         <translation>Geschaltet: Zustand %1, mit %2</translation>
     </message>
     <message>
-        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
-        <translation>Drehzahl von Gelenk %1: wie schnell Glied %2 gegen Glied %3 dreht. Positiv: um die Richtung der Achse, nach der Rechte-Hand-Regel.</translation>
-    </message>
-    <message>
         <source>Colour of link %1</source>
         <translation>Farbe von Glied %1</translation>
-    </message>
-    <message>
-        <source>Speed of joint %1</source>
-        <translation>Drehzahl von Gelenk %1</translation>
     </message>
     <message>
         <source>Drive another joint instead; the motion stays as it is</source>
@@ -4027,28 +4019,8 @@
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
-        <translation>Relativ: Gelenk für Gelenk. Absolut: Winkelgeschwindigkeitsvektoren der Glieder.</translation>
-    </message>
-    <message>
         <source>The unit of the speeds, or the member they are taken as ratio to</source>
         <translation>Einheit der Drehzahlen oder das Element, auf das sie bezogen werden</translation>
-    </message>
-    <message>
-        <source>Read the motors ▾</source>
-        <translation>Motoren ablesen ▾</translation>
-    </message>
-    <message>
-        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
-        <translation>Drehzahlen eines Glieds gegenüber seiner Gelenkkette eingeben und die der Motoren ablesen</translation>
-    </message>
-    <message>
-        <source>absolute speeds</source>
-        <translation>absolute Drehzahlen</translation>
-    </message>
-    <message>
-        <source>relative speeds</source>
-        <translation>relative Drehzahlen</translation>
     </message>
     <message>
         <source>ratio to %1</source>
@@ -4059,16 +4031,8 @@
         <translation>U/min, Umdrehungen je Minute</translation>
     </message>
     <message>
-        <source>Ratio to joint %1 (link %2)</source>
-        <translation>Verhältnis zu Gelenk %1 (Glied %2)</translation>
-    </message>
-    <message>
         <source>%1 more joints: select one to find it here</source>
         <translation>%1 weitere Gelenke: Wählen Sie eines aus, um es hier zu finden</translation>
-    </message>
-    <message>
-        <source>Give the joints of link %1: %2</source>
-        <translation>Gelenke von Glied %1 vorgeben: %2</translation>
     </message>
     <message>
         <source> (they are not independent)</source>
@@ -5773,10 +5737,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>hier %1 N m</translation>
     </message>
     <message>
-        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
-        <translation>Eine Zeile von P enthält die Drehzahlen eines Zahneingriffs, eine Spalte das Moment in einem Gelenk: der eingerahmte Eintrag steht in beiden. Einträge zählen Zähne; μ ist die Kraft eines Zahneingriffs je Zahn, ℓ was Lasten auf Gliedern beitragen. Wählen Sie ein Gelenk oder einen Zahneingriff, um dessen Gleichungen zu sehen.</translation>
-    </message>
-    <message>
         <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
         <translation>Dokumente und Tabellen (*.geargraph *.csv *.tsv);;GearGraph-Dokumente (*.geargraph);;Tabellen von Dokumenten (*.csv *.tsv);;Alle Dateien (*)</translation>
     </message>
@@ -5967,6 +5927,1922 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Slide to change the teeth; Esc puts back</source>
         <translation>Schieben ändert die Zähnezahl; Esc stellt zurück</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop.</source>
+        <translation>Drehgelenk %1 schließt eine Schleife.</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop with %2.</source>
+        <translation>Drehgelenk %1 schließt eine Schleife mit %2.</translation>
+    </message>
+    <message>
+        <source>All of them turn about axis %1, so joint %2 is a redundant bearing: drop it.</source>
+        <translation>Alle drehen sich um Achse %1, also ist Gelenk %2 ein überzähliges Lager: Entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.</source>
+        <translation>Die Drehgelenke müssen ein Baum sein: Löschen Sie eines davon oder zeichnen Sie stattdessen einen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not tied to the ground by turning joints: draw a turning joint to it.</source>
+        <translation>Glied %1 ist nicht durch Drehgelenke mit dem Gestell verbunden: Zeichnen Sie ein Drehgelenk zu ihm.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not tied to the ground by turning joints: draw a turning joint to them.</source>
+        <translation>Die Glieder %1 sind nicht durch Drehgelenke mit dem Gestell verbunden: Zeichnen Sie ein Drehgelenk zu ihnen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2</source>
+        <translation>Eingriff %1: %2</translation>
+    </message>
+    <message>
+        <source>another tooth count</source>
+        <translation>eine andere Zähnezahl</translation>
+    </message>
+    <message>
+        <source>the pitch point %1</source>
+        <translation>der Wälzpunkt %1</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the tail gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>Der Wälzpunkt %1 liegt auf der Achse des Rades am Fuß, sodass dessen Wälzradius 0 ist. Es passt: ein Punkt abseits beider Achsen, in ihrer Ebene.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the head gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>Der Wälzpunkt %1 liegt auf der Achse des Rades an der Spitze, sodass dessen Wälzradius 0 ist. Es passt: ein Punkt abseits beider Achsen, in ihrer Ebene.</translation>
+    </message>
+    <message>
+        <source>its two axes are the same line in the reference pose.</source>
+        <translation>Seine beiden Achsen sind in der Bezugsstellung dieselbe Gerade.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies %2 off the plane of the two axes, so the teeth would lock. What fits: %3, or none (then it follows from the axes).</source>
+        <translation>Der Wälzpunkt %1 liegt %2 außerhalb der Ebene beider Achsen, sodass die Zähne sperren würden. Es passt: %3, oder keiner (dann folgt er aus den Achsen).</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes are parallel. What fits: external or internal.</source>
+        <translation>Als Art ist „%1“ angegeben, aber seine Achsen sind parallel. Es passt: außen oder innen.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet. What fits: bevel.</source>
+        <translation>Als Art ist „%1“ angegeben, aber seine Achsen schneiden sich. Es passt: Kegelräder.</translation>
+    </message>
+    <message>
+        <source>it says internal, but the pitch point %1 lies between the axes, which is an external pair.</source>
+        <translation>Als Art ist „innen“ angegeben, aber der Wälzpunkt %1 liegt zwischen den Achsen, was ein Außenpaar ist.</translation>
+    </message>
+    <message>
+        <source>it says external, but the pitch point %1 lies on one side of both axes, which is an internal pair.</source>
+        <translation>Als Art ist „außen“ angegeben, aber der Wälzpunkt %1 liegt auf einer Seite beider Achsen, was ein Innenpaar ist.</translation>
+    </message>
+    <message>
+        <source>What fits: %1, or %2.</source>
+        <translation>Es passt: %1, oder %2.</translation>
+    </message>
+    <message>
+        <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
+        <translation>Die Wälzradien sind %1 und %2 (Verhältnis %3), aber die Zähnezahlen sind %4 und %5 (Verhältnis %6). Es passt: %7 Zähne an der Spitze, oder %8.</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
+        <translation>Seine Achsen sind windschief im Abstand %1: Es gibt keinen Punkt, an dem die Räder wälzen könnten. Es passt: Achsen, die parallel sind oder sich schneiden.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
+        <translation>Ein Innenpaar braucht verschiedene Zähnezahlen, das Hohlrad die größere; beide haben %1.</translation>
+    </message>
+    <message>
+        <source>some of %1</source>
+        <translation>einige von %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>state “%1”</source>
+        <translation>Schaltzustand „%1“</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>Schaltzustand „%1“ schließt %2, Glied $%3$ treibt an, und Glied $%4$ trägt die Last</translation>
+    </message>
+    <message>
+        <source>state “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>Schaltzustand „%1“ schließt %2, Glied $%3$ treibt an, und Glied $%4$ trägt die Last</translation>
+    </message>
+    <message>
+        <source>The torque of the drive is $%1$ N m, and no power is lost.</source>
+        <translation>Das Antriebsmoment beträgt $%1$ N m, und es geht keine Leistung verloren.</translation>
+    </message>
+    <message>
+        <source>Which of the engaged brakes and clutches carries the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>Welche der geschlossenen Bremsen und Kupplungen trägt das größte Moment, und wie groß ist es in N m, ohne Vorzeichen? Ein Bruch oder eine Dezimalzahl mit drei Ziffern genügt.</translation>
+    </message>
+    <message>
+        <source>In which state does %1 carry the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>In welchem Schaltzustand trägt %1 das größte Moment, und wie groß ist es in N m, ohne Vorzeichen? Ein Bruch oder eine Dezimalzahl mit drei Ziffern genügt.</translation>
+    </message>
+    <message>
+        <source>largest torque in</source>
+        <translation>größtes Moment in</translation>
+    </message>
+    <message>
+        <source>torque in N m</source>
+        <translation>Moment in N m</translation>
+    </message>
+    <message>
+        <source>The torques on each link and in each mesh balance: %1.</source>
+        <translation>Die Momente an jedem Glied und in jedem Eingriff sind im Gleichgewicht: %1.</translation>
+    </message>
+    <message>
+        <source>You choose the clutch that turns fastest, but the torque does not follow the speed: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>Sie wählen die Kupplung, die sich am schnellsten dreht, aber das Moment folgt nicht der Drehzahl: Sie trägt %1 N m, weniger als die %2 N m von %3.</translation>
+    </message>
+    <message>
+        <source>You choose the state of the largest ratio, but the brake&apos;s torque does not follow the ratio&apos;s size: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>Sie wählen den Schaltzustand mit der größten Übersetzung, aber das Moment der Bremse folgt nicht dem Betrag der Übersetzung: Sie trägt %1 N m, weniger als die %2 N m von %3.</translation>
+    </message>
+    <message>
+        <source>The %1 carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>Die %1 trägt %2 N m, weniger als die %3 N m von %4.</translation>
+    </message>
+    <message>
+        <source>In state “%1” it carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>In Schaltzustand „%1“ trägt sie %2 N m, weniger als die %3 N m von %4.</translation>
+    </message>
+    <message>
+        <source>The %1 is released in this state: it carries no torque.</source>
+        <translation>Die %1 ist in diesem Schaltzustand gelöst: Sie trägt kein Moment.</translation>
+    </message>
+    <message>
+        <source>State “%1” releases the %2: it carries no torque.</source>
+        <translation>Schaltzustand „%1“ löst die %2: Sie trägt kein Moment.</translation>
+    </message>
+    <message>
+        <source>The signs of both torques are lost: the brake holds the sum of %1 N m and %2 N m.</source>
+        <translation>Die Vorzeichen beider Momente fehlen: Die Bremse hält die Summe aus %1 N m und %2 N m.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the torque on the driven link is %2 N m.</source>
+        <translation>Sie verwenden die Übersetzung verkehrt herum: Mit der Übersetzung %1 beträgt das Moment am getriebenen Glied %2 N m.</translation>
+    </message>
+    <message>
+        <source>This is the torque of %1, which is not the largest.</source>
+        <translation>Das ist das Moment von %1, das nicht das größte ist.</translation>
+    </message>
+    <message>
+        <source>This is the torque in state “%1”, which is not the largest.</source>
+        <translation>Das ist das Moment in Schaltzustand „%1“, das nicht das größte ist.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the load on link %1: %2 has to keep the balance.</source>
+        <translation>Das ist das Lastmoment an Glied %1: %2 muss das Gleichgewicht halten.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: %1 does not carry it as it is.</source>
+        <translation>Das ist das Antriebsmoment: %1 trägt es nicht unverändert.</translation>
+    </message>
+    <message>
+        <source>Write the row of mesh $%1$ of the coefficient matrix $P$. Mesh $%1$ has $%2$ teeth on link $%3$ and $%4$ on link $%5$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{%1}$.</source>
+        <translation>Schreiben Sie die Zeile von Eingriff $%1$ der Koeffizientenmatrix $P$. Eingriff $%1$ hat $%2$ Zähne an Glied $%3$ und $%4$ an Glied $%5$. Jedes Vielfache der Zeile ist richtig: Radien, Zähnezahlen oder die Übersetzung $i_{%1}$.</translation>
+    </message>
+    <message>
+        <source>A joint on the axis of a gear counts with this gear&apos;s radius, the sign is that of the cycle, and the joints of both gears have the signs of the mesh.</source>
+        <translation>Ein Gelenk auf der Achse eines Rades zählt mit dem Radius dieses Rades, das Vorzeichen ist das des Zyklus, und die Gelenke beider Räder haben die Vorzeichen des Eingriffs.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: both gears turn the same way, seen from their carrier.</source>
+        <translation>Eingriff %1 ist innen: Beide Räder drehen sich, vom Steg aus gesehen, gleichsinnig.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn against each other, seen from their carrier.</source>
+        <translation>Eingriff %1 ist außen: Seine Räder drehen sich, vom Steg aus gesehen, gegensinnig.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>Das Vorzeichen des Kegelradeingriffs %1 folgt aus der Lage seines Wälzpunkts, von beiden Achsen aus gesehen.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears: the joints on an axis count with the radius of the gear on it.</source>
+        <translation>Sie vertauschen die Radien beider Räder: Die Gelenke auf einer Achse zählen mit dem Radius des Rades darauf.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the radii of the gears.</source>
+        <translation>Das ist die Zeile des Zyklus: In P werden seine Vorzeichen mit den Radien der Räder multipliziert.</translation>
+    </message>
+    <message>
+        <source>You write the radii without the signs of the cycle, which walks against some arrows.</source>
+        <translation>Sie schreiben die Radien ohne die Vorzeichen des Zyklus, der gegen manche Pfeile läuft.</translation>
+    </message>
+    <message>
+        <source>This is the row of mesh %1.</source>
+        <translation>Das ist die Zeile von Eingriff %1.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears, and the sign of the mesh is wrong, too.</source>
+        <translation>Sie vertauschen die Radien beider Räder, und auch das Vorzeichen des Eingriffs ist falsch.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 does not use %2: 0.</source>
+        <translation>Der Zyklus von Eingriff %1 benutzt %2 nicht: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite: the walk passes its arrow the other way.</source>
+        <translation>Das Vorzeichen von %1 ist umgekehrt: Der Weg läuft andersherum durch seinen Pfeil.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 uses %2: its coefficient is not 0.</source>
+        <translation>Der Zyklus von Eingriff %1 benutzt %2: Sein Koeffizient ist nicht 0.</translation>
+    </message>
+    <message>
+        <source>Which turning joints lie on the fundamental cycle of mesh $%1$?</source>
+        <translation>Welche Drehgelenke liegen auf dem Fundamentalzyklus von Eingriff $%1$?</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 consists of the mesh and of the path through the tree from link %2 to link %3.</source>
+        <translation>Der Zyklus von Eingriff %1 besteht aus dem Eingriff und dem Weg durch den Baum von Glied %2 zu Glied %3.</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>You follow both paths to the ground: the cycle turns back at the first link that they share.</source>
+        <translation>Sie folgen beiden Wegen bis zum Gestell: Der Zyklus kehrt am ersten gemeinsamen Glied um.</translation>
+    </message>
+    <message>
+        <source>You follow the path of link %1 to the ground: the cycle needs the path between both gears.</source>
+        <translation>Sie folgen dem Weg von Glied %1 bis zum Gestell: Der Zyklus braucht den Weg zwischen beiden Rädern.</translation>
+    </message>
+    <message>
+        <source>These are the joints on the cycle of mesh %1.</source>
+        <translation>Das sind die Gelenke auf dem Zyklus von Eingriff %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a mesh: the question asks for the turning joints.</source>
+        <translation>%1 ist ein Eingriff: Gefragt sind die Drehgelenke.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 leads through joint %3.</source>
+        <translation>Der Weg zwischen den Gliedern %1 und %2 führt durch Gelenk %3.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 does not lead through joint %3.</source>
+        <translation>Der Weg zwischen den Gliedern %1 und %2 führt nicht durch Gelenk %3.</translation>
+    </message>
+    <message>
+        <source>Walk once round the cycle of mesh $%1$, in either sense: $1$ for each arrow that you follow, $-1$ for each that you walk against.</source>
+        <translation>Gehen Sie einmal um den Zyklus von Eingriff $%1$, in beliebigem Sinn: $1$ für jeden Pfeil, dem Sie folgen, $-1$ für jeden, gegen den Sie gehen.</translation>
+    </message>
+    <message>
+        <source>One walk runs along mesh %1 and back through the tree; the opposite walk has all signs exchanged and is right, too.</source>
+        <translation>Ein Umlauf führt durch Eingriff %1 und durch den Baum zurück; beim umgekehrten Umlauf sind alle Vorzeichen vertauscht, und auch er ist richtig.</translation>
+    </message>
+    <message>
+        <source>You give all edges one sense: some arrows point against every walk round the cycle.</source>
+        <translation>Sie geben allen Kanten denselben Sinn: Gegen jeden Umlauf des Zyklus weisen einige Pfeile.</translation>
+    </message>
+    <message>
+        <source>Your walk passes %1 the other way: with the other senses that you give, its sign is the opposite.</source>
+        <translation>Ihr Weg läuft andersherum durch %1: Zu den anderen Richtungen, die Sie angeben, gehört das umgekehrte Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Every walk round the cycle uses %1: 1 or −1, not 0.</source>
+        <translation>Jeder Umlauf des Zyklus benutzt %1: 1 oder −1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>These senses belong to no single walk round the cycle: start at one link and follow the edges one by one.</source>
+        <translation>Diese Richtungen gehören zu keinem einzelnen Umlauf des Zyklus: Beginnen Sie bei einem Glied und folgen Sie den Kanten der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>Write down all fundamental cycles, one in each row: in any order, each walked in either sense.</source>
+        <translation>Schreiben Sie alle Fundamentalzyklen auf, einen je Zeile: in beliebiger Reihenfolge, jeden in beliebigem Sinn.</translation>
+    </message>
+    <message>
+        <source>There is a cycle for each mesh; its row may be multiplied by −1, and rows may be exchanged.</source>
+        <translation>Zu jedem Eingriff gibt es einen Zyklus; seine Zeile darf mit −1 multipliziert werden, und Zeilen dürfen vertauscht werden.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cycles without their senses: a walk that runs against an arrow has −1.</source>
+        <translation>Sie markieren die Kanten der Zyklen ohne ihre Richtungen: Ein Weg gegen einen Pfeil zählt −1.</translation>
+    </message>
+    <message>
+        <source>You write one cycle twice: each mesh closes a cycle of its own.</source>
+        <translation>Sie schreiben einen Zyklus zweimal: Jeder Eingriff schließt einen eigenen Zyklus.</translation>
+    </message>
+    <message>
+        <source>You leave out the meshes: each cycle holds the mesh that closes it.</source>
+        <translation>Sie lassen die Eingriffe weg: Jeder Zyklus enthält den Eingriff, der ihn schließt.</translation>
+    </message>
+    <message>
+        <source>from link %1 to link %2</source>
+        <translation>von Glied %1 zu Glied %2</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it points %2.</source>
+        <translation>Sie drehen den Pfeil von %1 um: Er weist %2.</translation>
+    </message>
+    <message>
+        <source>You give link %1 an end of %2, but its arrow points %3: 0.</source>
+        <translation>Sie geben Glied %1 ein Ende von %2, aber dessen Pfeil weist %3: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not 0.</source>
+        <translation>Der Pfeil von %1 endet an Glied %2: 1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 0.</source>
+        <translation>Der Pfeil von %1 beginnt an Glied %2: −1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not −1.</source>
+        <translation>Der Pfeil von %1 endet an Glied %2: 1, nicht −1.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 1.</source>
+        <translation>Der Pfeil von %1 beginnt an Glied %2: −1, nicht 1.</translation>
+    </message>
+    <message>
+        <source>You exchange + and −: a column holds −1 where the arrow begins and 1 where it ends.</source>
+        <translation>Sie vertauschen + und −: Eine Spalte enthält −1, wo der Pfeil beginnt, und 1, wo er endet.</translation>
+    </message>
+    <message>
+        <source>You mark both ends alike: the end where the arrow begins is −1, the one where it ends 1.</source>
+        <translation>Sie markieren beide Enden gleich: Das Ende, an dem der Pfeil beginnt, ist −1, das, an dem er endet, 1.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the incidence matrix $\Gamma^0$.</source>
+        <translation>Füllen Sie diese Spalten der Inzidenzmatrix $\Gamma^0$ aus.</translation>
+    </message>
+    <message>
+        <source>A column of Γ⁰ holds −1 in the row of the link where the arrow begins, 1 where it ends, and 0 elsewhere.</source>
+        <translation>Eine Spalte von Γ⁰ enthält −1 in der Zeile des Glieds, an dem der Pfeil beginnt, 1, wo er endet, und sonst 0.</translation>
+    </message>
+    <message>
+        <source>You leave out the ground: Γ⁰ keeps its row, only Γ has none.</source>
+        <translation>Sie lassen das Gestell weg: Γ⁰ behält seine Zeile, nur Γ hat keine.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the reduced incidence matrix $\Gamma$. Leave a row that $\Gamma$ does not have empty.</source>
+        <translation>Füllen Sie diese Spalten der reduzierten Inzidenzmatrix $\Gamma$ aus. Lassen Sie eine Zeile leer, die $\Gamma$ nicht hat.</translation>
+    </message>
+    <message>
+        <source>Γ is Γ⁰ without the row of the ground, so that its rows are independent; all other entries stay.</source>
+        <translation>Γ ist Γ⁰ ohne die Zeile des Gestells, sodass ihre Zeilen unabhängig sind; alle anderen Einträge bleiben.</translation>
+    </message>
+    <message>
+        <source>You leave the row of the ground in: Γ has the rows of the moving links only.</source>
+        <translation>Sie behalten die Zeile des Gestells: Γ hat nur die Zeilen der beweglichen Glieder.</translation>
+    </message>
+    <message>
+        <source>You fill in the row of the ground: Γ has the rows of the moving links only.</source>
+        <translation>Sie füllen die Zeile des Gestells aus: Γ hat nur die Zeilen der beweglichen Glieder.</translation>
+    </message>
+    <message>
+        <source>The mechanism is drawn with other arrows: these are columns of its incidence matrix $\Gamma^0$. From which link to which link do they point?</source>
+        <translation>Der Mechanismus ist mit anderen Pfeilen gezeichnet: Dies sind Spalten seiner Inzidenzmatrix $\Gamma^0$. Von welchem Glied zu welchem weisen sie?</translation>
+    </message>
+    <message>
+        <source>An arrow begins at the link whose entry is −1 and ends at the link whose entry is 1.</source>
+        <translation>Ein Pfeil beginnt am Glied mit dem Eintrag −1 und endet am Glied mit dem Eintrag 1.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <source>You turn every arrow round: −1 is where an arrow begins, 1 where it ends.</source>
+        <translation>Sie drehen jeden Pfeil um: −1 steht, wo ein Pfeil beginnt, 1, wo er endet.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it begins at link %2, where the entry is −1.</source>
+        <translation>Sie drehen den Pfeil von %1 um: Er beginnt an Glied %2, wo der Eintrag −1 ist.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the beginning of %1 has a 0 in column %2.</source>
+        <translation>Das Glied, das Sie als Anfang von %1 nennen, hat eine 0 in Spalte %2.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the end of %1 has a 0 in column %2.</source>
+        <translation>Das Glied, das Sie als Ende von %1 nennen, hat eine 0 in Spalte %2.</translation>
+    </message>
+    <message>
+        <source>One entry of this matrix $%1$ is wrong. Find it and correct it.</source>
+        <translation>Ein Eintrag dieser Matrix $%1$ ist falsch. Finden und berichtigen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The entry in row %1, column %2 is %3, not %4.</source>
+        <translation>Der Eintrag in Zeile %1, Spalte %2 ist %3, nicht %4.</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>right value</source>
+        <translation>richtiger Wert</translation>
+    </message>
+    <message>
+        <source>You find the wrong entry, but its right value is another one.</source>
+        <translation>Sie finden den falschen Eintrag, aber sein richtiger Wert ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this row, but the entry that you name is right.</source>
+        <translation>Der falsche Eintrag steht in dieser Zeile, aber der genannte Eintrag ist richtig.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this column, but the entry that you name is right.</source>
+        <translation>Der falsche Eintrag steht in dieser Spalte, aber der genannte Eintrag ist richtig.</translation>
+    </message>
+    <message>
+        <source>The entry that you name is right: follow the arrows of its row and column once more.</source>
+        <translation>Der genannte Eintrag ist richtig: Folgen Sie den Pfeilen seiner Zeile und Spalte noch einmal.</translation>
+    </message>
+    <message>
+        <source>Take one column at a time. Its arrow touches two links only: the one that it leaves gets −1, the one that it points to gets 1.</source>
+        <translation>Nehmen Sie eine Spalte nach der anderen. Ihr Pfeil berührt nur zwei Glieder: Das, von dem er ausgeht, bekommt −1, das, auf das er weist, 1.</translation>
+    </message>
+    <message>
+        <source>Read the matrix, not the drawing, one column at a time: the arrow leaves the link whose entry is −1 and points to the link whose entry is 1.</source>
+        <translation>Lesen Sie die Matrix, nicht die Zeichnung, Spalte für Spalte: Der Pfeil geht vom Glied mit dem Eintrag −1 aus und weist auf das Glied mit dem Eintrag 1.</translation>
+    </message>
+    <message>
+        <source>All speeds are measured against one link: Γ leaves out its row. The other rows are those of Γ⁰.</source>
+        <translation>Alle Drehzahlen werden gegenüber einem Glied gemessen: Γ lässt dessen Zeile weg. Die übrigen Zeilen sind die von Γ⁰.</translation>
+    </message>
+    <message>
+        <source>Start at the link of the column and walk to the ground along turning joints only. Then compare the arrow of each joint on the walk with your direction.</source>
+        <translation>Beginnen Sie am Glied der Spalte und gehen Sie nur entlang von Drehgelenken zum Gestell. Vergleichen Sie dann den Pfeil jedes Gelenks auf dem Weg mit Ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>Keep the turning joints and only the mesh of the row: together they close one cycle. Begin along the mesh, from tail to head, and compare each arrow on the way back with your direction.</source>
+        <translation>Behalten Sie die Drehgelenke und nur den Eingriff der Zeile: Zusammen schließen sie einen Zyklus. Beginnen Sie entlang des Eingriffs, vom Fuß zur Spitze, und vergleichen Sie jeden Pfeil auf dem Rückweg mit Ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>From both links of the mesh, walk along turning joints toward the ground until the two walks meet. What they share from there on is not part of the cycle.</source>
+        <translation>Gehen Sie von beiden Gliedern des Eingriffs entlang von Drehgelenken zum Gestell, bis sich beide Wege treffen. Was sie von dort an gemeinsam haben, gehört nicht zum Zyklus.</translation>
+    </message>
+    <message>
+        <source>Choose a link of the cycle and go once round without turning back. Only the direction of each arrow against your own counts.</source>
+        <translation>Wählen Sie ein Glied des Zyklus und gehen Sie einmal herum, ohne umzukehren. Nur die Richtung jedes Pfeils gegenüber Ihrer eigenen zählt.</translation>
+    </message>
+    <message>
+        <source>Begin with the columns of the meshes: a cycle of the basis holds one mesh, its own. Then walk from the head of the mesh back to its tail along turning joints.</source>
+        <translation>Beginnen Sie mit den Spalten der Eingriffe: Ein Zyklus der Basis enthält nur einen Eingriff, seinen eigenen. Gehen Sie dann von der Spitze des Eingriffs entlang von Drehgelenken zurück zu seinem Fuß.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes one cycle with the turning joints. Go round one after the other; within a row all signs belong to the same walk.</source>
+        <translation>Jeder Eingriff schließt mit den Drehgelenken einen Zyklus. Gehen Sie einen nach dem anderen ab; in einer Zeile gehören alle Vorzeichen zum selben Umlauf.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree already. With the mesh they close a loop: which edges of this loop could go?</source>
+        <translation>Die Drehgelenke sind schon ein Spannbaum. Mit dem Eingriff schließen sie eine Schleife: Welche Kanten dieser Schleife könnten entfallen?</translation>
+    </message>
+    <message>
+        <source>Derive the matrix from the drawing, row by row, and stop at the first entry that differs. Compare signs with the directions of the arrows.</source>
+        <translation>Leiten Sie die Matrix Zeile für Zeile aus der Zeichnung her und halten Sie beim ersten abweichenden Eintrag an. Vergleichen Sie Vorzeichen mit den Richtungen der Pfeile.</translation>
+    </message>
+    <message>
+        <source>Start from the cycle of the mesh: only its joints have entries. The size of an entry is the number of teeth of the gear on whose axis the joint turns.</source>
+        <translation>Gehen Sie vom Zyklus des Eingriffs aus: Nur seine Gelenke haben Einträge. Der Betrag eines Eintrags ist die Zähnezahl des Rades, auf dessen Achse das Gelenk dreht.</translation>
+    </message>
+    <message>
+        <source>Each mesh gives one equation. Count those that do not follow from the others, and subtract their number from that of the turning joints.</source>
+        <translation>Jeder Eingriff liefert eine Gleichung. Zählen Sie die, die nicht aus den anderen folgen, und ziehen Sie ihre Anzahl von der der Drehgelenke ab.</translation>
+    </message>
+    <message>
+        <source>Look for meshes that tie the same links together in two ways. Leave one out: if the others still force the same speeds, it is redundant.</source>
+        <translation>Suchen Sie Eingriffe, die dieselben Glieder auf zwei Wegen verbinden. Lassen Sie einen weg: Erzwingen die anderen dieselben Drehzahlen, ist er redundant.</translation>
+    </message>
+    <message>
+        <source>Take as many joints as there are degrees of freedom. Imagine all of them locked: nothing else may move, and no mesh may tie two of them to each other.</source>
+        <translation>Nehmen Sie so viele Gelenke, wie es Freiheitsgrade gibt. Denken Sie sich alle gesperrt: Dann darf sich nichts mehr bewegen, und kein Eingriff darf zwei von ihnen aneinander binden.</translation>
+    </message>
+    <message>
+        <source>Look for a mesh whose equation has one unknown speed only, solve it, and go on to the next. A row of P θ̇ = 0 holds the joints of one cycle.</source>
+        <translation>Suchen Sie einen Eingriff, dessen Gleichung nur eine unbekannte Drehzahl hat, lösen Sie sie und gehen Sie zum nächsten. Eine Zeile von P θ̇ = 0 enthält die Gelenke eines Zyklus.</translation>
+    </message>
+    <message>
+        <source>The level of a joint is the letter of its axis. Name the axis of each joint on the walk: where the letter changes is the transfer vertex.</source>
+        <translation>Die Ebene eines Gelenks ist der Buchstabe seiner Achse. Nennen Sie die Achse jedes Gelenks auf dem Weg: Wo der Buchstabe wechselt, ist der Transferknoten.</translation>
+    </message>
+    <message>
+        <source>The carrier is the link where the level changes on the way between both gears. The gear with fewer teeth turns faster; for the sign, look at each gear along its own axis.</source>
+        <translation>Der Steg ist das Glied, an dem auf dem Weg zwischen beiden Rädern die Ebene wechselt. Das Rad mit weniger Zähnen dreht schneller; für das Vorzeichen betrachten Sie jedes Rad entlang seiner eigenen Achse.</translation>
+    </message>
+    <message>
+        <source>Walk from the carrier to the gear along turning joints: only these joints count. Compare their arrows with your direction.</source>
+        <translation>Gehen Sie vom Steg entlang von Drehgelenken zum Rad: Nur diese Gelenke zählen. Vergleichen Sie ihre Pfeile mit Ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>Without the joint the turning joints fall into two groups of links. Look for edges with one end in each group, and compare their direction with that of the joint.</source>
+        <translation>Ohne das Gelenk zerfallen die Drehgelenke in zwei Gruppen von Gliedern. Suchen Sie Kanten mit je einem Ende in beiden Gruppen und vergleichen Sie ihre Richtung mit der des Gelenks.</translation>
+    </message>
+    <message>
+        <source>Write the power of each port, torque times speed. Their sum is zero if no power is lost; then put in the terminal equation.</source>
+        <translation>Schreiben Sie die Leistung jedes Tors auf, Moment mal Drehzahl. Geht keine Leistung verloren, ist ihre Summe null; setzen Sie dann die Klemmengleichung ein.</translation>
+    </message>
+    <message>
+        <source>Reduce the fraction. Then multiply both of its parts by the same whole number until both are within the bounds.</source>
+        <translation>Kürzen Sie den Bruch. Erweitern Sie dann Zähler und Nenner mit derselben ganzen Zahl, bis beide innerhalb der Grenzen liegen.</translation>
+    </message>
+    <message>
+        <source>The centre distance goes with the sum of the teeth where both gears are external, and with their difference where one is a ring.</source>
+        <translation>Der Achsabstand richtet sich nach der Summe der Zähne, wenn beide Räder außen verzahnt sind, und nach ihrer Differenz, wenn eines ein Hohlrad ist.</translation>
+    </message>
+    <message>
+        <source>Each engaged element takes degrees of freedom away until one is left. An engaged brake makes the speed of its link zero: try which set gives the ratio.</source>
+        <translation>Jedes geschlossene Element nimmt Freiheitsgrade weg, bis einer bleibt. Eine geschlossene Bremse macht die Drehzahl ihres Glieds zu null: Probieren Sie, welche Auswahl die Übersetzung ergibt.</translation>
+    </message>
+    <message>
+        <source>The torques of all shafts and brakes of the train add up to zero, and so do their powers. Write both sums for what is engaged, then compare the sizes.</source>
+        <translation>Die Momente aller Wellen und Bremsen des Getriebes ergeben zusammen null, ebenso ihre Leistungen. Schreiben Sie beide Summen für das Geschlossene auf und vergleichen Sie dann die Beträge.</translation>
+    </message>
+    <message>
+        <source>Let the load drive: behind each mesh less power arrives, by its efficiency. If none would be left at the input, or it would have to be driven, the train locks.</source>
+        <translation>Lassen Sie die Last antreiben: Hinter jedem Eingriff kommt um seinen Wirkungsgrad weniger Leistung an. Bliebe am Antrieb keine übrig oder müsste er angetrieben werden, sperrt das Getriebe.</translation>
+    </message>
+    <message>
+        <source>The torques of drive, load and brake on the train add up to zero, and a brake passes no power. What acts on a link acts on the other part in the opposite sense.</source>
+        <translation>Die Drehmomente von Antrieb, Last und Bremse auf das Getriebe ergeben zusammen null, und eine Bremse überträgt keine Leistung. Was auf ein Glied wirkt, wirkt auf das andere Teil im entgegengesetzten Sinn.</translation>
+    </message>
+    <message>
+        <source>no joints</source>
+        <translation>keine Gelenke</translation>
+    </message>
+    <message>
+        <source>the turning joints are no spanning tree</source>
+        <translation>die Drehgelenke sind kein Spannbaum</translation>
+    </message>
+    <message>
+        <source>no meshes</source>
+        <translation>keine Eingriffe</translation>
+    </message>
+    <message>
+        <source>a mesh has no geometry</source>
+        <translation>ein Eingriff hat keine Geometrie</translation>
+    </message>
+    <message>
+        <source>too many cycles</source>
+        <translation>zu viele Zyklen</translation>
+    </message>
+    <message>
+        <source>too many edges</source>
+        <translation>zu viele Kanten</translation>
+    </message>
+    <message>
+        <source>the matrices are too large or too small</source>
+        <translation>die Matrizen sind zu groß oder zu klein</translation>
+    </message>
+    <message>
+        <source>no mesh is redundant</source>
+        <translation>kein Eingriff ist redundant</translation>
+    </message>
+    <message>
+        <source>nothing can move</source>
+        <translation>nichts kann sich bewegen</translation>
+    </message>
+    <message>
+        <source>too many inputs</source>
+        <translation>zu viele Antriebe</translation>
+    </message>
+    <message>
+        <source>no speed follows from the inputs</source>
+        <translation>keine Drehzahl folgt aus den Antrieben</translation>
+    </message>
+    <message>
+        <source>no planet between a sun and a ring</source>
+        <translation>kein Planet zwischen einer Sonne und einem Hohlrad</translation>
+    </message>
+    <message>
+        <source>no brakes or clutches</source>
+        <translation>keine Bremsen oder Kupplungen</translation>
+    </message>
+    <message>
+        <source>no states with a ratio</source>
+        <translation>keine Schaltzustände mit einer Übersetzung</translation>
+    </message>
+    <message>
+        <source>no two torques of brakes or clutches to compare</source>
+        <translation>keine zwei Momente von Bremsen oder Kupplungen zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>no brake that carries a torque about the drive&apos;s axis</source>
+        <translation>keine Bremse, die ein Drehmoment um die Achse des Antriebs aufnimmt</translation>
+    </message>
+    <message>
+        <source>no drive passes power through 1 to 6 meshes</source>
+        <translation>kein Antrieb leitet Leistung durch 1 bis 6 Eingriffe</translation>
+    </message>
+    <message>
+        <source>Fill in Γ⁰</source>
+        <translation>Γ⁰ ausfüllen</translation>
+    </message>
+    <message>
+        <source>Orient the digraph</source>
+        <translation>Den Digraphen orientieren</translation>
+    </message>
+    <message>
+        <source>Fill in Γ</source>
+        <translation>Γ ausfüllen</translation>
+    </message>
+    <message>
+        <source>Fill in Z</source>
+        <translation>Z ausfüllen</translation>
+    </message>
+    <message>
+        <source>Fill in T</source>
+        <translation>T ausfüllen</translation>
+    </message>
+    <message>
+        <source>Find the cycle of a mesh</source>
+        <translation>Den Zyklus eines Eingriffs finden</translation>
+    </message>
+    <message>
+        <source>Walk a cycle in either sense</source>
+        <translation>Einen Zyklus in beliebigem Sinn umlaufen</translation>
+    </message>
+    <message>
+        <source>Fill in a row of C</source>
+        <translation>Eine Zeile von C ausfüllen</translation>
+    </message>
+    <message>
+        <source>Write all cycles</source>
+        <translation>Alle Zyklen aufschreiben</translation>
+    </message>
+    <message>
+        <source>Choose a spanning tree</source>
+        <translation>Einen Spannbaum wählen</translation>
+    </message>
+    <message>
+        <source>Find the wrong entry</source>
+        <translation>Den falschen Eintrag finden</translation>
+    </message>
+    <message>
+        <source>Fill in a row of P</source>
+        <translation>Eine Zeile von P ausfüllen</translation>
+    </message>
+    <message>
+        <source>Rank and DOF</source>
+        <translation>Rang und Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>Redundant mesh</source>
+        <translation>Redundanter Eingriff</translation>
+    </message>
+    <message>
+        <source>Valid inputs</source>
+        <translation>Gültige Antriebe</translation>
+    </message>
+    <message>
+        <source>Predict a speed</source>
+        <translation>Eine Drehzahl vorhersagen</translation>
+    </message>
+    <message>
+        <source>Levels and transfer vertex</source>
+        <translation>Ebenen und Transferknoten</translation>
+    </message>
+    <message>
+        <source>Terminal equation, sign</source>
+        <translation>Klemmengleichung, Vorzeichen</translation>
+    </message>
+    <message>
+        <source>f-circuit equation</source>
+        <translation>f-Kreis-Gleichung</translation>
+    </message>
+    <message>
+        <source>Fill in a row of Q</source>
+        <translation>Eine Zeile von Q ausfüllen</translation>
+    </message>
+    <message>
+        <source>Torque of a port, sign</source>
+        <translation>Moment eines Tors, Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Teeth for a ratio</source>
+        <translation>Zähnezahlen für eine Übersetzung</translation>
+    </message>
+    <message>
+        <source>Teeth of the ring</source>
+        <translation>Zähnezahl des Hohlrads</translation>
+    </message>
+    <message>
+        <source>Brakes for a gear</source>
+        <translation>Bremsen für einen Gang</translation>
+    </message>
+    <message>
+        <source>Largest torque of a brake</source>
+        <translation>Größtes Moment einer Bremse</translation>
+    </message>
+    <message>
+        <source>Self-locking</source>
+        <translation>Selbsthemmung</translation>
+    </message>
+    <message>
+        <source>Reaction of a brake, sense</source>
+        <translation>Reaktion einer Bremse, Sinn</translation>
+    </message>
+    <message>
+        <source>one cycle</source>
+        <translation>ein Zyklus</translation>
+    </message>
+    <message>
+        <source>%1 cycles</source>
+        <translation>%1 Zyklen</translation>
+    </message>
+    <message>
+        <source>one input</source>
+        <translation>ein Antrieb</translation>
+    </message>
+    <message>
+        <source>%1 inputs</source>
+        <translation>%1 Antriebe</translation>
+    </message>
+    <message>
+        <source>%1 redundant</source>
+        <translation>%1 redundant</translation>
+    </message>
+    <message>
+        <source>%1 states</source>
+        <translation>%1 Schaltzustände</translation>
+    </message>
+    <message>
+        <source>easy: %1</source>
+        <translation>leicht: %1</translation>
+    </message>
+    <message>
+        <source>medium: %1</source>
+        <translation>mittel: %1</translation>
+    </message>
+    <message>
+        <source>hard: %1</source>
+        <translation>schwer: %1</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have with every brake and clutch released?</source>
+        <translation>Welchen Rang $r$ hat die Koeffizientenmatrix $P$, und wie viele Freiheitsgrade $E$ hat der Mechanismus, wenn alle Bremsen und Kupplungen gelöst sind?</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have?</source>
+        <translation>Welchen Rang $r$ hat die Koeffizientenmatrix $P$, und wie viele Freiheitsgrade $E$ hat der Mechanismus?</translation>
+    </message>
+    <message>
+        <source>Of the %1 rows of P, %2 are independent: %3</source>
+        <translation>Von den %1 Zeilen von P sind %2 unabhängig: %3</translation>
+    </message>
+    <message>
+        <source>All %1 rows of P are independent: %2</source>
+        <translation>Alle %1 Zeilen von P sind unabhängig: %2</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: one mesh follows from the others, so that r is %1.</source>
+        <translation>Sie zählen jeden Eingriff als Bindung: Ein Eingriff folgt aus den anderen, sodass r = %1 ist.</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: %1 meshes follow from the others, so that r is %2.</source>
+        <translation>Sie zählen jeden Eingriff als Bindung: %1 Eingriffe folgen aus den anderen, sodass r = %2 ist.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: one mesh follows from the others.</source>
+        <translation>Der Rang ist nicht die Anzahl der Eingriffe: Ein Eingriff folgt aus den anderen.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: %1 meshes follow from the others.</source>
+        <translation>Der Rang ist nicht die Anzahl der Eingriffe: %1 Eingriffe folgen aus den anderen.</translation>
+    </message>
+    <message>
+        <source>You exchange both numbers: r counts equations, E = t − r is left.</source>
+        <translation>Sie vertauschen beide Zahlen: r zählt Gleichungen, E = t − r bleibt übrig.</translation>
+    </message>
+    <message>
+        <source>You count the ground among the moving links: it has no turning joint of its own.</source>
+        <translation>Sie zählen das Gestell zu den beweglichen Gliedern: Es hat kein eigenes Drehgelenk.</translation>
+    </message>
+    <message>
+        <source>You take two degrees of freedom for each mesh: its gears roll and slide, so that it takes one.</source>
+        <translation>Sie ziehen für jeden Eingriff zwei Freiheitsgrade ab: Seine Räder wälzen und gleiten, sodass er nur einen nimmt.</translation>
+    </message>
+    <message>
+        <source>You count the freedoms of the turning joints only: each independent mesh takes one of them.</source>
+        <translation>Sie zählen nur die Freiheiten der Drehgelenke: Jeder unabhängige Eingriff nimmt eine davon.</translation>
+    </message>
+    <message>
+        <source>The rank is right, but E = t − r = %1 − %2.</source>
+        <translation>Der Rang ist richtig, aber E = t − r = %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Choose a valid set of inputs: turning joints whose speeds determine the whole motion.</source>
+        <translation>Wählen Sie eine gültige Menge von Antrieben: Drehgelenke, deren Drehzahlen die ganze Bewegung bestimmen.</translation>
+    </message>
+    <message>
+        <source>A valid set has one joint, whose speed can be chosen freely and determines all others.</source>
+        <translation>Eine gültige Menge hat ein Gelenk, dessen Drehzahl frei wählbar ist und alle anderen bestimmt.</translation>
+    </message>
+    <message>
+        <source>A valid set has %1 joints whose speeds can be chosen freely and determine all others.</source>
+        <translation>Eine gültige Menge hat %1 Gelenke, deren Drehzahlen frei wählbar sind und alle anderen bestimmen.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, so that it cannot be driven.</source>
+        <translation>Gelenk %1 kann sich nie drehen, also nicht angetrieben werden.</translation>
+    </message>
+    <message>
+        <source>With one degree of freedom the other joints you name follow from one of them.</source>
+        <translation>Bei einem Freiheitsgrad folgen die übrigen genannten Gelenke aus einem von ihnen.</translation>
+    </message>
+    <message>
+        <source>With %1 degrees of freedom the other joints you name follow from %1 of them.</source>
+        <translation>Bei %1 Freiheitsgraden folgen die übrigen genannten Gelenke aus %1 von ihnen.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is on no cycle, so that only an input can determine its speed.</source>
+        <translation>Gelenk %1 liegt auf keinem Zyklus, sodass nur ein Antrieb seine Drehzahl bestimmen kann.</translation>
+    </message>
+    <message>
+        <source>Joint %1 always turns at %2 times the speed of joint %3: only one of them can be chosen.</source>
+        <translation>Gelenk %1 dreht sich immer mit dem %2-Fachen der Drehzahl von Gelenk %3: Nur eines von beiden kann gewählt werden.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints depend on each other, so that some other joint stays free.</source>
+        <translation>Die Drehzahlen dieser Gelenke hängen voneinander ab, sodass ein anderes Gelenk frei bleibt.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom: your inputs leave a motion open.</source>
+        <translation>Der Mechanismus hat %1 Freiheitsgrade: Ihre Antriebe lassen eine Bewegung offen.</translation>
+    </message>
+    <message>
+        <source>How many meshes are redundant, and which mesh could be left out without another motion? Name one of them.</source>
+        <translation>Wie viele Eingriffe sind redundant, und welcher Eingriff könnte ohne Änderung der Bewegung entfallen? Nennen Sie einen.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that one is redundant; each of %3 follows from others.</source>
+        <translation>Der Rang ist %1 bei %2 Eingriffen, sodass einer redundant ist; jeder von %3 folgt aus anderen.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that %3 are redundant; each of %4 follows from others.</source>
+        <translation>Der Rang ist %1 bei %2 Eingriffen, sodass %3 redundant sind; jeder von %4 folgt aus anderen.</translation>
+    </message>
+    <message>
+        <source>redundant meshes</source>
+        <translation>redundante Eingriffe</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>einer davon</translation>
+    </message>
+    <message>
+        <source>The rows of P are not independent: their rank is %1, fewer than %2 meshes.</source>
+        <translation>Die Zeilen von P sind nicht unabhängig: Ihr Rang ist %1, weniger als %2 Eingriffe.</translation>
+    </message>
+    <message>
+        <source>There are as many redundant meshes as rows of P beyond its rank: %1 − %2.</source>
+        <translation>Es gibt so viele redundante Eingriffe, wie P Zeilen über seinen Rang hinaus hat: %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Without mesh %1 the mechanism would gain a degree of freedom: it follows from no others.</source>
+        <translation>Ohne Eingriff %1 gewänne der Mechanismus einen Freiheitsgrad: Er folgt aus keinen anderen.</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>dreht sich</translation>
+    </message>
+    <message>
+        <source>Of the power that it takes, seen from its carrier, each mesh passes the part $%1$; nothing else loses power. Now %2 drives backwards and %3 takes the power. Does the train turn, or does it lock itself? With which efficiency does it pass the power (0 where it locks itself)? A fraction or a decimal of three digits will do.</source>
+        <translation>Von der Leistung, die er, vom Steg aus gesehen, aufnimmt, gibt jeder Eingriff den Teil $%1$ weiter; sonst geht keine Leistung verloren. Nun treibt %2 rückwärts an, und %3 nimmt die Leistung ab. Dreht sich das Getriebe, oder sperrt es sich selbst? Mit welchem Wirkungsgrad gibt es die Leistung weiter (0, wenn es sich selbst sperrt)? Ein Bruch oder eine Dezimalzahl mit drei Ziffern genügt.</translation>
+    </message>
+    <message>
+        <source>driven backwards it</source>
+        <translation>rückwärts angetrieben</translation>
+    </message>
+    <message>
+        <source>efficiency backwards</source>
+        <translation>Wirkungsgrad rückwärts</translation>
+    </message>
+    <message>
+        <source>joint $%1$</source>
+        <translation>Gelenk $%1$</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2.</source>
+        <translation>Ein Motor in %1 treibt eine Last an %2 an.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joint %3 held.</source>
+        <translation>Ein Motor in %1 treibt eine Last an %2 an, wobei Gelenk %3 gehalten wird.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joints %3 held.</source>
+        <translation>Ein Motor in %1 treibt eine Last an %2 an, wobei die Gelenke %3 gehalten werden.</translation>
+    </message>
+    <message>
+        <source>link $%1$</source>
+        <translation>Glied $%1$</translation>
+    </message>
+    <message>
+        <source>In state “%1”, with %2 engaged, %3 drives a load on %4.</source>
+        <translation>In Schaltzustand „%1“, mit %2 geschlossen, treibt %3 eine Last an %4 an.</translation>
+    </message>
+    <message>
+        <source>the mesh passes %1 W for each watt that is fed, seen from its carrier</source>
+        <translation>leitet der Eingriff, vom Steg aus gesehen, %1 W je zugeführtem Watt</translation>
+    </message>
+    <message>
+        <source>the meshes pass %1 W for each watt that is fed, seen from their carriers</source>
+        <translation>leiten die Eingriffe, von ihren Stegen aus gesehen, %1 W je zugeführtem Watt</translation>
+    </message>
+    <message>
+        <source>gear %1 drives in mesh %2</source>
+        <translation>Rad %1 treibt in Eingriff %2</translation>
+    </message>
+    <message>
+        <source>Driven backwards, %1: of each watt that is fed %2 W arrive, so that the train turns.</source>
+        <translation>Rückwärts angetrieben gilt: %1. Von jedem zugeführten Watt kommen %2 W an, sodass sich das Getriebe dreht.</translation>
+    </message>
+    <message>
+        <source>Without losses %1, and each loses %2 of what it takes: with these losses no load, however large, turns the drive: the train locks itself.</source>
+        <translation>Ohne Verluste %1, und jeder Eingriff verliert %2 dessen, was er aufnimmt: Mit diesen Verlusten dreht keine noch so große Last den Antrieb: Das Getriebe sperrt sich selbst.</translation>
+    </message>
+    <message>
+        <source>Backwards it passes %1.</source>
+        <translation>Rückwärts leitet es %1 weiter.</translation>
+    </message>
+    <message>
+        <source>Your efficiency is upside down: it is the power taken over the power fed, less than 1.</source>
+        <translation>Ihr Wirkungsgrad steht verkehrt herum: Er ist die abgenommene durch die zugeführte Leistung, kleiner als 1.</translation>
+    </message>
+    <message>
+        <source>It does not lock itself: the losses are less than the power fed, and %1 of the power arrives when it is driven backwards.</source>
+        <translation>Es sperrt sich nicht selbst: Die Verluste sind kleiner als die zugeführte Leistung, und %1 der Leistung kommt bei Rückwärtsantrieb an.</translation>
+    </message>
+    <message>
+        <source>Backwards it locks itself.</source>
+        <translation>Rückwärts sperrt es sich selbst.</translation>
+    </message>
+    <message>
+        <source>It locks itself: %1, and with these losses no load, however large, turns the drive.</source>
+        <translation>Es sperrt sich selbst: Ohne Verluste %1, und mit den Verlusten dreht keine noch so große Last den Antrieb.</translation>
+    </message>
+    <message>
+        <source>It locks itself, right; but then no power passes: the efficiency is 0.</source>
+        <translation>Es sperrt sich selbst, richtig; dann aber fließt keine Leistung: Der Wirkungsgrad ist 0.</translation>
+    </message>
+    <message>
+        <source>This is the efficiency with the motor driving: backwards the other gears drive.</source>
+        <translation>Das ist der Wirkungsgrad bei antreibendem Motor: Rückwärts treiben die anderen Räder.</translation>
+    </message>
+    <message>
+        <source>You leave out the losses of the meshes.</source>
+        <translation>Sie lassen die Verluste der Eingriffe weg.</translation>
+    </message>
+    <message>
+        <source>You multiply the efficiencies of the meshes as in a train of fixed axes: seen from its carrier a mesh passes another power.</source>
+        <translation>Sie multiplizieren die Wirkungsgrade der Eingriffe wie bei einem Standgetriebe: Vom Steg aus gesehen leitet ein Eingriff eine andere Leistung.</translation>
+    </message>
+    <message>
+        <source>The entries of this matrix are −1, 0 and 1 only: they tell senses, not sizes.</source>
+        <translation>Die Einträge dieser Matrix sind nur −1, 0 und 1: Sie geben Richtungen an, keine Beträge.</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>Eingriff %1</translation>
+    </message>
+    <message>
+        <source>as the drive&apos;s torque</source>
+        <translation>im Sinn des Antriebsmoments</translation>
+    </message>
+    <message>
+        <source>against the drive&apos;s torque</source>
+        <translation>gegen das Antriebsmoment</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load. The torque of the drive is $%5$ N m, and no power is lost. What torque, with its sign, does brake %6 exert on link $%7$? And in which sense does it try to turn the housing? A fraction or a decimal of three digits will do.</source>
+        <translation>Zustand „%1“ schließt %2, Glied $%3$ treibt an und Glied $%4$ trägt die Last. Das Antriebsmoment beträgt $%5$ N m, und keine Leistung geht verloren. Welches Drehmoment, mit Vorzeichen, übt Bremse %6 auf Glied $%7$ aus? Und in welchem Sinn will sie das Gehäuse drehen? Ein Bruch oder eine Dezimalzahl mit drei Ziffern genügt.</translation>
+    </message>
+    <message>
+        <source>torque on link %1 in N m</source>
+        <translation>Drehmoment auf Glied %1 in N m</translation>
+    </message>
+    <message>
+        <source>turns the housing</source>
+        <translation>dreht das Gehäuse</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2 with %3 N m; the housing has the opposite, %4 N m.</source>
+        <translation>Bremse %1 hält Glied %2 mit %3 N m; das Gehäuse erhält das Entgegengesetzte, %4 N m.</translation>
+    </message>
+    <message>
+        <source>This is what the housing feels: on link %1 the brake acts with %2 N m.</source>
+        <translation>Das spürt das Gehäuse: Auf Glied %1 wirkt die Bremse mit %2 N m.</translation>
+    </message>
+    <message>
+        <source>A sign is lost: %1 N m of the drive, %2 N m that hold the load and the torque of the brake add up to 0.</source>
+        <translation>Ein Vorzeichen ging verloren: %1 N m des Antriebs, %2 N m, die die Last halten, und das Drehmoment der Bremse ergeben zusammen 0.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the load is held by %2 N m.</source>
+        <translation>Sie verwenden die Übersetzung verkehrt herum: Mit der Übersetzung %1 wird die Last von %2 N m gehalten.</translation>
+    </message>
+    <message>
+        <source>This is the torque at the load on link %1: the brake has to keep the balance of drive and load.</source>
+        <translation>Das ist das Drehmoment an der Last auf Glied %1: Die Bremse muss Antrieb und Last im Gleichgewicht halten.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: the brake does not carry it as it is.</source>
+        <translation>Das ist das Drehmoment des Antriebs: Die Bremse nimmt es nicht unverändert auf.</translation>
+    </message>
+    <message>
+        <source>Link %1 and the housing are turned in opposite senses by the brake: link %1 has %2 N m, the housing %3 N m.</source>
+        <translation>Glied %1 und das Gehäuse werden von der Bremse in entgegengesetztem Sinn gedreht: Glied %1 hat %2 N m, das Gehäuse %3 N m.</translation>
+    </message>
+    <message>
+        <source>The inputs turn at %1 rad/s. What is $\dot{\theta}_{%2}$ in rad/s? A fraction or a decimal of three digits will do.</source>
+        <translation>Die Antriebe drehen sich mit %1 rad/s. Wie groß ist $\dot{\theta}_{%2}$ in rad/s? Ein Bruch oder eine Dezimalzahl mit drei Ziffern genügt.</translation>
+    </message>
+    <message>
+        <source>The meshes in the chain give joint %1 the rate %2 rad/s.</source>
+        <translation>Die Eingriffe der Kette geben Gelenk %1 die Drehzahl %2 rad/s.</translation>
+    </message>
+    <message>
+        <source>speed of joint %1</source>
+        <translation>Drehzahl von Gelenk %1</translation>
+    </message>
+    <message>
+        <source>The size is right, but the joint turns the other way.</source>
+        <translation>Der Betrag ist richtig, aber das Gelenk dreht sich andersherum.</translation>
+    </message>
+    <message>
+        <source>You leave out input %1: the contributions of all inputs add up.</source>
+        <translation>Sie lassen Antrieb %1 weg: Die Beiträge aller Antriebe addieren sich.</translation>
+    </message>
+    <message>
+        <source>You multiply by the whole ratio where you have to divide by it: %1 turns at %2 rad/s.</source>
+        <translation>Sie multiplizieren mit der ganzen Übersetzung, wo Sie dividieren müssen: %1 dreht sich mit %2 rad/s.</translation>
+    </message>
+    <message>
+        <source>You use the ratio of mesh %1 upside down.</source>
+        <translation>Sie verwenden die Übersetzung von Eingriff %1 verkehrt herum.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 is the opposite in your chain.</source>
+        <translation>Das Vorzeichen von Eingriff %1 ist in Ihrer Kette umgekehrt.</translation>
+    </message>
+    <message>
+        <source>You use speeds relative to the ground in the meshes: a mesh relates the speeds of its gears in their carrier.</source>
+        <translation>Sie verwenden in den Eingriffen Drehzahlen gegenüber dem Gestell: Ein Eingriff verknüpft die Drehzahlen seiner Räder im Steg.</translation>
+    </message>
+    <message>
+        <source>This is the speed of link %1 relative to the ground: the joint&apos;s rate is relative to the link that carries it.</source>
+        <translation>Das ist die Drehzahl von Glied %1 gegenüber dem Gestell: Die des Gelenks gilt gegenüber dem Glied, das es trägt.</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches have to be engaged for state “%1”, in which link $%2$ turns at $%3$ times the speed of link $%4$?</source>
+        <translation>Welche Bremsen und Kupplungen müssen für Schaltzustand „%1“ geschlossen sein, in dem Glied $%2$ mit dem $%3$-Fachen der Drehzahl von Glied $%4$ dreht?</translation>
+    </message>
+    <message>
+        <source>With %1 engaged one degree of freedom is left and the ratio is %2.</source>
+        <translation>Mit %1 geschlossen bleibt ein Freiheitsgrad, und die Übersetzung ist %2.</translation>
+    </message>
+    <message>
+        <source>engaged</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>These couplings engage state “%1”, not “%2”.</source>
+        <translation>Diese Schaltelemente ergeben Schaltzustand „%1“, nicht „%2“.</translation>
+    </message>
+    <message>
+        <source>More than one degree of freedom is left: another brake or clutch has to be engaged.</source>
+        <translation>Es bleibt mehr als ein Freiheitsgrad: Eine weitere Bremse oder Kupplung muss geschlossen werden.</translation>
+    </message>
+    <message>
+        <source>These couplings together lock the drive.</source>
+        <translation>Diese Schaltelemente sperren zusammen den Antrieb.</translation>
+    </message>
+    <message>
+        <source>The drive turns with these couplings, but its ratio is not %1.</source>
+        <translation>Der Antrieb dreht sich mit diesen Schaltelementen, aber die Übersetzung ist nicht %1.</translation>
+    </message>
+    <message>
+        <source>The terminal equation of mesh $%1$ is $\omega_{%2} = %3 \, \omega_{%4}$. No power is lost. Write the torque of the second port in terms of the first one&apos;s: the factor $f$ with its sign.</source>
+        <translation>Die Klemmengleichung von Eingriff $%1$ lautet $\omega_{%2} = %3 \, \omega_{%4}$. Es geht keine Leistung verloren. Schreiben Sie das Moment des zweiten Tors durch das des ersten: den Faktor $f$ mit seinem Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The powers of both ports add up to 0, so that the torques have the inverse ratio of the speeds with the opposite sign: f = %1.</source>
+        <translation>Die Leistungen beider Tore ergeben zusammen 0, sodass die Momente das umgekehrte Verhältnis der Drehzahlen mit entgegengesetztem Vorzeichen haben: f = %1.</translation>
+    </message>
+    <message>
+        <source>The ratio is right, but the sign is not: what one port takes in the other gives off.</source>
+        <translation>Das Verhältnis ist richtig, das Vorzeichen nicht: Was ein Tor aufnimmt, gibt das andere ab.</translation>
+    </message>
+    <message>
+        <source>You use the relation of the speeds: torques have the inverse ratio and the opposite sign.</source>
+        <translation>Sie verwenden die Beziehung der Drehzahlen: Momente haben das umgekehrte Verhältnis und das entgegengesetzte Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear that turns more slowly has the larger torque.</source>
+        <translation>Ihr Verhältnis steht verkehrt herum: Das langsamer drehende Rad hat das größere Moment.</translation>
+    </message>
+    <message>
+        <source>Choose numbers of teeth between $%1$ and $%2$ for mesh $%3$ so that $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$.</source>
+        <translation>Wählen Sie Zähnezahlen zwischen $%1$ und $%2$ für Eingriff $%3$, sodass $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$ gilt.</translation>
+    </message>
+    <message>
+        <source>N%1 : N%2 = %3 : %4, for example %5 and %6 teeth.</source>
+        <translation>N%1 : N%2 = %3 : %4, zum Beispiel %5 und %6 Zähne.</translation>
+    </message>
+    <message>
+        <source>A number of teeth is a whole number between %1 and %2 here.</source>
+        <translation>Eine Zähnezahl ist hier eine ganze Zahl zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: it is %1, not %2.</source>
+        <translation>Ihr Verhältnis steht verkehrt herum: Es ist %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The quotient of your numbers is not %1.</source>
+        <translation>Der Quotient Ihrer Zahlen ist nicht %1.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$ in mesh $%4$ and $%5$ in mesh $%6$, all of one module and without profile shift.</source>
+        <translation>Glied $%1$ habe $%2$ Zähne und der Planet $%3$ in Eingriff $%4$ und $%5$ in Eingriff $%6$, alle mit demselben Modul und ohne Profilverschiebung.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$, all of one module and without profile shift.</source>
+        <translation>Glied $%1$ habe $%2$ Zähne und der Planet $%3$, alle mit demselben Modul und ohne Profilverschiebung.</translation>
+    </message>
+    <message>
+        <source>Planet $%1$ is in external mesh $%2$ with link $%3$ and in internal mesh $%4$ with ring $%5$. %6 How many teeth must the ring have, so that both centre distances are equal?</source>
+        <translation>Planet $%1$ steht in Außeneingriff $%2$ mit Glied $%3$ und in Inneneingriff $%4$ mit Hohlrad $%5$. %6 Wie viele Zähne muss das Hohlrad haben, damit beide Achsabstände gleich sind?</translation>
+    </message>
+    <message>
+        <source>The centre distance is half the sum of an external pair and half the difference of an internal one: %1 + %2 = N − %3, so that N = %4.</source>
+        <translation>Der Achsabstand ist die halbe Summe eines Außenpaars und die halbe Differenz eines Innenpaars: %1 + %2 = N − %3, also N = %4.</translation>
+    </message>
+    <message>
+        <source>teeth of the ring</source>
+        <translation>Zähne des Hohlrads</translation>
+    </message>
+    <message>
+        <source>You add the teeth of the ring: the centre distance of an internal pair is half the difference.</source>
+        <translation>Sie addieren die Zähne des Hohlrads: Der Achsabstand eines Innenpaars ist die halbe Differenz.</translation>
+    </message>
+    <message>
+        <source>You count the planet once: it is between the sun and the ring on both sides.</source>
+        <translation>Sie zählen den Planeten einmal: Er liegt auf beiden Seiten zwischen Sonne und Hohlrad.</translation>
+    </message>
+    <message>
+        <source>Take meshes and turning joints alike as edges of one graph. Choose a spanning tree of it that contains mesh $%1$.</source>
+        <translation>Nehmen Sie Eingriffe und Drehgelenke gleichermaßen als Kanten eines Graphen. Wählen Sie einen Spannbaum davon, der Eingriff $%1$ enthält.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges and no loop: take the mesh in and a joint of its cycle out.</source>
+        <translation>Ein Spannbaum von %1 Gliedern hat %2 Kanten und keine Schleife: Nehmen Sie den Eingriff hinzu und ein Gelenk seines Zyklus heraus.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree, but mesh %1 is not in it.</source>
+        <translation>Die Drehgelenke sind ein Spannbaum, aber Eingriff %1 ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: yours leaves links loose.</source>
+        <translation>Ein Spannbaum von %1 Gliedern hat %2 Kanten: Ihrer lässt Glieder lose.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: with more of them some close a loop.</source>
+        <translation>Ein Spannbaum von %1 Gliedern hat %2 Kanten: Mit mehr schließen einige eine Schleife.</translation>
+    </message>
+    <message>
+        <source>Some of your edges close a loop, so that another link is left loose.</source>
+        <translation>Einige Ihrer Kanten schließen eine Schleife, sodass ein anderes Glied lose bleibt.</translation>
+    </message>
+    <message>
+        <source>Your edges are a spanning tree, but mesh %1 is not among them.</source>
+        <translation>Ihre Kanten sind ein Spannbaum, aber Eingriff %1 ist nicht dabei.</translation>
+    </message>
+    <message>
+        <source>Link %1 is a gear of mesh %2, not its carrier: the level changes at link %3.</source>
+        <translation>Glied %1 ist ein Rad von Eingriff %2, nicht sein Steg: Die Ebene wechselt an Glied %3.</translation>
+    </message>
+    <message>
+        <source>You measure from the ground, but the level changes at link %1.</source>
+        <translation>Sie messen vom Gestell aus, aber die Ebene wechselt an Glied %1.</translation>
+    </message>
+    <message>
+        <source>Both edges of the path at link %1 are on one level: the level changes at link %2.</source>
+        <translation>Beide Kanten des Wegs an Glied %1 liegen auf einer Ebene: Die Ebene wechselt an Glied %2.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not on the path between both gears: the level changes at link %2.</source>
+        <translation>Glied %1 liegt nicht auf dem Weg zwischen beiden Rädern: Die Ebene wechselt an Glied %2.</translation>
+    </message>
+    <message>
+        <source>Walk from link $%1$ through the tree branches to link $%2$, the gears of mesh $%3$. On which levels do both gears turn in their carrier, and which link is the transfer vertex?</source>
+        <translation>Gehen Sie von Glied $%1$ durch die Zweige des Baums zu Glied $%2$, den Rädern von Eingriff $%3$. Auf welchen Ebenen drehen beide Räder in ihrem Steg, und welches Glied ist der Transferknoten?</translation>
+    </message>
+    <message>
+        <source>The walk begins on level %1 and ends on level %2; the link where the level changes, %3, is the transfer vertex: the carrier of the mesh.</source>
+        <translation>Der Weg beginnt auf Ebene %1 und endet auf Ebene %2; das Glied, an dem die Ebene wechselt, %3, ist der Transferknoten: der Steg des Eingriffs.</translation>
+    </message>
+    <message>
+        <source>level of link %1</source>
+        <translation>Ebene von Glied %1</translation>
+    </message>
+    <message>
+        <source>transfer vertex</source>
+        <translation>Transferknoten</translation>
+    </message>
+    <message>
+        <source>You exchange the levels: link %1 turns on level %2, link %3 on level %4.</source>
+        <translation>Sie vertauschen die Ebenen: Glied %1 dreht auf Ebene %2, Glied %3 auf Ebene %4.</translation>
+    </message>
+    <message>
+        <source>Level %1 is that of the other gear: this one turns on level %2.</source>
+        <translation>Ebene %1 ist die des anderen Rades: Dieses dreht auf Ebene %2.</translation>
+    </message>
+    <message>
+        <source>The walk between both gears uses the levels %1 and %2 only.</source>
+        <translation>Der Weg zwischen beiden Rädern benutzt nur die Ebenen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Write the terminal equation of mesh $%1$, with $N_{%2} = %3$ and $N_{%4} = %5$ teeth: the carrier $k$, and the factor $f$ with its sign.</source>
+        <translation>Schreiben Sie die Klemmengleichung von Eingriff $%1$ mit $N_{%2} = %3$ und $N_{%4} = %5$ Zähnen: den Steg $k$ und den Faktor $f$ mit seinem Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn the same way, each along its own axis: f = %3.</source>
+        <translation>Von Steg %1 aus gesehen drehen die Räder von Eingriff %2 gleichsinnig, jedes um seine eigene Achse: f = %3.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn against each other, each along its own axis: f = %3.</source>
+        <translation>Von Steg %1 aus gesehen drehen die Räder von Eingriff %2 gegensinnig, jedes um seine eigene Achse: f = %3.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>Eingriff %1 ist innen: Vom Steg aus gesehen drehen seine Räder gleichsinnig, also ist f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>Eingriff %1 ist außen: Vom Steg aus gesehen drehen seine Räder gegensinnig, also ist f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>Eingriff %1 ist ein Kegelradeingriff: Vom Steg aus gesehen drehen seine Räder gleichsinnig, also ist f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>Eingriff %1 ist ein Kegelradeingriff: Vom Steg aus gesehen drehen seine Räder gegensinnig, also ist f = %2.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear with more teeth turns more slowly, f = %1.</source>
+        <translation>Ihr Verhältnis steht verkehrt herum: Das Rad mit mehr Zähnen dreht langsamer, f = %1.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down, and the sign is wrong, too: f = %1.</source>
+        <translation>Ihr Verhältnis steht verkehrt herum, und auch das Vorzeichen ist falsch: f = %1.</translation>
+    </message>
+    <message>
+        <source>You take the teeth of another wheel on the same link: mesh %1 has %2 and %3.</source>
+        <translation>Sie nehmen die Zähne eines anderen Rades auf demselben Glied: Eingriff %1 hat %2 und %3.</translation>
+    </message>
+    <message>
+        <source>Write the f-circuit equation of the chord between gear $%1$ and carrier $%2$: the coefficients of the branches.</source>
+        <translation>Schreiben Sie die f-Kreis-Gleichung der Sehne zwischen Rad $%1$ und Steg $%2$: die Koeffizienten der Zweige.</translation>
+    </message>
+    <message>
+        <source>The speed of gear %1 in carrier %2 is the sum over the branches between them: 1 for a branch that points to the gear, −1 for one that points to the carrier, as their axes do.</source>
+        <translation>Die Drehzahl von Rad %1 im Steg %2 ist die Summe über die Zweige dazwischen: 1 für einen Zweig, der zum Rad weist, −1 für einen, der zum Steg weist, wie ihre Achsen.</translation>
+    </message>
+    <message>
+        <source>You write the speed of the carrier relative to the gear: all signs are the opposite.</source>
+        <translation>Sie schreiben die Drehzahl des Stegs gegenüber dem Rad: Alle Vorzeichen sind umgekehrt.</translation>
+    </message>
+    <message>
+        <source>This is the circuit of the other chord of mesh %1, of gear %2.</source>
+        <translation>Das ist der Kreis der anderen Sehne von Eingriff %1, der von Rad %2.</translation>
+    </message>
+    <message>
+        <source>You write the speed relative to the ground: the chord ends at carrier %1.</source>
+        <translation>Sie schreiben die Drehzahl gegenüber dem Gestell: Die Sehne endet am Steg %1.</translation>
+    </message>
+    <message>
+        <source>You follow the walk from gear to gear: the chord ends at carrier %1.</source>
+        <translation>Sie folgen dem Weg von Rad zu Rad: Die Sehne endet am Steg %1.</translation>
+    </message>
+    <message>
+        <source>You give all branches one sign: one that points from the gear to the carrier counts −1.</source>
+        <translation>Sie geben allen Zweigen ein Vorzeichen: Ein Zweig, der vom Rad zum Steg weist, zählt −1.</translation>
+    </message>
+    <message>
+        <source>The branches between gear %1 and carrier %2 do not include %3: 0.</source>
+        <translation>Zu den Zweigen zwischen Rad %1 und Steg %2 gehört %3 nicht: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite on the way from the carrier to the gear: %2.</source>
+        <translation>Das Vorzeichen von %1 ist auf dem Weg vom Steg zum Rad umgekehrt: %2.</translation>
+    </message>
+    <message>
+        <source>The circuit closes through %1: %2, not 0.</source>
+        <translation>Der Kreis schließt sich durch %1: %2, nicht 0.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2: 0.</source>
+        <translation>%1 benutzt %2 nicht: 0.</translation>
+    </message>
+    <message>
+        <source>%1 runs along the arrow of %2: 1, not −1.</source>
+        <translation>%1 läuft entlang des Pfeils von %2: 1, nicht −1.</translation>
+    </message>
+    <message>
+        <source>%1 runs against the arrow of %2: −1, not 1.</source>
+        <translation>%1 läuft gegen den Pfeil von %2: −1, nicht 1.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, along its arrow: 1, not 0.</source>
+        <translation>%1 benutzt %2, entlang des Pfeils: 1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, against its arrow: −1, not 0.</source>
+        <translation>%1 benutzt %2, gegen den Pfeil: −1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1</source>
+        <translation>Der Zyklus von Eingriff %1</translation>
+    </message>
+    <message>
+        <source>You walk the cycle against mesh %1: it runs along the mesh from tail to head and back through the tree.</source>
+        <translation>Sie durchlaufen den Zyklus gegen Eingriff %1: Er läuft entlang des Eingriffs vom Fuß zur Spitze und durch den Baum zurück.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycle without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Sie markieren die Gelenke des Zyklus ohne ihre Richtungen: −1, wo der Weg gegen einen Pfeil läuft.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle of mesh %1, not of mesh %2.</source>
+        <translation>Das ist die Zeile des Zyklus von Eingriff %1, nicht von Eingriff %2.</translation>
+    </message>
+    <message>
+        <source>%1 begins along the mesh itself: 1.</source>
+        <translation>%1 beginnt entlang des Eingriffs selbst: 1.</translation>
+    </message>
+    <message>
+        <source>%1 is walked along its mesh, from tail to head: 1, not −1.</source>
+        <translation>%1 wird entlang seines Eingriffs durchlaufen, vom Fuß zur Spitze: 1, nicht −1.</translation>
+    </message>
+    <message>
+        <source>%1 holds one mesh only, not mesh %2: 0.</source>
+        <translation>%1 enthält nur einen Eingriff, nicht Eingriff %2: 0.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows and columns of the path matrix $Z$: how the walk from each link to the ground uses the turning joints.</source>
+        <translation>Füllen Sie diese Zeilen und Spalten der Wegmatrix $Z$ aus: wie der Weg von jedem Glied zum Gestell die Drehgelenke benutzt.</translation>
+    </message>
+    <message>
+        <source>Walk from the link to the ground: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it, 0 off the walk.</source>
+        <translation>Gehen Sie vom Glied zum Gestell: 1, wo der Weg dem Pfeil eines Gelenks folgt, −1, wo er dagegen läuft, 0 abseits des Wegs.</translation>
+    </message>
+    <message>
+        <source>You walk from the ground to the links: the walks of Z end at the ground.</source>
+        <translation>Sie gehen vom Gestell zu den Gliedern: Die Wege von Z enden am Gestell.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the walks without their senses: −1 where a walk runs against an arrow.</source>
+        <translation>Sie markieren die Gelenke der Wege ohne ihre Richtungen: −1, wo ein Weg gegen einen Pfeil läuft.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns: a column of Z belongs to a link and tells its walk.</source>
+        <translation>Sie vertauschen Zeilen und Spalten: Eine Spalte von Z gehört zu einem Glied und beschreibt seinen Weg.</translation>
+    </message>
+    <message>
+        <source>This is the walk of link %1, not of link %2.</source>
+        <translation>Das ist der Weg von Glied %1, nicht von Glied %2.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground</source>
+        <translation>Der Weg von Glied %1 zum Gestell</translation>
+    </message>
+    <message>
+        <source>Fill in this row of the spanning-tree matrix $T$.</source>
+        <translation>Füllen Sie diese Zeile der Spannbaummatrix $T$ aus.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows of the spanning-tree matrix $T$.</source>
+        <translation>Füllen Sie diese Zeilen der Spannbaummatrix $T$ aus.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it.</source>
+        <translation>Durchlaufen Sie den Zyklus entlang seines Eingriffs vom Fuß zur Spitze und durch den Baum zurück: 1, wo der Weg dem Pfeil eines Gelenks folgt, −1, wo er dagegen läuft.</translation>
+    </message>
+    <message>
+        <source>You walk the cycles against their meshes: they run along the mesh from tail to head and back through the tree.</source>
+        <translation>Sie durchlaufen die Zyklen gegen ihre Eingriffe: Sie laufen entlang des Eingriffs vom Fuß zur Spitze und durch den Baum zurück.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycles without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Sie markieren die Gelenke der Zyklen ohne ihre Richtungen: −1, wo der Weg gegen einen Pfeil läuft.</translation>
+    </message>
+    <message>
+        <source>You exchange the rows of both cycles.</source>
+        <translation>Sie vertauschen die Zeilen beider Zyklen.</translation>
+    </message>
+    <message>
+        <source>Fill in row $C_{%1}$ of the cycle-basis matrix $C = \left[ T \mid U \right]$.</source>
+        <translation>Füllen Sie Zeile $C_{%1}$ der Zyklenbasismatrix $C = \left[ T \mid U \right]$ aus.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows an arrow, −1 where it runs against one.</source>
+        <translation>Durchlaufen Sie den Zyklus entlang seines Eingriffs vom Fuß zur Spitze und durch den Baum zurück: 1, wo der Weg einem Pfeil folgt, −1, wo er gegen einen läuft.</translation>
+    </message>
+    <message>
+        <source>Fill in the row of joint $%1$ of the fundamental cutset matrix $Q = \left[ U \mid -T^T \right]$.</source>
+        <translation>Füllen Sie die Zeile von Gelenk $%1$ der fundamentalen Schnittmengenmatrix $Q = \left[ U \mid -T^T \right]$ aus.</translation>
+    </message>
+    <message>
+        <source>Without the joint the tree falls into two halves: every edge between them counts, 1 where it crosses in the joint&apos;s direction, −1 where it crosses the other way.</source>
+        <translation>Ohne das Gelenk zerfällt der Baum in zwei Hälften: Jede Kante dazwischen zählt, 1, wo sie in Richtung des Gelenks quert, −1, wo sie andersherum quert.</translation>
+    </message>
+    <message>
+        <source>You take the signs of the cycles: Q holds −T transposed beside the unit matrix.</source>
+        <translation>Sie nehmen die Vorzeichen der Zyklen: Q enthält −T transponiert neben der Einheitsmatrix.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cutset without their senses: −1 where an edge crosses against the joint.</source>
+        <translation>Sie markieren die Kanten der Schnittmenge ohne ihre Richtungen: −1, wo eine Kante gegen das Gelenk quert.</translation>
+    </message>
+    <message>
+        <source>This is the cutset of joint %1, not of %2.</source>
+        <translation>Das ist die Schnittmenge von Gelenk %1, nicht von %2.</translation>
+    </message>
+    <message>
+        <source>The joint crosses its own cut in its own direction: 1, not −1.</source>
+        <translation>Das Gelenk quert seinen eigenen Schnitt in seiner Richtung: 1, nicht −1.</translation>
+    </message>
+    <message>
+        <source>The cutset holds its own joint: 1, not 0.</source>
+        <translation>Die Schnittmenge enthält ihr eigenes Gelenk: 1, nicht 0.</translation>
+    </message>
+    <message>
+        <source>A fundamental cutset holds one turning joint only, not %1: 0.</source>
+        <translation>Eine fundamentale Schnittmenge enthält nur ein Drehgelenk, nicht %1: 0.</translation>
+    </message>
+    <message>
+        <source>Both gears of %1 are on one side of %2: 0.</source>
+        <translation>Beide Räder von %1 liegen auf einer Seite von %2: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut in the direction of %2: 1, not −1.</source>
+        <translation>Der Pfeil von %1 quert den Schnitt in Richtung von %2: 1, nicht −1.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut against %2: −1, not 1.</source>
+        <translation>Der Pfeil von %1 quert den Schnitt gegen %2: −1, nicht 1.</translation>
+    </message>
+    <message>
+        <source>The ends of %1 are on different sides of %2: %3, not 0.</source>
+        <translation>Die Enden von %1 liegen auf verschiedenen Seiten von %2: %3, nicht 0.</translation>
+    </message>
+    <message>
+        <source>The field %1 is empty.</source>
+        <translation>Das Feld „%1“ ist leer.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma, or as a fraction.</source>
+        <translation>„%1“ lässt sich als Tausender oder als Dezimalzahl lesen: Schreiben Sie es ohne Komma oder als Bruch.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>„%1“ ist keine Zahl: Schreiben Sie eine ganze Zahl, einen Bruch wie −3/4 oder eine Dezimalzahl.</translation>
+    </message>
+    <message>
+        <source>“%1” is not among what the question offers for %2.</source>
+        <translation>„%1“ gehört nicht zu dem, was die Frage für „%2“ anbietet.</translation>
+    </message>
+    <message>
+        <source>meshes %1</source>
+        <translation>Eingriffe %1</translation>
+    </message>
+    <message>
+        <source>Mesh %1 follows from %2: it constrains nothing more. Harmless for the motion; the load is shared.</source>
+        <translation>Eingriff %1 ist redundant gegenüber %2: Er bindet nichts weiter. Für die Bewegung unschädlich; die Last teilt sich auf.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move.</source>
+        <translation>Bremse %1 ist geschlossen und hält nichts, was sich bewegen könnte.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>Bremse %1 ist geschlossen und hält nichts, was sich bewegen könnte: Das folgt schon aus %2.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move.</source>
+        <translation>Kupplung %1 ist geschlossen und hält nichts, was sich bewegen könnte.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>Kupplung %1 ist geschlossen und hält nichts, was sich bewegen könnte: Das folgt schon aus %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: the loop of %1 locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.</source>
+        <translation>Nichts kann sich bewegen: Die Schleife aus %1 sperrt es. Ändern Sie eine Zähnezahl, sodass die Übersetzungen um die Schleife zusammenpassen, oder löschen Sie einen Eingriff.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 holds everything. Release a coupling.</source>
+        <translation>Nichts kann sich bewegen: %1 hält alles. Lösen Sie ein Schaltelement.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 hold everything. Release a coupling.</source>
+        <translation>Nichts kann sich bewegen: %1 halten alles. Lösen Sie ein Schaltelement.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, locked by %2.</source>
+        <translation>Gelenk %1 kann sich nie drehen, gesperrt durch %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 can never turn, locked by %2.</source>
+        <translation>Die Gelenke %1 können sich nie drehen, gesperrt durch %2.</translation>
+    </message>
+    <message>
+        <source>Links %1 form a rigid block.</source>
+        <translation>Die Glieder %1 bilden einen starren Block.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joint %1: it has to be driven.</source>
+        <translation>Kein Eingriff bindet Gelenk %1: Es muss angetrieben werden.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joints %1: they have to be driven.</source>
+        <translation>Kein Eingriff bindet die Gelenke %1: Sie müssen angetrieben werden.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and 1 input is chosen.</source>
+        <translation>Der Mechanismus hat 1 Freiheitsgrad, und 1 Antrieb ist gewählt.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and %1 inputs are chosen.</source>
+        <translation>Der Mechanismus hat 1 Freiheitsgrad, und %1 Antriebe sind gewählt.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and 1 input is chosen.</source>
+        <translation>Der Mechanismus hat %1 Freiheitsgrade, und 1 Antrieb ist gewählt.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and %2 inputs are chosen.</source>
+        <translation>Der Mechanismus hat %1 Freiheitsgrade, und %2 Antriebe sind gewählt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is chosen twice.</source>
+        <translation>Gelenk %1 ist zweimal gewählt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is no free choice: %2.</source>
+        <translation>Gelenk %1 ist nicht frei wählbar: %2.</translation>
+    </message>
+    <message>
+        <source>Still free: choose %1 too.</source>
+        <translation>Noch frei: Wählen Sie auch %1.</translation>
+    </message>
+    <message>
+        <source>The only valid set is the empty one.</source>
+        <translation>Die einzige gültige Menge ist die leere.</translation>
+    </message>
+    <message>
+        <source>A valid set is %1.</source>
+        <translation>Eine gültige Menge ist %1.</translation>
+    </message>
+    <message>
+        <source>There are no gear meshes yet: every joint is free.</source>
+        <translation>Es gibt noch keine Zahneingriffe: Jedes Gelenk ist frei.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: the train holds it with nothing engaged. Change the train, or drive another link.</source>
+        <translation>Schaltzustand %1 sperrt seinen Antrieb, Glied %2: Das Getriebe hält es, ohne dass etwas geschlossen ist. Ändern Sie das Getriebe oder treiben Sie ein anderes Glied an.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: more couplings than one hold it. Release two or more, or drive another link.</source>
+        <translation>Schaltzustand %1 sperrt seinen Antrieb, Glied %2: Mehr als ein Schaltelement hält es. Lösen Sie zwei oder mehr oder treiben Sie ein anderes Glied an.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 holds it. Release it, or drive another link.</source>
+        <translation>Schaltzustand %1 sperrt seinen Antrieb, Glied %2: %3 hält es. Lösen Sie es oder treiben Sie ein anderes Glied an.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.</source>
+        <translation>Schaltzustand %1 sperrt seinen Antrieb, Glied %2: %3 halten es gemeinsam. Lösen Sie eines davon oder treiben Sie ein anderes Glied an.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, link %4 still turns.</source>
+        <translation>Schaltzustand %1 lässt %2 Freiheitsgrade: Bei gehaltenem Antrieb, Glied %3, dreht sich Glied %4 noch.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, links %4 still turn.</source>
+        <translation>Schaltzustand %1 lässt %2 Freiheitsgrade: Bei gehaltenem Antrieb, Glied %3, drehen sich die Glieder %4 noch.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: link %3 still turns.</source>
+        <translation>Schaltzustand %1 lässt %2 Freiheitsgrade: Glied %3 dreht sich noch.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: links %3 still turn.</source>
+        <translation>Schaltzustand %1 lässt %2 Freiheitsgrade: Die Glieder %3 drehen sich noch.</translation>
+    </message>
+    <message>
+        <source>Engage one more coupling that holds them.</source>
+        <translation>Schließen Sie ein weiteres Schaltelement, das sie hält.</translation>
+    </message>
+    <message>
+        <source>Engage %1 more couplings that hold them.</source>
+        <translation>Schließen Sie %1 weitere Schaltelemente, die sie halten.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to the ground over axes of four directions or more.</source>
+        <translation>Schaltzustand %1: Schaltelement %2 verbindet Glied %3 mit dem Gestell über Achsen von vier oder mehr Richtungen.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to link %4 over axes of four directions or more.</source>
+        <translation>Schaltzustand %1: Schaltelement %2 verbindet Glied %3 mit Glied %4 über Achsen von vier oder mehr Richtungen.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to the ground over axes of four directions or more.</source>
+        <translation>Das geschlossene Schaltelement %1 verbindet Glied %2 mit dem Gestell über Achsen von vier oder mehr Richtungen.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to link %3 over axes of four directions or more.</source>
+        <translation>Das geschlossene Schaltelement %1 verbindet Glied %2 mit Glied %3 über Achsen von vier oder mehr Richtungen.</translation>
+    </message>
+    <message>
+        <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
+        <translation>Das ist ein Gelenkgetriebe, dessen Drehzahlen von der Stellung abhängen: Es gibt keine Übersetzung anzugeben. Kuppeln Sie Glieder, die näher beieinander liegen.</translation>
+    </message>
+    <message>
+        <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
+        <translation>Schaltzustand %1 hat eine Übersetzung jenseits der größten Zahl, die die Analyse fassen kann, 1.79e308. Näher beieinanderliegende Zähnezahlen oder weniger Eingriffe hintereinander ergeben eine darstellbare.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 holds gears %2 and %3 on one axis (%4). Gears that mesh turn about two axes of one carrier: let one of them turn about another axis.</source>
+        <translation>Eingriff %1 hat die Räder %2 und %3 auf einer Achse (%4). Kämmende Räder drehen sich um zwei Achsen eines Stegs: Lassen Sie eines um eine andere Achse drehen.</translation>
+    </message>
+    <message>
+        <source>The path between the gears of mesh %1 runs over %2 axes (%3), and no carrier holds both of theirs: attach gear %4 to link %5.</source>
+        <translation>Der Weg zwischen den Rädern von Eingriff %1 läuft über %2 Achsen (%3), und kein Steg hält beide zugehörigen: Befestigen Sie Rad %4 an Glied %5.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>drei</translation>
+    </message>
+    <message>
+        <source>four</source>
+        <translation>vier</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>fünf</translation>
+    </message>
+    <message>
+        <source>six</source>
+        <translation>sechs</translation>
+    </message>
+    <message>
+        <source>seven</source>
+        <translation>sieben</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>acht</translation>
+    </message>
+    <message>
+        <source>nine</source>
+        <translation>neun</translation>
+    </message>
+    <message>
+        <source>ten</source>
+        <translation>zehn</translation>
+    </message>
+    <message>
+        <source>eleven</source>
+        <translation>elf</translation>
+    </message>
+    <message>
+        <source>twelve</source>
+        <translation>zwölf</translation>
+    </message>
+    <message>
+        <source>Preview: %1. Click to keep it; leave it, or Esc, to go back</source>
+        <translation>Vorschau: %1. Klicken behält es; Verlassen oder Esc stellt zurück</translation>
+    </message>
+    <message>
+        <source>%1 (nearest axes)</source>
+        <translation>%1 (nächste Achsen)</translation>
+    </message>
+    <message>
+        <source>relative to %1</source>
+        <translation>gegen %1</translation>
+    </message>
+    <message>
+        <source>link %1 (%2)</source>
+        <translation>Glied %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 relative to %2</source>
+        <translation>%1 gegen %2</translation>
+    </message>
+    <message>
+        <source>joint %1 (%2)</source>
+        <translation>Gelenk %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 = %2, inverse %3</source>
+        <translation>%1 = %2, Kehrwert %3</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 relative to link %3</source>
+        <translation>Drehzahl von Gelenk %1: Glied %2 gegen Glied %3</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 turns relative to %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>Drehzahl von Gelenk %1: wie schnell %2 gegen %3 dreht. Positiv: um die Richtung der Achse, nach der Rechte-Hand-Regel.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, %2</source>
+        <translation>Drehzahl von Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
+        <translation>Drehzahl eines Abtriebs durch die des einzigen Antriebs, und der Kehrwert. Wählen Sie ein Gelenk oder Glied aus, um seine Übersetzung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Ratio %1</source>
+        <translation>Übersetzung %1</translation>
+    </message>
+    <message>
+        <source>What speeds are relative to: joint by joint, or those of the links seen from one</source>
+        <translation>Wogegen Drehzahlen gezählt werden: Gelenk für Gelenk, oder die der Glieder von einem aus gesehen</translation>
+    </message>
+    <message>
+        <source>Drive by a link’s joints ▾</source>
+        <translation>Über ein Glied antreiben ▾</translation>
+    </message>
+    <message>
+        <source>Make the joints that carry a link the inputs: their speeds are set, those of the motors become results</source>
+        <translation>Die Gelenke, die ein Glied tragen, zu Antrieben machen: ihre Drehzahlen werden vorgegeben, die der Motoren werden Ergebnisse</translation>
+    </message>
+    <message>
+        <source>joint by joint</source>
+        <translation>Gelenk für Gelenk</translation>
+    </message>
+    <message>
+        <source>relative to the ground</source>
+        <translation>gegen das Gestell</translation>
+    </message>
+    <message>
+        <source>Joint by joint: each link relative to the one that carries it</source>
+        <translation>Gelenk für Gelenk: jedes Glied gegen das, das es trägt</translation>
+    </message>
+    <message>
+        <source>Relative to the ground</source>
+        <translation>Gegen das Gestell</translation>
+    </message>
+    <message>
+        <source>Relative to %1</source>
+        <translation>Gegen %1</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1, %2</source>
+        <translation>Verhältnis zu Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>Joints of %1: %2</source>
+        <translation>Gelenke von %1: %2</translation>
+    </message>
+    <message>
+        <source>tooth forces (on heads)</source>
+        <translation>Zahnkräfte (auf die Köpfe)</translation>
+    </message>
+    <message>
+        <source>bearing reactions (on heads)</source>
+        <translation>Lagerreaktionen (auf die Köpfe)</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2</source>
+        <translation>Eingriff %1: %2</translation>
+    </message>
+    <message>
+        <source>joint %1: %2</source>
+        <translation>Gelenk %1: %2</translation>
+    </message>
+    <message>
+        <source>%1; X, Y or Z lays its axis along x, y or z</source>
+        <translation>%1; X, Y oder Z legt seine Achse entlang x, y oder z</translation>
+    </message>
+    <message>
+        <source>%1; its axis lies along %2</source>
+        <translation>%1; seine Achse liegt entlang %2</translation>
+    </message>
+    <message>
+        <source>No forces without loads: add one in Forces.</source>
+        <translation>Keine Kräfte ohne Lasten: Fügen Sie unter Kräfte eine hinzu.</translation>
+    </message>
+    <message>
+        <source>No forces: the loads are not in balance. Forces names what is missing.</source>
+        <translation>Keine Kräfte: Die Lasten sind nicht im Gleichgewicht. Unter Kräfte steht, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Nicht gezeichnet, da zu unbekannten Teilen geteilt: Kräfte an den Zahneingriffen %1. Unter Kräfte ergeben sie sich mit „Nach Steifigkeit aufteilen“.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: reactions in joints %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Nicht gezeichnet, da zu unbekannten Teilen geteilt: Reaktionen in den Gelenken %1. Unter Kräfte ergeben sie sich mit „Nach Steifigkeit aufteilen“.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Nicht gezeichnet, da zu unbekannten Teilen geteilt: Kräfte an den Zahneingriffen %1, Reaktionen in den Gelenken %2. Unter Kräfte ergeben sie sich mit „Nach Steifigkeit aufteilen“.</translation>
+    </message>
+    <message>
+        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
+        <translation>Die entnommene durch die zugeführte Leistung; rückwärts und in Formelzeichen steht sie auf der Karte Wirkungsgrad.</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>Release %1; the motion goes on</source>
+        <translation>%1 lösen; die Bewegung läuft weiter</translation>
+    </message>
+    <message>
+        <source>Find no torque here any more; without any such place the inputs hold the loads</source>
+        <translation>Hier kein Moment mehr suchen; ohne jede solche Stelle halten die Antriebe die Lasten</translation>
+    </message>
+    <message>
+        <source>Remove balance</source>
+        <translation>Ausgleich entfernen</translation>
+    </message>
+    <message>
+        <source>The entry that speeds and torques share</source>
+        <translation>Der Eintrag, den Drehzahlen und Momente teilen</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own; click the framed entry to see it in Matrices.</source>
+        <translation>Eine Zeile von P enthält die Drehzahlen eines Zahneingriffs, eine Spalte das Moment in einem Gelenk: der eingerahmte Eintrag steht in beiden. Einträge zählen Zähne; μ ist die Kraft eines Zahneingriffs je Zahn, ℓ was Lasten auf Gliedern beitragen. Wählen Sie ein Gelenk oder einen Zahneingriff, um dessen Gleichungen zu sehen; ein Klick auf den eingerahmten Eintrag zeigt ihn unter Matrizen.</translation>
+    </message>
+    <message>
+        <source>; brake %1 is engaged</source>
+        <translation>; Bremse %1 ist geschlossen</translation>
+    </message>
+    <message>
+        <source>by an engaged brake</source>
+        <translation>durch eine geschlossene Bremse</translation>
+    </message>
+    <message>
+        <source>cut into the ground</source>
+        <translation>im Gestell eingeschnitten</translation>
+    </message>
+    <message>
+        <source>What &quot;held&quot; means: a link of its own with a brake that is engaged, so that you can release it; or no link of its own, its teeth are the ground&apos;s, as in the example &quot;Planetary train, ring held&quot;. The speeds are the same.</source>
+        <translation>Was „festgehalten“ bedeutet: ein eigenes Glied mit einer geschlossenen Bremse, die Sie lösen können; oder kein eigenes Glied, seine Zähne gehören zum Gestell, wie im Beispiel „Planetary train, ring held“. Die Geschwindigkeiten sind gleich.</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Festgehalten</translation>
     </message>
 </context>
 <context>

@@ -3695,16 +3695,8 @@
         <translation>Activado: estado %1, con %2</translation>
     </message>
     <message>
-        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
-        <translation>Velocidad del par %1: con qué rapidez gira el eslabón %2 respecto al %3. Positiva: en torno a la dirección del eje, por la regla de la mano derecha.</translation>
-    </message>
-    <message>
         <source>Colour of link %1</source>
         <translation>Color del eslabón %1</translation>
-    </message>
-    <message>
-        <source>Speed of joint %1</source>
-        <translation>Velocidad del par %1</translation>
     </message>
     <message>
         <source>Drive another joint instead; the motion stays as it is</source>
@@ -4027,28 +4019,8 @@
         <translation>Resultados</translation>
     </message>
     <message>
-        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
-        <translation>Relativas: par a par. Absolutas: los vectores de velocidad angular de los eslabones.</translation>
-    </message>
-    <message>
         <source>The unit of the speeds, or the member they are taken as ratio to</source>
         <translation>La unidad de las velocidades, o el miembro al que se refieren</translation>
-    </message>
-    <message>
-        <source>Read the motors ▾</source>
-        <translation>Leer los motores ▾</translation>
-    </message>
-    <message>
-        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
-        <translation>Indicar las velocidades de un eslabón respecto a su propia cadena de pares, y leer las de los motores</translation>
-    </message>
-    <message>
-        <source>absolute speeds</source>
-        <translation>velocidades absolutas</translation>
-    </message>
-    <message>
-        <source>relative speeds</source>
-        <translation>velocidades relativas</translation>
     </message>
     <message>
         <source>ratio to %1</source>
@@ -4059,16 +4031,8 @@
         <translation>rpm, vueltas por minuto</translation>
     </message>
     <message>
-        <source>Ratio to joint %1 (link %2)</source>
-        <translation>Relación respecto al par %1 (eslabón %2)</translation>
-    </message>
-    <message>
         <source>%1 more joints: select one to find it here</source>
         <translation>%1 pares más: seleccione uno para encontrarlo aquí</translation>
-    </message>
-    <message>
-        <source>Give the joints of link %1: %2</source>
-        <translation>Dar los pares del eslabón %1: %2</translation>
     </message>
     <message>
         <source> (they are not independent)</source>
@@ -5773,10 +5737,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>aquí %1 N m</translation>
     </message>
     <message>
-        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
-        <translation>Una fila de P contiene las velocidades de un engrane, una columna el momento en un par: la entrada enmarcada está en ambas. Las entradas cuentan dientes; μ es la fuerza de un engrane por diente, ℓ lo que aportan las cargas en eslabones. Seleccione un par o un engrane para ver los suyos.</translation>
-    </message>
-    <message>
         <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
         <translation>Documentos y tablas (*.geargraph *.csv *.tsv);;Documentos de GearGraph (*.geargraph);;Tablas de documentos (*.csv *.tsv);;Todos los archivos (*)</translation>
     </message>
@@ -5967,6 +5927,1922 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Slide to change the teeth; Esc puts back</source>
         <translation>Deslice para cambiar los dientes; Esc los devuelve</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop.</source>
+        <translation>El par de revolución %1 cierra un lazo.</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop with %2.</source>
+        <translation>El par de revolución %1 cierra un lazo con %2.</translation>
+    </message>
+    <message>
+        <source>All of them turn about axis %1, so joint %2 is a redundant bearing: drop it.</source>
+        <translation>Todos giran en torno al eje %1, así que el par %2 es un cojinete redundante: elimínelo.</translation>
+    </message>
+    <message>
+        <source>The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.</source>
+        <translation>Los pares de revolución deben formar un árbol: elimine uno de ellos o dibuje en su lugar un engrane.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not tied to the ground by turning joints: draw a turning joint to it.</source>
+        <translation>El eslabón %1 no está unido al bastidor por pares de revolución: dibuje un par de revolución hasta él.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not tied to the ground by turning joints: draw a turning joint to them.</source>
+        <translation>Los eslabones %1 no están unidos al bastidor por pares de revolución: dibuje un par de revolución hasta ellos.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2</source>
+        <translation>Engrane %1: %2</translation>
+    </message>
+    <message>
+        <source>another tooth count</source>
+        <translation>otro número de dientes</translation>
+    </message>
+    <message>
+        <source>the pitch point %1</source>
+        <translation>el punto primitivo %1</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the tail gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>el punto primitivo %1 está en el eje de la rueda de cola, así que su radio primitivo es 0. Lo que encaja: un punto fuera de ambos ejes, en su plano.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the head gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>el punto primitivo %1 está en el eje de la rueda de cabeza, así que su radio primitivo es 0. Lo que encaja: un punto fuera de ambos ejes, en su plano.</translation>
+    </message>
+    <message>
+        <source>its two axes are the same line in the reference pose.</source>
+        <translation>sus dos ejes son la misma recta en la posición de referencia.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies %2 off the plane of the two axes, so the teeth would lock. What fits: %3, or none (then it follows from the axes).</source>
+        <translation>el punto primitivo %1 está a %2 del plano de los dos ejes, así que los dientes se bloquearían. Lo que encaja: %3, o ninguno (entonces se deduce de los ejes).</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes are parallel. What fits: external or internal.</source>
+        <translation>dice %1, pero sus ejes son paralelos. Lo que encaja: exterior o interior.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet. What fits: bevel.</source>
+        <translation>dice %1, pero sus ejes se cortan. Lo que encaja: cónico.</translation>
+    </message>
+    <message>
+        <source>it says internal, but the pitch point %1 lies between the axes, which is an external pair.</source>
+        <translation>dice interior, pero el punto primitivo %1 está entre los ejes, lo que es un par exterior.</translation>
+    </message>
+    <message>
+        <source>it says external, but the pitch point %1 lies on one side of both axes, which is an internal pair.</source>
+        <translation>dice exterior, pero el punto primitivo %1 está a un lado de ambos ejes, lo que es un par interior.</translation>
+    </message>
+    <message>
+        <source>What fits: %1, or %2.</source>
+        <translation>Lo que encaja: %1, o %2.</translation>
+    </message>
+    <message>
+        <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
+        <translation>los radios primitivos son %1 y %2 (relación %3), pero los dientes son %4 y %5 (relación %6). Lo que encaja: %7 dientes en la cabeza, o %8.</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
+        <translation>sus ejes se cruzan a una distancia de %1: no hay punto en que las ruedas puedan rodar. Lo que encaja: ejes paralelos o que se corten.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
+        <translation>un par interior necesita números de dientes distintos, la corona el mayor; ambos tienen %1.</translation>
+    </message>
+    <message>
+        <source>some of %1</source>
+        <translation>algunos de %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>uno de %1</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>o</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>state “%1”</source>
+        <translation>estado «%1»</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>El estado «%1» activa %2, el eslabón $%3$ acciona y el eslabón $%4$ soporta la carga</translation>
+    </message>
+    <message>
+        <source>state “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>el estado «%1» activa %2, el eslabón $%3$ acciona y el eslabón $%4$ soporta la carga</translation>
+    </message>
+    <message>
+        <source>The torque of the drive is $%1$ N m, and no power is lost.</source>
+        <translation>El momento de accionamiento es $%1$ N m y no se pierde potencia.</translation>
+    </message>
+    <message>
+        <source>Which of the engaged brakes and clutches carries the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>¿Cuál de los frenos y embragues activados soporta el mayor momento y cuánto vale en N m, sin signo? Basta una fracción o un decimal de tres cifras.</translation>
+    </message>
+    <message>
+        <source>In which state does %1 carry the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>¿En qué estado soporta %1 el mayor momento y cuánto vale en N m, sin signo? Basta una fracción o un decimal de tres cifras.</translation>
+    </message>
+    <message>
+        <source>largest torque in</source>
+        <translation>mayor momento en</translation>
+    </message>
+    <message>
+        <source>torque in N m</source>
+        <translation>momento en N m</translation>
+    </message>
+    <message>
+        <source>The torques on each link and in each mesh balance: %1.</source>
+        <translation>Los momentos en cada eslabón y en cada engrane se equilibran: %1.</translation>
+    </message>
+    <message>
+        <source>You choose the clutch that turns fastest, but the torque does not follow the speed: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>Elige el embrague que gira más rápido, pero el momento no sigue a la velocidad: soporta %1 N m, menos que los %2 N m de %3.</translation>
+    </message>
+    <message>
+        <source>You choose the state of the largest ratio, but the brake&apos;s torque does not follow the ratio&apos;s size: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>Elige el estado de mayor relación, pero el momento del freno no sigue al tamaño de la relación: soporta %1 N m, menos que los %2 N m de %3.</translation>
+    </message>
+    <message>
+        <source>The %1 carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>El %1 soporta %2 N m, menos que los %3 N m de %4.</translation>
+    </message>
+    <message>
+        <source>In state “%1” it carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>En el estado «%1» soporta %2 N m, menos que los %3 N m de %4.</translation>
+    </message>
+    <message>
+        <source>The %1 is released in this state: it carries no torque.</source>
+        <translation>El %1 está liberado en este estado: no soporta momento.</translation>
+    </message>
+    <message>
+        <source>State “%1” releases the %2: it carries no torque.</source>
+        <translation>El estado «%1» libera el %2: no soporta momento.</translation>
+    </message>
+    <message>
+        <source>The signs of both torques are lost: the brake holds the sum of %1 N m and %2 N m.</source>
+        <translation>Se pierden los signos de ambos momentos: el freno soporta la suma de %1 N m y %2 N m.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the torque on the driven link is %2 N m.</source>
+        <translation>Usa la relación al revés: con la relación %1 el momento en el eslabón accionado es %2 N m.</translation>
+    </message>
+    <message>
+        <source>This is the torque of %1, which is not the largest.</source>
+        <translation>Este es el momento de %1, que no es el mayor.</translation>
+    </message>
+    <message>
+        <source>This is the torque in state “%1”, which is not the largest.</source>
+        <translation>Este es el momento en el estado «%1», que no es el mayor.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the load on link %1: %2 has to keep the balance.</source>
+        <translation>Este es el momento de la carga en el eslabón %1: %2 debe mantener el equilibrio.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: %1 does not carry it as it is.</source>
+        <translation>Este es el momento de accionamiento: %1 no lo soporta tal cual.</translation>
+    </message>
+    <message>
+        <source>Write the row of mesh $%1$ of the coefficient matrix $P$. Mesh $%1$ has $%2$ teeth on link $%3$ and $%4$ on link $%5$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{%1}$.</source>
+        <translation>Escriba la fila del engrane $%1$ de la matriz de coeficientes $P$. El engrane $%1$ tiene $%2$ dientes en el eslabón $%3$ y $%4$ en el eslabón $%5$. Vale cualquier múltiplo de la fila: radios, números de dientes o la relación $i_{%1}$.</translation>
+    </message>
+    <message>
+        <source>A joint on the axis of a gear counts with this gear&apos;s radius, the sign is that of the cycle, and the joints of both gears have the signs of the mesh.</source>
+        <translation>Un par sobre el eje de una rueda cuenta con el radio de esta rueda, el signo es el del ciclo y los pares de ambas ruedas llevan los signos del engrane.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: both gears turn the same way, seen from their carrier.</source>
+        <translation>El engrane %1 es interior: vistas desde su portasatélites, ambas ruedas giran en el mismo sentido.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn against each other, seen from their carrier.</source>
+        <translation>El engrane %1 es exterior: vistas desde su portasatélites, sus ruedas giran en sentidos opuestos.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>El signo del engrane cónico %1 resulta de la posición de su punto primitivo, visto desde ambos ejes.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears: the joints on an axis count with the radius of the gear on it.</source>
+        <translation>Intercambia los radios de ambas ruedas: los pares sobre un eje cuentan con el radio de la rueda que hay en él.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the radii of the gears.</source>
+        <translation>Esta es la fila del ciclo: en P sus signos se multiplican por los radios de las ruedas.</translation>
+    </message>
+    <message>
+        <source>You write the radii without the signs of the cycle, which walks against some arrows.</source>
+        <translation>Escribe los radios sin los signos del ciclo, que recorre algunas flechas a contrasentido.</translation>
+    </message>
+    <message>
+        <source>This is the row of mesh %1.</source>
+        <translation>Esta es la fila del engrane %1.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears, and the sign of the mesh is wrong, too.</source>
+        <translation>Intercambia los radios de ambas ruedas y, además, el signo del engrane es incorrecto.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 does not use %2: 0.</source>
+        <translation>El ciclo del engrane %1 no usa %2: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite: the walk passes its arrow the other way.</source>
+        <translation>El signo de %1 es el opuesto: el camino recorre su flecha en el otro sentido.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 uses %2: its coefficient is not 0.</source>
+        <translation>El ciclo del engrane %1 usa %2: su coeficiente no es 0.</translation>
+    </message>
+    <message>
+        <source>Which turning joints lie on the fundamental cycle of mesh $%1$?</source>
+        <translation>¿Qué pares de revolución están en el ciclo fundamental del engrane $%1$?</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 consists of the mesh and of the path through the tree from link %2 to link %3.</source>
+        <translation>El ciclo del engrane %1 consta del engrane y del camino por el árbol del eslabón %2 al eslabón %3.</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>pares</translation>
+    </message>
+    <message>
+        <source>You follow both paths to the ground: the cycle turns back at the first link that they share.</source>
+        <translation>Sigue ambos caminos hasta el bastidor: el ciclo vuelve en el primer eslabón que comparten.</translation>
+    </message>
+    <message>
+        <source>You follow the path of link %1 to the ground: the cycle needs the path between both gears.</source>
+        <translation>Sigue el camino del eslabón %1 hasta el bastidor: el ciclo necesita el camino entre ambas ruedas.</translation>
+    </message>
+    <message>
+        <source>These are the joints on the cycle of mesh %1.</source>
+        <translation>Estos son los pares del ciclo del engrane %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a mesh: the question asks for the turning joints.</source>
+        <translation>%1 es un engrane: se pregunta por los pares de revolución.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 leads through joint %3.</source>
+        <translation>El camino entre los eslabones %1 y %2 pasa por el par %3.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 does not lead through joint %3.</source>
+        <translation>El camino entre los eslabones %1 y %2 no pasa por el par %3.</translation>
+    </message>
+    <message>
+        <source>Walk once round the cycle of mesh $%1$, in either sense: $1$ for each arrow that you follow, $-1$ for each that you walk against.</source>
+        <translation>Recorra una vez el ciclo del engrane $%1$ en cualquier sentido: $1$ por cada flecha que siga, $-1$ por cada una que recorra a contrasentido.</translation>
+    </message>
+    <message>
+        <source>One walk runs along mesh %1 and back through the tree; the opposite walk has all signs exchanged and is right, too.</source>
+        <translation>Un recorrido va por el engrane %1 y vuelve por el árbol; el recorrido opuesto tiene todos los signos cambiados y también es correcto.</translation>
+    </message>
+    <message>
+        <source>You give all edges one sense: some arrows point against every walk round the cycle.</source>
+        <translation>Da a todas las aristas el mismo sentido: algunas flechas apuntan en contra de todo recorrido del ciclo.</translation>
+    </message>
+    <message>
+        <source>Your walk passes %1 the other way: with the other senses that you give, its sign is the opposite.</source>
+        <translation>Su recorrido pasa por %1 en el otro sentido: con los demás sentidos que da, su signo es el opuesto.</translation>
+    </message>
+    <message>
+        <source>Every walk round the cycle uses %1: 1 or −1, not 0.</source>
+        <translation>Todo recorrido del ciclo usa %1: 1 o −1, no 0.</translation>
+    </message>
+    <message>
+        <source>These senses belong to no single walk round the cycle: start at one link and follow the edges one by one.</source>
+        <translation>Estos sentidos no corresponden a ningún recorrido único del ciclo: empiece en un eslabón y siga las aristas una a una.</translation>
+    </message>
+    <message>
+        <source>Write down all fundamental cycles, one in each row: in any order, each walked in either sense.</source>
+        <translation>Escriba todos los ciclos fundamentales, uno por fila: en cualquier orden, cada uno en cualquier sentido.</translation>
+    </message>
+    <message>
+        <source>There is a cycle for each mesh; its row may be multiplied by −1, and rows may be exchanged.</source>
+        <translation>Hay un ciclo por cada engrane; su fila puede multiplicarse por −1 y las filas pueden intercambiarse.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cycles without their senses: a walk that runs against an arrow has −1.</source>
+        <translation>Marca las aristas de los ciclos sin sus sentidos: un recorrido contra una flecha lleva −1.</translation>
+    </message>
+    <message>
+        <source>You write one cycle twice: each mesh closes a cycle of its own.</source>
+        <translation>Escribe un ciclo dos veces: cada engrane cierra un ciclo propio.</translation>
+    </message>
+    <message>
+        <source>You leave out the meshes: each cycle holds the mesh that closes it.</source>
+        <translation>Omite los engranes: cada ciclo contiene el engrane que lo cierra.</translation>
+    </message>
+    <message>
+        <source>from link %1 to link %2</source>
+        <translation>del eslabón %1 al eslabón %2</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it points %2.</source>
+        <translation>Invierte la flecha de %1: apunta %2.</translation>
+    </message>
+    <message>
+        <source>You give link %1 an end of %2, but its arrow points %3: 0.</source>
+        <translation>Da al eslabón %1 un extremo de %2, pero su flecha apunta %3: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not 0.</source>
+        <translation>La flecha de %1 termina en el eslabón %2: 1, no 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 0.</source>
+        <translation>La flecha de %1 empieza en el eslabón %2: −1, no 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not −1.</source>
+        <translation>La flecha de %1 termina en el eslabón %2: 1, no −1.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 1.</source>
+        <translation>La flecha de %1 empieza en el eslabón %2: −1, no 1.</translation>
+    </message>
+    <message>
+        <source>You exchange + and −: a column holds −1 where the arrow begins and 1 where it ends.</source>
+        <translation>Intercambia + y −: una columna contiene −1 donde empieza la flecha y 1 donde termina.</translation>
+    </message>
+    <message>
+        <source>You mark both ends alike: the end where the arrow begins is −1, the one where it ends 1.</source>
+        <translation>Marca ambos extremos igual: el extremo donde empieza la flecha es −1 y aquel donde termina, 1.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the incidence matrix $\Gamma^0$.</source>
+        <translation>Rellene estas columnas de la matriz de incidencia $\Gamma^0$.</translation>
+    </message>
+    <message>
+        <source>A column of Γ⁰ holds −1 in the row of the link where the arrow begins, 1 where it ends, and 0 elsewhere.</source>
+        <translation>Una columna de Γ⁰ contiene −1 en la fila del eslabón donde empieza la flecha, 1 donde termina y 0 en las demás.</translation>
+    </message>
+    <message>
+        <source>You leave out the ground: Γ⁰ keeps its row, only Γ has none.</source>
+        <translation>Omite el bastidor: Γ⁰ conserva su fila, solo Γ no la tiene.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the reduced incidence matrix $\Gamma$. Leave a row that $\Gamma$ does not have empty.</source>
+        <translation>Rellene estas columnas de la matriz de incidencia reducida $\Gamma$. Deje vacía una fila que $\Gamma$ no tenga.</translation>
+    </message>
+    <message>
+        <source>Γ is Γ⁰ without the row of the ground, so that its rows are independent; all other entries stay.</source>
+        <translation>Γ es Γ⁰ sin la fila del bastidor, de modo que sus filas son independientes; las demás entradas quedan igual.</translation>
+    </message>
+    <message>
+        <source>You leave the row of the ground in: Γ has the rows of the moving links only.</source>
+        <translation>Deja la fila del bastidor: Γ solo tiene las filas de los eslabones móviles.</translation>
+    </message>
+    <message>
+        <source>You fill in the row of the ground: Γ has the rows of the moving links only.</source>
+        <translation>Rellena la fila del bastidor: Γ solo tiene las filas de los eslabones móviles.</translation>
+    </message>
+    <message>
+        <source>The mechanism is drawn with other arrows: these are columns of its incidence matrix $\Gamma^0$. From which link to which link do they point?</source>
+        <translation>El mecanismo está dibujado con otras flechas: estas son columnas de su matriz de incidencia $\Gamma^0$. ¿De qué eslabón a qué eslabón apuntan?</translation>
+    </message>
+    <message>
+        <source>An arrow begins at the link whose entry is −1 and ends at the link whose entry is 1.</source>
+        <translation>Una flecha empieza en el eslabón cuya entrada es −1 y termina en el eslabón cuya entrada es 1.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>desde</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>You turn every arrow round: −1 is where an arrow begins, 1 where it ends.</source>
+        <translation>Invierte todas las flechas: −1 está donde empieza una flecha y 1 donde termina.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it begins at link %2, where the entry is −1.</source>
+        <translation>Invierte la flecha de %1: empieza en el eslabón %2, donde la entrada es −1.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the beginning of %1 has a 0 in column %2.</source>
+        <translation>El eslabón que nombra como principio de %1 tiene un 0 en la columna %2.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the end of %1 has a 0 in column %2.</source>
+        <translation>El eslabón que nombra como final de %1 tiene un 0 en la columna %2.</translation>
+    </message>
+    <message>
+        <source>One entry of this matrix $%1$ is wrong. Find it and correct it.</source>
+        <translation>Una entrada de esta matriz $%1$ es incorrecta. Encuéntrela y corríjala.</translation>
+    </message>
+    <message>
+        <source>The entry in row %1, column %2 is %3, not %4.</source>
+        <translation>La entrada de la fila %1, columna %2 es %3, no %4.</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>fila</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>right value</source>
+        <translation>valor correcto</translation>
+    </message>
+    <message>
+        <source>You find the wrong entry, but its right value is another one.</source>
+        <translation>Encuentra la entrada incorrecta, pero su valor correcto es otro.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this row, but the entry that you name is right.</source>
+        <translation>La entrada incorrecta está en esta fila, pero la que nombra es correcta.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this column, but the entry that you name is right.</source>
+        <translation>La entrada incorrecta está en esta columna, pero la que nombra es correcta.</translation>
+    </message>
+    <message>
+        <source>The entry that you name is right: follow the arrows of its row and column once more.</source>
+        <translation>La entrada que nombra es correcta: siga otra vez las flechas de su fila y su columna.</translation>
+    </message>
+    <message>
+        <source>Take one column at a time. Its arrow touches two links only: the one that it leaves gets −1, the one that it points to gets 1.</source>
+        <translation>Tome las columnas de una en una. Su flecha toca solo dos eslabones: aquel del que sale recibe −1 y aquel al que apunta, 1.</translation>
+    </message>
+    <message>
+        <source>Read the matrix, not the drawing, one column at a time: the arrow leaves the link whose entry is −1 and points to the link whose entry is 1.</source>
+        <translation>Lea la matriz, no el dibujo, columna por columna: la flecha sale del eslabón cuya entrada es −1 y apunta al eslabón cuya entrada es 1.</translation>
+    </message>
+    <message>
+        <source>All speeds are measured against one link: Γ leaves out its row. The other rows are those of Γ⁰.</source>
+        <translation>Todas las velocidades se miden respecto de un eslabón: Γ omite su fila. Las demás filas son las de Γ⁰.</translation>
+    </message>
+    <message>
+        <source>Start at the link of the column and walk to the ground along turning joints only. Then compare the arrow of each joint on the walk with your direction.</source>
+        <translation>Empiece en el eslabón de la columna y camine hasta el bastidor solo por pares de revolución. Compare luego la flecha de cada par del camino con su dirección.</translation>
+    </message>
+    <message>
+        <source>Keep the turning joints and only the mesh of the row: together they close one cycle. Begin along the mesh, from tail to head, and compare each arrow on the way back with your direction.</source>
+        <translation>Conserve los pares de revolución y solo el engrane de la fila: juntos cierran un ciclo. Empiece por el engrane, de cola a cabeza, y compare cada flecha del camino de vuelta con su dirección.</translation>
+    </message>
+    <message>
+        <source>From both links of the mesh, walk along turning joints toward the ground until the two walks meet. What they share from there on is not part of the cycle.</source>
+        <translation>Desde ambos eslabones del engrane, camine por pares de revolución hacia el bastidor hasta que los dos caminos se encuentren. Lo que comparten desde allí no forma parte del ciclo.</translation>
+    </message>
+    <message>
+        <source>Choose a link of the cycle and go once round without turning back. Only the direction of each arrow against your own counts.</source>
+        <translation>Elija un eslabón del ciclo y dé una vuelta sin retroceder. Solo cuenta la dirección de cada flecha respecto de la suya.</translation>
+    </message>
+    <message>
+        <source>Begin with the columns of the meshes: a cycle of the basis holds one mesh, its own. Then walk from the head of the mesh back to its tail along turning joints.</source>
+        <translation>Empiece por las columnas de los engranes: un ciclo de la base contiene un solo engrane, el suyo. Vuelva luego de la cabeza del engrane a su cola por pares de revolución.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes one cycle with the turning joints. Go round one after the other; within a row all signs belong to the same walk.</source>
+        <translation>Cada engrane cierra un ciclo con los pares de revolución. Recórralos uno tras otro; dentro de una fila todos los signos son del mismo recorrido.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree already. With the mesh they close a loop: which edges of this loop could go?</source>
+        <translation>Los pares de revolución ya son un árbol generador. Con el engrane cierran un lazo: ¿qué aristas de este lazo podrían quitarse?</translation>
+    </message>
+    <message>
+        <source>Derive the matrix from the drawing, row by row, and stop at the first entry that differs. Compare signs with the directions of the arrows.</source>
+        <translation>Deduzca la matriz del dibujo, fila por fila, y deténgase en la primera entrada distinta. Compare los signos con las direcciones de las flechas.</translation>
+    </message>
+    <message>
+        <source>Start from the cycle of the mesh: only its joints have entries. The size of an entry is the number of teeth of the gear on whose axis the joint turns.</source>
+        <translation>Parta del ciclo del engrane: solo sus pares tienen entradas. El tamaño de una entrada es el número de dientes de la rueda en cuyo eje gira el par.</translation>
+    </message>
+    <message>
+        <source>Each mesh gives one equation. Count those that do not follow from the others, and subtract their number from that of the turning joints.</source>
+        <translation>Cada engrane da una ecuación. Cuente las que no se deducen de las demás y reste su número del de los pares de revolución.</translation>
+    </message>
+    <message>
+        <source>Look for meshes that tie the same links together in two ways. Leave one out: if the others still force the same speeds, it is redundant.</source>
+        <translation>Busque engranes que unan los mismos eslabones de dos maneras. Quite uno: si los demás imponen las mismas velocidades, es redundante.</translation>
+    </message>
+    <message>
+        <source>Take as many joints as there are degrees of freedom. Imagine all of them locked: nothing else may move, and no mesh may tie two of them to each other.</source>
+        <translation>Tome tantos pares como grados de libertad haya. Imagínelos todos bloqueados: nada más debe moverse y ningún engrane debe ligar dos de ellos.</translation>
+    </message>
+    <message>
+        <source>Look for a mesh whose equation has one unknown speed only, solve it, and go on to the next. A row of P θ̇ = 0 holds the joints of one cycle.</source>
+        <translation>Busque un engrane cuya ecuación tenga una sola velocidad desconocida, resuélvala y pase al siguiente. Una fila de P θ̇ = 0 contiene los pares de un ciclo.</translation>
+    </message>
+    <message>
+        <source>The level of a joint is the letter of its axis. Name the axis of each joint on the walk: where the letter changes is the transfer vertex.</source>
+        <translation>El nivel de un par es la letra de su eje. Nombre el eje de cada par del camino: donde cambia la letra está el vértice de transferencia.</translation>
+    </message>
+    <message>
+        <source>The carrier is the link where the level changes on the way between both gears. The gear with fewer teeth turns faster; for the sign, look at each gear along its own axis.</source>
+        <translation>El portasatélites es el eslabón donde cambia el nivel en el camino entre ambas ruedas. La rueda con menos dientes gira más rápido; para el signo, mire cada rueda a lo largo de su propio eje.</translation>
+    </message>
+    <message>
+        <source>Walk from the carrier to the gear along turning joints: only these joints count. Compare their arrows with your direction.</source>
+        <translation>Camine del portasatélites a la rueda por pares de revolución: solo estos pares cuentan. Compare sus flechas con su dirección.</translation>
+    </message>
+    <message>
+        <source>Without the joint the turning joints fall into two groups of links. Look for edges with one end in each group, and compare their direction with that of the joint.</source>
+        <translation>Sin el par, los pares de revolución se separan en dos grupos de eslabones. Busque aristas con un extremo en cada grupo y compare su dirección con la del par.</translation>
+    </message>
+    <message>
+        <source>Write the power of each port, torque times speed. Their sum is zero if no power is lost; then put in the terminal equation.</source>
+        <translation>Escriba la potencia de cada puerto, momento por velocidad. Si no se pierde potencia, su suma es cero; introduzca entonces la ecuación terminal.</translation>
+    </message>
+    <message>
+        <source>Reduce the fraction. Then multiply both of its parts by the same whole number until both are within the bounds.</source>
+        <translation>Simplifique la fracción. Multiplique luego ambas partes por el mismo entero hasta que las dos estén dentro de los límites.</translation>
+    </message>
+    <message>
+        <source>The centre distance goes with the sum of the teeth where both gears are external, and with their difference where one is a ring.</source>
+        <translation>La distancia entre centros va con la suma de los dientes si ambas ruedas son exteriores y con su diferencia si una es una corona.</translation>
+    </message>
+    <message>
+        <source>Each engaged element takes degrees of freedom away until one is left. An engaged brake makes the speed of its link zero: try which set gives the ratio.</source>
+        <translation>Cada elemento activado quita grados de libertad hasta que queda uno. Un freno activado anula la velocidad de su eslabón: pruebe qué conjunto da la relación.</translation>
+    </message>
+    <message>
+        <source>The torques of all shafts and brakes of the train add up to zero, and so do their powers. Write both sums for what is engaged, then compare the sizes.</source>
+        <translation>Los momentos de todos los ejes y frenos del tren suman cero, y también sus potencias. Escriba ambas sumas para lo que está activado y compare luego los valores.</translation>
+    </message>
+    <message>
+        <source>Let the load drive: behind each mesh less power arrives, by its efficiency. If none would be left at the input, or it would have to be driven, the train locks.</source>
+        <translation>Deje que accione la carga: detrás de cada engrane llega menos potencia, según su rendimiento. Si en la entrada no quedara ninguna, o hubiera que accionarla, el tren se bloquea.</translation>
+    </message>
+    <message>
+        <source>The torques of drive, load and brake on the train add up to zero, and a brake passes no power. What acts on a link acts on the other part in the opposite sense.</source>
+        <translation>Los pares del accionamiento, de la carga y del freno sobre el tren suman cero, y un freno no transmite potencia. Lo que actúa sobre un eslabón actúa sobre la otra parte en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>no joints</source>
+        <translation>sin pares</translation>
+    </message>
+    <message>
+        <source>the turning joints are no spanning tree</source>
+        <translation>los pares de revolución no son un árbol generador</translation>
+    </message>
+    <message>
+        <source>no meshes</source>
+        <translation>sin engranes</translation>
+    </message>
+    <message>
+        <source>a mesh has no geometry</source>
+        <translation>un engrane no tiene geometría</translation>
+    </message>
+    <message>
+        <source>too many cycles</source>
+        <translation>demasiados ciclos</translation>
+    </message>
+    <message>
+        <source>too many edges</source>
+        <translation>demasiadas aristas</translation>
+    </message>
+    <message>
+        <source>the matrices are too large or too small</source>
+        <translation>las matrices son demasiado grandes o pequeñas</translation>
+    </message>
+    <message>
+        <source>no mesh is redundant</source>
+        <translation>ningún engrane es redundante</translation>
+    </message>
+    <message>
+        <source>nothing can move</source>
+        <translation>nada puede moverse</translation>
+    </message>
+    <message>
+        <source>too many inputs</source>
+        <translation>demasiadas entradas</translation>
+    </message>
+    <message>
+        <source>no speed follows from the inputs</source>
+        <translation>ninguna velocidad se deduce de las entradas</translation>
+    </message>
+    <message>
+        <source>no planet between a sun and a ring</source>
+        <translation>ningún satélite entre un solar y una corona</translation>
+    </message>
+    <message>
+        <source>no brakes or clutches</source>
+        <translation>sin frenos ni embragues</translation>
+    </message>
+    <message>
+        <source>no states with a ratio</source>
+        <translation>ningún estado con una relación</translation>
+    </message>
+    <message>
+        <source>no two torques of brakes or clutches to compare</source>
+        <translation>no hay dos momentos de frenos o embragues que comparar</translation>
+    </message>
+    <message>
+        <source>no brake that carries a torque about the drive&apos;s axis</source>
+        <translation>ningún freno que soporte un par alrededor del eje del accionamiento</translation>
+    </message>
+    <message>
+        <source>no drive passes power through 1 to 6 meshes</source>
+        <translation>ningún accionamiento pasa potencia por 1 a 6 engranes</translation>
+    </message>
+    <message>
+        <source>Fill in Γ⁰</source>
+        <translation>Rellenar Γ⁰</translation>
+    </message>
+    <message>
+        <source>Orient the digraph</source>
+        <translation>Orientar el dígrafo</translation>
+    </message>
+    <message>
+        <source>Fill in Γ</source>
+        <translation>Rellenar Γ</translation>
+    </message>
+    <message>
+        <source>Fill in Z</source>
+        <translation>Rellenar Z</translation>
+    </message>
+    <message>
+        <source>Fill in T</source>
+        <translation>Rellenar T</translation>
+    </message>
+    <message>
+        <source>Find the cycle of a mesh</source>
+        <translation>Hallar el ciclo de un engrane</translation>
+    </message>
+    <message>
+        <source>Walk a cycle in either sense</source>
+        <translation>Recorrer un ciclo en cualquier sentido</translation>
+    </message>
+    <message>
+        <source>Fill in a row of C</source>
+        <translation>Rellenar una fila de C</translation>
+    </message>
+    <message>
+        <source>Write all cycles</source>
+        <translation>Escribir todos los ciclos</translation>
+    </message>
+    <message>
+        <source>Choose a spanning tree</source>
+        <translation>Elegir un árbol generador</translation>
+    </message>
+    <message>
+        <source>Find the wrong entry</source>
+        <translation>Hallar la entrada incorrecta</translation>
+    </message>
+    <message>
+        <source>Fill in a row of P</source>
+        <translation>Rellenar una fila de P</translation>
+    </message>
+    <message>
+        <source>Rank and DOF</source>
+        <translation>Rango y GDL</translation>
+    </message>
+    <message>
+        <source>Redundant mesh</source>
+        <translation>Engrane redundante</translation>
+    </message>
+    <message>
+        <source>Valid inputs</source>
+        <translation>Entradas válidas</translation>
+    </message>
+    <message>
+        <source>Predict a speed</source>
+        <translation>Predecir una velocidad</translation>
+    </message>
+    <message>
+        <source>Levels and transfer vertex</source>
+        <translation>Niveles y vértice de transferencia</translation>
+    </message>
+    <message>
+        <source>Terminal equation, sign</source>
+        <translation>Ecuación terminal, signo</translation>
+    </message>
+    <message>
+        <source>f-circuit equation</source>
+        <translation>Ecuación del f-circuito</translation>
+    </message>
+    <message>
+        <source>Fill in a row of Q</source>
+        <translation>Rellenar una fila de Q</translation>
+    </message>
+    <message>
+        <source>Torque of a port, sign</source>
+        <translation>Momento de un puerto, signo</translation>
+    </message>
+    <message>
+        <source>Teeth for a ratio</source>
+        <translation>Dientes para una relación</translation>
+    </message>
+    <message>
+        <source>Teeth of the ring</source>
+        <translation>Dientes de la corona</translation>
+    </message>
+    <message>
+        <source>Brakes for a gear</source>
+        <translation>Frenos para una marcha</translation>
+    </message>
+    <message>
+        <source>Largest torque of a brake</source>
+        <translation>Mayor momento de un freno</translation>
+    </message>
+    <message>
+        <source>Self-locking</source>
+        <translation>Autobloqueo</translation>
+    </message>
+    <message>
+        <source>Reaction of a brake, sense</source>
+        <translation>Reacción de un freno, sentido</translation>
+    </message>
+    <message>
+        <source>one cycle</source>
+        <translation>un ciclo</translation>
+    </message>
+    <message>
+        <source>%1 cycles</source>
+        <translation>%1 ciclos</translation>
+    </message>
+    <message>
+        <source>one input</source>
+        <translation>una entrada</translation>
+    </message>
+    <message>
+        <source>%1 inputs</source>
+        <translation>%1 entradas</translation>
+    </message>
+    <message>
+        <source>%1 redundant</source>
+        <translation>%1 redundantes</translation>
+    </message>
+    <message>
+        <source>%1 states</source>
+        <translation>%1 estados</translation>
+    </message>
+    <message>
+        <source>easy: %1</source>
+        <translation>fácil: %1</translation>
+    </message>
+    <message>
+        <source>medium: %1</source>
+        <translation>medio: %1</translation>
+    </message>
+    <message>
+        <source>hard: %1</source>
+        <translation>difícil: %1</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have with every brake and clutch released?</source>
+        <translation>¿Cuál es el rango $r$ de la matriz de coeficientes $P$ y cuántos grados de libertad $E$ tiene el mecanismo con todos los frenos y embragues liberados?</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have?</source>
+        <translation>¿Cuál es el rango $r$ de la matriz de coeficientes $P$ y cuántos grados de libertad $E$ tiene el mecanismo?</translation>
+    </message>
+    <message>
+        <source>Of the %1 rows of P, %2 are independent: %3</source>
+        <translation>De las %1 filas de P, %2 son independientes: %3</translation>
+    </message>
+    <message>
+        <source>All %1 rows of P are independent: %2</source>
+        <translation>Las %1 filas de P son independientes: %2</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: one mesh follows from the others, so that r is %1.</source>
+        <translation>Cuenta todos los engranes como restricciones: uno se deduce de los demás, de modo que r es %1.</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: %1 meshes follow from the others, so that r is %2.</source>
+        <translation>Cuenta todos los engranes como restricciones: %1 se deducen de los demás, de modo que r es %2.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: one mesh follows from the others.</source>
+        <translation>El rango no es el número de engranes: uno se deduce de los demás.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: %1 meshes follow from the others.</source>
+        <translation>El rango no es el número de engranes: %1 se deducen de los demás.</translation>
+    </message>
+    <message>
+        <source>You exchange both numbers: r counts equations, E = t − r is left.</source>
+        <translation>Intercambia ambos números: r cuenta ecuaciones y queda E = t − r.</translation>
+    </message>
+    <message>
+        <source>You count the ground among the moving links: it has no turning joint of its own.</source>
+        <translation>Cuenta el bastidor entre los eslabones móviles: no tiene par de revolución propio.</translation>
+    </message>
+    <message>
+        <source>You take two degrees of freedom for each mesh: its gears roll and slide, so that it takes one.</source>
+        <translation>Resta dos grados de libertad por engrane: sus ruedas ruedan y deslizan, de modo que quita uno.</translation>
+    </message>
+    <message>
+        <source>You count the freedoms of the turning joints only: each independent mesh takes one of them.</source>
+        <translation>Cuenta solo las libertades de los pares de revolución: cada engrane independiente quita una.</translation>
+    </message>
+    <message>
+        <source>The rank is right, but E = t − r = %1 − %2.</source>
+        <translation>El rango es correcto, pero E = t − r = %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Choose a valid set of inputs: turning joints whose speeds determine the whole motion.</source>
+        <translation>Elija un conjunto válido de entradas: pares de revolución cuyas velocidades determinan todo el movimiento.</translation>
+    </message>
+    <message>
+        <source>A valid set has one joint, whose speed can be chosen freely and determines all others.</source>
+        <translation>Un conjunto válido tiene un par cuya velocidad se elige libremente y determina todas las demás.</translation>
+    </message>
+    <message>
+        <source>A valid set has %1 joints whose speeds can be chosen freely and determine all others.</source>
+        <translation>Un conjunto válido tiene %1 pares cuyas velocidades se eligen libremente y determinan todas las demás.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, so that it cannot be driven.</source>
+        <translation>El par %1 no puede girar nunca, así que no puede accionarse.</translation>
+    </message>
+    <message>
+        <source>With one degree of freedom the other joints you name follow from one of them.</source>
+        <translation>Con un grado de libertad, los demás pares que nombra se deducen de uno de ellos.</translation>
+    </message>
+    <message>
+        <source>With %1 degrees of freedom the other joints you name follow from %1 of them.</source>
+        <translation>Con %1 grados de libertad, los demás pares que nombra se deducen de %1 de ellos.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is on no cycle, so that only an input can determine its speed.</source>
+        <translation>El par %1 no está en ningún ciclo, así que solo una entrada puede determinar su velocidad.</translation>
+    </message>
+    <message>
+        <source>Joint %1 always turns at %2 times the speed of joint %3: only one of them can be chosen.</source>
+        <translation>El par %1 gira siempre a %2 veces la velocidad del par %3: solo puede elegirse uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints depend on each other, so that some other joint stays free.</source>
+        <translation>Las velocidades de estos pares dependen unas de otras, así que algún otro par queda libre.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom: your inputs leave a motion open.</source>
+        <translation>El mecanismo tiene %1 grados de libertad: sus entradas dejan un movimiento libre.</translation>
+    </message>
+    <message>
+        <source>How many meshes are redundant, and which mesh could be left out without another motion? Name one of them.</source>
+        <translation>¿Cuántos engranes son redundantes y qué engrane podría quitarse sin cambiar el movimiento? Nombre uno.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that one is redundant; each of %3 follows from others.</source>
+        <translation>El rango es %1 con %2 engranes, así que uno es redundante; cada uno de %3 se deduce de otros.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that %3 are redundant; each of %4 follows from others.</source>
+        <translation>El rango es %1 con %2 engranes, así que %3 son redundantes; cada uno de %4 se deduce de otros.</translation>
+    </message>
+    <message>
+        <source>redundant meshes</source>
+        <translation>engranes redundantes</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>uno de ellos</translation>
+    </message>
+    <message>
+        <source>The rows of P are not independent: their rank is %1, fewer than %2 meshes.</source>
+        <translation>Las filas de P no son independientes: su rango es %1, menos que %2 engranes.</translation>
+    </message>
+    <message>
+        <source>There are as many redundant meshes as rows of P beyond its rank: %1 − %2.</source>
+        <translation>Hay tantos engranes redundantes como filas de P exceden su rango: %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Without mesh %1 the mechanism would gain a degree of freedom: it follows from no others.</source>
+        <translation>Sin el engrane %1 el mecanismo ganaría un grado de libertad: no se deduce de otros.</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>gira</translation>
+    </message>
+    <message>
+        <source>Of the power that it takes, seen from its carrier, each mesh passes the part $%1$; nothing else loses power. Now %2 drives backwards and %3 takes the power. Does the train turn, or does it lock itself? With which efficiency does it pass the power (0 where it locks itself)? A fraction or a decimal of three digits will do.</source>
+        <translation>De la potencia que toma, vista desde su portasatélites, cada engrane transmite la parte $%1$; nada más pierde potencia. Ahora %2 acciona hacia atrás y %3 toma la potencia. ¿Gira el tren o se autobloquea? ¿Con qué rendimiento transmite la potencia (0 si se autobloquea)? Basta una fracción o un decimal de tres cifras.</translation>
+    </message>
+    <message>
+        <source>driven backwards it</source>
+        <translation>accionado hacia atrás</translation>
+    </message>
+    <message>
+        <source>efficiency backwards</source>
+        <translation>rendimiento hacia atrás</translation>
+    </message>
+    <message>
+        <source>joint $%1$</source>
+        <translation>par $%1$</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2.</source>
+        <translation>Un motor en %1 acciona una carga en %2.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joint %3 held.</source>
+        <translation>Un motor en %1 acciona una carga en %2, con el par %3 retenido.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joints %3 held.</source>
+        <translation>Un motor en %1 acciona una carga en %2, con los pares %3 retenidos.</translation>
+    </message>
+    <message>
+        <source>link $%1$</source>
+        <translation>eslabón $%1$</translation>
+    </message>
+    <message>
+        <source>In state “%1”, with %2 engaged, %3 drives a load on %4.</source>
+        <translation>En el estado «%1», con %2 activados, %3 acciona una carga en %4.</translation>
+    </message>
+    <message>
+        <source>the mesh passes %1 W for each watt that is fed, seen from its carrier</source>
+        <translation>el engrane transmite %1 W por cada vatio suministrado, visto desde su portasatélites</translation>
+    </message>
+    <message>
+        <source>the meshes pass %1 W for each watt that is fed, seen from their carriers</source>
+        <translation>los engranes transmiten %1 W por cada vatio suministrado, vistos desde sus portasatélites</translation>
+    </message>
+    <message>
+        <source>gear %1 drives in mesh %2</source>
+        <translation>la rueda %1 acciona en el engrane %2</translation>
+    </message>
+    <message>
+        <source>Driven backwards, %1: of each watt that is fed %2 W arrive, so that the train turns.</source>
+        <translation>Accionado hacia atrás, %1: de cada vatio suministrado llegan %2 W, así que el tren gira.</translation>
+    </message>
+    <message>
+        <source>Without losses %1, and each loses %2 of what it takes: with these losses no load, however large, turns the drive: the train locks itself.</source>
+        <translation>Sin pérdidas %1, y cada uno pierde %2 de lo que toma: con estas pérdidas ninguna carga, por grande que sea, gira el accionamiento: el tren se autobloquea.</translation>
+    </message>
+    <message>
+        <source>Backwards it passes %1.</source>
+        <translation>Hacia atrás transmite %1.</translation>
+    </message>
+    <message>
+        <source>Your efficiency is upside down: it is the power taken over the power fed, less than 1.</source>
+        <translation>Su rendimiento está al revés: es la potencia tomada dividida por la suministrada, menor que 1.</translation>
+    </message>
+    <message>
+        <source>It does not lock itself: the losses are less than the power fed, and %1 of the power arrives when it is driven backwards.</source>
+        <translation>No se autobloquea: las pérdidas son menores que la potencia suministrada, y al accionarlo hacia atrás llega %1 de la potencia.</translation>
+    </message>
+    <message>
+        <source>Backwards it locks itself.</source>
+        <translation>Hacia atrás se autobloquea.</translation>
+    </message>
+    <message>
+        <source>It locks itself: %1, and with these losses no load, however large, turns the drive.</source>
+        <translation>Se autobloquea: %1, y con estas pérdidas ninguna carga, por grande que sea, gira el accionamiento.</translation>
+    </message>
+    <message>
+        <source>It locks itself, right; but then no power passes: the efficiency is 0.</source>
+        <translation>Se autobloquea, correcto; pero entonces no pasa potencia: el rendimiento es 0.</translation>
+    </message>
+    <message>
+        <source>This is the efficiency with the motor driving: backwards the other gears drive.</source>
+        <translation>Este es el rendimiento con el motor accionando: hacia atrás accionan las otras ruedas.</translation>
+    </message>
+    <message>
+        <source>You leave out the losses of the meshes.</source>
+        <translation>Omite las pérdidas de los engranes.</translation>
+    </message>
+    <message>
+        <source>You multiply the efficiencies of the meshes as in a train of fixed axes: seen from its carrier a mesh passes another power.</source>
+        <translation>Multiplica los rendimientos de los engranes como en un tren de ejes fijos: visto desde su portasatélites, un engrane transmite otra potencia.</translation>
+    </message>
+    <message>
+        <source>The entries of this matrix are −1, 0 and 1 only: they tell senses, not sizes.</source>
+        <translation>Las entradas de esta matriz son solo −1, 0 y 1: indican sentidos, no tamaños.</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>engrane %1</translation>
+    </message>
+    <message>
+        <source>as the drive&apos;s torque</source>
+        <translation>en el sentido del par de accionamiento</translation>
+    </message>
+    <message>
+        <source>against the drive&apos;s torque</source>
+        <translation>contra el par de accionamiento</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load. The torque of the drive is $%5$ N m, and no power is lost. What torque, with its sign, does brake %6 exert on link $%7$? And in which sense does it try to turn the housing? A fraction or a decimal of three digits will do.</source>
+        <translation>El estado «%1» acopla %2; el eslabón $%3$ acciona y el eslabón $%4$ soporta la carga. El par de accionamiento es de $%5$ N m y no se pierde potencia. ¿Qué par, con su signo, ejerce el freno %6 sobre el eslabón $%7$? ¿Y en qué sentido intenta girar la carcasa? Basta una fracción o un decimal de tres cifras.</translation>
+    </message>
+    <message>
+        <source>torque on link %1 in N m</source>
+        <translation>par sobre el eslabón %1 en N m</translation>
+    </message>
+    <message>
+        <source>turns the housing</source>
+        <translation>gira la carcasa</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2 with %3 N m; the housing has the opposite, %4 N m.</source>
+        <translation>El freno %1 sujeta el eslabón %2 con %3 N m; la carcasa recibe lo contrario, %4 N m.</translation>
+    </message>
+    <message>
+        <source>This is what the housing feels: on link %1 the brake acts with %2 N m.</source>
+        <translation>Esto es lo que siente la carcasa: sobre el eslabón %1 el freno actúa con %2 N m.</translation>
+    </message>
+    <message>
+        <source>A sign is lost: %1 N m of the drive, %2 N m that hold the load and the torque of the brake add up to 0.</source>
+        <translation>Se pierde un signo: %1 N m del accionamiento, %2 N m que sostienen la carga y el par del freno suman 0.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the load is held by %2 N m.</source>
+        <translation>Usas la relación al revés: con la relación %1 la carga se sostiene con %2 N m.</translation>
+    </message>
+    <message>
+        <source>This is the torque at the load on link %1: the brake has to keep the balance of drive and load.</source>
+        <translation>Este es el par de la carga sobre el eslabón %1: el freno tiene que equilibrar accionamiento y carga.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: the brake does not carry it as it is.</source>
+        <translation>Este es el par del accionamiento: el freno no lo soporta tal cual.</translation>
+    </message>
+    <message>
+        <source>Link %1 and the housing are turned in opposite senses by the brake: link %1 has %2 N m, the housing %3 N m.</source>
+        <translation>El freno gira el eslabón %1 y la carcasa en sentidos contrarios: el eslabón %1 tiene %2 N m, la carcasa %3 N m.</translation>
+    </message>
+    <message>
+        <source>The inputs turn at %1 rad/s. What is $\dot{\theta}_{%2}$ in rad/s? A fraction or a decimal of three digits will do.</source>
+        <translation>Las entradas giran a %1 rad/s. ¿Cuánto vale $\dot{\theta}_{%2}$ en rad/s? Basta una fracción o un decimal de tres cifras.</translation>
+    </message>
+    <message>
+        <source>The meshes in the chain give joint %1 the rate %2 rad/s.</source>
+        <translation>Los engranes de la cadena dan al par %1 la velocidad %2 rad/s.</translation>
+    </message>
+    <message>
+        <source>speed of joint %1</source>
+        <translation>velocidad del par %1</translation>
+    </message>
+    <message>
+        <source>The size is right, but the joint turns the other way.</source>
+        <translation>El valor es correcto, pero el par gira en el otro sentido.</translation>
+    </message>
+    <message>
+        <source>You leave out input %1: the contributions of all inputs add up.</source>
+        <translation>Omite la entrada %1: las contribuciones de todas las entradas se suman.</translation>
+    </message>
+    <message>
+        <source>You multiply by the whole ratio where you have to divide by it: %1 turns at %2 rad/s.</source>
+        <translation>Multiplica por la relación total donde hay que dividir: %1 gira a %2 rad/s.</translation>
+    </message>
+    <message>
+        <source>You use the ratio of mesh %1 upside down.</source>
+        <translation>Usa la relación del engrane %1 al revés.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 is the opposite in your chain.</source>
+        <translation>El signo del engrane %1 es el opuesto en su cadena.</translation>
+    </message>
+    <message>
+        <source>You use speeds relative to the ground in the meshes: a mesh relates the speeds of its gears in their carrier.</source>
+        <translation>Usa velocidades relativas al bastidor en los engranes: un engrane relaciona las velocidades de sus ruedas en su portasatélites.</translation>
+    </message>
+    <message>
+        <source>This is the speed of link %1 relative to the ground: the joint&apos;s rate is relative to the link that carries it.</source>
+        <translation>Esta es la velocidad del eslabón %1 respecto del bastidor: la del par es respecto del eslabón que lo lleva.</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches have to be engaged for state “%1”, in which link $%2$ turns at $%3$ times the speed of link $%4$?</source>
+        <translation>¿Qué frenos y embragues deben activarse para el estado «%1», en el que el eslabón $%2$ gira a $%3$ veces la velocidad del eslabón $%4$?</translation>
+    </message>
+    <message>
+        <source>With %1 engaged one degree of freedom is left and the ratio is %2.</source>
+        <translation>Con %1 activados queda un grado de libertad y la relación es %2.</translation>
+    </message>
+    <message>
+        <source>engaged</source>
+        <translation>activados</translation>
+    </message>
+    <message>
+        <source>These couplings engage state “%1”, not “%2”.</source>
+        <translation>Estos acoplamientos activan el estado «%1», no «%2».</translation>
+    </message>
+    <message>
+        <source>More than one degree of freedom is left: another brake or clutch has to be engaged.</source>
+        <translation>Queda más de un grado de libertad: hay que activar otro freno o embrague.</translation>
+    </message>
+    <message>
+        <source>These couplings together lock the drive.</source>
+        <translation>Estos acoplamientos juntos bloquean el accionamiento.</translation>
+    </message>
+    <message>
+        <source>The drive turns with these couplings, but its ratio is not %1.</source>
+        <translation>El accionamiento gira con estos acoplamientos, pero su relación no es %1.</translation>
+    </message>
+    <message>
+        <source>The terminal equation of mesh $%1$ is $\omega_{%2} = %3 \, \omega_{%4}$. No power is lost. Write the torque of the second port in terms of the first one&apos;s: the factor $f$ with its sign.</source>
+        <translation>La ecuación terminal del engrane $%1$ es $\omega_{%2} = %3 \, \omega_{%4}$. No se pierde potencia. Escriba el momento del segundo puerto en función del primero: el factor $f$ con su signo.</translation>
+    </message>
+    <message>
+        <source>The powers of both ports add up to 0, so that the torques have the inverse ratio of the speeds with the opposite sign: f = %1.</source>
+        <translation>Las potencias de ambos puertos suman 0, así que los momentos tienen la relación inversa de las velocidades con el signo opuesto: f = %1.</translation>
+    </message>
+    <message>
+        <source>The ratio is right, but the sign is not: what one port takes in the other gives off.</source>
+        <translation>La relación es correcta, pero el signo no: lo que un puerto toma, el otro lo entrega.</translation>
+    </message>
+    <message>
+        <source>You use the relation of the speeds: torques have the inverse ratio and the opposite sign.</source>
+        <translation>Usa la relación de las velocidades: los momentos tienen la relación inversa y el signo opuesto.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear that turns more slowly has the larger torque.</source>
+        <translation>Su relación está al revés: la rueda que gira más despacio tiene el mayor momento.</translation>
+    </message>
+    <message>
+        <source>Choose numbers of teeth between $%1$ and $%2$ for mesh $%3$ so that $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$.</source>
+        <translation>Elija números de dientes entre $%1$ y $%2$ para el engrane $%3$ de modo que $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$.</translation>
+    </message>
+    <message>
+        <source>N%1 : N%2 = %3 : %4, for example %5 and %6 teeth.</source>
+        <translation>N%1 : N%2 = %3 : %4, por ejemplo %5 y %6 dientes.</translation>
+    </message>
+    <message>
+        <source>A number of teeth is a whole number between %1 and %2 here.</source>
+        <translation>Aquí un número de dientes es un entero entre %1 y %2.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: it is %1, not %2.</source>
+        <translation>Su relación está al revés: es %1, no %2.</translation>
+    </message>
+    <message>
+        <source>The quotient of your numbers is not %1.</source>
+        <translation>El cociente de sus números no es %1.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$ in mesh $%4$ and $%5$ in mesh $%6$, all of one module and without profile shift.</source>
+        <translation>Sean $%2$ los dientes del eslabón $%1$ y los del satélite $%3$ en el engrane $%4$ y $%5$ en el engrane $%6$, todos del mismo módulo y sin desplazamiento de perfil.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$, all of one module and without profile shift.</source>
+        <translation>Sean $%2$ los dientes del eslabón $%1$ y $%3$ los del satélite, todos del mismo módulo y sin desplazamiento de perfil.</translation>
+    </message>
+    <message>
+        <source>Planet $%1$ is in external mesh $%2$ with link $%3$ and in internal mesh $%4$ with ring $%5$. %6 How many teeth must the ring have, so that both centre distances are equal?</source>
+        <translation>El satélite $%1$ está en el engrane exterior $%2$ con el eslabón $%3$ y en el engrane interior $%4$ con la corona $%5$. %6 ¿Cuántos dientes debe tener la corona para que ambas distancias entre centros sean iguales?</translation>
+    </message>
+    <message>
+        <source>The centre distance is half the sum of an external pair and half the difference of an internal one: %1 + %2 = N − %3, so that N = %4.</source>
+        <translation>La distancia entre centros es la semisuma de un par exterior y la semidiferencia de uno interior: %1 + %2 = N − %3, de modo que N = %4.</translation>
+    </message>
+    <message>
+        <source>teeth of the ring</source>
+        <translation>dientes de la corona</translation>
+    </message>
+    <message>
+        <source>You add the teeth of the ring: the centre distance of an internal pair is half the difference.</source>
+        <translation>Suma los dientes de la corona: la distancia entre centros de un par interior es la semidiferencia.</translation>
+    </message>
+    <message>
+        <source>You count the planet once: it is between the sun and the ring on both sides.</source>
+        <translation>Cuenta el satélite una vez: está entre el solar y la corona en ambos lados.</translation>
+    </message>
+    <message>
+        <source>Take meshes and turning joints alike as edges of one graph. Choose a spanning tree of it that contains mesh $%1$.</source>
+        <translation>Tome engranes y pares de revolución por igual como aristas de un grafo. Elija un árbol generador suyo que contenga el engrane $%1$.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges and no loop: take the mesh in and a joint of its cycle out.</source>
+        <translation>Un árbol generador de %1 eslabones tiene %2 aristas y ningún lazo: incluya el engrane y quite un par de su ciclo.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>aristas</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree, but mesh %1 is not in it.</source>
+        <translation>Los pares de revolución son un árbol generador, pero el engrane %1 no está en él.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: yours leaves links loose.</source>
+        <translation>Un árbol generador de %1 eslabones tiene %2 aristas: el suyo deja eslabones sueltos.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: with more of them some close a loop.</source>
+        <translation>Un árbol generador de %1 eslabones tiene %2 aristas: con más, algunas cierran un lazo.</translation>
+    </message>
+    <message>
+        <source>Some of your edges close a loop, so that another link is left loose.</source>
+        <translation>Algunas de sus aristas cierran un lazo, así que otro eslabón queda suelto.</translation>
+    </message>
+    <message>
+        <source>Your edges are a spanning tree, but mesh %1 is not among them.</source>
+        <translation>Sus aristas son un árbol generador, pero el engrane %1 no está entre ellas.</translation>
+    </message>
+    <message>
+        <source>Link %1 is a gear of mesh %2, not its carrier: the level changes at link %3.</source>
+        <translation>El eslabón %1 es una rueda del engrane %2, no su portasatélites: el nivel cambia en el eslabón %3.</translation>
+    </message>
+    <message>
+        <source>You measure from the ground, but the level changes at link %1.</source>
+        <translation>Mide desde el bastidor, pero el nivel cambia en el eslabón %1.</translation>
+    </message>
+    <message>
+        <source>Both edges of the path at link %1 are on one level: the level changes at link %2.</source>
+        <translation>Ambas aristas del camino en el eslabón %1 están en un nivel: el nivel cambia en el eslabón %2.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not on the path between both gears: the level changes at link %2.</source>
+        <translation>El eslabón %1 no está en el camino entre ambas ruedas: el nivel cambia en el eslabón %2.</translation>
+    </message>
+    <message>
+        <source>Walk from link $%1$ through the tree branches to link $%2$, the gears of mesh $%3$. On which levels do both gears turn in their carrier, and which link is the transfer vertex?</source>
+        <translation>Camine del eslabón $%1$ por las ramas del árbol al eslabón $%2$, las ruedas del engrane $%3$. ¿En qué niveles giran ambas ruedas en su portasatélites y qué eslabón es el vértice de transferencia?</translation>
+    </message>
+    <message>
+        <source>The walk begins on level %1 and ends on level %2; the link where the level changes, %3, is the transfer vertex: the carrier of the mesh.</source>
+        <translation>El camino empieza en el nivel %1 y termina en el nivel %2; el eslabón donde cambia el nivel, %3, es el vértice de transferencia: el portasatélites del engrane.</translation>
+    </message>
+    <message>
+        <source>level of link %1</source>
+        <translation>nivel del eslabón %1</translation>
+    </message>
+    <message>
+        <source>transfer vertex</source>
+        <translation>vértice de transferencia</translation>
+    </message>
+    <message>
+        <source>You exchange the levels: link %1 turns on level %2, link %3 on level %4.</source>
+        <translation>Intercambia los niveles: el eslabón %1 gira en el nivel %2 y el eslabón %3 en el nivel %4.</translation>
+    </message>
+    <message>
+        <source>Level %1 is that of the other gear: this one turns on level %2.</source>
+        <translation>El nivel %1 es el de la otra rueda: esta gira en el nivel %2.</translation>
+    </message>
+    <message>
+        <source>The walk between both gears uses the levels %1 and %2 only.</source>
+        <translation>El camino entre ambas ruedas usa solo los niveles %1 y %2.</translation>
+    </message>
+    <message>
+        <source>Write the terminal equation of mesh $%1$, with $N_{%2} = %3$ and $N_{%4} = %5$ teeth: the carrier $k$, and the factor $f$ with its sign.</source>
+        <translation>Escriba la ecuación terminal del engrane $%1$, con $N_{%2} = %3$ y $N_{%4} = %5$ dientes: el portasatélites $k$ y el factor $f$ con su signo.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn the same way, each along its own axis: f = %3.</source>
+        <translation>Vistas desde el portasatélites %1, las ruedas del engrane %2 giran en el mismo sentido, cada una según su propio eje: f = %3.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn against each other, each along its own axis: f = %3.</source>
+        <translation>Vistas desde el portasatélites %1, las ruedas del engrane %2 giran en sentidos opuestos, cada una según su propio eje: f = %3.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>El engrane %1 es interior: vistas desde el portasatélites, sus ruedas giran en el mismo sentido, así que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>El engrane %1 es exterior: vistas desde el portasatélites, sus ruedas giran en sentidos opuestos, así que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>El engrane %1 es cónico: vistas desde el portasatélites, sus ruedas giran en el mismo sentido, así que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>El engrane %1 es cónico: vistas desde el portasatélites, sus ruedas giran en sentidos opuestos, así que f es %2.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear with more teeth turns more slowly, f = %1.</source>
+        <translation>Su relación está al revés: la rueda con más dientes gira más despacio, f = %1.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down, and the sign is wrong, too: f = %1.</source>
+        <translation>Su relación está al revés y, además, el signo es incorrecto: f = %1.</translation>
+    </message>
+    <message>
+        <source>You take the teeth of another wheel on the same link: mesh %1 has %2 and %3.</source>
+        <translation>Toma los dientes de otra rueda del mismo eslabón: el engrane %1 tiene %2 y %3.</translation>
+    </message>
+    <message>
+        <source>Write the f-circuit equation of the chord between gear $%1$ and carrier $%2$: the coefficients of the branches.</source>
+        <translation>Escriba la ecuación del f-circuito de la cuerda entre la rueda $%1$ y el portasatélites $%2$: los coeficientes de las ramas.</translation>
+    </message>
+    <message>
+        <source>The speed of gear %1 in carrier %2 is the sum over the branches between them: 1 for a branch that points to the gear, −1 for one that points to the carrier, as their axes do.</source>
+        <translation>La velocidad de la rueda %1 en el portasatélites %2 es la suma sobre las ramas entre ambos: 1 para una rama que apunta a la rueda, −1 para una que apunta al portasatélites, como sus ejes.</translation>
+    </message>
+    <message>
+        <source>You write the speed of the carrier relative to the gear: all signs are the opposite.</source>
+        <translation>Escribe la velocidad del portasatélites respecto de la rueda: todos los signos son los opuestos.</translation>
+    </message>
+    <message>
+        <source>This is the circuit of the other chord of mesh %1, of gear %2.</source>
+        <translation>Este es el circuito de la otra cuerda del engrane %1, la de la rueda %2.</translation>
+    </message>
+    <message>
+        <source>You write the speed relative to the ground: the chord ends at carrier %1.</source>
+        <translation>Escribe la velocidad respecto del bastidor: la cuerda termina en el portasatélites %1.</translation>
+    </message>
+    <message>
+        <source>You follow the walk from gear to gear: the chord ends at carrier %1.</source>
+        <translation>Sigue el camino de rueda a rueda: la cuerda termina en el portasatélites %1.</translation>
+    </message>
+    <message>
+        <source>You give all branches one sign: one that points from the gear to the carrier counts −1.</source>
+        <translation>Da a todas las ramas un mismo signo: una que apunta de la rueda al portasatélites cuenta −1.</translation>
+    </message>
+    <message>
+        <source>The branches between gear %1 and carrier %2 do not include %3: 0.</source>
+        <translation>Las ramas entre la rueda %1 y el portasatélites %2 no incluyen %3: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite on the way from the carrier to the gear: %2.</source>
+        <translation>El signo de %1 es el opuesto en el camino del portasatélites a la rueda: %2.</translation>
+    </message>
+    <message>
+        <source>The circuit closes through %1: %2, not 0.</source>
+        <translation>El circuito se cierra por %1: %2, no 0.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2: 0.</source>
+        <translation>%1 no usa %2: 0.</translation>
+    </message>
+    <message>
+        <source>%1 runs along the arrow of %2: 1, not −1.</source>
+        <translation>%1 recorre a favor la flecha de %2: 1, no −1.</translation>
+    </message>
+    <message>
+        <source>%1 runs against the arrow of %2: −1, not 1.</source>
+        <translation>%1 recorre a contrasentido la flecha de %2: −1, no 1.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, along its arrow: 1, not 0.</source>
+        <translation>%1 usa %2, a favor de su flecha: 1, no 0.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, against its arrow: −1, not 0.</source>
+        <translation>%1 usa %2, a contrasentido de su flecha: −1, no 0.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1</source>
+        <translation>El ciclo del engrane %1</translation>
+    </message>
+    <message>
+        <source>You walk the cycle against mesh %1: it runs along the mesh from tail to head and back through the tree.</source>
+        <translation>Recorre el ciclo contra el engrane %1: va por el engrane de cola a cabeza y vuelve por el árbol.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycle without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Marca los pares del ciclo sin sus sentidos: −1 donde el camino va contra una flecha.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle of mesh %1, not of mesh %2.</source>
+        <translation>Esta es la fila del ciclo del engrane %1, no del engrane %2.</translation>
+    </message>
+    <message>
+        <source>%1 begins along the mesh itself: 1.</source>
+        <translation>%1 empieza por el propio engrane: 1.</translation>
+    </message>
+    <message>
+        <source>%1 is walked along its mesh, from tail to head: 1, not −1.</source>
+        <translation>%1 se recorre a lo largo de su engrane, de cola a cabeza: 1, no −1.</translation>
+    </message>
+    <message>
+        <source>%1 holds one mesh only, not mesh %2: 0.</source>
+        <translation>%1 contiene un solo engrane, no el engrane %2: 0.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows and columns of the path matrix $Z$: how the walk from each link to the ground uses the turning joints.</source>
+        <translation>Rellene estas filas y columnas de la matriz de caminos $Z$: cómo usa los pares de revolución el camino de cada eslabón al bastidor.</translation>
+    </message>
+    <message>
+        <source>Walk from the link to the ground: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it, 0 off the walk.</source>
+        <translation>Camine del eslabón al bastidor: 1 donde el camino sigue la flecha de un par, −1 donde va en contra, 0 fuera del camino.</translation>
+    </message>
+    <message>
+        <source>You walk from the ground to the links: the walks of Z end at the ground.</source>
+        <translation>Camina del bastidor a los eslabones: los caminos de Z terminan en el bastidor.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the walks without their senses: −1 where a walk runs against an arrow.</source>
+        <translation>Marca los pares de los caminos sin sus sentidos: −1 donde un camino va contra una flecha.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns: a column of Z belongs to a link and tells its walk.</source>
+        <translation>Intercambia filas y columnas: una columna de Z pertenece a un eslabón e indica su camino.</translation>
+    </message>
+    <message>
+        <source>This is the walk of link %1, not of link %2.</source>
+        <translation>Este es el camino del eslabón %1, no del eslabón %2.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground</source>
+        <translation>El camino del eslabón %1 al bastidor</translation>
+    </message>
+    <message>
+        <source>Fill in this row of the spanning-tree matrix $T$.</source>
+        <translation>Rellene esta fila de la matriz del árbol generador $T$.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows of the spanning-tree matrix $T$.</source>
+        <translation>Rellene estas filas de la matriz del árbol generador $T$.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it.</source>
+        <translation>Recorra el ciclo por su engrane de cola a cabeza y de vuelta por el árbol: 1 donde el camino sigue la flecha de un par, −1 donde va en contra.</translation>
+    </message>
+    <message>
+        <source>You walk the cycles against their meshes: they run along the mesh from tail to head and back through the tree.</source>
+        <translation>Recorre los ciclos contra sus engranes: van por el engrane de cola a cabeza y vuelven por el árbol.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycles without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Marca los pares de los ciclos sin sus sentidos: −1 donde el camino va contra una flecha.</translation>
+    </message>
+    <message>
+        <source>You exchange the rows of both cycles.</source>
+        <translation>Intercambia las filas de ambos ciclos.</translation>
+    </message>
+    <message>
+        <source>Fill in row $C_{%1}$ of the cycle-basis matrix $C = \left[ T \mid U \right]$.</source>
+        <translation>Rellene la fila $C_{%1}$ de la matriz de la base de ciclos $C = \left[ T \mid U \right]$.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows an arrow, −1 where it runs against one.</source>
+        <translation>Recorra el ciclo por su engrane de cola a cabeza y de vuelta por el árbol: 1 donde el camino sigue una flecha, −1 donde va contra ella.</translation>
+    </message>
+    <message>
+        <source>Fill in the row of joint $%1$ of the fundamental cutset matrix $Q = \left[ U \mid -T^T \right]$.</source>
+        <translation>Rellene la fila del par $%1$ de la matriz fundamental de cortes $Q = \left[ U \mid -T^T \right]$.</translation>
+    </message>
+    <message>
+        <source>Without the joint the tree falls into two halves: every edge between them counts, 1 where it crosses in the joint&apos;s direction, −1 where it crosses the other way.</source>
+        <translation>Sin el par, el árbol se separa en dos mitades: cuenta toda arista entre ellas, 1 donde cruza en la dirección del par, −1 donde cruza en la otra.</translation>
+    </message>
+    <message>
+        <source>You take the signs of the cycles: Q holds −T transposed beside the unit matrix.</source>
+        <translation>Toma los signos de los ciclos: Q contiene −T traspuesta junto a la matriz unidad.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cutset without their senses: −1 where an edge crosses against the joint.</source>
+        <translation>Marca las aristas del conjunto de corte sin sus sentidos: −1 donde una arista cruza contra el par.</translation>
+    </message>
+    <message>
+        <source>This is the cutset of joint %1, not of %2.</source>
+        <translation>Este es el conjunto de corte del par %1, no de %2.</translation>
+    </message>
+    <message>
+        <source>The joint crosses its own cut in its own direction: 1, not −1.</source>
+        <translation>El par cruza su propio corte en su propia dirección: 1, no −1.</translation>
+    </message>
+    <message>
+        <source>The cutset holds its own joint: 1, not 0.</source>
+        <translation>El conjunto de corte contiene su propio par: 1, no 0.</translation>
+    </message>
+    <message>
+        <source>A fundamental cutset holds one turning joint only, not %1: 0.</source>
+        <translation>Un conjunto de corte fundamental contiene un solo par de revolución, no %1: 0.</translation>
+    </message>
+    <message>
+        <source>Both gears of %1 are on one side of %2: 0.</source>
+        <translation>Ambas ruedas de %1 están en un mismo lado de %2: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut in the direction of %2: 1, not −1.</source>
+        <translation>La flecha de %1 cruza el corte en la dirección de %2: 1, no −1.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut against %2: −1, not 1.</source>
+        <translation>La flecha de %1 cruza el corte contra %2: −1, no 1.</translation>
+    </message>
+    <message>
+        <source>The ends of %1 are on different sides of %2: %3, not 0.</source>
+        <translation>Los extremos de %1 están en lados distintos de %2: %3, no 0.</translation>
+    </message>
+    <message>
+        <source>The field %1 is empty.</source>
+        <translation>El campo «%1» está vacío.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma, or as a fraction.</source>
+        <translation>«%1» puede leerse como millar o como decimal: escríbalo sin coma o como fracción.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>«%1» no es un número: escriba un entero, una fracción como −3/4 o un decimal.</translation>
+    </message>
+    <message>
+        <source>“%1” is not among what the question offers for %2.</source>
+        <translation>«%1» no está entre lo que la pregunta ofrece para «%2».</translation>
+    </message>
+    <message>
+        <source>meshes %1</source>
+        <translation>engranes %1</translation>
+    </message>
+    <message>
+        <source>Mesh %1 follows from %2: it constrains nothing more. Harmless for the motion; the load is shared.</source>
+        <translation>El engrane %1 se deduce de %2: no restringe nada más. Es inofensivo para el movimiento; la carga se reparte.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move.</source>
+        <translation>El freno %1 está activado y no retiene nada que pudiera moverse.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>El freno %1 está activado y no retiene nada que pudiera moverse: ya se deduce de %2.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move.</source>
+        <translation>El embrague %1 está activado y no retiene nada que pudiera moverse.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>El embrague %1 está activado y no retiene nada que pudiera moverse: ya se deduce de %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: the loop of %1 locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.</source>
+        <translation>Nada puede moverse: lo bloquea el lazo de %1. Cambie un número de dientes para que las relaciones del lazo concuerden, o elimine un engrane.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 holds everything. Release a coupling.</source>
+        <translation>Nada puede moverse: %1 lo retiene todo. Libere un acoplamiento.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 hold everything. Release a coupling.</source>
+        <translation>Nada puede moverse: %1 lo retienen todo. Libere un acoplamiento.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, locked by %2.</source>
+        <translation>El par %1 no puede girar nunca, bloqueado por %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 can never turn, locked by %2.</source>
+        <translation>Los pares %1 no pueden girar nunca, bloqueados por %2.</translation>
+    </message>
+    <message>
+        <source>Links %1 form a rigid block.</source>
+        <translation>Los eslabones %1 forman un bloque rígido.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joint %1: it has to be driven.</source>
+        <translation>Ningún engrane restringe el par %1: hay que accionarlo.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joints %1: they have to be driven.</source>
+        <translation>Ningún engrane restringe los pares %1: hay que accionarlos.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and 1 input is chosen.</source>
+        <translation>El mecanismo tiene 1 grado de libertad y hay 1 entrada elegida.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and %1 inputs are chosen.</source>
+        <translation>El mecanismo tiene 1 grado de libertad y hay %1 entradas elegidas.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and 1 input is chosen.</source>
+        <translation>El mecanismo tiene %1 grados de libertad y hay 1 entrada elegida.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and %2 inputs are chosen.</source>
+        <translation>El mecanismo tiene %1 grados de libertad y hay %2 entradas elegidas.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is chosen twice.</source>
+        <translation>El par %1 está elegido dos veces.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is no free choice: %2.</source>
+        <translation>El par %1 no puede elegirse libremente: %2.</translation>
+    </message>
+    <message>
+        <source>Still free: choose %1 too.</source>
+        <translation>Aún libre: elija también %1.</translation>
+    </message>
+    <message>
+        <source>The only valid set is the empty one.</source>
+        <translation>El único conjunto válido es el vacío.</translation>
+    </message>
+    <message>
+        <source>A valid set is %1.</source>
+        <translation>Un conjunto válido es %1.</translation>
+    </message>
+    <message>
+        <source>There are no gear meshes yet: every joint is free.</source>
+        <translation>Aún no hay engranes: todos los pares están libres.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: the train holds it with nothing engaged. Change the train, or drive another link.</source>
+        <translation>El estado %1 bloquea su accionamiento, el eslabón %2: el tren lo retiene sin nada activado. Cambie el tren o accione otro eslabón.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: more couplings than one hold it. Release two or more, or drive another link.</source>
+        <translation>El estado %1 bloquea su accionamiento, el eslabón %2: lo retiene más de un acoplamiento. Libere dos o más, o accione otro eslabón.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 holds it. Release it, or drive another link.</source>
+        <translation>El estado %1 bloquea su accionamiento, el eslabón %2: lo retiene %3. Libérelo o accione otro eslabón.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.</source>
+        <translation>El estado %1 bloquea su accionamiento, el eslabón %2: %3 lo retienen juntos. Libere uno de ellos o accione otro eslabón.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, link %4 still turns.</source>
+        <translation>El estado %1 deja %2 grados de libertad: con el accionamiento, el eslabón %3, retenido, el eslabón %4 aún gira.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, links %4 still turn.</source>
+        <translation>El estado %1 deja %2 grados de libertad: con el accionamiento, el eslabón %3, retenido, los eslabones %4 aún giran.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: link %3 still turns.</source>
+        <translation>El estado %1 deja %2 grados de libertad: el eslabón %3 aún gira.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: links %3 still turn.</source>
+        <translation>El estado %1 deja %2 grados de libertad: los eslabones %3 aún giran.</translation>
+    </message>
+    <message>
+        <source>Engage one more coupling that holds them.</source>
+        <translation>Active un acoplamiento más que los retenga.</translation>
+    </message>
+    <message>
+        <source>Engage %1 more couplings that hold them.</source>
+        <translation>Active %1 acoplamientos más que los retengan.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to the ground over axes of four directions or more.</source>
+        <translation>Estado %1: el acoplamiento %2 une el eslabón %3 al bastidor a través de ejes de cuatro direcciones o más.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to link %4 over axes of four directions or more.</source>
+        <translation>Estado %1: el acoplamiento %2 une el eslabón %3 al eslabón %4 a través de ejes de cuatro direcciones o más.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to the ground over axes of four directions or more.</source>
+        <translation>El acoplamiento activado %1 une el eslabón %2 al bastidor a través de ejes de cuatro direcciones o más.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to link %3 over axes of four directions or more.</source>
+        <translation>El acoplamiento activado %1 une el eslabón %2 al eslabón %3 a través de ejes de cuatro direcciones o más.</translation>
+    </message>
+    <message>
+        <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
+        <translation>Es un mecanismo articulado cuyas velocidades dependen de la posición: no hay relación que indicar. Acople eslabones más próximos entre sí.</translation>
+    </message>
+    <message>
+        <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
+        <translation>El estado %1 tiene una relación superior al mayor número que admite el análisis, 1.79e308. Números de dientes más próximos entre sí, o menos engranes en serie, dan una admisible.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 holds gears %2 and %3 on one axis (%4). Gears that mesh turn about two axes of one carrier: let one of them turn about another axis.</source>
+        <translation>El engrane %1 tiene las ruedas %2 y %3 en un mismo eje (%4). Las ruedas que engranan giran en torno a dos ejes de un portasatélites: haga girar una de ellas en otro eje.</translation>
+    </message>
+    <message>
+        <source>The path between the gears of mesh %1 runs over %2 axes (%3), and no carrier holds both of theirs: attach gear %4 to link %5.</source>
+        <translation>El camino entre las ruedas del engrane %1 pasa por %2 ejes (%3) y ningún portasatélites lleva los de ambas: una la rueda %4 al eslabón %5.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ningún</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>un</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>tres</translation>
+    </message>
+    <message>
+        <source>four</source>
+        <translation>cuatro</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>cinco</translation>
+    </message>
+    <message>
+        <source>six</source>
+        <translation>seis</translation>
+    </message>
+    <message>
+        <source>seven</source>
+        <translation>siete</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>ocho</translation>
+    </message>
+    <message>
+        <source>nine</source>
+        <translation>nueve</translation>
+    </message>
+    <message>
+        <source>ten</source>
+        <translation>diez</translation>
+    </message>
+    <message>
+        <source>eleven</source>
+        <translation>once</translation>
+    </message>
+    <message>
+        <source>twelve</source>
+        <translation>doce</translation>
+    </message>
+    <message>
+        <source>Preview: %1. Click to keep it; leave it, or Esc, to go back</source>
+        <translation>Vista previa: %1. Un clic lo conserva; salir de la entrada o Esc lo deshace</translation>
+    </message>
+    <message>
+        <source>%1 (nearest axes)</source>
+        <translation>%1 (ejes más cercanos)</translation>
+    </message>
+    <message>
+        <source>relative to %1</source>
+        <translation>respecto a %1</translation>
+    </message>
+    <message>
+        <source>link %1 (%2)</source>
+        <translation>eslabón %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 relative to %2</source>
+        <translation>%1 respecto a %2</translation>
+    </message>
+    <message>
+        <source>joint %1 (%2)</source>
+        <translation>par %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 = %2, inverse %3</source>
+        <translation>%1 = %2, inversa %3</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 relative to link %3</source>
+        <translation>Velocidad del par %1: eslabón %2 respecto al eslabón %3</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 turns relative to %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>Velocidad del par %1: con qué rapidez gira %2 respecto a %3. Positiva: en torno a la dirección del eje, por la regla de la mano derecha.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, %2</source>
+        <translation>Velocidad del par %1, %2</translation>
+    </message>
+    <message>
+        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
+        <translation>Velocidad de una salida entre la de la única entrada, y su inversa. Seleccione un par o un eslabón para ver su relación.</translation>
+    </message>
+    <message>
+        <source>Ratio %1</source>
+        <translation>Relación %1</translation>
+    </message>
+    <message>
+        <source>What speeds are relative to: joint by joint, or those of the links seen from one</source>
+        <translation>Respecto a qué se dan las velocidades: par por par, o las de los eslabones vistas desde uno</translation>
+    </message>
+    <message>
+        <source>Drive by a link’s joints ▾</source>
+        <translation>Mover por los pares de un eslabón ▾</translation>
+    </message>
+    <message>
+        <source>Make the joints that carry a link the inputs: their speeds are set, those of the motors become results</source>
+        <translation>Hacer entradas de los pares que llevan un eslabón: sus velocidades se dan, las de los motores son resultados</translation>
+    </message>
+    <message>
+        <source>joint by joint</source>
+        <translation>par por par</translation>
+    </message>
+    <message>
+        <source>relative to the ground</source>
+        <translation>respecto al bastidor</translation>
+    </message>
+    <message>
+        <source>Joint by joint: each link relative to the one that carries it</source>
+        <translation>Par por par: cada eslabón respecto al que lo lleva</translation>
+    </message>
+    <message>
+        <source>Relative to the ground</source>
+        <translation>Respecto al bastidor</translation>
+    </message>
+    <message>
+        <source>Relative to %1</source>
+        <translation>Respecto a %1</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1, %2</source>
+        <translation>Relación respecto al par %1, %2</translation>
+    </message>
+    <message>
+        <source>Joints of %1: %2</source>
+        <translation>Pares de %1: %2</translation>
+    </message>
+    <message>
+        <source>tooth forces (on heads)</source>
+        <translation>fuerzas en los dientes (sobre las cabezas)</translation>
+    </message>
+    <message>
+        <source>bearing reactions (on heads)</source>
+        <translation>reacciones en cojinetes (sobre las cabezas)</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2</source>
+        <translation>engrane %1: %2</translation>
+    </message>
+    <message>
+        <source>joint %1: %2</source>
+        <translation>par %1: %2</translation>
+    </message>
+    <message>
+        <source>%1; X, Y or Z lays its axis along x, y or z</source>
+        <translation>%1; X, Y o Z coloca su eje a lo largo de x, y o z</translation>
+    </message>
+    <message>
+        <source>%1; its axis lies along %2</source>
+        <translation>%1; su eje queda a lo largo de %2</translation>
+    </message>
+    <message>
+        <source>No forces without loads: add one in Forces.</source>
+        <translation>Sin cargas no hay fuerzas: añada una en Fuerzas.</translation>
+    </message>
+    <message>
+        <source>No forces: the loads are not in balance. Forces names what is missing.</source>
+        <translation>Sin fuerzas: las cargas no están en equilibrio. Fuerzas dice lo que falta.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>No se dibujan, por repartirse en partes desconocidas: fuerzas en los engranes %1. Elija «Repartir por rigidez» en Fuerzas para hallarlas.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: reactions in joints %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>No se dibujan, por repartirse en partes desconocidas: reacciones en los pares %1. Elija «Repartir por rigidez» en Fuerzas para hallarlas.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
+        <translation>No se dibujan, por repartirse en partes desconocidas: fuerzas en los engranes %1, reacciones en los pares %2. Elija «Repartir por rigidez» en Fuerzas para hallarlas.</translation>
+    </message>
+    <message>
+        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
+        <translation>La potencia extraída entre la aportada; hacia atrás y en símbolos está en la tarjeta Rendimiento.</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Soltar</translation>
+    </message>
+    <message>
+        <source>Release %1; the motion goes on</source>
+        <translation>Liberar %1; el movimiento sigue</translation>
+    </message>
+    <message>
+        <source>Find no torque here any more; without any such place the inputs hold the loads</source>
+        <translation>Ya no buscar aquí un momento; si no queda ningún lugar así, las entradas sostienen las cargas</translation>
+    </message>
+    <message>
+        <source>Remove balance</source>
+        <translation>Quitar el equilibrante</translation>
+    </message>
+    <message>
+        <source>The entry that speeds and torques share</source>
+        <translation>La entrada que comparten velocidades y momentos</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own; click the framed entry to see it in Matrices.</source>
+        <translation>Una fila de P contiene las velocidades de un engrane, una columna el momento en un par: la entrada enmarcada está en ambas. Las entradas cuentan dientes; μ es la fuerza de un engrane por diente, ℓ lo que aportan las cargas en eslabones. Seleccione un par o un engrane para ver los suyos; un clic en la entrada enmarcada la muestra en Matrices.</translation>
+    </message>
+    <message>
+        <source>; brake %1 is engaged</source>
+        <translation>; el freno %1 está activado</translation>
+    </message>
+    <message>
+        <source>by an engaged brake</source>
+        <translation>por un freno activado</translation>
+    </message>
+    <message>
+        <source>cut into the ground</source>
+        <translation>tallado en el bastidor</translation>
+    </message>
+    <message>
+        <source>What &quot;held&quot; means: a link of its own with a brake that is engaged, so that you can release it; or no link of its own, its teeth are the ground&apos;s, as in the example &quot;Planetary train, ring held&quot;. The speeds are the same.</source>
+        <translation>Qué significa «retenido»: un eslabón propio con un freno activado que se puede soltar; o ningún eslabón propio: sus dientes son del bastidor, como en el ejemplo «Planetary train, ring held». Las velocidades son las mismas.</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Retenido</translation>
     </message>
 </context>
 <context>

@@ -3694,16 +3694,8 @@
         <translation>Devrede: %1 durumu, %2 ile</translation>
     </message>
     <message>
-        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
-        <translation>%1 mafsalının hızı: %2 uzvunun %3 uzvuna göre dönüşü. Pozitif: sağ el kuralıyla eksen yönü etrafında.</translation>
-    </message>
-    <message>
         <source>Colour of link %1</source>
         <translation>%1 uzvunun rengi</translation>
-    </message>
-    <message>
-        <source>Speed of joint %1</source>
-        <translation>%1 mafsalının hızı</translation>
     </message>
     <message>
         <source>Drive another joint instead; the motion stays as it is</source>
@@ -4026,28 +4018,8 @@
         <translation>Sonuçlar</translation>
     </message>
     <message>
-        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
-        <translation>Bağıl: mafsal mafsal. Mutlak: uzuvların açısal hız vektörleri.</translation>
-    </message>
-    <message>
         <source>The unit of the speeds, or the member they are taken as ratio to</source>
         <translation>Hızların birimi veya oranlandıkları öğe</translation>
-    </message>
-    <message>
-        <source>Read the motors ▾</source>
-        <translation>Motorları oku ▾</translation>
-    </message>
-    <message>
-        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
-        <translation>Bir uzvun kendi mafsal zincirine göre hızlarını girin ve motorlarınkini okuyun</translation>
-    </message>
-    <message>
-        <source>absolute speeds</source>
-        <translation>mutlak hızlar</translation>
-    </message>
-    <message>
-        <source>relative speeds</source>
-        <translation>bağıl hızlar</translation>
     </message>
     <message>
         <source>ratio to %1</source>
@@ -4058,16 +4030,8 @@
         <translation>dev/dk, dakikadaki devir</translation>
     </message>
     <message>
-        <source>Ratio to joint %1 (link %2)</source>
-        <translation>%1 mafsalına oran (%2 uzvu)</translation>
-    </message>
-    <message>
         <source>%1 more joints: select one to find it here</source>
         <translation>%1 mafsal daha: burada bulmak için birini seçin</translation>
-    </message>
-    <message>
-        <source>Give the joints of link %1: %2</source>
-        <translation>%1 uzvunun mafsallarını ver: %2</translation>
     </message>
     <message>
         <source> (they are not independent)</source>
@@ -5772,10 +5736,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>burada %1 N m</translation>
     </message>
     <message>
-        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
-        <translation>P&apos;nin bir satırı bir dişli çiftinin hızlarını, bir sütunu bir mafsaldaki torku içerir: çerçeveli eleman ikisinde de vardır. Elemanlar diş sayısıdır; μ bir dişli çiftinin diş başına kuvveti, ℓ uzuvlardaki yüklerin katkısıdır. Kendi denklemlerini görmek için bir mafsal ya da dişli çifti seçin.</translation>
-    </message>
-    <message>
         <source>Documents and tables (*.geargraph *.csv *.tsv);;GearGraph documents (*.geargraph);;Tables of documents (*.csv *.tsv);;All files (*)</source>
         <translation>Belgeler ve tablolar (*.geargraph *.csv *.tsv);;GearGraph belgeleri (*.geargraph);;Belge tabloları (*.csv *.tsv);;Tüm dosyalar (*)</translation>
     </message>
@@ -5897,7 +5857,7 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     </message>
     <message>
         <source>%1 of %2 torques are listed; all of them are in Forces</source>
-        <translation>%2 momentten %1 tanesi listelendi; tümü Kuvvetler'de</translation>
+        <translation>%2 momentten %1 tanesi listelendi; tümü Kuvvetler&apos;de</translation>
     </message>
     <message>
         <source>Along x</source>
@@ -5966,6 +5926,1922 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Slide to change the teeth; Esc puts back</source>
         <translation>Diş sayısını değiştirmek için kaydırın; Esc geri alır</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>ve</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 ve %2 tane daha</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop.</source>
+        <translation>%1 döner mafsalı bir döngü kapatıyor.</translation>
+    </message>
+    <message>
+        <source>Turning joint %1 closes a loop with %2.</source>
+        <translation>%1 döner mafsalı %2 ile bir döngü kapatıyor.</translation>
+    </message>
+    <message>
+        <source>All of them turn about axis %1, so joint %2 is a redundant bearing: drop it.</source>
+        <translation>Hepsi %1 ekseni etrafında döner, bu yüzden %2 mafsalı fazlalık bir yataktır: silin.</translation>
+    </message>
+    <message>
+        <source>The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.</source>
+        <translation>Döner mafsallar bir ağaç olmalıdır: birini silin ya da onun yerine bir dişli çifti çizin.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not tied to the ground by turning joints: draw a turning joint to it.</source>
+        <translation>%1 uzvu sabit uzva döner mafsallarla bağlı değil: ona bir döner mafsal çizin.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not tied to the ground by turning joints: draw a turning joint to them.</source>
+        <translation>%1 uzuvları sabit uzva döner mafsallarla bağlı değil: onlara bir döner mafsal çizin.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2</source>
+        <translation>%1 dişli çifti: %2</translation>
+    </message>
+    <message>
+        <source>another tooth count</source>
+        <translation>başka bir diş sayısı</translation>
+    </message>
+    <message>
+        <source>the pitch point %1</source>
+        <translation>%1 hatve noktası</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the tail gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>%1 hatve noktası kuyruk dişlisinin ekseni üzerindedir, bu yüzden hatve yarıçapı 0&apos;dır. Uygun olan: iki eksenin dışında, düzlemlerinde bir nokta.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies on the axis of the head gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.</source>
+        <translation>%1 hatve noktası baş dişlisinin ekseni üzerindedir, bu yüzden hatve yarıçapı 0&apos;dır. Uygun olan: iki eksenin dışında, düzlemlerinde bir nokta.</translation>
+    </message>
+    <message>
+        <source>its two axes are the same line in the reference pose.</source>
+        <translation>iki ekseni referans konumda aynı doğrudur.</translation>
+    </message>
+    <message>
+        <source>the pitch point %1 lies %2 off the plane of the two axes, so the teeth would lock. What fits: %3, or none (then it follows from the axes).</source>
+        <translation>%1 hatve noktası iki eksenin düzleminden %2 uzaktadır, dişler kilitlenirdi. Uygun olan: %3, ya da hiçbiri (o zaman eksenlerden çıkar).</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes are parallel. What fits: external or internal.</source>
+        <translation>türü %1 olarak verilmiş, ama eksenleri paralel. Uygun olan: dış ya da iç.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet. What fits: bevel.</source>
+        <translation>türü %1 olarak verilmiş, ama eksenleri kesişiyor. Uygun olan: konik.</translation>
+    </message>
+    <message>
+        <source>it says internal, but the pitch point %1 lies between the axes, which is an external pair.</source>
+        <translation>türü iç olarak verilmiş, ama %1 hatve noktası eksenlerin arasındadır; bu bir dış çifttir.</translation>
+    </message>
+    <message>
+        <source>it says external, but the pitch point %1 lies on one side of both axes, which is an internal pair.</source>
+        <translation>türü dış olarak verilmiş, ama %1 hatve noktası iki eksenin aynı yanındadır; bu bir iç çifttir.</translation>
+    </message>
+    <message>
+        <source>What fits: %1, or %2.</source>
+        <translation>Uygun olan: %1 ya da %2.</translation>
+    </message>
+    <message>
+        <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
+        <translation>hatve yarıçapları %1 ve %2 (oran %3), ama diş sayıları %4 ve %5 (oran %6). Uygun olan: başta %7 diş, ya da %8.</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
+        <translation>eksenleri aykırı, aralarındaki uzaklık %1: dişlilerin yuvarlanabileceği bir nokta yok. Uygun olan: paralel ya da kesişen eksenler.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
+        <translation>iç çiftin diş sayıları farklı olmalı, çemberinki daha büyük; ikisinde de %1 var.</translation>
+    </message>
+    <message>
+        <source>some of %1</source>
+        <translation>şunlardan bazıları: %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>şunlardan biri: %1</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>veya</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>liste</translation>
+    </message>
+    <message>
+        <source>state “%1”</source>
+        <translation>“%1” durumu</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>“%1” durumu %2 elemanlarını devreye alır, $%3$ uzvu tahrik eder, $%4$ uzvu yükü taşır</translation>
+    </message>
+    <message>
+        <source>state “%1” engages %2, link $%3$ drives and link $%4$ bears the load</source>
+        <translation>“%1” durumu %2 elemanlarını devreye alır, $%3$ uzvu tahrik eder, $%4$ uzvu yükü taşır</translation>
+    </message>
+    <message>
+        <source>The torque of the drive is $%1$ N m, and no power is lost.</source>
+        <translation>Tahrik torku $%1$ N m&apos;dir ve güç kaybı yoktur.</translation>
+    </message>
+    <message>
+        <source>Which of the engaged brakes and clutches carries the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>Devredeki fren ve kavramalardan hangisi en büyük torku taşır ve bu tork işaretsiz olarak kaç N m&apos;dir? Bir kesir ya da üç basamaklı bir ondalık sayı yeterlidir.</translation>
+    </message>
+    <message>
+        <source>In which state does %1 carry the largest torque, and how large is it in N m, without a sign? A fraction or a decimal of three digits will do.</source>
+        <translation>%1 hangi durumda en büyük torku taşır ve bu tork işaretsiz olarak kaç N m&apos;dir? Bir kesir ya da üç basamaklı bir ondalık sayı yeterlidir.</translation>
+    </message>
+    <message>
+        <source>largest torque in</source>
+        <translation>en büyük torku taşıyan</translation>
+    </message>
+    <message>
+        <source>torque in N m</source>
+        <translation>tork (N m)</translation>
+    </message>
+    <message>
+        <source>The torques on each link and in each mesh balance: %1.</source>
+        <translation>Her uzuvdaki ve her dişli çiftindeki torklar dengededir: %1.</translation>
+    </message>
+    <message>
+        <source>You choose the clutch that turns fastest, but the torque does not follow the speed: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>En hızlı dönen kavramayı seçtiniz, ama tork hızı izlemez: bu kavrama %1 N m taşır; bu, %3 için olan %2 N m değerinden azdır.</translation>
+    </message>
+    <message>
+        <source>You choose the state of the largest ratio, but the brake&apos;s torque does not follow the ratio&apos;s size: it carries %1 N m, less than the %2 N m of %3.</source>
+        <translation>En büyük oranlı durumu seçtiniz, ama frenin torku oranın büyüklüğünü izlemez: %1 N m taşır; bu, %3 için olan %2 N m değerinden azdır.</translation>
+    </message>
+    <message>
+        <source>The %1 carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>%1 %2 N m taşır; bu, %4 için olan %3 N m değerinden azdır.</translation>
+    </message>
+    <message>
+        <source>In state “%1” it carries %2 N m, less than the %3 N m of %4.</source>
+        <translation>“%1” durumunda %2 N m taşır; bu, %4 için olan %3 N m değerinden azdır.</translation>
+    </message>
+    <message>
+        <source>The %1 is released in this state: it carries no torque.</source>
+        <translation>%1 bu durumda ayrıktır: tork taşımaz.</translation>
+    </message>
+    <message>
+        <source>State “%1” releases the %2: it carries no torque.</source>
+        <translation>“%1” durumunda %2 ayrıktır: tork taşımaz.</translation>
+    </message>
+    <message>
+        <source>The signs of both torques are lost: the brake holds the sum of %1 N m and %2 N m.</source>
+        <translation>İki torkun işareti kaybolmuş: fren %1 N m ile %2 N m toplamını tutar.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the torque on the driven link is %2 N m.</source>
+        <translation>Oranı ters kullandınız: %1 oranıyla tahrik edilen uzuvdaki tork %2 N m&apos;dir.</translation>
+    </message>
+    <message>
+        <source>This is the torque of %1, which is not the largest.</source>
+        <translation>Bu, %1 için olan torktur; en büyüğü değildir.</translation>
+    </message>
+    <message>
+        <source>This is the torque in state “%1”, which is not the largest.</source>
+        <translation>Bu, “%1” durumundaki torktur; en büyüğü değildir.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the load on link %1: %2 has to keep the balance.</source>
+        <translation>Bu, %1 uzvundaki yük torkudur: dengeyi %2 sağlamalıdır.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: %1 does not carry it as it is.</source>
+        <translation>Bu, tahrik torkudur: %1 onu olduğu gibi taşımaz.</translation>
+    </message>
+    <message>
+        <source>Write the row of mesh $%1$ of the coefficient matrix $P$. Mesh $%1$ has $%2$ teeth on link $%3$ and $%4$ on link $%5$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{%1}$.</source>
+        <translation>$P$ katsayı matrisinde $%1$ dişli çiftinin satırını yazın. $%1$ dişli çiftinin $%3$ uzvunda $%2$, $%5$ uzvunda $%4$ dişi vardır. Satırın her katı doğrudur: yarıçaplar, diş sayıları ya da $i_{%1}$ oranı.</translation>
+    </message>
+    <message>
+        <source>A joint on the axis of a gear counts with this gear&apos;s radius, the sign is that of the cycle, and the joints of both gears have the signs of the mesh.</source>
+        <translation>Bir dişlinin ekseni üzerindeki mafsal o dişlinin yarıçapıyla sayılır, işaret çevriminkidir ve iki dişlinin mafsalları dişli çiftinin işaretlerini taşır.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: both gears turn the same way, seen from their carrier.</source>
+        <translation>%1 dişli çifti içtir: taşıyıcıdan bakıldığında iki dişli aynı yönde döner.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn against each other, seen from their carrier.</source>
+        <translation>%1 dişli çifti dıştır: taşıyıcıdan bakıldığında dişliler ters yönde döner.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>Konik dişli çifti %1 için işaret, hatve noktasının iki eksene göre konumundan çıkar.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears: the joints on an axis count with the radius of the gear on it.</source>
+        <translation>İki dişlinin yarıçaplarını karıştırdınız: bir eksendeki mafsallar o eksendeki dişlinin yarıçapıyla sayılır.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the radii of the gears.</source>
+        <translation>Bu, çevrimin satırıdır: P&apos;de işaretleri dişlilerin yarıçaplarıyla çarpılır.</translation>
+    </message>
+    <message>
+        <source>You write the radii without the signs of the cycle, which walks against some arrows.</source>
+        <translation>Yarıçapları, bazı oklara ters giden çevrimin işaretleri olmadan yazdınız.</translation>
+    </message>
+    <message>
+        <source>This is the row of mesh %1.</source>
+        <translation>Bu, %1 dişli çiftinin satırıdır.</translation>
+    </message>
+    <message>
+        <source>You exchange the radii of both gears, and the sign of the mesh is wrong, too.</source>
+        <translation>İki dişlinin yarıçaplarını karıştırdınız, dişli çiftinin işareti de yanlış.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 does not use %2: 0.</source>
+        <translation>%1 dişli çiftinin çevrimi şunu kullanmaz: %2: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite: the walk passes its arrow the other way.</source>
+        <translation>%1 için işaret terstir: yol, okunu öbür yönde geçer.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 uses %2: its coefficient is not 0.</source>
+        <translation>%1 dişli çiftinin çevrimi şunu kullanır: %2; katsayısı 0 değildir.</translation>
+    </message>
+    <message>
+        <source>Which turning joints lie on the fundamental cycle of mesh $%1$?</source>
+        <translation>$%1$ dişli çiftinin temel çevriminde hangi döner mafsallar bulunur?</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1 consists of the mesh and of the path through the tree from link %2 to link %3.</source>
+        <translation>%1 dişli çiftinin çevrimi, dişli çifti ile ağaçta %2 uzvundan %3 uzvuna giden yoldan oluşur.</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>mafsallar</translation>
+    </message>
+    <message>
+        <source>You follow both paths to the ground: the cycle turns back at the first link that they share.</source>
+        <translation>İki yolu da sabit uzva kadar izlediniz: çevrim ilk ortak uzuvda geri döner.</translation>
+    </message>
+    <message>
+        <source>You follow the path of link %1 to the ground: the cycle needs the path between both gears.</source>
+        <translation>%1 uzvunun yolunu sabit uzva kadar izlediniz: çevrim için iki dişli arasındaki yol gerekir.</translation>
+    </message>
+    <message>
+        <source>These are the joints on the cycle of mesh %1.</source>
+        <translation>Bunlar %1 dişli çiftinin çevrimindeki mafsallardır.</translation>
+    </message>
+    <message>
+        <source>%1 is a mesh: the question asks for the turning joints.</source>
+        <translation>%1 bir dişli çiftidir: soru döner mafsalları istiyor.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 leads through joint %3.</source>
+        <translation>%1 ve %2 uzuvları arasındaki yol %3 mafsalından geçer.</translation>
+    </message>
+    <message>
+        <source>The path between links %1 and %2 does not lead through joint %3.</source>
+        <translation>%1 ve %2 uzuvları arasındaki yol %3 mafsalından geçmez.</translation>
+    </message>
+    <message>
+        <source>Walk once round the cycle of mesh $%1$, in either sense: $1$ for each arrow that you follow, $-1$ for each that you walk against.</source>
+        <translation>$%1$ dişli çiftinin çevrimini istediğiniz yönde bir kez dolaşın: izlediğiniz her ok için $1$, ters gittiğiniz her ok için $-1$.</translation>
+    </message>
+    <message>
+        <source>One walk runs along mesh %1 and back through the tree; the opposite walk has all signs exchanged and is right, too.</source>
+        <translation>Bir tur %1 dişli çifti boyunca gider ve ağaçtan geri döner; ters turda bütün işaretler değişir ve o da doğrudur.</translation>
+    </message>
+    <message>
+        <source>You give all edges one sense: some arrows point against every walk round the cycle.</source>
+        <translation>Bütün kenarlara aynı yönü verdiniz: çevrimin her turunda bazı oklar ters yönü gösterir.</translation>
+    </message>
+    <message>
+        <source>Your walk passes %1 the other way: with the other senses that you give, its sign is the opposite.</source>
+        <translation>Yolunuz şuradan öbür yönde geçiyor: %1. Verdiğiniz öteki yönlerle işareti terstir.</translation>
+    </message>
+    <message>
+        <source>Every walk round the cycle uses %1: 1 or −1, not 0.</source>
+        <translation>Çevrimin her turu şunu kullanır: %1; 1 ya da −1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>These senses belong to no single walk round the cycle: start at one link and follow the edges one by one.</source>
+        <translation>Bu yönler çevrimin tek bir turuna ait değil: bir uzuvdan başlayın ve kenarları sırayla izleyin.</translation>
+    </message>
+    <message>
+        <source>Write down all fundamental cycles, one in each row: in any order, each walked in either sense.</source>
+        <translation>Bütün temel çevrimleri her satıra biri gelecek biçimde yazın: sıra serbest, her biri istenen yönde.</translation>
+    </message>
+    <message>
+        <source>There is a cycle for each mesh; its row may be multiplied by −1, and rows may be exchanged.</source>
+        <translation>Her dişli çifti için bir çevrim vardır; satırı −1 ile çarpılabilir ve satırlar yer değiştirebilir.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cycles without their senses: a walk that runs against an arrow has −1.</source>
+        <translation>Çevrimlerin kenarlarını yönsüz işaretlediniz: oka ters giden yol −1 alır.</translation>
+    </message>
+    <message>
+        <source>You write one cycle twice: each mesh closes a cycle of its own.</source>
+        <translation>Bir çevrimi iki kez yazdınız: her dişli çifti kendi çevrimini kapatır.</translation>
+    </message>
+    <message>
+        <source>You leave out the meshes: each cycle holds the mesh that closes it.</source>
+        <translation>Dişli çiftlerini atladınız: her çevrim kendisini kapatan dişli çiftini içerir.</translation>
+    </message>
+    <message>
+        <source>from link %1 to link %2</source>
+        <translation>%1 uzvundan %2 uzvuna</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it points %2.</source>
+        <translation>%1 için oku ters çevirdiniz: ok %2 gider.</translation>
+    </message>
+    <message>
+        <source>You give link %1 an end of %2, but its arrow points %3: 0.</source>
+        <translation>%1 uzvuna şunun bir ucunu verdiniz: %2; oysa oku %3 gider: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not 0.</source>
+        <translation>%1 için ok %2 uzvunda biter: 1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 0.</source>
+        <translation>%1 için ok %2 uzvunda başlar: −1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 ends at link %2: 1, not −1.</source>
+        <translation>%1 için ok %2 uzvunda biter: 1, −1 değil.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 begins at link %2: −1, not 1.</source>
+        <translation>%1 için ok %2 uzvunda başlar: −1, 1 değil.</translation>
+    </message>
+    <message>
+        <source>You exchange + and −: a column holds −1 where the arrow begins and 1 where it ends.</source>
+        <translation>+ ile − işaretlerini karıştırdınız: sütunda okun başladığı yerde −1, bittiği yerde 1 bulunur.</translation>
+    </message>
+    <message>
+        <source>You mark both ends alike: the end where the arrow begins is −1, the one where it ends 1.</source>
+        <translation>İki ucu aynı işaretlediniz: okun başladığı uç −1, bittiği uç 1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the incidence matrix $\Gamma^0$.</source>
+        <translation>$\Gamma^0$ bağlantı matrisinin bu sütunlarını doldurun.</translation>
+    </message>
+    <message>
+        <source>A column of Γ⁰ holds −1 in the row of the link where the arrow begins, 1 where it ends, and 0 elsewhere.</source>
+        <translation>Γ⁰&apos;ın bir sütununda okun başladığı uzvun satırında −1, bittiği yerde 1, başka yerlerde 0 bulunur.</translation>
+    </message>
+    <message>
+        <source>You leave out the ground: Γ⁰ keeps its row, only Γ has none.</source>
+        <translation>Sabit uzvu atladınız: Γ⁰ onun satırını korur, yalnız Γ&apos;da yoktur.</translation>
+    </message>
+    <message>
+        <source>Fill in these columns of the reduced incidence matrix $\Gamma$. Leave a row that $\Gamma$ does not have empty.</source>
+        <translation>İndirgenmiş $\Gamma$ bağlantı matrisinin bu sütunlarını doldurun. $\Gamma$&apos;da olmayan satırı boş bırakın.</translation>
+    </message>
+    <message>
+        <source>Γ is Γ⁰ without the row of the ground, so that its rows are independent; all other entries stay.</source>
+        <translation>Γ, satırları bağımsız olsun diye sabit uzvun satırı çıkarılmış Γ⁰&apos;dır; öteki girdiler aynı kalır.</translation>
+    </message>
+    <message>
+        <source>You leave the row of the ground in: Γ has the rows of the moving links only.</source>
+        <translation>Sabit uzvun satırını bıraktınız: Γ&apos;da yalnız hareketli uzuvların satırları vardır.</translation>
+    </message>
+    <message>
+        <source>You fill in the row of the ground: Γ has the rows of the moving links only.</source>
+        <translation>Sabit uzvun satırını doldurdunuz: Γ&apos;da yalnız hareketli uzuvların satırları vardır.</translation>
+    </message>
+    <message>
+        <source>The mechanism is drawn with other arrows: these are columns of its incidence matrix $\Gamma^0$. From which link to which link do they point?</source>
+        <translation>Mekanizma başka oklarla çizilmiştir: bunlar $\Gamma^0$ bağlantı matrisinin sütunlarıdır. Oklar hangi uzuvdan hangi uzva gider?</translation>
+    </message>
+    <message>
+        <source>An arrow begins at the link whose entry is −1 and ends at the link whose entry is 1.</source>
+        <translation>Ok, girdisi −1 olan uzuvda başlar ve girdisi 1 olan uzuvda biter.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>başlangıç</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bitiş</translation>
+    </message>
+    <message>
+        <source>You turn every arrow round: −1 is where an arrow begins, 1 where it ends.</source>
+        <translation>Her oku ters çevirdiniz: okun başladığı yer −1, bittiği yer 1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of %1 round: it begins at link %2, where the entry is −1.</source>
+        <translation>%1 için oku ters çevirdiniz: ok, girdinin −1 olduğu %2 uzvunda başlar.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the beginning of %1 has a 0 in column %2.</source>
+        <translation>%1 için başlangıç dediğiniz uzvun %2 sütununda 0 vardır.</translation>
+    </message>
+    <message>
+        <source>The link that you name as the end of %1 has a 0 in column %2.</source>
+        <translation>%1 için bitiş dediğiniz uzvun %2 sütununda 0 vardır.</translation>
+    </message>
+    <message>
+        <source>One entry of this matrix $%1$ is wrong. Find it and correct it.</source>
+        <translation>Bu $%1$ matrisinin bir girdisi yanlış. Bulun ve düzeltin.</translation>
+    </message>
+    <message>
+        <source>The entry in row %1, column %2 is %3, not %4.</source>
+        <translation>%1 satırı, %2 sütunundaki girdi %4 değil %3 olmalıdır.</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>satır</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>sütun</translation>
+    </message>
+    <message>
+        <source>right value</source>
+        <translation>doğru değer</translation>
+    </message>
+    <message>
+        <source>You find the wrong entry, but its right value is another one.</source>
+        <translation>Yanlış girdiyi buldunuz, ama doğru değeri başka.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this row, but the entry that you name is right.</source>
+        <translation>Yanlış girdi bu satırda, ama gösterdiğiniz girdi doğru.</translation>
+    </message>
+    <message>
+        <source>The wrong entry is in this column, but the entry that you name is right.</source>
+        <translation>Yanlış girdi bu sütunda, ama gösterdiğiniz girdi doğru.</translation>
+    </message>
+    <message>
+        <source>The entry that you name is right: follow the arrows of its row and column once more.</source>
+        <translation>Gösterdiğiniz girdi doğru: satırının ve sütununun oklarını bir kez daha izleyin.</translation>
+    </message>
+    <message>
+        <source>Take one column at a time. Its arrow touches two links only: the one that it leaves gets −1, the one that it points to gets 1.</source>
+        <translation>Sütunları tek tek ele alın. Oku yalnız iki uzva dokunur: çıktığı uzuv −1, gösterdiği uzuv 1 alır.</translation>
+    </message>
+    <message>
+        <source>Read the matrix, not the drawing, one column at a time: the arrow leaves the link whose entry is −1 and points to the link whose entry is 1.</source>
+        <translation>Çizimi değil matrisi sütun sütun okuyun: ok, girdisi −1 olan uzuvdan çıkar ve girdisi 1 olan uzvu gösterir.</translation>
+    </message>
+    <message>
+        <source>All speeds are measured against one link: Γ leaves out its row. The other rows are those of Γ⁰.</source>
+        <translation>Bütün hızlar bir uzva göre ölçülür: Γ onun satırını içermez. Öteki satırlar Γ⁰&apos;ınkilerdir.</translation>
+    </message>
+    <message>
+        <source>Start at the link of the column and walk to the ground along turning joints only. Then compare the arrow of each joint on the walk with your direction.</source>
+        <translation>Sütunun uzvundan başlayıp yalnız döner mafsallar boyunca sabit uzva gidin. Sonra yoldaki her mafsalın okunu kendi yönünüzle karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>Keep the turning joints and only the mesh of the row: together they close one cycle. Begin along the mesh, from tail to head, and compare each arrow on the way back with your direction.</source>
+        <translation>Döner mafsalları ve yalnız satırın dişli çiftini tutun: birlikte bir çevrim kapatırlar. Dişli çifti boyunca kuyruktan başa doğru başlayın ve dönüş yolundaki her oku kendi yönünüzle karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>From both links of the mesh, walk along turning joints toward the ground until the two walks meet. What they share from there on is not part of the cycle.</source>
+        <translation>Dişli çiftinin iki uzvundan döner mafsallar boyunca, iki yol buluşana dek sabit uzva doğru gidin. Oradan sonra ortak olan kısım çevrime ait değildir.</translation>
+    </message>
+    <message>
+        <source>Choose a link of the cycle and go once round without turning back. Only the direction of each arrow against your own counts.</source>
+        <translation>Çevrimden bir uzuv seçin ve geri dönmeden bir kez dolaşın. Yalnız her okun sizin yönünüze göre yönü önemlidir.</translation>
+    </message>
+    <message>
+        <source>Begin with the columns of the meshes: a cycle of the basis holds one mesh, its own. Then walk from the head of the mesh back to its tail along turning joints.</source>
+        <translation>Dişli çiftlerinin sütunlarıyla başlayın: tabanın bir çevrimi tek dişli çifti, kendisininkini içerir. Sonra dişli çiftinin başından kuyruğuna döner mafsallar boyunca geri yürüyün.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes one cycle with the turning joints. Go round one after the other; within a row all signs belong to the same walk.</source>
+        <translation>Her dişli çifti döner mafsallarla bir çevrim kapatır. Birer birer dolaşın; bir satırdaki bütün işaretler aynı tura aittir.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree already. With the mesh they close a loop: which edges of this loop could go?</source>
+        <translation>Döner mafsallar zaten bir kapsayan ağaçtır. Dişli çiftiyle bir döngü kapatırlar: bu döngünün hangi kenarları çıkarılabilir?</translation>
+    </message>
+    <message>
+        <source>Derive the matrix from the drawing, row by row, and stop at the first entry that differs. Compare signs with the directions of the arrows.</source>
+        <translation>Matrisi çizimden satır satır türetin ve farklı olan ilk girdide durun. İşaretleri okların yönleriyle karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>Start from the cycle of the mesh: only its joints have entries. The size of an entry is the number of teeth of the gear on whose axis the joint turns.</source>
+        <translation>Dişli çiftinin çevriminden başlayın: yalnız onun mafsallarının girdisi vardır. Girdinin büyüklüğü, mafsalın ekseninde döndüğü dişlinin diş sayısıdır.</translation>
+    </message>
+    <message>
+        <source>Each mesh gives one equation. Count those that do not follow from the others, and subtract their number from that of the turning joints.</source>
+        <translation>Her dişli çifti bir denklem verir. Ötekilerden çıkmayanları sayın ve sayılarını döner mafsalların sayısından çıkarın.</translation>
+    </message>
+    <message>
+        <source>Look for meshes that tie the same links together in two ways. Leave one out: if the others still force the same speeds, it is redundant.</source>
+        <translation>Aynı uzuvları iki yoldan bağlayan dişli çiftlerini arayın. Birini çıkarın: ötekiler yine aynı hızları zorluyorsa o fazlalıktır.</translation>
+    </message>
+    <message>
+        <source>Take as many joints as there are degrees of freedom. Imagine all of them locked: nothing else may move, and no mesh may tie two of them to each other.</source>
+        <translation>Serbestlik derecesi kadar mafsal alın. Hepsinin kilitli olduğunu düşünün: başka hiçbir şey hareket etmemeli ve hiçbir dişli çifti ikisini birbirine bağlamamalıdır.</translation>
+    </message>
+    <message>
+        <source>Look for a mesh whose equation has one unknown speed only, solve it, and go on to the next. A row of P θ̇ = 0 holds the joints of one cycle.</source>
+        <translation>Denkleminde tek bilinmeyen hız olan bir dişli çifti arayın, çözün ve sıradakine geçin. P θ̇ = 0&apos;ın bir satırı bir çevrimin mafsallarını içerir.</translation>
+    </message>
+    <message>
+        <source>The level of a joint is the letter of its axis. Name the axis of each joint on the walk: where the letter changes is the transfer vertex.</source>
+        <translation>Mafsalın düzeyi, ekseninin harfidir. Yoldaki her mafsalın eksenini söyleyin: harfin değiştiği yer aktarma düğümüdür.</translation>
+    </message>
+    <message>
+        <source>The carrier is the link where the level changes on the way between both gears. The gear with fewer teeth turns faster; for the sign, look at each gear along its own axis.</source>
+        <translation>Taşıyıcı, iki dişli arasındaki yolda düzeyin değiştiği uzuvdur. Dişi az olan dişli daha hızlı döner; işaret için her dişliye kendi ekseni boyunca bakın.</translation>
+    </message>
+    <message>
+        <source>Walk from the carrier to the gear along turning joints: only these joints count. Compare their arrows with your direction.</source>
+        <translation>Taşıyıcıdan dişliye döner mafsallar boyunca gidin: yalnız bu mafsallar sayılır. Oklarını kendi yönünüzle karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>Without the joint the turning joints fall into two groups of links. Look for edges with one end in each group, and compare their direction with that of the joint.</source>
+        <translation>Mafsal olmadan döner mafsallar iki uzuv grubuna ayrılır. Uçları ayrı gruplarda olan kenarları arayın ve yönlerini mafsalınkiyle karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>Write the power of each port, torque times speed. Their sum is zero if no power is lost; then put in the terminal equation.</source>
+        <translation>Her kapının gücünü yazın: tork çarpı hız. Güç kaybı yoksa toplamları sıfırdır; sonra uç denklemini yerine koyun.</translation>
+    </message>
+    <message>
+        <source>Reduce the fraction. Then multiply both of its parts by the same whole number until both are within the bounds.</source>
+        <translation>Kesri sadeleştirin. Sonra iki kısmını da sınırlar içine girene dek aynı tam sayıyla çarpın.</translation>
+    </message>
+    <message>
+        <source>The centre distance goes with the sum of the teeth where both gears are external, and with their difference where one is a ring.</source>
+        <translation>Eksenler arası uzaklık, iki dişli de dışsa dişlerin toplamıyla, biri çemberse farkıyla orantılıdır.</translation>
+    </message>
+    <message>
+        <source>Each engaged element takes degrees of freedom away until one is left. An engaged brake makes the speed of its link zero: try which set gives the ratio.</source>
+        <translation>Devredeki her eleman, bir tane kalana dek serbestlik derecesi azaltır. Devredeki fren, uzvunun hızını sıfır yapar: hangi kümenin oranı verdiğini deneyin.</translation>
+    </message>
+    <message>
+        <source>The torques of all shafts and brakes of the train add up to zero, and so do their powers. Write both sums for what is engaged, then compare the sizes.</source>
+        <translation>Dişli takımının bütün mil ve frenlerinin torkları toplamı sıfırdır, güçleri de. Devredekiler için iki toplamı yazın, sonra büyüklükleri karşılaştırın.</translation>
+    </message>
+    <message>
+        <source>Let the load drive: behind each mesh less power arrives, by its efficiency. If none would be left at the input, or it would have to be driven, the train locks.</source>
+        <translation>Yükün tahrik ettiğini varsayın: her dişli çiftinin ardında verimi kadar az güç kalır. Girişte hiç güç kalmayacaksa ya da girişin tahrik edilmesi gerekecekse takım kilitlenir.</translation>
+    </message>
+    <message>
+        <source>The torques of drive, load and brake on the train add up to zero, and a brake passes no power. What acts on a link acts on the other part in the opposite sense.</source>
+        <translation>Tahrik, yük ve frenin dişli düzenine uyguladığı torkların toplamı sıfırdır; fren güç aktarmaz. Bir uzva etkiyen, öteki parçaya ters yönde etkir.</translation>
+    </message>
+    <message>
+        <source>no joints</source>
+        <translation>mafsal yok</translation>
+    </message>
+    <message>
+        <source>the turning joints are no spanning tree</source>
+        <translation>döner mafsallar kapsayan ağaç değil</translation>
+    </message>
+    <message>
+        <source>no meshes</source>
+        <translation>dişli çifti yok</translation>
+    </message>
+    <message>
+        <source>a mesh has no geometry</source>
+        <translation>bir dişli çiftinin geometrisi yok</translation>
+    </message>
+    <message>
+        <source>too many cycles</source>
+        <translation>çok fazla çevrim</translation>
+    </message>
+    <message>
+        <source>too many edges</source>
+        <translation>çok fazla kenar</translation>
+    </message>
+    <message>
+        <source>the matrices are too large or too small</source>
+        <translation>matrisler çok büyük ya da çok küçük</translation>
+    </message>
+    <message>
+        <source>no mesh is redundant</source>
+        <translation>fazlalık dişli çifti yok</translation>
+    </message>
+    <message>
+        <source>nothing can move</source>
+        <translation>hiçbir şey hareket edemez</translation>
+    </message>
+    <message>
+        <source>too many inputs</source>
+        <translation>çok fazla giriş</translation>
+    </message>
+    <message>
+        <source>no speed follows from the inputs</source>
+        <translation>girişlerden çıkan hız yok</translation>
+    </message>
+    <message>
+        <source>no planet between a sun and a ring</source>
+        <translation>güneş ile çember arasında gezegen yok</translation>
+    </message>
+    <message>
+        <source>no brakes or clutches</source>
+        <translation>fren ya da kavrama yok</translation>
+    </message>
+    <message>
+        <source>no states with a ratio</source>
+        <translation>oranı olan durum yok</translation>
+    </message>
+    <message>
+        <source>no two torques of brakes or clutches to compare</source>
+        <translation>karşılaştırılacak iki fren ya da kavrama torku yok</translation>
+    </message>
+    <message>
+        <source>no brake that carries a torque about the drive&apos;s axis</source>
+        <translation>tahrik ekseni çevresinde tork taşıyan fren yok</translation>
+    </message>
+    <message>
+        <source>no drive passes power through 1 to 6 meshes</source>
+        <translation>hiçbir tahrik gücü 1 ile 6 arası dişli çiftinden geçirmez</translation>
+    </message>
+    <message>
+        <source>Fill in Γ⁰</source>
+        <translation>Γ⁰&apos;ı doldur</translation>
+    </message>
+    <message>
+        <source>Orient the digraph</source>
+        <translation>Yönlü grafı yönlendir</translation>
+    </message>
+    <message>
+        <source>Fill in Γ</source>
+        <translation>Γ&apos;yı doldur</translation>
+    </message>
+    <message>
+        <source>Fill in Z</source>
+        <translation>Z&apos;yi doldur</translation>
+    </message>
+    <message>
+        <source>Fill in T</source>
+        <translation>T&apos;yi doldur</translation>
+    </message>
+    <message>
+        <source>Find the cycle of a mesh</source>
+        <translation>Bir dişli çiftinin çevrimini bul</translation>
+    </message>
+    <message>
+        <source>Walk a cycle in either sense</source>
+        <translation>Bir çevrimi istenen yönde dolaş</translation>
+    </message>
+    <message>
+        <source>Fill in a row of C</source>
+        <translation>C&apos;nin bir satırını doldur</translation>
+    </message>
+    <message>
+        <source>Write all cycles</source>
+        <translation>Bütün çevrimleri yaz</translation>
+    </message>
+    <message>
+        <source>Choose a spanning tree</source>
+        <translation>Bir kapsayan ağaç seç</translation>
+    </message>
+    <message>
+        <source>Find the wrong entry</source>
+        <translation>Yanlış girdiyi bul</translation>
+    </message>
+    <message>
+        <source>Fill in a row of P</source>
+        <translation>P&apos;nin bir satırını doldur</translation>
+    </message>
+    <message>
+        <source>Rank and DOF</source>
+        <translation>Rank ve SD</translation>
+    </message>
+    <message>
+        <source>Redundant mesh</source>
+        <translation>Fazlalık dişli çifti</translation>
+    </message>
+    <message>
+        <source>Valid inputs</source>
+        <translation>Geçerli girişler</translation>
+    </message>
+    <message>
+        <source>Predict a speed</source>
+        <translation>Bir hızı öngör</translation>
+    </message>
+    <message>
+        <source>Levels and transfer vertex</source>
+        <translation>Düzeyler ve aktarma düğümü</translation>
+    </message>
+    <message>
+        <source>Terminal equation, sign</source>
+        <translation>Uç denklemi, işaret</translation>
+    </message>
+    <message>
+        <source>f-circuit equation</source>
+        <translation>f-çevrim denklemi</translation>
+    </message>
+    <message>
+        <source>Fill in a row of Q</source>
+        <translation>Q&apos;nun bir satırını doldur</translation>
+    </message>
+    <message>
+        <source>Torque of a port, sign</source>
+        <translation>Bir kapının torku, işaret</translation>
+    </message>
+    <message>
+        <source>Teeth for a ratio</source>
+        <translation>Bir oran için diş sayıları</translation>
+    </message>
+    <message>
+        <source>Teeth of the ring</source>
+        <translation>Çemberin diş sayısı</translation>
+    </message>
+    <message>
+        <source>Brakes for a gear</source>
+        <translation>Bir vites için frenler</translation>
+    </message>
+    <message>
+        <source>Largest torque of a brake</source>
+        <translation>Bir frenin en büyük torku</translation>
+    </message>
+    <message>
+        <source>Self-locking</source>
+        <translation>Kendi kendine kilitlenme</translation>
+    </message>
+    <message>
+        <source>Reaction of a brake, sense</source>
+        <translation>Bir frenin tepkisi, yön</translation>
+    </message>
+    <message>
+        <source>one cycle</source>
+        <translation>bir çevrim</translation>
+    </message>
+    <message>
+        <source>%1 cycles</source>
+        <translation>%1 çevrim</translation>
+    </message>
+    <message>
+        <source>one input</source>
+        <translation>bir giriş</translation>
+    </message>
+    <message>
+        <source>%1 inputs</source>
+        <translation>%1 giriş</translation>
+    </message>
+    <message>
+        <source>%1 redundant</source>
+        <translation>%1 fazlalık</translation>
+    </message>
+    <message>
+        <source>%1 states</source>
+        <translation>%1 durum</translation>
+    </message>
+    <message>
+        <source>easy: %1</source>
+        <translation>kolay: %1</translation>
+    </message>
+    <message>
+        <source>medium: %1</source>
+        <translation>orta: %1</translation>
+    </message>
+    <message>
+        <source>hard: %1</source>
+        <translation>zor: %1</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have with every brake and clutch released?</source>
+        <translation>$P$ katsayı matrisinin $r$ rankı nedir ve bütün fren ve kavramalar ayrıkken mekanizmanın kaç serbestlik derecesi $E$ vardır?</translation>
+    </message>
+    <message>
+        <source>What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the mechanism have?</source>
+        <translation>$P$ katsayı matrisinin $r$ rankı nedir ve mekanizmanın kaç serbestlik derecesi $E$ vardır?</translation>
+    </message>
+    <message>
+        <source>Of the %1 rows of P, %2 are independent: %3</source>
+        <translation>P&apos;nin %1 satırından %2 tanesi bağımsızdır: %3</translation>
+    </message>
+    <message>
+        <source>All %1 rows of P are independent: %2</source>
+        <translation>P&apos;nin %1 satırının hepsi bağımsızdır: %2</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: one mesh follows from the others, so that r is %1.</source>
+        <translation>Her dişli çiftini kısıt saydınız: biri ötekilerden çıkar, bu yüzden r = %1.</translation>
+    </message>
+    <message>
+        <source>You count every mesh as a constraint: %1 meshes follow from the others, so that r is %2.</source>
+        <translation>Her dişli çiftini kısıt saydınız: %1 tanesi ötekilerden çıkar, bu yüzden r = %2.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: one mesh follows from the others.</source>
+        <translation>Rank, dişli çifti sayısı değildir: biri ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>The rank is not the number of meshes: %1 meshes follow from the others.</source>
+        <translation>Rank, dişli çifti sayısı değildir: %1 tanesi ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>You exchange both numbers: r counts equations, E = t − r is left.</source>
+        <translation>İki sayıyı karıştırdınız: r denklemleri sayar, kalan E = t − r&apos;dir.</translation>
+    </message>
+    <message>
+        <source>You count the ground among the moving links: it has no turning joint of its own.</source>
+        <translation>Sabit uzvu hareketli uzuvlardan saydınız: onun kendi döner mafsalı yoktur.</translation>
+    </message>
+    <message>
+        <source>You take two degrees of freedom for each mesh: its gears roll and slide, so that it takes one.</source>
+        <translation>Her dişli çifti için iki serbestlik derecesi çıkardınız: dişliler yuvarlanır ve kayar, bu yüzden yalnız bir tane çıkar.</translation>
+    </message>
+    <message>
+        <source>You count the freedoms of the turning joints only: each independent mesh takes one of them.</source>
+        <translation>Yalnız döner mafsalların serbestliklerini saydınız: her bağımsız dişli çifti birini alır.</translation>
+    </message>
+    <message>
+        <source>The rank is right, but E = t − r = %1 − %2.</source>
+        <translation>Rank doğru, ama E = t − r = %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Choose a valid set of inputs: turning joints whose speeds determine the whole motion.</source>
+        <translation>Geçerli bir giriş kümesi seçin: hızları bütün hareketi belirleyen döner mafsallar.</translation>
+    </message>
+    <message>
+        <source>A valid set has one joint, whose speed can be chosen freely and determines all others.</source>
+        <translation>Geçerli kümede, hızı serbestçe seçilen ve bütün ötekileri belirleyen tek mafsal vardır.</translation>
+    </message>
+    <message>
+        <source>A valid set has %1 joints whose speeds can be chosen freely and determine all others.</source>
+        <translation>Geçerli kümede, hızları serbestçe seçilen ve bütün ötekileri belirleyen %1 mafsal vardır.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, so that it cannot be driven.</source>
+        <translation>%1 mafsalı hiç dönemez, bu yüzden tahrik edilemez.</translation>
+    </message>
+    <message>
+        <source>With one degree of freedom the other joints you name follow from one of them.</source>
+        <translation>Bir serbestlik derecesiyle, söylediğiniz öteki mafsallar birinden çıkar.</translation>
+    </message>
+    <message>
+        <source>With %1 degrees of freedom the other joints you name follow from %1 of them.</source>
+        <translation>%1 serbestlik derecesiyle, söylediğiniz öteki mafsallar %1 tanesinden çıkar.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is on no cycle, so that only an input can determine its speed.</source>
+        <translation>%1 mafsalı hiçbir çevrimde değil, hızını yalnız bir giriş belirleyebilir.</translation>
+    </message>
+    <message>
+        <source>Joint %1 always turns at %2 times the speed of joint %3: only one of them can be chosen.</source>
+        <translation>%1 mafsalı her zaman %3 mafsalının %2 katı hızla döner: yalnız biri seçilebilir.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints depend on each other, so that some other joint stays free.</source>
+        <translation>Bu mafsalların hızları birbirine bağlı, bu yüzden başka bir mafsal serbest kalır.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom: your inputs leave a motion open.</source>
+        <translation>Mekanizmanın %1 serbestlik derecesi var: girişleriniz bir hareketi açık bırakıyor.</translation>
+    </message>
+    <message>
+        <source>How many meshes are redundant, and which mesh could be left out without another motion? Name one of them.</source>
+        <translation>Kaç dişli çifti fazlalıktır ve hareket değişmeden hangisi çıkarılabilir? Birini söyleyin.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that one is redundant; each of %3 follows from others.</source>
+        <translation>%2 dişli çiftiyle rank %1&apos;dir, yani biri fazlalıktır; %3 içinden her biri ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>The rank is %1 with %2 meshes, so that %3 are redundant; each of %4 follows from others.</source>
+        <translation>%2 dişli çiftiyle rank %1&apos;dir, yani %3 tanesi fazlalıktır; %4 içinden her biri ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>redundant meshes</source>
+        <translation>fazlalık dişli çiftleri</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>biri</translation>
+    </message>
+    <message>
+        <source>The rows of P are not independent: their rank is %1, fewer than %2 meshes.</source>
+        <translation>P&apos;nin satırları bağımsız değil: rankları %1, dişli çifti sayısı %2&apos;den az.</translation>
+    </message>
+    <message>
+        <source>There are as many redundant meshes as rows of P beyond its rank: %1 − %2.</source>
+        <translation>P&apos;nin rankını aşan satırları kadar fazlalık dişli çifti vardır: %1 − %2.</translation>
+    </message>
+    <message>
+        <source>Without mesh %1 the mechanism would gain a degree of freedom: it follows from no others.</source>
+        <translation>%1 dişli çifti olmasa mekanizma bir serbestlik derecesi kazanırdı: ötekilerden çıkmaz.</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>döner</translation>
+    </message>
+    <message>
+        <source>Of the power that it takes, seen from its carrier, each mesh passes the part $%1$; nothing else loses power. Now %2 drives backwards and %3 takes the power. Does the train turn, or does it lock itself? With which efficiency does it pass the power (0 where it locks itself)? A fraction or a decimal of three digits will do.</source>
+        <translation>Her dişli çifti, taşıyıcısından bakıldığında aldığı gücün $%1$ kadarını geçirir; başka güç kaybı yoktur. Şimdi %2 geri tahrik eder, %3 gücü alır. Takım döner mi, yoksa kendi kendine kilitlenir mi? Gücü hangi verimle geçirir (kilitleniyorsa 0)? Bir kesir ya da üç basamaklı bir ondalık sayı yeterlidir.</translation>
+    </message>
+    <message>
+        <source>driven backwards it</source>
+        <translation>geri tahrik edilince</translation>
+    </message>
+    <message>
+        <source>efficiency backwards</source>
+        <translation>geri verim</translation>
+    </message>
+    <message>
+        <source>joint $%1$</source>
+        <translation>$%1$ mafsalı</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2.</source>
+        <translation>Motor: %1; tahrik ettiği yük: %2.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joint %3 held.</source>
+        <translation>Motor: %1; tahrik ettiği yük: %2; %3 mafsalı tutuluyor.</translation>
+    </message>
+    <message>
+        <source>A motor in %1 drives a load at %2, with joints %3 held.</source>
+        <translation>Motor: %1; tahrik ettiği yük: %2; %3 mafsalları tutuluyor.</translation>
+    </message>
+    <message>
+        <source>link $%1$</source>
+        <translation>$%1$ uzvu</translation>
+    </message>
+    <message>
+        <source>In state “%1”, with %2 engaged, %3 drives a load on %4.</source>
+        <translation>“%1” durumunda, %2 devredeyken, %3 yükü tahrik eder; yük: %4.</translation>
+    </message>
+    <message>
+        <source>the mesh passes %1 W for each watt that is fed, seen from its carrier</source>
+        <translation>dişli çifti taşıyıcısından bakıldığında beslenen her watt için %1 W geçirir</translation>
+    </message>
+    <message>
+        <source>the meshes pass %1 W for each watt that is fed, seen from their carriers</source>
+        <translation>dişli çiftleri taşıyıcılarından bakıldığında beslenen her watt için %1 W geçirir</translation>
+    </message>
+    <message>
+        <source>gear %1 drives in mesh %2</source>
+        <translation>%2 dişli çiftinde %1 dişlisi tahrik eder</translation>
+    </message>
+    <message>
+        <source>Driven backwards, %1: of each watt that is fed %2 W arrive, so that the train turns.</source>
+        <translation>Geri tahrik edilince: %1. Beslenen her wattın %2 W&apos;ı ulaşır, bu yüzden takım döner.</translation>
+    </message>
+    <message>
+        <source>Without losses %1, and each loses %2 of what it takes: with these losses no load, however large, turns the drive: the train locks itself.</source>
+        <translation>Kayıpsız %1 ve her biri aldığının %2 kadarını kaybeder: bu kayıplarla, ne kadar büyük olursa olsun hiçbir yük tahriki döndürmez: takım kendi kendine kilitlenir.</translation>
+    </message>
+    <message>
+        <source>Backwards it passes %1.</source>
+        <translation>Geri yönde %1 geçirir.</translation>
+    </message>
+    <message>
+        <source>Your efficiency is upside down: it is the power taken over the power fed, less than 1.</source>
+        <translation>Veriminiz ters: verim, alınan gücün beslenen güce oranıdır ve 1&apos;den küçüktür.</translation>
+    </message>
+    <message>
+        <source>It does not lock itself: the losses are less than the power fed, and %1 of the power arrives when it is driven backwards.</source>
+        <translation>Kendi kendine kilitlenmez: kayıplar beslenen güçten azdır ve geri tahrikte gücün %1 kadarı ulaşır.</translation>
+    </message>
+    <message>
+        <source>Backwards it locks itself.</source>
+        <translation>Geri yönde kendi kendine kilitlenir.</translation>
+    </message>
+    <message>
+        <source>It locks itself: %1, and with these losses no load, however large, turns the drive.</source>
+        <translation>Kendi kendine kilitlenir: %1 ve bu kayıplarla, ne kadar büyük olursa olsun hiçbir yük tahriki döndürmez.</translation>
+    </message>
+    <message>
+        <source>It locks itself, right; but then no power passes: the efficiency is 0.</source>
+        <translation>Kendi kendine kilitlenir, doğru; ama o zaman güç geçmez: verim 0&apos;dır.</translation>
+    </message>
+    <message>
+        <source>This is the efficiency with the motor driving: backwards the other gears drive.</source>
+        <translation>Bu, motor tahrik ederkenki verimdir: geri yönde öteki dişliler tahrik eder.</translation>
+    </message>
+    <message>
+        <source>You leave out the losses of the meshes.</source>
+        <translation>Dişli çiftlerinin kayıplarını atladınız.</translation>
+    </message>
+    <message>
+        <source>You multiply the efficiencies of the meshes as in a train of fixed axes: seen from its carrier a mesh passes another power.</source>
+        <translation>Dişli çiftlerinin verimlerini sabit eksenli takımdaki gibi çarptınız: taşıyıcısından bakıldığında bir dişli çifti başka bir güç geçirir.</translation>
+    </message>
+    <message>
+        <source>The entries of this matrix are −1, 0 and 1 only: they tell senses, not sizes.</source>
+        <translation>Bu matrisin girdileri yalnız −1, 0 ve 1&apos;dir: büyüklükleri değil yönleri söylerler.</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>as the drive&apos;s torque</source>
+        <translation>tahrik torkuyla aynı yönde</translation>
+    </message>
+    <message>
+        <source>against the drive&apos;s torque</source>
+        <translation>tahrik torkuna ters yönde</translation>
+    </message>
+    <message>
+        <source>State “%1” engages %2, link $%3$ drives and link $%4$ bears the load. The torque of the drive is $%5$ N m, and no power is lost. What torque, with its sign, does brake %6 exert on link $%7$? And in which sense does it try to turn the housing? A fraction or a decimal of three digits will do.</source>
+        <translation>“%1” durumu %2 elemanını kavrar; $%3$ uzvu tahrik eder, $%4$ uzvu yükü taşır. Tahrik torku $%5$ N m’dir ve güç kaybı yoktur. %6 freni $%7$ uzvuna işaretiyle birlikte hangi torku uygular? Gövdeyi hangi yönde döndürmeye çalışır? Bir kesir ya da üç basamaklı bir ondalık yeterlidir.</translation>
+    </message>
+    <message>
+        <source>torque on link %1 in N m</source>
+        <translation>%1 uzvuna etkiyen tork, N m</translation>
+    </message>
+    <message>
+        <source>turns the housing</source>
+        <translation>gövdeyi döndürür</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2 with %3 N m; the housing has the opposite, %4 N m.</source>
+        <translation>%1 freni %2 uzvunu %3 N m ile tutar; gövdeye bunun tersi, %4 N m etkir.</translation>
+    </message>
+    <message>
+        <source>This is what the housing feels: on link %1 the brake acts with %2 N m.</source>
+        <translation>Bu, gövdenin hissettiğidir: fren %1 uzvuna %2 N m ile etkir.</translation>
+    </message>
+    <message>
+        <source>A sign is lost: %1 N m of the drive, %2 N m that hold the load and the torque of the brake add up to 0.</source>
+        <translation>Bir işaret kayboldu: tahrikin %1 N m’si, yükü tutan %2 N m ve frenin torku toplamda 0 eder.</translation>
+    </message>
+    <message>
+        <source>You use the ratio upside down: with the ratio %1 the load is held by %2 N m.</source>
+        <translation>Oranı ters kullanıyorsunuz: %1 oranıyla yükü %2 N m tutar.</translation>
+    </message>
+    <message>
+        <source>This is the torque at the load on link %1: the brake has to keep the balance of drive and load.</source>
+        <translation>Bu, %1 uzvundaki yükün torkudur: fren, tahrik ile yükün dengesini sağlamalıdır.</translation>
+    </message>
+    <message>
+        <source>This is the torque of the drive: the brake does not carry it as it is.</source>
+        <translation>Bu, tahrikin torkudur: fren onu olduğu gibi taşımaz.</translation>
+    </message>
+    <message>
+        <source>Link %1 and the housing are turned in opposite senses by the brake: link %1 has %2 N m, the housing %3 N m.</source>
+        <translation>Fren %1 uzvunu ve gövdeyi ters yönlerde döndürür: %1 uzvunda %2 N m, gövdede %3 N m vardır.</translation>
+    </message>
+    <message>
+        <source>The inputs turn at %1 rad/s. What is $\dot{\theta}_{%2}$ in rad/s? A fraction or a decimal of three digits will do.</source>
+        <translation>Girişler %1 rad/s ile döner. $\dot{\theta}_{%2}$ kaç rad/s&apos;dir? Bir kesir ya da üç basamaklı bir ondalık sayı yeterlidir.</translation>
+    </message>
+    <message>
+        <source>The meshes in the chain give joint %1 the rate %2 rad/s.</source>
+        <translation>Zincirdeki dişli çiftleri %1 mafsalına %2 rad/s hız verir.</translation>
+    </message>
+    <message>
+        <source>speed of joint %1</source>
+        <translation>%1 mafsalının hızı</translation>
+    </message>
+    <message>
+        <source>The size is right, but the joint turns the other way.</source>
+        <translation>Büyüklük doğru, ama mafsal öbür yönde döner.</translation>
+    </message>
+    <message>
+        <source>You leave out input %1: the contributions of all inputs add up.</source>
+        <translation>%1 girişini atladınız: bütün girişlerin katkıları toplanır.</translation>
+    </message>
+    <message>
+        <source>You multiply by the whole ratio where you have to divide by it: %1 turns at %2 rad/s.</source>
+        <translation>Bölmeniz gereken yerde bütün oranla çarptınız: %1, %2 rad/s ile döner.</translation>
+    </message>
+    <message>
+        <source>You use the ratio of mesh %1 upside down.</source>
+        <translation>%1 dişli çiftinin oranını ters kullandınız.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 is the opposite in your chain.</source>
+        <translation>Zincirinizde %1 dişli çiftinin işareti ters.</translation>
+    </message>
+    <message>
+        <source>You use speeds relative to the ground in the meshes: a mesh relates the speeds of its gears in their carrier.</source>
+        <translation>Dişli çiftlerinde sabit uzva göre hızları kullandınız: dişli çifti, dişlilerinin taşıyıcıdaki hızlarını bağlar.</translation>
+    </message>
+    <message>
+        <source>This is the speed of link %1 relative to the ground: the joint&apos;s rate is relative to the link that carries it.</source>
+        <translation>Bu, %1 uzvunun sabit uzva göre hızıdır: mafsalın hızı onu taşıyan uzva göredir.</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches have to be engaged for state “%1”, in which link $%2$ turns at $%3$ times the speed of link $%4$?</source>
+        <translation>$%2$ uzvunun $%4$ uzvunun $%3$ katı hızla döndüğü “%1” durumu için hangi fren ve kavramalar devrede olmalıdır?</translation>
+    </message>
+    <message>
+        <source>With %1 engaged one degree of freedom is left and the ratio is %2.</source>
+        <translation>%1 devredeyken bir serbestlik derecesi kalır ve oran %2&apos;dir.</translation>
+    </message>
+    <message>
+        <source>engaged</source>
+        <translation>devrede</translation>
+    </message>
+    <message>
+        <source>These couplings engage state “%1”, not “%2”.</source>
+        <translation>Bu elemanlar “%2” değil “%1” durumunu verir.</translation>
+    </message>
+    <message>
+        <source>More than one degree of freedom is left: another brake or clutch has to be engaged.</source>
+        <translation>Birden çok serbestlik derecesi kalıyor: bir fren ya da kavrama daha devreye alınmalıdır.</translation>
+    </message>
+    <message>
+        <source>These couplings together lock the drive.</source>
+        <translation>Bu elemanlar birlikte tahriki kilitler.</translation>
+    </message>
+    <message>
+        <source>The drive turns with these couplings, but its ratio is not %1.</source>
+        <translation>Tahrik bu elemanlarla döner, ama oran %1 değildir.</translation>
+    </message>
+    <message>
+        <source>The terminal equation of mesh $%1$ is $\omega_{%2} = %3 \, \omega_{%4}$. No power is lost. Write the torque of the second port in terms of the first one&apos;s: the factor $f$ with its sign.</source>
+        <translation>$%1$ dişli çiftinin uç denklemi $\omega_{%2} = %3 \, \omega_{%4}$ şeklindedir. Güç kaybı yoktur. İkinci kapının torkunu birincininki cinsinden yazın: işaretiyle $f$ çarpanı.</translation>
+    </message>
+    <message>
+        <source>The powers of both ports add up to 0, so that the torques have the inverse ratio of the speeds with the opposite sign: f = %1.</source>
+        <translation>İki kapının güçleri toplamı 0&apos;dır; bu yüzden torkların oranı hızlarınkinin tersi, işareti karşıttır: f = %1.</translation>
+    </message>
+    <message>
+        <source>The ratio is right, but the sign is not: what one port takes in the other gives off.</source>
+        <translation>Oran doğru, işaret değil: bir kapının aldığını öteki verir.</translation>
+    </message>
+    <message>
+        <source>You use the relation of the speeds: torques have the inverse ratio and the opposite sign.</source>
+        <translation>Hızların bağıntısını kullandınız: torkların oranı ters, işareti karşıttır.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear that turns more slowly has the larger torque.</source>
+        <translation>Oranınız ters: yavaş dönen dişlinin torku büyüktür.</translation>
+    </message>
+    <message>
+        <source>Choose numbers of teeth between $%1$ and $%2$ for mesh $%3$ so that $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$.</source>
+        <translation>$%3$ dişli çifti için $i_{%3} = \frac{N_{%4}}{N_{%5}} = %6$ olacak biçimde $%1$ ile $%2$ arasında diş sayıları seçin.</translation>
+    </message>
+    <message>
+        <source>N%1 : N%2 = %3 : %4, for example %5 and %6 teeth.</source>
+        <translation>N%1 : N%2 = %3 : %4, örneğin %5 ve %6 diş.</translation>
+    </message>
+    <message>
+        <source>A number of teeth is a whole number between %1 and %2 here.</source>
+        <translation>Burada diş sayısı %1 ile %2 arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: it is %1, not %2.</source>
+        <translation>Oranınız ters: %2 değil %1.</translation>
+    </message>
+    <message>
+        <source>The quotient of your numbers is not %1.</source>
+        <translation>Sayılarınızın bölümü %1 değil.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$ in mesh $%4$ and $%5$ in mesh $%6$, all of one module and without profile shift.</source>
+        <translation>$%1$ uzvunun $%2$ dişi, gezegenin $%4$ dişli çiftinde $%3$, $%6$ dişli çiftinde $%5$ dişi olsun; modül hep aynı, profil kaydırma yok.</translation>
+    </message>
+    <message>
+        <source>Let link $%1$ have $%2$ teeth and the planet $%3$, all of one module and without profile shift.</source>
+        <translation>$%1$ uzvunun $%2$, gezegenin $%3$ dişi olsun; modül hep aynı, profil kaydırma yok.</translation>
+    </message>
+    <message>
+        <source>Planet $%1$ is in external mesh $%2$ with link $%3$ and in internal mesh $%4$ with ring $%5$. %6 How many teeth must the ring have, so that both centre distances are equal?</source>
+        <translation>$%1$ gezegeni $%2$ dış dişli çiftinde $%3$ uzvuyla, $%4$ iç dişli çiftinde $%5$ çemberiyle eştir. %6 İki eksen uzaklığının eşit olması için çemberin kaç dişi olmalıdır?</translation>
+    </message>
+    <message>
+        <source>The centre distance is half the sum of an external pair and half the difference of an internal one: %1 + %2 = N − %3, so that N = %4.</source>
+        <translation>Eksen uzaklığı dış çiftte toplamın, iç çiftte farkın yarısıdır: %1 + %2 = N − %3, yani N = %4.</translation>
+    </message>
+    <message>
+        <source>teeth of the ring</source>
+        <translation>çemberin dişleri</translation>
+    </message>
+    <message>
+        <source>You add the teeth of the ring: the centre distance of an internal pair is half the difference.</source>
+        <translation>Çemberin dişlerini topladınız: iç çiftin eksen uzaklığı farkın yarısıdır.</translation>
+    </message>
+    <message>
+        <source>You count the planet once: it is between the sun and the ring on both sides.</source>
+        <translation>Gezegeni bir kez saydınız: güneş ile çember arasında iki yanda da bulunur.</translation>
+    </message>
+    <message>
+        <source>Take meshes and turning joints alike as edges of one graph. Choose a spanning tree of it that contains mesh $%1$.</source>
+        <translation>Dişli çiftlerini ve döner mafsalları birlikte bir grafın kenarları sayın. Onun $%1$ dişli çiftini içeren bir kapsayan ağacını seçin.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges and no loop: take the mesh in and a joint of its cycle out.</source>
+        <translation>%1 uzvun kapsayan ağacında %2 kenar vardır ve döngü yoktur: dişli çiftini alın, çevriminden bir mafsalı çıkarın.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>kenarlar</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree, but mesh %1 is not in it.</source>
+        <translation>Döner mafsallar bir kapsayan ağaçtır, ama %1 dişli çifti içinde değil.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: yours leaves links loose.</source>
+        <translation>%1 uzvun kapsayan ağacında %2 kenar vardır: sizinki uzuvları açıkta bırakır.</translation>
+    </message>
+    <message>
+        <source>A spanning tree of %1 links has %2 edges: with more of them some close a loop.</source>
+        <translation>%1 uzvun kapsayan ağacında %2 kenar vardır: daha çoğuyla bazıları döngü kapatır.</translation>
+    </message>
+    <message>
+        <source>Some of your edges close a loop, so that another link is left loose.</source>
+        <translation>Kenarlarınızdan bazıları döngü kapatıyor, bu yüzden başka bir uzuv açıkta kalıyor.</translation>
+    </message>
+    <message>
+        <source>Your edges are a spanning tree, but mesh %1 is not among them.</source>
+        <translation>Kenarlarınız bir kapsayan ağaç, ama %1 dişli çifti aralarında değil.</translation>
+    </message>
+    <message>
+        <source>Link %1 is a gear of mesh %2, not its carrier: the level changes at link %3.</source>
+        <translation>%1 uzvu %2 dişli çiftinin taşıyıcısı değil dişlisidir: düzey %3 uzvunda değişir.</translation>
+    </message>
+    <message>
+        <source>You measure from the ground, but the level changes at link %1.</source>
+        <translation>Sabit uzuvdan ölçtünüz, ama düzey %1 uzvunda değişir.</translation>
+    </message>
+    <message>
+        <source>Both edges of the path at link %1 are on one level: the level changes at link %2.</source>
+        <translation>Yolun %1 uzvundaki iki kenarı aynı düzeydedir: düzey %2 uzvunda değişir.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not on the path between both gears: the level changes at link %2.</source>
+        <translation>%1 uzvu iki dişli arasındaki yolda değil: düzey %2 uzvunda değişir.</translation>
+    </message>
+    <message>
+        <source>Walk from link $%1$ through the tree branches to link $%2$, the gears of mesh $%3$. On which levels do both gears turn in their carrier, and which link is the transfer vertex?</source>
+        <translation>$%3$ dişli çiftinin dişlileri olan $%1$ uzvundan $%2$ uzvuna ağaç dalları boyunca gidin. İki dişli taşıyıcılarında hangi düzeylerde döner ve aktarma düğümü hangi uzuvdur?</translation>
+    </message>
+    <message>
+        <source>The walk begins on level %1 and ends on level %2; the link where the level changes, %3, is the transfer vertex: the carrier of the mesh.</source>
+        <translation>Yol %1 düzeyinde başlar, %2 düzeyinde biter; düzeyin değiştiği %3 uzvu aktarma düğümüdür: dişli çiftinin taşıyıcısı.</translation>
+    </message>
+    <message>
+        <source>level of link %1</source>
+        <translation>%1 uzvunun düzeyi</translation>
+    </message>
+    <message>
+        <source>transfer vertex</source>
+        <translation>aktarma düğümü</translation>
+    </message>
+    <message>
+        <source>You exchange the levels: link %1 turns on level %2, link %3 on level %4.</source>
+        <translation>Düzeyleri karıştırdınız: %1 uzvu %2 düzeyinde, %3 uzvu %4 düzeyinde döner.</translation>
+    </message>
+    <message>
+        <source>Level %1 is that of the other gear: this one turns on level %2.</source>
+        <translation>%1 düzeyi öteki dişlininkidir: bu dişli %2 düzeyinde döner.</translation>
+    </message>
+    <message>
+        <source>The walk between both gears uses the levels %1 and %2 only.</source>
+        <translation>İki dişli arasındaki yol yalnız %1 ve %2 düzeylerini kullanır.</translation>
+    </message>
+    <message>
+        <source>Write the terminal equation of mesh $%1$, with $N_{%2} = %3$ and $N_{%4} = %5$ teeth: the carrier $k$, and the factor $f$ with its sign.</source>
+        <translation>$N_{%2} = %3$ ve $N_{%4} = %5$ dişli $%1$ dişli çiftinin uç denklemini yazın: $k$ taşıyıcısı ve işaretiyle $f$ çarpanı.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn the same way, each along its own axis: f = %3.</source>
+        <translation>%1 taşıyıcısından bakıldığında %2 dişli çiftinin dişlileri, her biri kendi ekseninde, aynı yönde döner: f = %3.</translation>
+    </message>
+    <message>
+        <source>Seen from carrier %1, the gears of mesh %2 turn against each other, each along its own axis: f = %3.</source>
+        <translation>%1 taşıyıcısından bakıldığında %2 dişli çiftinin dişlileri, her biri kendi ekseninde, ters yönde döner: f = %3.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>%1 dişli çifti içtir: taşıyıcıdan bakıldığında dişlileri aynı yönde döner, yani f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>%1 dişli çifti dıştır: taşıyıcıdan bakıldığında dişlileri ters yönde döner, yani f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f is %2.</source>
+        <translation>%1 konik dişli çiftidir: taşıyıcıdan bakıldığında dişlileri aynı yönde döner, yani f = %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so that f is %2.</source>
+        <translation>%1 konik dişli çiftidir: taşıyıcıdan bakıldığında dişlileri ters yönde döner, yani f = %2.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down: the gear with more teeth turns more slowly, f = %1.</source>
+        <translation>Oranınız ters: dişi çok olan dişli daha yavaş döner, f = %1.</translation>
+    </message>
+    <message>
+        <source>Your ratio is upside down, and the sign is wrong, too: f = %1.</source>
+        <translation>Oranınız ters, işaret de yanlış: f = %1.</translation>
+    </message>
+    <message>
+        <source>You take the teeth of another wheel on the same link: mesh %1 has %2 and %3.</source>
+        <translation>Aynı uzuvdaki başka bir dişlinin dişlerini aldınız: %1 dişli çiftinde %2 ve %3 vardır.</translation>
+    </message>
+    <message>
+        <source>Write the f-circuit equation of the chord between gear $%1$ and carrier $%2$: the coefficients of the branches.</source>
+        <translation>$%1$ dişlisi ile $%2$ taşıyıcısı arasındaki kirişin f-çevrim denklemini yazın: dalların katsayıları.</translation>
+    </message>
+    <message>
+        <source>The speed of gear %1 in carrier %2 is the sum over the branches between them: 1 for a branch that points to the gear, −1 for one that points to the carrier, as their axes do.</source>
+        <translation>%1 dişlisinin %2 taşıyıcısındaki hızı, aralarındaki dalların toplamıdır: dişliyi gösteren dal 1, taşıyıcıyı gösteren dal −1 alır; eksenleri de öyle.</translation>
+    </message>
+    <message>
+        <source>You write the speed of the carrier relative to the gear: all signs are the opposite.</source>
+        <translation>Taşıyıcının dişliye göre hızını yazdınız: bütün işaretler ters.</translation>
+    </message>
+    <message>
+        <source>This is the circuit of the other chord of mesh %1, of gear %2.</source>
+        <translation>Bu, %1 dişli çiftinin öteki kirişinin, %2 dişlisinin çevrimidir.</translation>
+    </message>
+    <message>
+        <source>You write the speed relative to the ground: the chord ends at carrier %1.</source>
+        <translation>Sabit uzva göre hızı yazdınız: kiriş %1 taşıyıcısında biter.</translation>
+    </message>
+    <message>
+        <source>You follow the walk from gear to gear: the chord ends at carrier %1.</source>
+        <translation>Dişliden dişliye yolu izlediniz: kiriş %1 taşıyıcısında biter.</translation>
+    </message>
+    <message>
+        <source>You give all branches one sign: one that points from the gear to the carrier counts −1.</source>
+        <translation>Bütün dallara tek işaret verdiniz: dişliden taşıyıcıya giden dal −1 sayılır.</translation>
+    </message>
+    <message>
+        <source>The branches between gear %1 and carrier %2 do not include %3: 0.</source>
+        <translation>%1 dişlisi ile %2 taşıyıcısı arasındaki dallarda şu yoktur: %3: 0.</translation>
+    </message>
+    <message>
+        <source>The sign of %1 is the opposite on the way from the carrier to the gear: %2.</source>
+        <translation>%1 için işaret, taşıyıcıdan dişliye giderken terstir: %2.</translation>
+    </message>
+    <message>
+        <source>The circuit closes through %1: %2, not 0.</source>
+        <translation>Çevrim şuradan kapanır: %1; %2, 0 değil.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2: 0.</source>
+        <translation>%1 şunu kullanmaz: %2: 0.</translation>
+    </message>
+    <message>
+        <source>%1 runs along the arrow of %2: 1, not −1.</source>
+        <translation>%1, şunun oku boyunca gider: %2; 1, −1 değil.</translation>
+    </message>
+    <message>
+        <source>%1 runs against the arrow of %2: −1, not 1.</source>
+        <translation>%1, şunun okuna ters gider: %2; −1, 1 değil.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, along its arrow: 1, not 0.</source>
+        <translation>%1 şunu oku boyunca kullanır: %2; 1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>%1 uses %2, against its arrow: −1, not 0.</source>
+        <translation>%1 şunu okuna ters kullanır: %2; −1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>The cycle of mesh %1</source>
+        <translation>%1 dişli çiftinin çevrimi</translation>
+    </message>
+    <message>
+        <source>You walk the cycle against mesh %1: it runs along the mesh from tail to head and back through the tree.</source>
+        <translation>Çevrimi %1 dişli çiftine ters dolaştınız: çevrim, dişli çifti boyunca kuyruktan başa gider ve ağaçtan döner.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycle without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Çevrimin mafsallarını yönsüz işaretlediniz: yolun oka ters gittiği yer −1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle of mesh %1, not of mesh %2.</source>
+        <translation>Bu, %2 değil %1 dişli çiftinin çevrim satırıdır.</translation>
+    </message>
+    <message>
+        <source>%1 begins along the mesh itself: 1.</source>
+        <translation>%1 dişli çiftinin kendisi boyunca başlar: 1.</translation>
+    </message>
+    <message>
+        <source>%1 is walked along its mesh, from tail to head: 1, not −1.</source>
+        <translation>%1, dişli çifti boyunca kuyruktan başa dolaşılır: 1, −1 değil.</translation>
+    </message>
+    <message>
+        <source>%1 holds one mesh only, not mesh %2: 0.</source>
+        <translation>%1 tek dişli çifti içerir, %2 dişli çiftini içermez: 0.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows and columns of the path matrix $Z$: how the walk from each link to the ground uses the turning joints.</source>
+        <translation>$Z$ yol matrisinin bu satır ve sütunlarını doldurun: her uzuvdan sabit uzva giden yol döner mafsalları nasıl kullanır.</translation>
+    </message>
+    <message>
+        <source>Walk from the link to the ground: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it, 0 off the walk.</source>
+        <translation>Uzuvdan sabit uzva gidin: yol mafsalın okunu izliyorsa 1, ona ters gidiyorsa −1, yol dışında 0.</translation>
+    </message>
+    <message>
+        <source>You walk from the ground to the links: the walks of Z end at the ground.</source>
+        <translation>Sabit uzuvdan uzuvlara gittiniz: Z&apos;nin yolları sabit uzuvda biter.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the walks without their senses: −1 where a walk runs against an arrow.</source>
+        <translation>Yolların mafsallarını yönsüz işaretlediniz: yolun oka ters gittiği yer −1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns: a column of Z belongs to a link and tells its walk.</source>
+        <translation>Satırlarla sütunları karıştırdınız: Z&apos;nin bir sütunu bir uzva aittir ve onun yolunu anlatır.</translation>
+    </message>
+    <message>
+        <source>This is the walk of link %1, not of link %2.</source>
+        <translation>Bu, %2 değil %1 uzvunun yoludur.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground</source>
+        <translation>%1 uzvundan sabit uzva giden yol</translation>
+    </message>
+    <message>
+        <source>Fill in this row of the spanning-tree matrix $T$.</source>
+        <translation>$T$ kapsayan ağaç matrisinin bu satırını doldurun.</translation>
+    </message>
+    <message>
+        <source>Fill in these rows of the spanning-tree matrix $T$.</source>
+        <translation>$T$ kapsayan ağaç matrisinin bu satırlarını doldurun.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows a joint&apos;s arrow, −1 where it runs against it.</source>
+        <translation>Çevrimi dişli çifti boyunca kuyruktan başa ve ağaçtan geri dolaşın: yol mafsalın okunu izliyorsa 1, ona ters gidiyorsa −1.</translation>
+    </message>
+    <message>
+        <source>You walk the cycles against their meshes: they run along the mesh from tail to head and back through the tree.</source>
+        <translation>Çevrimleri dişli çiftlerine ters dolaştınız: dişli çifti boyunca kuyruktan başa gider ve ağaçtan dönerler.</translation>
+    </message>
+    <message>
+        <source>You mark the joints of the cycles without their senses: −1 where the walk runs against an arrow.</source>
+        <translation>Çevrimlerin mafsallarını yönsüz işaretlediniz: yolun oka ters gittiği yer −1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>You exchange the rows of both cycles.</source>
+        <translation>İki çevrimin satırlarını karıştırdınız.</translation>
+    </message>
+    <message>
+        <source>Fill in row $C_{%1}$ of the cycle-basis matrix $C = \left[ T \mid U \right]$.</source>
+        <translation>$C = \left[ T \mid U \right]$ çevrim tabanı matrisinin $C_{%1}$ satırını doldurun.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle along its mesh from tail to head and back through the tree: 1 where the walk follows an arrow, −1 where it runs against one.</source>
+        <translation>Çevrimi dişli çifti boyunca kuyruktan başa ve ağaçtan geri dolaşın: yol oku izliyorsa 1, ona ters gidiyorsa −1.</translation>
+    </message>
+    <message>
+        <source>Fill in the row of joint $%1$ of the fundamental cutset matrix $Q = \left[ U \mid -T^T \right]$.</source>
+        <translation>$Q = \left[ U \mid -T^T \right]$ temel kesitleme matrisinde $%1$ mafsalının satırını doldurun.</translation>
+    </message>
+    <message>
+        <source>Without the joint the tree falls into two halves: every edge between them counts, 1 where it crosses in the joint&apos;s direction, −1 where it crosses the other way.</source>
+        <translation>Mafsal olmadan ağaç iki yarıya ayrılır: aralarındaki her kenar sayılır; mafsalın yönünde geçiyorsa 1, öbür yönde geçiyorsa −1.</translation>
+    </message>
+    <message>
+        <source>You take the signs of the cycles: Q holds −T transposed beside the unit matrix.</source>
+        <translation>Çevrimlerin işaretlerini aldınız: Q, birim matrisin yanında −T&apos;nin devriğini içerir.</translation>
+    </message>
+    <message>
+        <source>You mark the edges of the cutset without their senses: −1 where an edge crosses against the joint.</source>
+        <translation>Kesitlemenin kenarlarını yönsüz işaretlediniz: kenarın mafsala ters geçtiği yer −1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>This is the cutset of joint %1, not of %2.</source>
+        <translation>Bu, %1 mafsalının kesitlemesidir; istenen: %2.</translation>
+    </message>
+    <message>
+        <source>The joint crosses its own cut in its own direction: 1, not −1.</source>
+        <translation>Mafsal kendi kesitini kendi yönünde geçer: 1, −1 değil.</translation>
+    </message>
+    <message>
+        <source>The cutset holds its own joint: 1, not 0.</source>
+        <translation>Kesitleme kendi mafsalını içerir: 1, 0 değil.</translation>
+    </message>
+    <message>
+        <source>A fundamental cutset holds one turning joint only, not %1: 0.</source>
+        <translation>Temel kesitleme tek döner mafsal içerir, şunu içermez: %1: 0.</translation>
+    </message>
+    <message>
+        <source>Both gears of %1 are on one side of %2: 0.</source>
+        <translation>%1 için iki dişli de %2 için aynı taraftadır: 0.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut in the direction of %2: 1, not −1.</source>
+        <translation>%1 için ok, kesiti %2 yönünde geçer: 1, −1 değil.</translation>
+    </message>
+    <message>
+        <source>The arrow of %1 crosses the cut against %2: −1, not 1.</source>
+        <translation>%1 için ok, kesiti %2 yönüne ters geçer: −1, 1 değil.</translation>
+    </message>
+    <message>
+        <source>The ends of %1 are on different sides of %2: %3, not 0.</source>
+        <translation>%1 için uçlar %2 için ayrı taraflardadır: %3, 0 değil.</translation>
+    </message>
+    <message>
+        <source>The field %1 is empty.</source>
+        <translation>“%1” alanı boş.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma, or as a fraction.</source>
+        <translation>“%1” bin ya da ondalık sayı olarak okunabilir: virgülsüz ya da kesir olarak yazın.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>“%1” bir sayı değil: tam sayı, −3/4 gibi bir kesir ya da ondalık sayı yazın.</translation>
+    </message>
+    <message>
+        <source>“%1” is not among what the question offers for %2.</source>
+        <translation>“%1”, sorunun “%2” için sunduklarından biri değil.</translation>
+    </message>
+    <message>
+        <source>meshes %1</source>
+        <translation>%1 dişli çiftleri</translation>
+    </message>
+    <message>
+        <source>Mesh %1 follows from %2: it constrains nothing more. Harmless for the motion; the load is shared.</source>
+        <translation>%1 dişli çifti şunlardan çıkar: %2; başka bir şeyi kısıtlamaz. Hareket için zararsızdır; yük paylaşılır.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move.</source>
+        <translation>%1 freni devrede ve hareket edebilecek hiçbir şeyi tutmuyor.</translation>
+    </message>
+    <message>
+        <source>Brake %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>%1 freni devrede ve hareket edebilecek hiçbir şeyi tutmuyor: bu zaten şunlardan çıkar: %2.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move.</source>
+        <translation>%1 kavraması devrede ve hareket edebilecek hiçbir şeyi tutmuyor.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 is engaged and holds nothing that could move: that follows from %2.</source>
+        <translation>%1 kavraması devrede ve hareket edebilecek hiçbir şeyi tutmuyor: bu zaten şunlardan çıkar: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: the loop of %1 locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.</source>
+        <translation>Hiçbir şey hareket edemez: şunların döngüsü kilitliyor: %1. Döngüdeki oranlar uyuşsun diye bir diş sayısını değiştirin ya da bir dişli çiftini silin.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 holds everything. Release a coupling.</source>
+        <translation>Hiçbir şey hareket edemez: %1 her şeyi tutuyor. Bir elemanı ayırın.</translation>
+    </message>
+    <message>
+        <source>Nothing can move: %1 hold everything. Release a coupling.</source>
+        <translation>Hiçbir şey hareket edemez: %1 her şeyi tutuyor. Bir elemanı ayırın.</translation>
+    </message>
+    <message>
+        <source>Joint %1 can never turn, locked by %2.</source>
+        <translation>%1 mafsalı hiç dönemez; kilitleyen: %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 can never turn, locked by %2.</source>
+        <translation>%1 mafsalları hiç dönemez; kilitleyen: %2.</translation>
+    </message>
+    <message>
+        <source>Links %1 form a rigid block.</source>
+        <translation>%1 uzuvları rijit bir blok oluşturur.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joint %1: it has to be driven.</source>
+        <translation>Hiçbir dişli çifti %1 mafsalını kısıtlamaz: tahrik edilmesi gerekir.</translation>
+    </message>
+    <message>
+        <source>No mesh constrains joints %1: they have to be driven.</source>
+        <translation>Hiçbir dişli çifti %1 mafsallarını kısıtlamaz: tahrik edilmeleri gerekir.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and 1 input is chosen.</source>
+        <translation>Mekanizmanın 1 serbestlik derecesi var ve 1 giriş seçili.</translation>
+    </message>
+    <message>
+        <source>The mechanism has 1 degree of freedom, and %1 inputs are chosen.</source>
+        <translation>Mekanizmanın 1 serbestlik derecesi var ve %1 giriş seçili.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and 1 input is chosen.</source>
+        <translation>Mekanizmanın %1 serbestlik derecesi var ve 1 giriş seçili.</translation>
+    </message>
+    <message>
+        <source>The mechanism has %1 degrees of freedom, and %2 inputs are chosen.</source>
+        <translation>Mekanizmanın %1 serbestlik derecesi var ve %2 giriş seçili.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is chosen twice.</source>
+        <translation>%1 mafsalı iki kez seçili.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is no free choice: %2.</source>
+        <translation>%1 mafsalı serbestçe seçilemez: %2.</translation>
+    </message>
+    <message>
+        <source>Still free: choose %1 too.</source>
+        <translation>Hâlâ serbest: %1 de seçin.</translation>
+    </message>
+    <message>
+        <source>The only valid set is the empty one.</source>
+        <translation>Tek geçerli küme boş kümedir.</translation>
+    </message>
+    <message>
+        <source>A valid set is %1.</source>
+        <translation>Geçerli bir küme: %1.</translation>
+    </message>
+    <message>
+        <source>There are no gear meshes yet: every joint is free.</source>
+        <translation>Henüz dişli çifti yok: her mafsal serbest.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: the train holds it with nothing engaged. Change the train, or drive another link.</source>
+        <translation>%1 durumu tahrikini (%2 uzvu) kilitler: hiçbir eleman devrede değilken dişli takımı onu tutar. Takımı değiştirin ya da başka bir uzvu tahrik edin.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: more couplings than one hold it. Release two or more, or drive another link.</source>
+        <translation>%1 durumu tahrikini (%2 uzvu) kilitler: birden çok eleman onu tutar. İki ya da daha çoğunu ayırın ya da başka bir uzvu tahrik edin.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 holds it. Release it, or drive another link.</source>
+        <translation>%1 durumu tahrikini (%2 uzvu) kilitler: onu %3 tutar. Ayırın ya da başka bir uzvu tahrik edin.</translation>
+    </message>
+    <message>
+        <source>State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.</source>
+        <translation>%1 durumu tahrikini (%2 uzvu) kilitler: %3 onu birlikte tutar. Birini ayırın ya da başka bir uzvu tahrik edin.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, link %4 still turns.</source>
+        <translation>%1 durumu %2 serbestlik derecesi bırakır: tahrik (%3 uzvu) tutulunca %4 uzvu yine döner.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: with the drive, link %3, held, links %4 still turn.</source>
+        <translation>%1 durumu %2 serbestlik derecesi bırakır: tahrik (%3 uzvu) tutulunca %4 uzuvları yine döner.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: link %3 still turns.</source>
+        <translation>%1 durumu %2 serbestlik derecesi bırakır: %3 uzvu yine döner.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 degrees of freedom: links %3 still turn.</source>
+        <translation>%1 durumu %2 serbestlik derecesi bırakır: %3 uzuvları yine döner.</translation>
+    </message>
+    <message>
+        <source>Engage one more coupling that holds them.</source>
+        <translation>Onları tutan bir elemanı daha devreye alın.</translation>
+    </message>
+    <message>
+        <source>Engage %1 more couplings that hold them.</source>
+        <translation>Onları tutan %1 elemanı daha devreye alın.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to the ground over axes of four directions or more.</source>
+        <translation>%1 durumu: %2 elemanı %3 uzvunu dört ya da daha çok yönde eksenler üzerinden sabit uzva bağlar.</translation>
+    </message>
+    <message>
+        <source>State %1: coupling %2 ties link %3 to link %4 over axes of four directions or more.</source>
+        <translation>%1 durumu: %2 elemanı %3 uzvunu dört ya da daha çok yönde eksenler üzerinden %4 uzvuna bağlar.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to the ground over axes of four directions or more.</source>
+        <translation>Devredeki %1 elemanı %2 uzvunu dört ya da daha çok yönde eksenler üzerinden sabit uzva bağlar.</translation>
+    </message>
+    <message>
+        <source>Engaged coupling %1 ties link %2 to link %3 over axes of four directions or more.</source>
+        <translation>Devredeki %1 elemanı %2 uzvunu dört ya da daha çok yönde eksenler üzerinden %3 uzvuna bağlar.</translation>
+    </message>
+    <message>
+        <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
+        <translation>Bu, hızları konuma bağlı bir çubuk mekanizmasıdır: verilecek bir oran yoktur. Birbirine daha yakın uzuvları bağlayın.</translation>
+    </message>
+    <message>
+        <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
+        <translation>%1 durumunun oranı, analizin tutabildiği en büyük sayıyı, 1.79e308&apos;i aşıyor. Birbirine daha yakın diş sayıları ya da art arda daha az dişli çifti uygun bir oran verir.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 holds gears %2 and %3 on one axis (%4). Gears that mesh turn about two axes of one carrier: let one of them turn about another axis.</source>
+        <translation>%1 dişli çiftinin %2 ve %3 dişlileri aynı eksendedir (%4). Eş çalışan dişliler bir taşıyıcının iki ekseni etrafında döner: birini başka bir eksende döndürün.</translation>
+    </message>
+    <message>
+        <source>The path between the gears of mesh %1 runs over %2 axes (%3), and no carrier holds both of theirs: attach gear %4 to link %5.</source>
+        <translation>%1 dişli çiftinin dişlileri arasındaki yol %2 eksenden (%3) geçer ve hiçbir taşıyıcı ikisinin eksenlerini birden taşımaz: %4 dişlisini %5 uzvuna bağlayın.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>hiç</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>bir</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>iki</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>üç</translation>
+    </message>
+    <message>
+        <source>four</source>
+        <translation>dört</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>beş</translation>
+    </message>
+    <message>
+        <source>six</source>
+        <translation>altı</translation>
+    </message>
+    <message>
+        <source>seven</source>
+        <translation>yedi</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>sekiz</translation>
+    </message>
+    <message>
+        <source>nine</source>
+        <translation>dokuz</translation>
+    </message>
+    <message>
+        <source>ten</source>
+        <translation>on</translation>
+    </message>
+    <message>
+        <source>eleven</source>
+        <translation>on bir</translation>
+    </message>
+    <message>
+        <source>twelve</source>
+        <translation>on iki</translation>
+    </message>
+    <message>
+        <source>Preview: %1. Click to keep it; leave it, or Esc, to go back</source>
+        <translation>Önizleme: %1. Tıklarsanız kalır; ayrılırsanız ya da Esc ile geri döner</translation>
+    </message>
+    <message>
+        <source>%1 (nearest axes)</source>
+        <translation>%1 (en yakın eksenler)</translation>
+    </message>
+    <message>
+        <source>relative to %1</source>
+        <translation>%1 uzvuna göre</translation>
+    </message>
+    <message>
+        <source>link %1 (%2)</source>
+        <translation>%1 uzvu (%2)</translation>
+    </message>
+    <message>
+        <source>%1 relative to %2</source>
+        <translation>%2 uzvuna göre %1</translation>
+    </message>
+    <message>
+        <source>joint %1 (%2)</source>
+        <translation>%1 mafsalı (%2)</translation>
+    </message>
+    <message>
+        <source>%1 = %2, inverse %3</source>
+        <translation>%1 = %2, tersi %3</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 relative to link %3</source>
+        <translation>%1 mafsalının hızı: %3 uzvuna göre %2 uzvu</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 turns relative to %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>%1 mafsalının hızı: %2, %3 göre ne kadar hızlı döner. Pozitif: sağ el kuralına göre eksenin yönü etrafında.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, %2</source>
+        <translation>%1 mafsalının hızı, %2</translation>
+    </message>
+    <message>
+        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
+        <translation>Bir çıkışın hızının tek girişin hızına oranı ve tersi. Oranını görmek için bir mafsal ya da uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>Ratio %1</source>
+        <translation>Oran %1</translation>
+    </message>
+    <message>
+        <source>What speeds are relative to: joint by joint, or those of the links seen from one</source>
+        <translation>Hızların neye göre verildiği: mafsal mafsal ya da bir uzuvdan görüldüğü gibi</translation>
+    </message>
+    <message>
+        <source>Drive by a link’s joints ▾</source>
+        <translation>Bir uzvun mafsallarıyla sür ▾</translation>
+    </message>
+    <message>
+        <source>Make the joints that carry a link the inputs: their speeds are set, those of the motors become results</source>
+        <translation>Bir uzvu taşıyan mafsalları giriş yapar: onların hızları verilir, motorlarınki sonuç olur</translation>
+    </message>
+    <message>
+        <source>joint by joint</source>
+        <translation>mafsal mafsal</translation>
+    </message>
+    <message>
+        <source>relative to the ground</source>
+        <translation>sabit uzva göre</translation>
+    </message>
+    <message>
+        <source>Joint by joint: each link relative to the one that carries it</source>
+        <translation>Mafsal mafsal: her uzuv, onu taşıyana göre</translation>
+    </message>
+    <message>
+        <source>Relative to the ground</source>
+        <translation>Sabit uzva göre</translation>
+    </message>
+    <message>
+        <source>Relative to %1</source>
+        <translation>Şuna göre: %1</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1, %2</source>
+        <translation>%1 mafsalına oran, %2</translation>
+    </message>
+    <message>
+        <source>Joints of %1: %2</source>
+        <translation>Mafsallar, %1: %2</translation>
+    </message>
+    <message>
+        <source>tooth forces (on heads)</source>
+        <translation>diş kuvvetleri (başlara)</translation>
+    </message>
+    <message>
+        <source>bearing reactions (on heads)</source>
+        <translation>yatak tepkileri (başlara)</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2</source>
+        <translation>dişli çifti %1: %2</translation>
+    </message>
+    <message>
+        <source>joint %1: %2</source>
+        <translation>mafsal %1: %2</translation>
+    </message>
+    <message>
+        <source>%1; X, Y or Z lays its axis along x, y or z</source>
+        <translation>%1; X, Y ya da Z eksenini x, y ya da z boyunca yatırır</translation>
+    </message>
+    <message>
+        <source>%1; its axis lies along %2</source>
+        <translation>%1; ekseni %2 boyunca uzanır</translation>
+    </message>
+    <message>
+        <source>No forces without loads: add one in Forces.</source>
+        <translation>Yük olmadan kuvvet olmaz: Kuvvetler&apos;de bir yük ekleyin.</translation>
+    </message>
+    <message>
+        <source>No forces: the loads are not in balance. Forces names what is missing.</source>
+        <translation>Kuvvet yok: yükler dengede değil. Eksik olan Kuvvetler&apos;de yazıyor.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Bilinmeyen oranlarda paylaşıldığı için çizilmedi: %1 dişli çiftlerindeki kuvvetler. Bulmak için Kuvvetler&apos;de “Rijitliğe göre paylaştır”ı seçin.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: reactions in joints %1. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Bilinmeyen oranlarda paylaşıldığı için çizilmedi: %1 mafsallarındaki tepkiler. Bulmak için Kuvvetler&apos;de “Rijitliğe göre paylaştır”ı seçin.</translation>
+    </message>
+    <message>
+        <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
+        <translation>Bilinmeyen oranlarda paylaşıldığı için çizilmedi: %1 dişli çiftlerindeki kuvvetler, %2 mafsallarındaki tepkiler. Bulmak için Kuvvetler&apos;de “Rijitliğe göre paylaştır”ı seçin.</translation>
+    </message>
+    <message>
+        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
+        <translation>Alınan gücün verilen güce oranı; ters yönde ve simgelerle Verim kartındadır.</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Bırak</translation>
+    </message>
+    <message>
+        <source>Release %1; the motion goes on</source>
+        <translation>%1 ayrılır; hareket sürer</translation>
+    </message>
+    <message>
+        <source>Find no torque here any more; without any such place the inputs hold the loads</source>
+        <translation>Burada artık tork aranmaz; böyle bir yer kalmazsa yükleri girişler tutar</translation>
+    </message>
+    <message>
+        <source>Remove balance</source>
+        <translation>Dengeyi kaldır</translation>
+    </message>
+    <message>
+        <source>The entry that speeds and torques share</source>
+        <translation>Hızların ve torkların paylaştığı eleman</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own; click the framed entry to see it in Matrices.</source>
+        <translation>P&apos;nin bir satırı bir dişli çiftinin hızlarını, bir sütunu bir mafsaldaki torku içerir: çerçeveli eleman ikisinde de vardır. Elemanlar diş sayısıdır; μ bir dişli çiftinin diş başına kuvveti, ℓ uzuvlardaki yüklerin katkısıdır. Kendi denklemlerini görmek için bir mafsal ya da dişli çifti seçin; çerçeveli elemana tıklamak onu Matrisler&apos;de gösterir.</translation>
+    </message>
+    <message>
+        <source>; brake %1 is engaged</source>
+        <translation>; %1 freni devrede</translation>
+    </message>
+    <message>
+        <source>by an engaged brake</source>
+        <translation>devredeki bir frenle</translation>
+    </message>
+    <message>
+        <source>cut into the ground</source>
+        <translation>sabit uzva açılmış</translation>
+    </message>
+    <message>
+        <source>What &quot;held&quot; means: a link of its own with a brake that is engaged, so that you can release it; or no link of its own, its teeth are the ground&apos;s, as in the example &quot;Planetary train, ring held&quot;. The speeds are the same.</source>
+        <translation>“Tutulan” ne demektir: devrede olan, bırakabileceğiniz bir freni olan ayrı bir uzuv; ya da ayrı bir uzuv yoktur, dişleri “Planetary train, ring held” örneğindeki gibi sabit uzvundur. Hızlar aynıdır.</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Tutulan</translation>
     </message>
 </context>
 <context>
