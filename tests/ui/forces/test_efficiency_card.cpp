@@ -91,7 +91,7 @@ class EfficiencyCardTest : public QObject, private OpenForcesPanel {
     EfficiencyCard& card = panel->efficiency();
     panel->layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as in a dock
     panel->setMinimumSize(0, 0);
-    panel->resize(900, 400);
+    panel->resize(1200, 400);
     const auto place = [&] { return card.mapTo(panel.get(), QPoint(0, 0)); };
     QTRY_VERIFY(place().x() > panel->table().mapTo(panel.get(), QPoint(0, 0)).x() + 50);
     panel->resize(560, 500);
