@@ -30,6 +30,7 @@
 #include "core/theory/states/state_edits.h"
 #include "tests/soak/edit_kind.h"
 #include "ui/canvas/canvas_edits.h"
+#include "ui/canvas/drawn_joint.h"
 
 namespace geargraph::soak {
 namespace {
@@ -188,6 +189,12 @@ std::vector<EditKind> drawnEdits() {
                          [](Random& r) {
                            return std::tuple{r.link(), r.link(), r.teeth(), r.teeth()};
                          }),
+      kind<withDrawnJoint>(
+          "withDrawnJoint",
+          [](Random& r) {
+            return std::tuple{r.link(), r.link()};
+          },
+          10),
       kind<withDrawnMesh>(
           "withDrawnMesh",
           [](Random& r) {
@@ -404,7 +411,15 @@ std::vector<EditKind> gearboxEdits() {
       {"withInserted", [](Random& r) { return inserted(r, anySet(r)); }, 1},
       {"planetarySet",
        [](Random& r) {
-         return inserted(r, planetarySet({12 + r.below(40), 10 + r.below(30)}, 1 + r.below(5)));
+         const PlanetaryTeeth teeth{12 + r.below(40), 10 + r.below(30)};
+         const int planets = 1 + r.below(5);
+         if (r.oneIn(2)) return inserted(r, planetarySet(teeth, planets));
+         using enum PlanetaryMember;
+         const PlanetaryMember members[] = {sun, ring, carrier};
+         const int drive = r.below(3);
+         const PlanetaryUse use{members[drive], members[(drive + 1 + r.below(2)) % 3],
+                                r.oneIn(2) ? PlanetaryHolding::brake : PlanetaryHolding::ground};
+         return inserted(r, planetarySet(teeth, planets, use));
        },
        1},
       {"revertedTrain",
