@@ -54,6 +54,11 @@ std::optional<LabelPlate> LabelPlaces::placed(const LabelGround& ground, std::si
   }
   if (ground.camera.project(point, ground.viewport).depth <= 0) return std::nullopt;
   const Eigen::Vector2d at = ground.project(point);
+  // What is close to the eye lies far beside the picture: its line would be thousands of pixels long.
+  const Eigen::Vector2d size =
+      Eigen::Vector2d(ground.viewport.width, ground.viewport.height) / ground.pixelRatio;
+  const double beyond = 2 * kLabelRadius;
+  if (!((at.array() > -beyond).all() && (at.array() < size.array() + beyond).all())) return std::nullopt;
   return LabelPlate{index, at + away, at};
 }
 

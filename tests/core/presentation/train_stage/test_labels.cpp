@@ -38,6 +38,11 @@ class Shown {
     m_map = m_host->seen(m_seen.frame(kSize, 1), cells.width, cells.height);
     return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, &m_map});
   }
+  /// As while the camera moves: what is seen was looked up before.
+  std::vector<LabelPlate> labelsWithOldMap() {
+    m_seen.show(view);
+    return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, nullptr});
+  }
   /// With the same picture, every cell of which shows the instance of this number.
   std::vector<LabelPlate> labelsWithAllCellsOf(std::uint32_t number) {
     std::fill(m_map.numbers.begin(), m_map.numbers.end(), number);
@@ -116,6 +121,28 @@ class TestLabels : public QObject {
       }
     }
     QVERIFY(plated > 0);
+  }
+
+  // Close to the eye: what is beside the picture has no plate at its edge, with a line that leads out of it.
+  void whatIsBesideThePictureHasNoPlate() {
+    Shown shown(exampleStage("robot"));
+    shown.places.setShown(LabelKind::joint, true);
+    shown.places.setShown(LabelKind::axis, true);
+    shown.fit(0.7, 0.5);
+    const std::size_t all = shown.labels().size();
+    const Eigen::AlignedBox2d picture(Eigen::Vector2d(-30, -30),
+                                      Eigen::Vector2d(kSize.width + 30, kSize.height + 30));
+    std::size_t fewest = all;
+    for (int step = 0; step < 12; ++step) {
+      shown.view.camera = shown.view.camera.zoomed(1.7, shown.view.camera.atTargetDepth(500, 90, kSize));
+      for (const bool isLookedAt : {false, true}) {  // with the map from before, and with its own
+        const auto plates = isLookedAt ? shown.labels() : shown.labelsWithOldMap();
+        for (const LabelPlate& plate : plates)
+          QVERIFY2(picture.contains(plate.anchor), shown.stage().labels[plate.label].text.c_str());
+        fewest = std::min(fewest, plates.size());
+      }
+    }
+    QVERIFY(all > 10 && fewest < all / 2);
   }
 
   // Parts without a label up to the border of the picture: the room of a cell is measured within the map.
