@@ -8,6 +8,7 @@
 
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
+#include "ui/canvas/place_grid.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -207,22 +208,20 @@ QRect DrawingView::boxOf(const ElementId& element) const {
 
 SheetPoint DrawingView::freePlace() const {
   constexpr double kStep = 90, kRoom = 50;
+  constexpr int kRings = 60;
   const SheetPoint middle = toSheetPoint(mapToScene(viewport()->rect().center()));
-  const auto isFree = [&](const SheetPoint& at) {
-    return std::none_of(m_scene->outlines().begin(), m_scene->outlines().end(), [&](const Outline& outline) {
-      return toQRect(extentOf(outline.shape).grown(kRoom)).contains(toQPoint(at));
-    });
-  };
-  // Rings of places round the middle; they grow beyond everything that is drawn.
-  for (int ring = 0;; ++ring) {
-    for (int down = -ring; down <= ring; ++down) {
-      const int step = std::abs(down) == ring ? 1 : 2 * ring;
-      for (int across = -ring; across <= ring; across += std::max(1, step)) {
-        const SheetPoint at = middle + SheetPoint{across * kStep, down * kStep};
-        if (isFree(at)) return at;
-      }
-    }
+  PlaceGrid taken(kRings);
+  QRectF all;
+  for (const Outline& outline : m_scene->outlines()) {
+    const QRectF box = toQRect(extentOf(outline.shape).grown(kRoom));
+    taken.take({std::ceil((box.left() - middle.x) / kStep), std::floor((box.right() - middle.x) / kStep)},
+               {std::ceil((box.top() - middle.y) / kStep), std::floor((box.bottom() - middle.y) / kStep)});
+    all |= box;
   }
+  // Rings of places round the middle, then beside everything that is drawn.
+  if (const auto free = taken.nearestFree())
+    return middle + SheetPoint{free->across * kStep, free->down * kStep};
+  return {all.right() + kStep, middle.y};
 }
 
 void DrawingView::walk(int steps, bool add) {
