@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
+#include <memory>
 #include <unordered_set>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "ui/canvas/canvas_edits.h"
 #include "ui/mainwindow/picture_clipboard.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/long_edit.h"
 #include "ui/workbench/workbench.h"
 
 namespace geargraph::inline mainwindow {
@@ -21,6 +23,8 @@ namespace {
 
 /// Above this number of links a picture would not be readable.
 constexpr int kMostPicturedLinks = 2'000;
+/// More links than these are put in beside the window.
+constexpr int kMostAtOnce = 1'000;
 
 /// The marks of the elements in the fragment; those of its ground only if that was selected.
 DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGround) {
@@ -43,8 +47,9 @@ QString whyUnreadable(const Diagnostics& problems) {
 }  // namespace
 
 EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard,
-                           std::function<DisplayList()> picture, QObject* parent)
-    : QObject(parent),
+                           std::function<DisplayList()> picture, QWidget* window)
+    : QObject(window),
+      m_window(window),
       m_document(&workbench.document()),
       m_selection(&workbench.selection()),
       m_clipboard(clipboard),
@@ -96,16 +101,35 @@ void EditCommands::duplicate() {
 }
 
 void EditCommands::insert(const Mechanism& fragment, const QString& text) {
-  const MechanismPtr before = m_document->mechanism();
-  const bool otherUnit = fragment.unit != before->unit;
-  const bool done = m_document->apply(
-      {text, [fragment](const Mechanism& into) { return withFragment(into, fragment); }, 0});
-  if (!done) return;
-  m_selection->select(elementsAdded(*before, *m_document->mechanism()));
-  if (otherUnit) {
-    emit noted(tr("Pasted as it was drawn in %1: check the lengths, which count in %2 here.")
-                   .arg(shownText(fragment.unit), shownText(before->unit)));
+  if (fragment.n() <= kMostAtOnce) {
+    const MechanismPtr before = m_document->mechanism();
+    const bool done = m_document->apply(
+        {text, [fragment](const Mechanism& into) { return withFragment(into, fragment); }, 0});
+    if (done) inserted(elementsAdded(*before, *m_document->mechanism()), fragment.unit);
+    return;
   }
+  const auto added = std::make_shared<std::set<ElementId>>();
+  auto* edit =
+      new LongEdit(m_document, m_window, text, 0, 0,
+                   [fragment, added](const PlacedMechanism& before, const LongEdit::Progress& /*progress*/) {
+                     Expected<PlacedMechanism> made = unplaced(withFragment(before.mechanism(), fragment));
+                     if (made) *added = elementsAdded(before.mechanism(), made->mechanism());
+                     return made;
+                   });
+  connect(edit, &LongEdit::ended, this, [this, added, unit = fragment.unit](const QString& why) {
+    if (!why.isEmpty()) return emit refused(why);
+    const bool wasCancelled = added->empty() || !m_document->elements().contains(*added->begin());
+    if (!wasCancelled) inserted(*added, unit);
+  });
+}
+
+/// `unit`: of the fragment they came from.
+void EditCommands::inserted(const std::set<ElementId>& added, const std::string& unit) {
+  m_selection->select(added);
+  const std::string& here = m_document->mechanism()->unit;
+  if (unit == here) return;
+  emit noted(tr("Pasted as it was drawn in %1: check the lengths, which count in %2 here.")
+                 .arg(shownText(unit), shownText(here)));
 }
 
 void EditCommands::makeGround() {

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <set>
 
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/display_list.h"
@@ -29,7 +30,7 @@ class EditCommands : public QObject {
  public:
   /// `picture`: the drawing in front as it is exported.
   EditCommands(Workbench& workbench, PictureClipboard* clipboard, std::function<DisplayList()> picture,
-               QObject* parent);
+               QWidget* window);
 
   bool copy();  ///< false if nothing selected can be copied
   void cut();
@@ -46,7 +47,9 @@ class EditCommands : public QObject {
 
  private:
   void insert(const Mechanism& fragment, const QString& text);
+  void inserted(const std::set<ElementId>& added, const std::string& unit);
 
+  QWidget* m_window;
   Document* m_document;
   Selection* m_selection;
   PictureClipboard* m_clipboard;

@@ -8,6 +8,7 @@
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
@@ -187,6 +188,23 @@ class WindowClipboardTest : public QObject {
     QCOMPARE(now()->links.back().name, now()->find(LinkId("4"))->name);
     QCOMPARE(window->document().undoStack().undoText(), QString("Duplicate"));
     QCOMPARE(QApplication::clipboard()->text(), QString("mine"));
+  }
+
+  /// What takes long goes in beside the window, and is one step as well.
+  void aLargeTrainIsDuplicatedBesideTheWindow() {
+    window->document().replace(test::randomTrain(3, 1100, 300), {});
+    QTRY_VERIFY(window->isSettled());
+    const MechanismPtr before = now();
+    press(*window, Qt::Key_A);
+    press(*window, Qt::Key_D);
+    QCOMPARE(now(), before);  // not yet
+    QTRY_COMPARE(now()->n(), 2 * before->n());
+    QCOMPARE(window->document().undoStack().count(), 1);
+    QTRY_COMPARE(window->selection().selected().size(), std::size_t(before->n() + before->t() + before->c()));
+    QVERIFY(window->selection().isSelected(now()->links.back().id));
+    QVERIFY(!window->selection().isSelected(before->links.back().id));
+    window->document().undoStack().undo();
+    QCOMPARE(*now(), *before);
   }
 
   void inputsComeWithTheirJoints() {
