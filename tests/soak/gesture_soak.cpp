@@ -116,7 +116,7 @@ QString GestureSoak::documentFile(const std::string& name) {
   const QString path =
       m_folder.filePath(QString::fromStdString(name).replace(u':', u'-') + QStringLiteral(".geargraph"));
   const Mechanism document = documentOf(name);
-  m_links = document.n();
+  m_mostLinks = document.n();
   if (writeFile(QFile::encodeName(path).toStdString(), writeMechanism(document)))
     finding(QStringLiteral("The document could not be written."));
   return path;
@@ -166,6 +166,8 @@ void GestureSoak::step() {
   if (isOver || m_ending) return endRound();
   next();
   act();
+  for (MainWindow* each : m_windows->windows())
+    m_mostLinks = std::max(m_mostLinks, each->document().mechanism()->n());  // gestures paste
 }
 
 /// A gesture that makes a window (opens an example, begins a practice, changes the language) is an opening.
@@ -239,7 +241,7 @@ void GestureSoak::endRound() {
 }
 
 double GestureSoak::limitOfStall() const {
-  return m_options.slack * (m_links > kLargeTrain ? kLargeStallLimit : kStallLimit);
+  return m_options.slack * (m_mostLinks > kLargeTrain ? kLargeStallLimit : kStallLimit);
 }
 
 AtRest GestureSoak::atRest() const {

@@ -96,7 +96,7 @@ class GestureSoak : public QObject {
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture
   QString m_document;
-  int m_links = 0;
+  int m_mostLinks = 0;  ///< that a document had this round
   int m_round = 0;
   long m_gestures = 0;
   long m_gesturesBefore = 0;  ///< this round

@@ -132,8 +132,9 @@ void GestureSoak::chooseGesture() {
 
 /// A place on the drawing in front: on a link or an arrow, mostly, where they are few enough to look up.
 QPoint GestureSoak::onDrawing() {
-  DrawingView& drawing = window()->drawing();
-  if (m_links <= kFewLinks && !oneIn(4)) {
+  MainWindow* const front = window();
+  DrawingView& drawing = front->drawing();
+  if (front->document().mechanism()->n() <= kFewLinks && !oneIn(4)) {
     const DisplayList list = drawing.displayList();
     if (!list.outlines.empty()) {
       const Outline& outline =
