@@ -121,7 +121,10 @@ QRectF MotionPlot::area() const {
 }
 
 QPointF MotionPlot::placeOf(double time, double value) const {
-  const QRectF inside = area();
+  return placeOf(time, value, area());
+}
+
+QPointF MotionPlot::placeOf(double time, double value, const QRectF& inside) const {
   return {inside.left() + (time - m_times.low) / m_times.size() * inside.width(),
           inside.bottom() - (value - m_values.low) / m_values.size() * inside.height()};
 }
@@ -207,7 +210,8 @@ void MotionPlot::paintAxes(QPainter& painter) const {
 
 void MotionPlot::paintCurves(QPainter& painter) const {
   painter.save();
-  painter.setClipRect(area());
+  const QRectF inside = area();
+  painter.setClipRect(inside);
   // Many curves hide each other's style, and wide lines with gaps take a hundred times as long.
   const bool isFine = m_sheet.curves.size() <= kMostFineCurves;
   painter.setRenderHint(QPainter::Antialiasing, isFine);
@@ -221,7 +225,7 @@ void MotionPlot::paintCurves(QPainter& painter) const {
     painter.setPen(pen);
     std::vector<QPointF> points;
     for (std::size_t i = 0; i < curve.values.size(); ++i)
-      points.push_back(placeOf(m_sheet.times[i], curve.values[i]));
+      points.push_back(placeOf(m_sheet.times[i], curve.values[i], inside));
     QPainterPath path(points.front());
     for (const QPointF& point : simplified(points, kUnseen)) path.lineTo(point);
     painter.drawPath(path);

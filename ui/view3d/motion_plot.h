@@ -64,6 +64,8 @@ class MotionPlot : public QWidget {
 
  private:
   [[nodiscard]] QPointF placeOf(double time, double value) const;
+  /// In the area, which takes longer to find than a place in it.
+  [[nodiscard]] QPointF placeOf(double time, double value, const QRectF& inside) const;
   [[nodiscard]] QColor inkOf(const MotionCurve& curve) const;
   [[nodiscard]] double valueAt(const MotionCurve& curve, double time) const;
   void fitValues();
