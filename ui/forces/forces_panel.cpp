@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
-#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -53,8 +52,7 @@ QString tipOf(ForceTableKind kind) {
   return {};
 }
 
-constexpr int kPlotsChip = 1000;   ///< beyond all kinds of tables
-constexpr int kRowsMeasured = 40;  ///< for the widths of columns
+constexpr int kPlotsChip = 1000;  ///< beyond all kinds of tables
 constexpr int kCardWidth = 216;
 constexpr int kRoomForCard = 1080;  ///< px at which the card of the efficiency has a column of its own
 
@@ -158,7 +156,6 @@ QWidget* ForcesPanel::makeBar() {
 
 QWidget* ForcesPanel::makeMiddle() {
   m_table->setObjectName(QStringLiteral("forceTable"));
-  m_table->horizontalHeader()->setResizeContentsPrecision(kRowsMeasured);
   m_table->setAccessibleName(tr("Forces"));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);

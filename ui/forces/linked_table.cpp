@@ -6,6 +6,11 @@
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline forces {
+namespace {
+
+constexpr int kRowsMeasured = 40;  ///< for the widths of columns
+
+}  // namespace
 
 LinkedTable::LinkedTable(ValueTableModel* model, Selection* selection, QWidget* parent)
     : QTableView(parent), m_values(model), m_selection(selection) {
@@ -22,6 +27,7 @@ LinkedTable::LinkedTable(ValueTableModel* model, Selection* selection, QWidget* 
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(scaledPixels(22));
   horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setResizeContentsPrecision(kRowsMeasured);
   connect(selection, &Selection::selectionChanged, this, &LinkedTable::selectRowOfSelection);
   connect(this, &QTableView::clicked, this,
           [this](const QModelIndex& at) { m_selection->select(m_values->elementsAt(at.row())); });

@@ -140,6 +140,8 @@ void ResultsPanel::makeLinkTable() {
   m_links->verticalHeader()->hide();
   m_links->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_links->setShowGrid(false);
+  constexpr int kRowsMeasured = 40;  // for the widths of columns
+  m_links->horizontalHeader()->setResizeContentsPrecision(kRowsMeasured);
   m_links->setMouseTracking(true);
   m_links->setSelectionMode(QAbstractItemView::NoSelection);
   m_links->setFrameShape(QFrame::NoFrame);
