@@ -35,7 +35,7 @@ QString HistoryModel::textOf(int row) const {
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const int row = index.row();
   const bool isNow = row == m_stack->index();
   switch (role) {

@@ -42,7 +42,7 @@ void DiagnosticModel::setDiagnostics(Diagnostics diagnostics) {
 }
 
 std::set<ElementId> DiagnosticModel::elementsOf(const QModelIndex& index) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const auto& elements = m_diagnostics[static_cast<std::size_t>(index.row())].elements;
   return {elements.begin(), elements.end()};
 }
@@ -52,7 +52,7 @@ int DiagnosticModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const Diagnostic& diagnostic = m_diagnostics[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole:

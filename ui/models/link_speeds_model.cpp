@@ -132,7 +132,7 @@ QString LinkSpeedsModel::componentText(int link, int component) const {
 }
 
 QVariant LinkSpeedsModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const int label = index.row() + 1;
   switch (role) {
     case LinkLabelRole:

@@ -180,7 +180,7 @@ int MatrixModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant MatrixModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const int row = index.row();
   const int column = index.column();
   if (m_quantity) return quantityData(row, column, role);

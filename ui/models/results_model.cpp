@@ -202,7 +202,7 @@ QString ResultsModel::motionTip(int row) const {
 }
 
 QVariant ResultsModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const int row = index.row();
   const int input = index.column() - 1;
   const bool ofInput = input >= 0 && input < inputCount();

@@ -234,7 +234,7 @@ QString StatesModel::accessibleText(const QModelIndex& index) const {
 }
 
 QVariant StatesModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const int row = index.row();
   switch (role) {
     case Qt::DisplayRole:

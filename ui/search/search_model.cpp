@@ -66,7 +66,7 @@ int SearchModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant SearchModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (!index.isValid() || !checkIndex(index)) return {};
   const SearchEntry& entry = entryAt(index.row());
   switch (role) {
     case Qt::DisplayRole:

@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "core/mechanism/model/edits.h"
@@ -43,6 +44,15 @@ class ResultsModelTest : public QObject {
     QCOMPARE(row(model, 3), (QStringList{"-i18*i17*i16*i15", "-i18*i17*i16", "-i18*i17", "−16/27"}));
     model.setSymbolic(false);
     QCOMPARE(row(model, 1), (QStringList{"−1/3", "−2/3", "0", "−2/3"}));
+  }
+
+  /// Ctrl+C in a table that has no current cell asks for one that is not there.
+  void noCellHasNoTextAndNoWarning() {
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("not valid")));
+    ResultsModel model;
+    model.setSnapshot(analyze(std::make_shared<const Mechanism>(drivenRobot())));
+    QVERIFY(model.index(0, 0).data().isValid());
+    QVERIFY(!model.data({}, Qt::DisplayRole).isValid());
   }
 
   void knowsJointsAndLinks() {
