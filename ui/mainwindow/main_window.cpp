@@ -125,6 +125,9 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  // Windows of docks that float together hide their docks when they go, which is after what the panels read.
+  for (auto* own : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+    if (own->isWindow()) own->hide();
   // The history empties itself while the window is taken apart.
   disconnect(m_document, nullptr, this, nullptr);
   disconnect(&m_document->undoStack(), nullptr, this, nullptr);

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QScreen>
 #include <QStatusBar>
 #include <QTest>
@@ -23,6 +24,7 @@
 #include "ui/panels/matrix_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph {
 
@@ -71,6 +73,29 @@ class WindowHabitsTest : public QObject {
     window->digraph().setFocus();
   }
   void cleanup() { window.reset(); }
+
+  /// Docks that float as a group hear that they are hidden while there still is what they read.
+  void docksThatFloatTogetherEndBeforeTheWorkbench() {
+    auto* group = new QWidget(window.get(), Qt::Tool);  // as QMainWindow makes one
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("dock.gearbox"));
+    QVERIFY(dock != nullptr);
+    dock->setParent(group);
+    group->resize(300, 200);
+    group->show();
+    dock->show();
+    QVERIFY(dock->isVisible());
+    const QPointer<Workbench> workbench(&window->workbench());
+    int hidden = 0;
+    bool wasThere = true;
+    connect(dock, &QDockWidget::visibilityChanged, qApp, [&](bool visible) {
+      if (visible) return;
+      ++hidden;
+      wasThere = wasThere && workbench != nullptr;
+    });
+    window.reset();
+    QVERIFY(hidden > 0);
+    QVERIFY(wasThere);
+  }
 
   // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
   void theWindowFitsAProjector() {
