@@ -220,7 +220,10 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
     preview->valid = true;  // known already; the check is not free
     return hint;
   }
-  const Expected<PlacedMechanism> next = withDraft(*m_document.mechanism(), *draft);
+  // Guesses, which need the places of all axes, refuse nothing.
+  const Mechanism& now = *m_document.mechanism();
+  const Expected<PlacedMechanism> next =
+      isDrawingJoint() ? unplaced(withTurningJoint(now, draft->tail, draft->head)) : withDraft(now, *draft);
   preview->valid = next.has_value();
   return next ? hint : QString::fromStdString(next.error().front().message);
 }
