@@ -4,6 +4,7 @@
 
 #include "core/theory/states/state_edits.h"
 #include "tests/ui/mainwindow/hand.h"
+#include "tests/ui/mainwindow/readings.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/panels/results_panel.h"
@@ -20,15 +21,7 @@ class BrakePreviewTest : public QObject {
 
   [[nodiscard]] MechanismPtr now() const { return window->document().mechanism(); }
   [[nodiscard]] MechanismPtr derived() const { return window->analysis().snapshot()->mechanism; }
-  /// What a person reads in the row of this link: its rate now.
-  [[nodiscard]] QString rateOfLink(int label) const {
-    const ResultsModel& model = window->results().model();
-    for (int i = 0; i < model.rowCount(); ++i) {
-      if (model.index(i, 0).data(ResultsModel::LinkLabelRole).toInt() == label)
-        return model.index(i, model.columnCount() - 1).data().toString();
-    }
-    return {};
-  }
+  [[nodiscard]] QString rateOfLink(int label) const { return test::rateOfLink(*window, label); }
   /// The menu of a link, as the menu key opens it in a drawing or in 3D.
   QMenu* menuOfLink(QWidget& view, const char* link) {
     window->workbench().selection().select({LinkId(link)});

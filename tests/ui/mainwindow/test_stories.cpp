@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "tests/ui/mainwindow/person.h"
+#include "tests/ui/mainwindow/readings.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/window_set.h"
 #include "ui/panels/gearbox_panel.h"
@@ -37,24 +38,9 @@ class StoriesTest : public QObject {
     QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("insert")), Qt::LeftButton);
   }
 
-  /// What a person reads in the row of this link: its rate now.
-  [[nodiscard]] QString rateOfLink(int label) const {
-    const ResultsModel& model = window->results().model();
-    for (int i = 0; i < model.rowCount(); ++i) {
-      if (model.index(i, 0).data(ResultsModel::LinkLabelRole).toInt() == label)
-        return model.index(i, model.columnCount() - 1).data().toString();
-    }
-    return {};
-  }
-  [[nodiscard]] QStringList formulas(int row) const {
-    const ResultsModel& model = window->results().model();
-    QStringList texts;
-    for (int j = 1; j + 1 < model.columnCount(); ++j) texts << model.index(row, j).data().toString();
-    return texts;
-  }
-  [[nodiscard]] QString chip(const char* name) const {
-    return window->findChild<QToolButton*>(QLatin1String(name))->text();
-  }
+  [[nodiscard]] QString rateOfLink(int label) const { return test::rateOfLink(*window, label); }
+  [[nodiscard]] QStringList formulas(int row) const { return test::formulas(*window, row); }
+  [[nodiscard]] QString chip(const char* name) const { return test::chip(*window, name); }
 
  private slots:
   void initTestCase() {
