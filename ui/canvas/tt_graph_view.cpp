@@ -40,6 +40,11 @@ TtGraphView::~TtGraphView() {
   m_stop.request_stop();
 }
 
+void TtGraphView::tellToEnd() {
+  m_stop.request_stop();
+  m_worker.tellToEnd();
+}
+
 // --- what is shown ----------------------------------------------------------------------------------------
 
 bool TtGraphView::isAnalyzed() const {

@@ -3,6 +3,7 @@
 #include "core/foundations/base/request_worker.h"
 #include "ui/canvas/graph_view.h"
 #include "ui/canvas/tt_graph_scene.h"
+#include "ui/service/background_work.h"
 
 namespace geargraph::inline canvas {
 
@@ -13,7 +14,7 @@ namespace geargraph::inline canvas {
 /// Levels and transfer vertices come from the analysis, so the drawing follows setSnapshot(); places follow
 /// the document at once, for drags. Nodes stand where the layout puts them; those that are dragged stay where
 /// they were dropped, in a member of the document of their own.
-class TtGraphView final : public GraphView {
+class TtGraphView final : public GraphView, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -24,6 +25,8 @@ class TtGraphView final : public GraphView {
   /// Is the newest drawing that was asked for on the scene? A hidden one is not asked for.
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
   [[nodiscard]] QString whyNoPicture() const override;
+  void tellToEnd() override;
+  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
 
  signals:
   void drawn();

@@ -14,8 +14,12 @@ const QString kKey = QStringLiteral("exports");
 ExportJobs::ExportJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
 
 ExportJobs::~ExportJobs() {
+  tellToEnd();
+}
+
+void ExportJobs::tellToEnd() {
   m_waiting.clear();
-  m_thread.request_stop();
+  stop();
 }
 
 void ExportJobs::add(Job job) {

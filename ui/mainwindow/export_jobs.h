@@ -7,13 +7,15 @@
 #include <stop_token>
 #include <thread>
 
+#include "ui/service/background_work.h"
+
 namespace geargraph::inline mainwindow {
 
 class NoticeBar;
 
 /// Files that take a while to be made: made on a thread, one after the other, so that no second one waits
 /// for the first in the window. A notice shows how far the one of several pictures is, and stops it.
-class ExportJobs : public QObject {
+class ExportJobs : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -32,6 +34,8 @@ class ExportJobs : public QObject {
   void add(Job job);
   void stop();  ///< the one that runs
   [[nodiscard]] bool isBusy() const { return m_isBusy; }
+  void tellToEnd() override;
+  [[nodiscard]] bool hasEnded() const override { return !m_isBusy; }
 
  signals:
   void finished(const QString& path);

@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <algorithm>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/validate.h"
@@ -40,6 +41,7 @@
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/results_panel.h"
+#include "ui/recovery/autosave.h"
 #include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
@@ -131,6 +133,23 @@ MainWindow::~MainWindow() {
   // The history empties itself while the window is taken apart.
   disconnect(m_document, nullptr, this, nullptr);
   disconnect(&m_document->undoStack(), nullptr, this, nullptr);
+}
+
+void MainWindow::tellToEnd() {
+  for (BackgroundWork* work : backgroundWork()) work->tellToEnd();
+}
+
+bool MainWindow::hasEnded() const {
+  const std::vector<BackgroundWork*> all = backgroundWork();
+  return std::all_of(all.begin(), all.end(), [](const BackgroundWork* work) { return work->hasEnded(); });
+}
+
+std::vector<BackgroundWork*> MainWindow::backgroundWork() const {
+  std::vector<BackgroundWork*> all;
+  for (auto* each : findChildren<QObject*>())
+    if (auto* work = dynamic_cast<BackgroundWork*>(each)) all.push_back(work);
+  if (Autosave* autosave = m_files->autosave()) all.push_back(autosave);
+  return all;
 }
 
 void MainWindow::makeDrawings() {

@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   /// Built anew in the place of a window, in the language that is now in use: with its document and history,
   /// selection, layout, drawing, tool, camera and moment of the motion; not shown yet. The former one is
-  /// hidden, and to be deleted when control returns to the event loop.
+  /// hidden, and to be deleted before the new one, once control has returned to the event loop.
   [[nodiscard]] static std::unique_ptr<MainWindow> inPlaceOf(MainWindow& former);
   ~MainWindow() override;
 
@@ -144,6 +144,11 @@ class MainWindow : public QMainWindow {
   /// Is everything shown as the document is now?
   [[nodiscard]] bool isSettled() const;
 
+  /// Once it is closed: all that works beside it is told to end. Does not wait.
+  void tellToEnd();
+  /// Has all of that ended? Then the window goes without waiting for anything.
+  [[nodiscard]] bool hasEnded() const;
+
  signals:
   /// Analysis and stage of the document as it is now have reached all views.
   void settled();
@@ -163,6 +168,7 @@ class MainWindow : public QMainWindow {
 
  private:
   MainWindow(Workbench* workbench, QWidget* parent);
+  [[nodiscard]] std::vector<BackgroundWork*> backgroundWork() const;
   void makeDrawings();
   void addDrawing(DrawingView* drawing, const char* name, const QString& title, const QString& tip);
   void onDrawingChosen();

@@ -119,7 +119,7 @@ class WindowFiles : public QObject {
   /// Is the file open in another window or program, so that this window does not write to it?
   [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
   [[nodiscard]] bool keepsNothing() const { return !m_lessonTitle.isEmpty(); }
-  [[nodiscard]] const Autosave* autosave() const { return m_autosave.get(); }
+  [[nodiscard]] Autosave* autosave() const { return m_autosave.get(); }
 
  signals:
   void titleChanged();

@@ -24,6 +24,7 @@ namespace {
 const QString kSession = QStringLiteral("session/windows");
 const QString kRestores = QStringLiteral("session/restore");
 constexpr int kLaidOut = 1000;  ///< ms after which a new window stands as it will
+constexpr int kLook = 5;        ///< ms between looks whether a closed window can go
 constexpr int kCascade = 32;    ///< px between a window and the one opened from it
 
 }  // namespace
@@ -33,7 +34,10 @@ WindowSet::WindowSet(const QString& folder, QObject* parent)
       m_folder(folder),
       m_lookSoon(new QTimer(this)),
       m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))),
-      m_documents(folder) {
+      m_documents(folder),
+      m_leaveSoon(new QTimer(this)) {
+  m_leaveSoon->setInterval(kLook);
+  connect(m_leaveSoon, &QTimer::timeout, this, &WindowSet::deleteLeft);
   QDir().mkpath(folder);
   m_lock.setStaleLockTime(0);
   m_ownsSession = m_lock.tryLock(0);
@@ -106,10 +110,11 @@ void WindowSet::chooseLanguage(const QString& code) {
     const bool wasActive = m_windows[i]->isActiveWindow();
     const bool wasVisible = m_windows[i]->isVisible();
     const auto place = m_windows.begin() + static_cast<std::ptrdiff_t>(i);
-    MainWindow* const former = place->release();
-    former->deleteLater();   // it is the one that asks
+    std::unique_ptr<MainWindow> left = std::move(*place);  // it is the one that asks
+    MainWindow* const former = left.get();
     m_windows.erase(place);  // first, so that its file is not held twice
     auto renewed = MainWindow::inPlaceOf(*former);
+    leave(std::move(left));
     MainWindow& window = *renewed;
     m_windows.insert(m_windows.begin() + static_cast<std::ptrdiff_t>(i), std::move(renewed));
     m_layouts[&window] = m_layouts[former];
@@ -229,9 +234,21 @@ void WindowSet::onClosed(MainWindow* window) {
   const bool wasLast = m_windows.size() == 1;
   if (wasLast) look();
   m_layouts.erase(window);
-  found->release()->deleteLater();  // it is the one that tells
+  leave(std::move(*found));  // it is the one that tells
   m_windows.erase(found);
   if (!wasLast && !m_quitting) remember();
+}
+
+void WindowSet::leave(std::unique_ptr<MainWindow> window) {
+  window->tellToEnd();
+  m_leaving.push_back(std::move(window));
+  m_leaveSoon->start();
+}
+
+void WindowSet::deleteLeft() {
+  if (!m_leaving.front()->hasEnded()) return;
+  m_leaving.pop_front();
+  if (m_leaving.empty()) m_leaveSoon->stop();
 }
 
 /// How the windows stand now. A window that was shown just now has no layout yet.

@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QLockFile>
 #include <QObject>
+#include <deque>
 #include <map>
 #include <memory>
 #include <vector>
@@ -57,6 +58,9 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   bool reopenSession();
   void offerLeftBehind();
   void onClosed(MainWindow* window);
+  /// Hidden until what works for it has ended, so that nothing waits for that.
+  void leave(std::unique_ptr<MainWindow> window);
+  void deleteLeft();
   void openLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
   void look();
   void remember();
@@ -74,6 +78,9 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   bool m_quitting = false;
   std::map<const MainWindow*, Layout> m_layouts;
   std::vector<std::unique_ptr<MainWindow>> m_windows;
+  QTimer* m_leaveSoon;
+  /// The first goes first: of two that show one document, the former before the one in its place.
+  std::deque<std::unique_ptr<MainWindow>> m_leaving;
 };
 
 }  // namespace geargraph::inline mainwindow

@@ -25,7 +25,7 @@ namespace geargraph::inline panels {
 /// dialog says what is done, how far it is, and can cancel it. When it is ready the document gets it as one
 /// edit; where that has changed meanwhile it is worked out again, so that no edit is lost. Its document owns
 /// it; it ends with itself.
-class LongEdit final : public QObject {
+class LongEdit final : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -42,6 +42,9 @@ class LongEdit final : public QObject {
   /// @param window the dialog's, which is locked while that is there
   LongEdit(Document* document, QWidget* window, QString text, quint64 gesture, int elements, Work work);
   ~LongEdit() override;
+
+  void tellToEnd() override { m_service->tellToEnd(); }
+  [[nodiscard]] bool hasEnded() const override { return m_service->hasEnded(); }
 
  signals:
   /// Why the document refused it, as a sentence; empty where it did not, or the edit was cancelled.

@@ -9,6 +9,7 @@
 #include "core/teaching/derivation/glossary.h"
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
+#include "ui/service/background_work.h"
 
 class QButtonGroup;
 class QFrame;
@@ -22,11 +23,14 @@ namespace geargraph::inline panels {
 class MatrixView;
 
 /// The matrices of the newest snapshot: a chip for each, the matrix, and what the cell under the mouse means.
-class MatricesPanel : public QWidget {
+class MatricesPanel : public QWidget, public BackgroundWork {
   Q_OBJECT
 
  public:
   explicit MatricesPanel(Selection* selection, QWidget* parent = nullptr);
+
+  void tellToEnd() override { m_writer.tellToEnd(); }
+  [[nodiscard]] bool hasEnded() const override { return m_writer.hasEnded(); }
 
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);

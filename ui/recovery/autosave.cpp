@@ -24,9 +24,12 @@ Autosave::Autosave(Document* document, QString folder, QObject* parent)
 }
 
 Autosave::~Autosave() {
+  tellToEnd();
+}
+
+void Autosave::tellToEnd() {
   if (m_timer->isActive()) save();
-  m_thread.request_stop();
-  m_thread.join();
+  m_thread.tellToEnd();
 }
 
 void Autosave::onChanged() {

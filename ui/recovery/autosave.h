@@ -5,11 +5,12 @@
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <thread>
 
+#include "core/foundations/base/ending_thread.h"
 #include "core/mechanism/model/mechanism.h"
 #include "ui/document/document.h"
 #include "ui/recovery/side_file.h"
+#include "ui/service/background_work.h"
 
 class QTimer;
 
@@ -19,7 +20,7 @@ namespace geargraph::inline recovery {
 /// the newest state is handed to a thread, which writes it whole or not at all. The side file goes as soon as
 /// there is nothing unsaved any more. So a program that is killed loses what was done in the last kDelay, and
 /// the time that one writing takes.
-class Autosave : public QObject {
+class Autosave : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -34,6 +35,9 @@ class Autosave : public QObject {
   void setTitle(const QString& title) { m_title = title; }
   /// Goes on in a side file that was left behind, whose document has been restored as unsaved changes.
   void adopt(std::unique_ptr<SideFile> side, const SideNote& note);
+  /// What is not written yet is written first.
+  void tellToEnd() override;
+  [[nodiscard]] bool hasEnded() const override { return m_thread.hasEnded(); }
   /// The unsaved changes have been given up.
   void discard();
   /// Has the newest state been written, or is there nothing unsaved?
@@ -73,7 +77,7 @@ class Autosave : public QObject {
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
   std::deque<Job> m_jobs;  ///< guarded by m_mutex
-  std::jthread m_thread;   ///< last: it starts when all else is there
+  EndingThread m_thread;   ///< last: it starts when all else is there
 };
 
 }  // namespace geargraph::inline recovery

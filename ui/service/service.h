@@ -68,6 +68,9 @@ class Service : public ServiceSignals {
     m_isComplete = true;
   }
 
+  void tellToEnd() override { m_worker.tellToEnd(); }
+  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
+
   /// The newest one that has arrived; default-constructed before the first.
   [[nodiscard]] const Answer& answer() const { return m_answer; }
   /// Has the newest request been answered, if only partly?

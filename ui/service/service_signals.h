@@ -3,10 +3,12 @@
 #include <QObject>
 #include <QString>
 
+#include "ui/service/background_work.h"
+
 namespace geargraph::inline ui_service {
 
 /// What every Service tells; a template has no signals of its own.
-class ServiceSignals : public QObject {
+class ServiceSignals : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:

@@ -64,6 +64,10 @@ ImageCanvas::~ImageCanvas() {
   m_viewer->setPick({});
 }
 
+void ImageCanvas::tellToEnd() {
+  if (m_thread != nullptr) m_thread->tellToEnd();
+}
+
 QString ImageCanvas::rendererName() const {
   return m_thread == nullptr ? QString() : QString::fromStdString(m_thread->name());
 }

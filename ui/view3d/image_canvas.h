@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/presentation/stage/picture_thread.h"
+#include "ui/service/background_work.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/look_level.h"
 #include "ui/view3d/picture_pace.h"
@@ -18,7 +19,7 @@ namespace geargraph::inline view3d {
 /// and is not put together by OpenGL at every change of any part of it.
 ///
 /// The newest picture that is finished is on the screen; what is grabbed waits for the picture of the moment.
-class ImageCanvas : public QWidget {
+class ImageCanvas : public QWidget, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -33,6 +34,8 @@ class ImageCanvas : public QWidget {
   void setDark(bool dark) { m_dark = dark; }
   /// Shown while there are bodies, but no picture of any yet.
   void setWaitingText(const QString& text) { m_waitingText = text; }
+  void tellToEnd() override;
+  [[nodiscard]] bool hasEnded() const override { return m_thread == nullptr || m_thread->hasEnded(); }
   /// Is the picture of the moment on the screen?
   [[nodiscard]] bool isUpToDate() const;
 

@@ -6,6 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/stage/motion_curves.h"
 #include "ui/selection/selection.h"
+#include "ui/service/background_work.h"
 
 class QCheckBox;
 class QLabel;
@@ -19,7 +20,7 @@ class View3D;
 /// Speeds over one period of the motion, or along the trajectory that the 3D view plays: of the selected
 /// joints and links, and of the points whose paths the 3D view shows. They are computed on a thread of its
 /// own, the newest request wins; nothing is while the panel is not seen.
-class MotionPanel : public QWidget {
+class MotionPanel : public QWidget, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -29,6 +30,8 @@ class MotionPanel : public QWidget {
   void setComponents(bool shown);
   /// The document that names in legends are taken from. Sheets, and the files made of them, have labels only.
   void setNames(const MechanismPtr& newest);
+  void tellToEnd() override { m_worker.tellToEnd(); }
+  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
   /// Do the sheets show what is chosen now?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
 

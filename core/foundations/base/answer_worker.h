@@ -107,6 +107,10 @@ class AnswerWorker {
     m_worker.cancel();
   }
 
+  /// As RequestWorker's.
+  void tellToEnd() { m_worker.tellToEnd(); }
+  [[nodiscard]] bool hasEnded() const { return m_worker.hasEnded(); }
+
   /// The last reply to a request, as soon as it has been delivered; none if that takes longer than `most`.
   [[nodiscard]] std::optional<Reply<Answer>> await(std::uint64_t number, std::chrono::milliseconds most) {
     std::unique_lock lock(m_delivering);

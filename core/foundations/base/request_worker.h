@@ -6,9 +6,9 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 #include <utility>
 
+#include "core/foundations/base/ending_thread.h"
 #include "core/foundations/platform/system.h"
 
 namespace geargraph::inline base {
@@ -40,11 +40,7 @@ class RequestWorker {
           if (urgency == Urgency::background) lowerThreadPriority();
           run(quit);
         }) {}
-  ~RequestWorker() {
-    m_thread.request_stop();
-    const std::lock_guard lock(m_mutex);
-    m_underWay.request_stop();
-  }
+  ~RequestWorker() { tellToEnd(); }
   RequestWorker(const RequestWorker&) = delete;
   RequestWorker& operator=(const RequestWorker&) = delete;
 
@@ -57,6 +53,15 @@ class RequestWorker {
     }
     m_wake.notify_one();
   }
+
+  /// As the destructor, but waits for nothing: of many workers that end, none then waits for another's end.
+  void tellToEnd() {
+    m_thread.tellToEnd();
+    const std::lock_guard lock(m_mutex);
+    m_underWay.request_stop();
+  }
+  /// Has it been told to end, and is no work under way any more?
+  [[nodiscard]] bool hasEnded() const { return m_thread.hasEnded(); }
 
   /// Drops the request that waits and asks the work under way to stop.
   void cancel() {
@@ -91,7 +96,7 @@ class RequestWorker {
   std::optional<Request> m_next;                  ///< guarded by m_mutex
   Clock::time_point m_asked;                      ///< guarded by m_mutex
   std::stop_source m_underWay{std::nostopstate};  ///< guarded by m_mutex
-  std::jthread m_thread;                          ///< last: it starts when all else is there
+  EndingThread m_thread;                          ///< last: it starts when all else is there
 };
 
 }  // namespace geargraph::inline base

@@ -29,10 +29,8 @@ Expected<std::unique_ptr<PictureThread>> PictureThread::start(Deliver deliver) {
   std::unique_ptr<PictureThread> made(new PictureThread(std::move(deliver)));
   std::promise<Diagnostics> started;
   std::future<Diagnostics> outcome = started.get_future();
-  made->m_thread =
-      std::jthread([self = made.get(), started = std::move(started)](const std::stop_token& quit) mutable {
-        self->run(quit, std::move(started));
-      });
+  made->m_thread.emplace([self = made.get(), started = std::move(started)](
+                             const std::stop_token& quit) mutable { self->run(quit, std::move(started)); });
   if (Diagnostics problems = outcome.get(); !problems.empty()) return problems;
   return made;
 }
@@ -50,6 +48,8 @@ void PictureThread::run(const std::stop_token& quit, std::promise<Diagnostics> s
   started.set_value({});
   work(quit);
   m_host.reset();
+  const std::lock_guard lock(m_mutex);
+  m_idle.notify_all();
 }
 
 // A question goes before pictures, what is ordered before what may follow, and that before rehearsals.
@@ -132,7 +132,7 @@ void PictureThread::order(PictureOrder order) {
 
 void PictureThread::finish() {
   std::unique_lock lock(m_mutex);
-  m_idle.wait(lock, [this] { return !m_next && !m_mapDue && !m_isPainting; });
+  m_idle.wait(lock, [this] { return m_quit.stop_requested() || (!m_next && !m_mapDue && !m_isPainting); });
 }
 
 void PictureThread::rehearse(std::vector<PictureOrder> orders) {

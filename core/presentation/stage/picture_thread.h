@@ -7,9 +7,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
+#include "core/foundations/base/ending_thread.h"
 #include "core/presentation/painting/egl_host.h"
 #include "core/presentation/stage/kept_frame.h"
 
@@ -68,12 +68,17 @@ class PictureThread {
   [[nodiscard]] const std::string& name() const { return m_name; }
   [[nodiscard]] bool isSoftware() const { return m_isSoftware; }
 
+  /// As the destructor, but waits for nothing.
+  void tellToEnd() { m_thread->tellToEnd(); }
+  /// Has it been told to end, and is it no longer at work?
+  [[nodiscard]] bool hasEnded() const { return m_thread->hasEnded(); }
+
   void order(PictureOrder order);
   /// Paints these one by one whenever there is nothing else to do, and delivers nothing: so that a driver
   /// compiles what it needs for them before somebody waits. An order or a question waits for one of them.
   /// Those of another stage than the last that was ordered are dropped.
   void rehearse(std::vector<PictureOrder> orders);
-  /// Returns when all that was ordered has been delivered.
+  /// Returns when all that was ordered has been delivered, or when nothing is painted any more.
   void finish();
   /// Answered in the order of the questions, and before any picture that has not been begun. Questions that
   /// are open when the thread ends are not answered.
@@ -108,7 +113,7 @@ class PictureThread {
   std::optional<PictureOrder> m_mapDue;     ///< whose map has still to follow; guarded by m_mutex
   std::deque<PictureOrder> m_rehearsals;    ///< guarded by m_mutex
   bool m_isPainting = false;                ///< guarded by m_mutex
-  std::jthread m_thread;                    ///< last: it is stopped before what it uses goes
+  std::optional<EndingThread> m_thread;     ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline stage

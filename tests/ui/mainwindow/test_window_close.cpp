@@ -1,5 +1,6 @@
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +13,7 @@
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/window_exports.h"
+#include "ui/mainwindow/window_set.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -70,6 +72,22 @@ class WindowCloseTest : public QObject {
       });
       verifyBelow(kMost, more, after);
     }
+  }
+
+  /// Of what works for a window each part would otherwise be waited for in turn.
+  void aClosedWindowGoesOnceItsWorkHasEnded() {
+    const QTemporaryDir folder;
+    WindowSet windows(folder.path());
+    QPointer<MainWindow> window(&windows.openNew());
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->document().replace(test::deepTrain(1, 1000), {});
+    QTest::qWait(40);
+    QVERIFY(!window->hasEnded());
+    QVERIFY(window->close());
+    QVERIFY(windows.windows().empty());
+    QVERIFY(!window.isNull());  // nothing was waited for
+    QVERIFY(!window->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(window.isNull(), 20'000);
   }
 
   void closingEndsAnExport_data() {

@@ -136,6 +136,33 @@ void theDestructorStopsTheWorkUnderWayAndBeginsNoMore() {
   check(begun == 1, "and nothing else is begun");
 }
 
+void manyAreToldToEndBeforeOneIsWaitedFor() {
+  Endless endless;
+  std::promise<void> waiting;
+  std::promise<void> go;
+  std::atomic<int> begun = 0;
+  RequestWorker<int> quick([&](int, const std::stop_token& stop) { endless(stop); });
+  RequestWorker<int> slow([&](int, const std::stop_token&) {
+    ++begun;
+    waiting.set_value();
+    go.get_future().wait();  // what cannot stop soon
+  });
+  quick.request(0);
+  slow.request(0);
+  endless.begun.get_future().wait();
+  waiting.get_future().wait();
+  check(!quick.hasEnded() && !slow.hasEnded(), "nothing ends by itself");
+  slow.tellToEnd();
+  quick.tellToEnd();
+  while (!quick.hasEnded()) std::this_thread::yield();
+  check(endless.stopped, "what is told to end is asked to stop");
+  check(!slow.hasEnded(), "and nobody has waited for the other");
+  slow.request(1);
+  go.set_value();
+  while (!slow.hasEnded()) std::this_thread::yield();
+  check(begun == 1, "nothing is begun once it is told to end");
+}
+
 }  // namespace
 }  // namespace geargraph
 
@@ -148,6 +175,7 @@ int main() {
   geargraph::workInTheBackgroundWaitsUntilNothingNewerComes();
   geargraph::overtakenRequestsAreDropped();
   geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
+  geargraph::manyAreToldToEndBeforeOneIsWaitedFor();
   std::printf("%d failures\n", geargraph::failures);
   return geargraph::failures == 0 ? 0 : 1;
 }
