@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTest>
@@ -268,23 +269,26 @@ void GestureSoak::pressKey() {
 }
 
 void GestureSoak::typeText() {
-  QWidget* focus = QApplication::focusWidget();
-  auto* line = qobject_cast<QLineEdit*>(focus);
-  if (line == nullptr) {
-    QList<QLineEdit*> fields;
-    for (QLineEdit* each : window()->findChildren<QLineEdit*>()) {
-      if (each->isVisible() && each->isEnabled()) fields << each;
+  const auto isField = [](const QWidget* each) {
+    return qobject_cast<const QLineEdit*>(each) != nullptr ||
+           qobject_cast<const QPlainTextEdit*>(each) != nullptr;
+  };
+  QWidget* field = QApplication::focusWidget();
+  if (!isField(field)) {
+    QList<QWidget*> fields;
+    for (QWidget* each : window()->findChildren<QWidget*>()) {
+      if (isField(each) && each->isVisible() && each->isEnabled()) fields << each;
     }
     if (fields.isEmpty()) return;
-    line = fields[below(static_cast<int>(fields.size()))];
-    line->setFocus();
+    field = fields[below(static_cast<int>(fields.size()))];
+    field->setFocus();
   }
   static const QStringList kTexts{QStringLiteral("12"),   QStringLiteral("22/7"),  QStringLiteral("-0.5 in"),
                                   QStringLiteral("name"), QStringLiteral("1e300"), QStringLiteral("gear"),
                                   QStringLiteral(""),     QStringLiteral("0"),     QStringLiteral("齿轮")};
-  const QPointer<QLineEdit> on(line);
+  const QPointer<QWidget> on(field);
   std::vector<std::function<void()>> steps{[on] {
-    if (on) on->selectAll();
+    if (on) QMetaObject::invokeMethod(on, "selectAll");
   }};
   for (const QChar character : kTexts[below(static_cast<int>(kTexts.size()))]) {
     steps.emplace_back([on, character] {
@@ -296,7 +300,7 @@ void GestureSoak::typeText() {
   }
   const int end = oneIn(3) ? Qt::Key_Escape : Qt::Key_Return;
   steps.emplace_back([on, end] { key(on.data(), end); });
-  begin(QStringLiteral("typing into ") + line->objectName(), std::move(steps));
+  begin(QStringLiteral("typing into ") + field->objectName(), std::move(steps));
 }
 
 void GestureSoak::triggerAction() {

@@ -23,6 +23,7 @@
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
+#include "core/mechanism/model/notes.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
@@ -50,6 +51,14 @@ std::vector<std::pair<LinkId, SheetPoint>> places(Random& random) {
     place = random.place();
   }
   return moved;
+}
+
+NoteId note(Random& random) {
+  return NoteId("N" + std::to_string(1 + random.below(4)));
+}
+
+std::vector<std::pair<NoteId, SheetPoint>> notePlaces(Random& random) {
+  return {{note(random), random.place()}, {note(random), random.place()}};
 }
 
 std::vector<Input> inputs(Random& random) {
@@ -230,6 +239,15 @@ std::vector<EditKind> drawnEdits() {
                            return std::tuple{fragmentOf(r.mechanism(), {chosen.begin(), chosen.end()})};
                          }),
       kind<withTtNodesMoved>("withTtNodesMoved", [](Random& r) { return std::tuple{places(r)}; }),
+      kind<withNote>("withNote",
+                     [](Random& r) {
+                       return std::tuple{r.place(), r.text()};
+                     }),
+      kind<withNoteText>("withNoteText",
+                         [](Random& r) {
+                           return std::tuple{note(r), r.text()};
+                         }),
+      kind<withNotesMoved>("withNotesMoved", [](Random& r) { return std::tuple{notePlaces(r)}; }),
       {"ttNodes.clear",
        [](Random&) -> Reduce {
          return [](Mechanism before) -> Expected<Mechanism> {
@@ -350,6 +368,11 @@ std::vector<EditKind> numberEdits() {
       kind<withAxisOnSheet>("withAxisOnSheet",
                             [](Random& r) {
                               return std::tuple{sheet(r), DraggedAxis{r.axis(), r.place(), r.place()}};
+                            }),
+      kind<withAxisDragged>("withAxisDragged",
+                            [](Random& r) {
+                              const Vector3 way{r.place().x, r.place().y, r.place().x};
+                              return std::tuple{r.axis(), way, r.oneIn(2)};
                             }),
       {"fixesFor", quickFix, 2},
   };

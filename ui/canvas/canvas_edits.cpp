@@ -101,6 +101,8 @@ QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements
       const bool brake = coupling != nullptr && coupling->kind == CouplingKind::brake;
       return brake ? tr("brake %1").arg(label) : tr("clutch %1").arg(label);
     }
+    case ElementKind::note:
+      return tr("note");
     default:
       return label;
   }
@@ -113,6 +115,10 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
     const Link* link = mechanism.find(LinkId(element.id));
     if (link != nullptr && !link->name.empty()) text += ": " + QString::fromStdString(link->name);
     return text;
+  }
+  if (element.kind == ElementKind::note) {
+    const SheetNote* note = mechanism.find(NoteId(element.id));
+    return note == nullptr ? text : text + ": " + QString::fromStdString(note->text);
   }
   const auto ends = [&](LinkId tail, LinkId head) {
     return tr(" from link %1 to link %2")

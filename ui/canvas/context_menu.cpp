@@ -171,6 +171,7 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
                      const ContextActions& actions) {
   if (!element) {
     if (actions.addLink) add(menu, tr("New link here"), {}, actions.addLink);
+    if (actions.addNote) add(menu, tr("New note here"), {}, actions.addNote);
     add(menu, tr("Select all"), "Ctrl+A", actions.selectAll);
     menu.addSeparator();
     const bool alone = mechanism.links.size() == 1;
@@ -188,6 +189,9 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   } else if (element->kind == ElementKind::coupling) {
     addEngage(menu, mechanism, CouplingId(element->id), actions);
     add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.takeOff(id); });
+  } else if (element->kind == ElementKind::note) {
+    add(menu, tr("Change the text"), "F2", actions.open);
+    add(menu, tr("Delete"), tr("Del"), actions.remove);
   } else {
     fillForArrow(menu, mechanism, *element, actions);
   }

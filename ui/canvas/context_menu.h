@@ -30,7 +30,9 @@ struct ContextActions {
   std::function<void(CouplingId, bool)> engage;   ///< or release a brake or a clutch
   std::function<void(const ElementId&)> takeOff;  ///< a brake or a clutch goes
   std::function<void()> remove;
+  std::function<void()> open;  ///< the text of the note, in place
   std::function<void()> addLink;
+  std::function<void()> addNote;
   std::function<void()> selectAll;
   std::function<void()> tidy;
   std::function<void()> fit;

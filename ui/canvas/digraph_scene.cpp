@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/presentation/drawing/coupling_marks.h"
+#include "core/presentation/drawing/note_marks.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 12 ms
 
 /// How many outlines an element has: an arrow's line and label, a node's disc and badge, a coupling's line
-/// and plates.
+/// and plates, a note's box.
 std::size_t outlinesOf(const EdgePlace&) {
   return 2;
 }
@@ -21,6 +22,9 @@ std::size_t outlinesOf(const NodePlace& node) {
 }
 std::size_t outlinesOf(const CouplingPlace&) {
   return 2;
+}
+std::size_t outlinesOf(const NotePlace&) {
+  return 1;
 }
 
 /// Do both show the same elements in the same order?
@@ -31,13 +35,16 @@ bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
   };
   return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), sameEdge) &&
          std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameNode) &&
-         std::equal(a.couplings.begin(), a.couplings.end(), b.couplings.begin(), b.couplings.end(),
-                    [](const CouplingPlace& x, const CouplingPlace& y) { return x.coupling == y.coupling; });
+         std::equal(
+             a.couplings.begin(), a.couplings.end(), b.couplings.begin(), b.couplings.end(),
+             [](const CouplingPlace& x, const CouplingPlace& y) { return x.coupling == y.coupling; }) &&
+         std::equal(a.notes.begin(), a.notes.end(), b.notes.begin(), b.notes.end(),
+                    [](const NotePlace& x, const NotePlace& y) { return x.note == y.note; });
 }
 
 /// Of everything that is put up.
 std::size_t sizeOf(const DigraphGeometry& geometry) {
-  return geometry.edges.size() + geometry.nodes.size() + geometry.couplings.size();
+  return geometry.edges.size() + geometry.nodes.size() + geometry.couplings.size() + geometry.notes.size();
 }
 
 }  // namespace
@@ -70,6 +77,7 @@ void DigraphScene::drawAll() {
   take(m_geometry->edges);
   take(m_geometry->nodes);
   take(m_geometry->couplings);
+  take(m_geometry->notes);
   m_isStale.assign(size, false);
   m_staleCount = 0;
   m_staleFrom = 0;
@@ -115,6 +123,7 @@ void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
   compare(former.edges, m_geometry->edges);
   compare(former.nodes, m_geometry->nodes);
   compare(former.couplings, m_geometry->couplings);
+  compare(former.notes, m_geometry->notes);
   m_isMoving = m_staleCount > kSlice;
   drawStale();
 }
@@ -155,7 +164,9 @@ ElementId DigraphScene::elementAt(std::size_t at) const {
   const std::size_t nodes = m_geometry->nodes.size();
   if (at < edges) return m_geometry->edges[at].element;
   if (at < edges + nodes) return m_geometry->nodes[at - edges].link;
-  return m_geometry->couplings[at - edges - nodes].coupling;
+  const std::size_t couplings = m_geometry->couplings.size();
+  if (at < edges + nodes + couplings) return m_geometry->couplings[at - edges - nodes].coupling;
+  return m_geometry->notes[at - edges - nodes - couplings].note;
 }
 
 std::vector<Outline> DigraphScene::drawAt(std::size_t at) {
@@ -163,7 +174,9 @@ std::vector<Outline> DigraphScene::drawAt(std::size_t at) {
   const std::size_t nodes = m_geometry->nodes.size();
   if (at < edges) return draw(m_geometry->edges[at]);
   if (at < edges + nodes) return draw(m_geometry->nodes[at - edges]);
-  return draw(m_geometry->couplings[at - edges - nodes]);
+  const std::size_t couplings = m_geometry->couplings.size();
+  if (at < edges + nodes + couplings) return draw(m_geometry->couplings[at - edges - nodes]);
+  return draw(m_geometry->notes[at - edges - nodes - couplings]);
 }
 
 std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
@@ -184,6 +197,13 @@ std::vector<Outline> DigraphScene::draw(const CouplingPlace& place) {
   DisplayList drawing = couplingDrawing(place, emphasisOf(emphases(), place.coupling));
   std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(place.coupling, std::move(drawing), kLineDepth);
+  return outlines;
+}
+
+std::vector<Outline> DigraphScene::draw(const NotePlace& place) {
+  DisplayList drawing = noteDrawing(place, emphasisOf(emphases(), place.note));
+  std::vector<Outline> outlines = std::move(drawing.outlines);
+  redraw(place.note, std::move(drawing), kNoteDepth);
   return outlines;
 }
 

@@ -53,11 +53,12 @@ class DigraphScene final : public DrawingScene {
   std::vector<Outline> draw(const NodePlace& node);
   std::vector<Outline> draw(const EdgePlace& edge);
   std::vector<Outline> draw(const CouplingPlace& place);
+  std::vector<Outline> draw(const NotePlace& place);
 
   NodePositions m_positions;
   DigraphGeometryPtr m_geometry = std::make_shared<const DigraphGeometry>();
-  std::optional<std::size_t> m_putUp;  ///< while that goes on: how many arrows, nodes, couplings are there
-  // By arrow, node, coupling, in this order:
+  std::optional<std::size_t> m_putUp;  ///< while that goes on: how many arrows, nodes, ... are there
+  // By arrow, node, coupling, note, in this order:
   std::vector<std::size_t> m_slots;  ///< its first outline
   std::vector<bool> m_isStale;       ///< it is to be drawn again
   std::size_t m_staleCount = 0;

@@ -2,6 +2,7 @@
 
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/notes.h"
 #include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/power_drawing/torque_marks.h"
 #include "ui/canvas/cycle_walk.h"
@@ -53,7 +54,8 @@ void DigraphView::rebuild() {
     return;
   }
   m_drawings->cancel();
-  const bool isThere = m_drawn && isSameDigraph(*m_drawn, *now) && places == m_scene->positions();
+  const bool isThere = m_drawn && isSameDigraph(*m_drawn, *now) && places == m_scene->positions() &&
+                       m_drawn->view.notes == now->view.notes;
   if (!isThere) m_scene->show(*now, std::move(places));
   m_drawn = now;
   if (!isThere) emit redrawn();
@@ -112,6 +114,12 @@ Expected<Mechanism> DigraphView::withMoved(const Mechanism& mechanism, const Nod
 
 Expected<Mechanism> DigraphView::withLinkAt(const Mechanism& mechanism, SheetPoint at) const {
   return withLink(m_placer->adopted(mechanism), at);
+}
+
+/// The places of the nodes are kept with it: the note may be about one of them.
+Expected<Mechanism> DigraphView::withNoteAt(const Mechanism& mechanism, SheetPoint at,
+                                            const std::string& text) const {
+  return withNote(m_placer->adopted(mechanism), at, text);
 }
 
 }  // namespace geargraph::inline canvas

@@ -18,6 +18,7 @@ class DigraphView final : public GraphView {
   /// Are all links placed and drawn?
   [[nodiscard]] bool isSettled() const;
   [[nodiscard]] PowerDraw powerDraw() const override;
+  [[nodiscard]] bool showsNotes() const override { return true; }
 
  signals:
   void settled();
@@ -35,6 +36,8 @@ class DigraphView final : public GraphView {
   [[nodiscard]] Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                               const NodeMoves& places) const override;
   [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
+  [[nodiscard]] Expected<Mechanism> withNoteAt(const Mechanism& mechanism, SheetPoint at,
+                                               const std::string& text) const override;
 
  private:
   /// What makes a large drawing: placing its arrows and labels takes a thread of its own.

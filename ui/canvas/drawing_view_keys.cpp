@@ -176,6 +176,7 @@ std::vector<ElementId> DrawingView::drawnElements() const {
   add(mechanism().gearMeshes);
   add(mechanism().couplings);
   add(mechanism().axes);
+  add(mechanism().view.notes);
   return ordered;
 }
 
@@ -267,7 +268,8 @@ void DrawingView::walkTo(const ElementId& element, bool add) {
 }
 
 std::optional<Pointer> DrawingView::keyStrokeEnd(const Pointer& begin) const {
-  return tool() == ToolKind::link ? std::optional(begin) : std::nullopt;
+  const bool isClick = tool() == ToolKind::link || tool() == ToolKind::note;
+  return isClick ? std::optional(begin) : std::nullopt;
 }
 
 void DrawingView::clickCurrent() {
@@ -278,8 +280,10 @@ void DrawingView::clickCurrent() {
   }
   if (tool() == ToolKind::load) return editLoad();
   Pointer pointer;
-  pointer.on = tool() == ToolKind::link ? std::nullopt : current;
-  if (!pointer.on && tool() != ToolKind::link) return;
+  const bool onNote = current && current->kind == ElementKind::note;
+  const bool placesNew = tool() == ToolKind::link || (tool() == ToolKind::note && !onNote);
+  pointer.on = placesNew ? std::nullopt : current;
+  if (!pointer.on && !placesNew) return;
   pointer.at = pointer.on ? *middleOf(*pointer.on) : freePlace();
   pointer.onSelected = pointer.on.has_value();
   if (!isIdle()) {

@@ -114,17 +114,21 @@ void ElementCommands::apply(const QString& text, Reduce reduce) {
   m_document.apply({text, std::move(reduce), 0});
 }
 
-void ElementCommands::selectAll() {
+void ElementCommands::selectAll(bool notes) {
   std::set<ElementId> all;
   const Mechanism& mechanism = *m_document.mechanism();
   for (const Link& link : mechanism.links) all.insert(link.id);
   for (const TurningJoint& joint : mechanism.turningJoints) all.insert(joint.id);
   for (const GearMesh& mesh : mechanism.gearMeshes) all.insert(mesh.id);
+  for (const SheetNote& note : mechanism.view.notes) {
+    if (notes) all.insert(note.id);
+  }
   m_selection.select(std::move(all));
 }
 
-void ElementCommands::removeSelected() {
-  const std::set<ElementId> selected = m_selection.selected();
+void ElementCommands::removeSelected(bool notes) {
+  std::set<ElementId> selected = m_selection.selected();
+  if (!notes) std::erase_if(selected, [](const ElementId& each) { return each.kind == ElementKind::note; });
   if (selected.empty()) return;
   std::vector<ElementId> elements(selected.begin(), selected.end());
   if (elements.size() > 1) std::erase(elements, ElementId(m_document.mechanism()->links.front().id));

@@ -21,9 +21,9 @@ class ElementCommands {
   /// Refers to both.
   ElementCommands(Document& document, Selection& selection) : m_document(document), m_selection(selection) {}
 
-  void selectAll();
-  void removeSelected();  ///< the ground stays, where other things are selected too
-  void flipSelected();    ///< tail and head of the selected arrows exchanged
+  void selectAll(bool notes);       ///< of which views alone know whether they show them
+  void removeSelected(bool notes);  ///< the ground stays, where other things are selected too
+  void flipSelected();              ///< tail and head of the selected arrows exchanged
   /// Drives these joints, or those that carry these links, or stops driving them. Where that is not possible
   /// it answers why.
   QString toggleInputs(const std::set<ElementId>& elements);

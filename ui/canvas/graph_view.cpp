@@ -4,9 +4,12 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/notes.h"
 #include "ui/canvas/context_menu.h"
 #include "ui/canvas/cycle_walk.h"
 #include "ui/canvas/mark_painter.h"
+#include "ui/canvas/note_editor.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -40,8 +43,17 @@ GraphView::GraphView(Document* document, Selection* selection, DrawingScene* sce
   });
   connect(m_controller, &ToolController::hintChanged, this, &GraphView::setHint);
   connect(m_controller, &ToolController::previewChanged, this, &GraphView::previewChanged);
+  connect(m_controller, &ToolController::noteWanted, this, &GraphView::openNoteEditor);
   connect(m_controller, &ToolController::panned, this, &GraphView::panBy);
   setHint(m_controller->hint());
+}
+
+/// A note that is being typed is given up: its editor would hand the text to a view that is no more.
+GraphView::~GraphView() {
+  for (NoteEditor* editor : viewport()->findChildren<NoteEditor*>()) {
+    editor->disconnect(this);
+    delete editor;
+  }
 }
 
 QString GraphView::message() const {
@@ -106,6 +118,7 @@ void GraphView::toggleInputs() {
 
 void GraphView::adjustMenu(ContextActions& actions, SheetPoint at) {
   actions.addLink = [this, at] { m_controller->addLink(at); };
+  if (showsNotes()) actions.addNote = [this, at] { openNoteEditor(at); };
   actions.tidy = [this] { tidy(); };
 }
 
@@ -125,6 +138,54 @@ bool GraphView::cancel() {
   if (m_controller->isIdle()) return false;
   m_controller->handle(Escaped{}, scaleNow());
   return true;
+}
+
+// --- notes ------------------------------------------------------------------------------------------------
+
+Expected<Mechanism> GraphView::withNoteAt(const Mechanism& mechanism, SheetPoint at,
+                                          const std::string& text) const {
+  return withNote(mechanism, at, text);
+}
+
+void GraphView::openElement(const ElementId& element) {
+  const SheetNote* const note =
+      element.kind == ElementKind::note ? mechanism().find(NoteId(element.id)) : nullptr;
+  note != nullptr ? openNoteEditor(note->at, note->id) : DrawingView::openElement(element);
+}
+
+void GraphView::openNoteEditor(SheetPoint at, const std::optional<NoteId>& note) {
+  const SheetNote* const known = note ? mechanism().find(*note) : nullptr;
+  if (note && known == nullptr) return;
+  if (known != nullptr) at = known->at;
+  const QString before = known != nullptr ? QString::fromStdString(known->text) : QString();
+  auto* editor = new NoteEditor(before, mapFromScene(QPointF(at.x, at.y)), viewport());
+  connect(editor, &NoteEditor::limited, this, &GraphView::setHint);
+  connect(editor, &NoteEditor::taken, this, [this, at, note, before](const QString& typed) {
+    const std::string text = noteText(typed.toStdString());
+    if (text != noteText(before.toStdString())) takeNote(at, note, text);
+    if (tool() == ToolKind::note) setTool(ToolKind::select);  // the next click is not one more note
+  });
+  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
+  editor->show();
+  editor->setFocus();
+}
+
+void GraphView::takeNote(SheetPoint at, const std::optional<NoteId>& note, const std::string& text) {
+  if (!note) {
+    const bool done = document().apply(
+        {tr("Add note"), [this, at, text](const Mechanism& before) { return withNoteAt(before, at, text); },
+         0});
+    if (done) selection().select({mechanism().view.notes.back().id});
+  } else if (text.empty()) {
+    document().apply(
+        {tr("Delete note"),
+         [note](const Mechanism& before) { return withoutElements(before, std::vector<ElementId>{*note}); },
+         0});
+  } else {
+    document().apply({tr("Change note"),
+                      [note, text](const Mechanism& before) { return withNoteText(before, *note, text); },
+                      0});
+  }
 }
 
 void GraphView::setGrid(bool on) {

@@ -12,10 +12,14 @@ class GraphView : public DrawingView, protected NodeSheet {
 
  public:
   GraphView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent = nullptr);
+  ~GraphView() override;
 
   [[nodiscard]] ToolKind tool() const override { return m_controller->tool(); }
   void setTool(ToolKind tool) override { m_controller->setTool(tool); }
   void setGrid(bool on) override;
+  [[nodiscard]] bool showsNotes() const override { return false; }  // of both bases
+  /// Opens the editor in place: for a new note with its middle there, or for the text of one.
+  void openNoteEditor(SheetPoint at, const std::optional<NoteId>& note = {});
 
   /// Shows the circuit of this mesh. With an empty id the view decides: the mesh of the cycle all of which is
   /// hovered (a row of C in the matrices), else the one that is selected alone.
@@ -31,6 +35,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   void keyPressEvent(QKeyEvent* event) override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
+  void openElement(const ElementId& element) override;
   void pressed(const Pointer& pointer) override;
   void moved(const Pointer& pointer) override;
   void released(const Pointer& pointer) override;
@@ -45,10 +50,16 @@ class GraphView : public DrawingView, protected NodeSheet {
   /// Gives all these links their places, as one undo step.
   void place(const NodePositions& positions) { m_controller->place(positions); }
 
+  /// A new note, where the drawing has some.
+  [[nodiscard]] virtual Expected<Mechanism> withNoteAt(const Mechanism& mechanism, SheetPoint at,
+                                                       const std::string& text) const;
+
   [[nodiscard]] const std::vector<Outline>& outlines() const override { return m_sheet->outlines(); }
   void setOverlay(DisplayList overlay) override { m_sheet->setOverlay(std::move(overlay)); }
 
  private:
+  void takeNote(SheetPoint at, const std::optional<NoteId>& note, const std::string& text);
+
   DrawingScene* m_sheet;
   ToolController* m_controller;
   MeshId m_wantedCycle;

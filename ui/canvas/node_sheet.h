@@ -10,6 +10,7 @@
 namespace geargraph::inline canvas {
 
 using NodeMoves = std::vector<std::pair<LinkId, SheetPoint>>;
+using NoteMoves = std::vector<std::pair<NoteId, SheetPoint>>;
 
 /// A drawing whose links stand at places that tools may change: what the tools have to know of it.
 class NodeSheet {
@@ -29,6 +30,9 @@ class NodeSheet {
   [[nodiscard]] virtual Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                                       const NodeMoves& places) const = 0;
   [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const = 0;
+
+  /// Are the document's notes on it?
+  [[nodiscard]] virtual bool showsNotes() const { return false; }
 };
 
 }  // namespace geargraph::inline canvas

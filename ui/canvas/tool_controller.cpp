@@ -6,6 +6,7 @@
 #include "core/mechanism/fitting/mesh_snap.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/notes.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/hit_test.h"
 #include "ui/canvas/drawn_joint.h"
@@ -53,8 +54,16 @@ void ToolController::handle(const ToolEvent& event, double scale) {
 void ToolController::carryOut(const Proposal& proposal) {
   struct Visitor {
     ToolController& self;
-    void operator()(const SelectOnly& p) const { self.m_selection.select({p.element}); }
-    void operator()(const ToggleSelected& p) const { self.m_selection.toggle(p.element); }
+    /// An edit may have removed what was under the mouse when it was pressed.
+    [[nodiscard]] bool isThere(const ElementId& element) const {
+      return self.m_document.elements().contains(element);
+    }
+    void operator()(const SelectOnly& p) const {
+      if (isThere(p.element)) self.m_selection.select({p.element});
+    }
+    void operator()(const ToggleSelected& p) const {
+      if (isThere(p.element)) self.m_selection.toggle(p.element);
+    }
     void operator()(const ClearSelection&) const { self.m_selection.clear(); }
     void operator()(const SelectInside& p) const { self.selectInside(p); }
     void operator()(const MoveSelected& p) const { self.moveSelected(p); }
@@ -63,6 +72,7 @@ void ToolController::carryOut(const Proposal& proposal) {
     void operator()(const AddLink& p) const { self.addLink(p.at); }
     void operator()(const AddJoint& p) const { self.addJoint(p); }
     void operator()(const ToggleInput& p) const { self.toggleInputs({p.element}); }
+    void operator()(const WriteNote& p) const { self.writeNote(p); }
     void operator()(const PanBy& p) const { emit self.panned({p.dx, p.dy}); }
   };
   std::visit(Visitor{*this}, proposal);
@@ -75,13 +85,17 @@ void ToolController::apply(const QString& text, Reduce reduce, quint64 gesture) 
 // --- moving -----------------------------------------------------------------------------------------------
 
 ToolController::Drag ToolController::beginDrag() {
-  Drag drag{m_document.newGesture(), m_document.mechanism(), {}, {}};
+  Drag drag{m_document.newGesture(), m_document.mechanism(), {}, {}, {}};
   for (const auto& [link, place] : m_sheet.positions()) {
     if (m_selection.isSelected(link)) {
       drag.moving.emplace_back(link, place);
     } else {
       drag.resting.push_back(place);
     }
+  }
+  if (!m_sheet.showsNotes()) return drag;
+  for (const SheetNote& note : drag.before->view.notes) {
+    if (m_selection.isSelected(note.id)) drag.notes.emplace_back(note.id, note.at);
   }
   return drag;
 }
@@ -90,6 +104,7 @@ void ToolController::moveSelected(const MoveSelected& move) {
   if (!m_drag) m_drag = beginDrag();
   std::vector<SheetPoint> from;
   for (const auto& [link, place] : m_drag->moving) from.push_back(place);
+  for (const auto& [note, place] : m_drag->notes) from.push_back(place);
   const double reach = move.unsnapped ? 0 : kSnapReach / m_scale;
   const bool toGrid = m_grid && !move.unsnapped && !from.empty();
   if (toGrid) {
@@ -101,10 +116,25 @@ void ToolController::moveSelected(const MoveSelected& move) {
   }
   NodeMoves places = m_drag->moving;
   for (auto& [link, place] : places) place = place + SheetPoint{m_snap.dx, m_snap.dy};
+  NoteMoves notes = m_drag->notes;
+  for (auto& [note, place] : notes) place = place + SheetPoint{m_snap.dx, m_snap.dy};
+  const QString text = places.empty()       ? tr("Move note")
+                       : places.size() == 1 ? tr("Move link")
+                                            : tr("Move links");
+  moveTo(text, std::move(places), std::move(notes), m_drag->gesture);
+}
+
+void ToolController::moveTo(const QString& text, NodeMoves places, NoteMoves notes, quint64 gesture) {
   apply(
-      places.size() == 1 ? tr("Move link") : tr("Move links"),
-      [this, places](const Mechanism& mechanism) { return m_sheet.withMoved(mechanism, places); },
-      m_drag->gesture);
+      text,
+      [this, places = std::move(places),
+       notes = std::move(notes)](const Mechanism& mechanism) -> Expected<Mechanism> {
+        if (places.empty()) return withNotesMoved(mechanism, notes);
+        Expected<Mechanism> moved = m_sheet.withMoved(mechanism, places);
+        if (!moved || notes.empty()) return moved;
+        return withNotesMoved(*std::move(moved), notes);
+      },
+      gesture);
 }
 
 void ToolController::cancelMove() {
@@ -119,13 +149,13 @@ void ToolController::cancelMove() {
 
 void ToolController::nudge(double dx, double dy, bool repeated) {
   const Drag drag = beginDrag();
-  if (drag.moving.empty()) return;
+  if (drag.moving.empty() && drag.notes.empty()) return;
   if (!repeated || m_nudge == 0) m_nudge = drag.gesture;
   NodeMoves places = drag.moving;
   for (auto& [link, place] : places) place = place + SheetPoint{dx, dy};
-  apply(
-      tr("Nudge"),
-      [this, places](const Mechanism& mechanism) { return m_sheet.withMoved(mechanism, places); }, m_nudge);
+  NoteMoves notes = drag.notes;
+  for (auto& [note, place] : notes) place = place + SheetPoint{dx, dy};
+  moveTo(tr("Nudge"), std::move(places), std::move(notes), m_nudge);
 }
 
 void ToolController::place(const NodePositions& positions) {
@@ -142,6 +172,14 @@ void ToolController::addLink(SheetPoint at) {
   apply(tr("Add link"), [this, at](const Mechanism& mechanism) { return m_sheet.withLinkAt(mechanism, at); });
   const auto& links = m_document.mechanism()->links;
   if (links.size() > before) m_selection.select({links.back().id});
+}
+
+void ToolController::writeNote(const WriteNote& note) {
+  if (!m_sheet.showsNotes()) {
+    m_notice = tr("Notes are written on the sheet of the digraph");
+    return;
+  }
+  emit noteWanted(m_grid ? onGrid(note.at, kGridStep) : note.at, note.note);
 }
 
 void ToolController::addJoint(const AddJoint& joint) {

@@ -44,6 +44,8 @@ class ToolController final : public QObject {
   void place(const NodePositions& positions);
 
  signals:
+  /// The text of a note is to be typed: of a new one with its middle there, or of the one that there is.
+  void noteWanted(geargraph::SheetPoint at, const std::optional<geargraph::NoteId>& note);
   void toolChanged(geargraph::ToolKind tool);
   void hintChanged(const QString& hint);
   void previewChanged(const std::optional<geargraph::JointPreview>& preview);
@@ -54,12 +56,15 @@ class ToolController final : public QObject {
     quint64 gesture = 0;
     MechanismPtr before;
     NodeMoves moving;  ///< where the nodes were
+    NoteMoves notes;   ///< and the notes
     std::vector<SheetPoint> resting;
   };
 
   void carryOut(const Proposal& proposal);
   void moveSelected(const MoveSelected& move);
   void cancelMove();
+  void moveTo(const QString& text, NodeMoves places, NoteMoves notes, quint64 gesture);
+  void writeNote(const WriteNote& note);
   void addJoint(const AddJoint& joint);
   void selectInside(const SelectInside& band);
   [[nodiscard]] Drag beginDrag();

@@ -35,8 +35,19 @@ DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGrou
   for (const TurningJoint& joint : fragment.turningJoints) copied.insert(joint.id);
   for (const GearMesh& mesh : fragment.gearMeshes) copied.insert(mesh.id);
   for (const Coupling& coupling : fragment.couplings) copied.insert(coupling.id);
+  for (const SheetNote& note : fragment.view.notes) copied.insert(note.id);
   std::erase_if(drawing.marks, [&](const Mark& mark) { return !copied.contains(mark.element); });
   return drawing;
+}
+
+/// "2 links", "1 note", "1 link and 3 notes"
+QString countedText(const Mechanism& fragment) {
+  const auto tr = [](const char* text) { return EditCommands::tr(text); };
+  const auto count = static_cast<int>(fragment.view.notes.size());
+  const QString notes = count == 1 ? tr("1 note") : tr("%1 notes").arg(count);
+  if (fragment.n() == 0) return notes;
+  const QString links = fragment.n() == 1 ? tr("1 link") : tr("%1 links").arg(fragment.n());
+  return count == 0 ? links : tr("%1 and %2").arg(links, notes);
 }
 
 /// A place of a text that is a document in the making is told without its pointer, as the text is not shown.
@@ -58,7 +69,7 @@ EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard,
 bool EditCommands::copy() {
   const Mechanism fragment = fragmentOf(*m_document->mechanism(), m_selection->selected());
   if (isEmptyFragment(fragment)) {
-    emit refused(tr("Select links to copy; the ground stays where it is."));
+    emit refused(tr("Select links or notes to copy; the ground stays where it is."));
     return false;
   }
   CopiedContent content;
@@ -69,7 +80,7 @@ bool EditCommands::copy() {
     content.drawing = partOf(m_picture(), fragment, withGround);
   }
   m_clipboard->copy(std::move(content));
-  emit noted(tr("Copied %1").arg(fragment.n() == 1 ? tr("1 link") : tr("%1 links").arg(fragment.n())));
+  emit noted(tr("Copied %1").arg(countedText(fragment)));
   return true;
 }
 

@@ -60,7 +60,7 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("Nudge; finer"), tr("Arrow keys; with Shift")},
                      {tr("Add to the selection"), tr("Shift or Ctrl, and click")},
                      {tr("Drag without snapping"), tr("Alt")},
-                     {tr("Rename in place"), tr("Double click")},
+                     {tr("Rename a link, change a note"), tr("Double click")},
                      {tr("Next, last element; besides"), tr("Page down, up; with Shift")},
                      {tr("The nearest element that way"), tr("Ctrl and arrow key")},
                      {tr("As a click on the element"), tr("Return")},

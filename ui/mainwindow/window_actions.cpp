@@ -51,6 +51,9 @@ void WindowActions::makeTools() {
       {ToolKind::load, "load",
        words("Load a joint or a link: drag for its torque, or click and type 10 Nm; where one is selected, "
              "its torque is typed at once")},
+      {ToolKind::note, "note",
+       words(
+           "Write a note on the sheet of the digraph: click where it should be; a double click changes one")},
       {ToolKind::pan, "pan", words("Move the sheet; the middle mouse button does so with any tool")},
   };
   tools = new QActionGroup(m_window);

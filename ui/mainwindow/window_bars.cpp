@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/play_controls.h"
@@ -37,7 +38,9 @@ void MainWindow::makeToolBar() {
   }
   bar->addSeparator();
   bar->addActions({m_actions->undo, m_actions->redo});
-  for (QAction* action : {m_actions->undo, m_actions->redo}) {
+  // Without their words the bar holds the longer ones of other languages on a small screen.
+  QAction* const note = m_actions->tool[static_cast<std::size_t>(ToolKind::note)];
+  for (QAction* action : {note, m_actions->undo, m_actions->redo}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
   for (auto* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
@@ -70,6 +73,7 @@ void MainWindow::wireMotion() {
 
 /// Selects an element and brings it into sight.
 void MainWindow::showElement(const ElementId& element) {
+  if (element.kind == ElementKind::note) showDrawing(m_digraph->objectName());
   m_selection->select({element});
   std::optional<QRectF> place;
   for (const Mark& mark : drawing().displayList().marks) {

@@ -136,7 +136,7 @@ void MainWindow::wireActions() {
   connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
   connect(a.compareMethods, &QAction::triggered, this, [this] {
     showDerivation();
-    m_derivation->showSection(QString::fromLatin1(kComparisonHeading));
+    m_derivation->showSection(shownText(base::translated(kComparisonHeading)));
   });
   connect(a.lessons, &QAction::triggered, this, &MainWindow::showCourse);
   connect(a.lessonFile, &QAction::triggered, this, &MainWindow::chooseLessonFile);
@@ -154,6 +154,7 @@ void MainWindow::wireActions() {
   connect(a.selectAll, &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
     const auto kind = static_cast<ToolKind>(tool->data().toInt());
+    if (kind == ToolKind::note) showDrawing(m_digraph->objectName());
     drawing().setTool(kind);
     drawing().setFocus();
     if (kind == ToolKind::load) drawing().editLoad();
@@ -278,7 +279,9 @@ void MainWindow::renewActions() {
   }
   WindowActions::setAvailable(a.remove, !selected.empty() && !onlyGround,
                               onlyGround ? tr("The ground cannot be deleted.") : nothing);
-  WindowActions::setAvailable(a.rename, links == 1 && arrows == 0, tr("Select one link to rename it."));
+  const bool oneNote = selected.size() == 1 && count(ElementKind::note) == 1;
+  WindowActions::setAvailable(a.rename, (links == 1 && arrows == 0) || oneNote,
+                              tr("Select one link to rename it, or one note to change it."));
   const QString whyNoLoad = drawing().whyNoLoad();
   WindowActions::setAvailable(a.load, whyNoLoad.isEmpty(), whyNoLoad);
   WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));

@@ -15,6 +15,7 @@
 #include "core/mechanism/model/edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
+#include "ui/panels/note_form.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/teeth_slider.h"
 
@@ -438,6 +439,7 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
   if (oneKind && kind == ElementKind::link) return new LinkForm(document, std::move(elements));
   if (oneKind && kind == ElementKind::turningJoint) return new JointForm(document, std::move(elements));
   if (oneKind && kind == ElementKind::gearMesh) return new MeshForm(document, std::move(elements));
+  if (oneKind && kind == ElementKind::note) return new NoteForm(document, std::move(elements));
   return new MixedForm(document, std::move(elements));
 }
 

@@ -66,6 +66,7 @@ constexpr Words kWords[] = {
     {"motion.start", "rewind reset home"},
     {"motion.faster", "accelerate quicker"},
     {"motion.slower", "slow brake down"},
+    {"tool.note", "text comment label annotation write remark caption sticky post-it"},
     {"view.presentation", "full screen beamer projector lecture large"},
     {"view.dark", "night mode theme colour color"},
     {"view.light", "day mode theme colour color"},

@@ -90,6 +90,8 @@ std::vector<SearchEntry> elementEntries(const Mechanism& mechanism) {
     entries.push_back(elementEntry(tr("Gear mesh %1").arg(mechanism.meshLabel(i)),
                                    arrow.arg(labels[mesh.tail], labels[mesh.head]), mesh.id));
   }
+  for (const SheetNote& note : mechanism.view.notes)
+    entries.push_back(elementEntry(tr("Note: %1").arg(shown(note.text).simplified()), {}, note.id));
   return entries;
 }
 

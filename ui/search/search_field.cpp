@@ -30,7 +30,7 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
   setPlaceholderText(tr("Search a command or a term  Ctrl+K"));
   setToolTip(tr("Find a command, an element, a term or a page of the manual (Ctrl+K)"));
   setAccessibleName(tr("Search"));
-  setMinimumWidth(kWidth / 2);
+  setMinimumWidth(kWidth / 3);
   setMaximumWidth(kWidth);
   setFocusPolicy(Qt::ClickFocus);
   menus->window()->installEventFilter(this);

@@ -52,6 +52,37 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
 
 }  // namespace input_tool
 
+namespace note_tool {
+namespace {
+
+struct Transition {
+  Outcome<State> operator()(const Idle& state, const Pressed& event) const {
+    const std::optional<ElementId>& on = event.pointer.on;
+    if (!on) return {Placing{}, {}};
+    if (on->kind != ElementKind::note) return {state, {}};
+    return {Placing{NoteId(on->id)}, {}};
+  }
+  Outcome<State> operator()(const Placing& state, const Released& event) const {
+    return {Idle{}, {WriteNote{event.pointer.at, state.note}}};
+  }
+  template <class AnyState>
+  Outcome<State> operator()(const AnyState&, const Escaped&) const {
+    return {Idle{}, {}};
+  }
+  template <class AnyState, class AnyEvent>
+  Outcome<State> operator()(const AnyState& state, const AnyEvent&) const {
+    return {state, {}};
+  }
+};
+
+}  // namespace
+
+Outcome<State> on(const State& state, const ToolEvent& event) {
+  return std::visit(Transition{}, state, event);
+}
+
+}  // namespace note_tool
+
 namespace pan_tool {
 namespace {
 

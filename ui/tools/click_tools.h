@@ -35,6 +35,22 @@ using State = std::variant<Idle>;
 
 }  // namespace input_tool
 
+/// Writes notes: click on an empty area for a new one, or on one to change its text.
+///
+///     Idle --press nothing, or a note--> Placing --release--> Idle + WriteNote
+///     Placing --Esc--> Idle
+namespace note_tool {
+
+struct Idle {};
+struct Placing {
+  std::optional<NoteId> note;
+};
+using State = std::variant<Idle, Placing>;
+
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
+
+}  // namespace note_tool
+
 /// Pulls the sheet along. The grabbed point of the sheet stays under the mouse, so each PanBy is measured on
 /// the sheet as it lies before it.
 ///

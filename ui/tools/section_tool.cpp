@@ -98,11 +98,15 @@ std::string_view hint(const State& state, ToolKind tool) {
       return toTranslate("Input: click a turning joint, or the link it carries, to drive it or not");
     case ToolKind::load:
       return load_tool::hint({});
+    case ToolKind::note:
+      return toTranslate("Notes are written on the sheet of the digraph");
     case ToolKind::pan:
       return toTranslate("Drag to move the sheet");
     case ToolKind::select:
       if (std::holds_alternative<Dragging>(state)) return toTranslate("Alt places freely. Esc puts back");
-      return toTranslate("Click to select, drag an axis to move it. The program lays the drawing out");
+      return toTranslate(
+          "Click to select, drag an axis to move it or the rim of a gear for its teeth. The program lays the "
+          "drawing out");
   }
   return {};
 }

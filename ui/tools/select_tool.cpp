@@ -5,6 +5,10 @@
 namespace geargraph::inline tools::select_tool {
 namespace {
 
+bool isMovable(const ElementId& element) {
+  return element.kind == ElementKind::link || element.kind == ElementKind::note;
+}
+
 bool isFar(SheetPoint from, const Pointer& to) {
   return std::hypot(to.at.x - from.x, to.at.y - from.y) > to.slop;
 }
@@ -12,14 +16,14 @@ bool isFar(SheetPoint from, const Pointer& to) {
 Outcome<State> press(const Pointer& pointer) {
   if (!pointer.on) return {Banding{pointer.at, pointer.at, pointer.add, false}, {}};
   const Armed armed{*pointer.on, pointer.at, pointer.add, pointer.onSelected};
-  const bool taken = pointer.on->kind == ElementKind::link && !pointer.onSelected && !pointer.add;
+  const bool taken = isMovable(*pointer.on) && !pointer.onSelected && !pointer.add;
   if (taken) return {armed, {SelectOnly{*pointer.on}}};
   return {armed, {}};
 }
 
 Outcome<State> drag(const Armed& armed, const Pointer& pointer) {
   if (!isFar(armed.from, pointer)) return {armed, {}};
-  if (armed.on.kind != ElementKind::link) return {Banding{armed.from, pointer.at, armed.add, true}, {}};
+  if (!isMovable(armed.on)) return {Banding{armed.from, pointer.at, armed.add, true}, {}};
   const MoveSelected move{pointer.at.x - armed.from.x, pointer.at.y - armed.from.y, pointer.unsnapped};
   if (armed.add && !armed.wasSelected) return {Moving{armed.from}, {ToggleSelected{armed.on}, move}};
   return {Moving{armed.from}, {move}};

@@ -11,7 +11,7 @@
 namespace geargraph::inline tools {
 
 /// The tools of the drawings, in the order of the tool bar.
-enum class ToolKind { select, link, turningJoint, gearMesh, input, load, pan };
+enum class ToolKind { select, link, turningJoint, gearMesh, input, load, note, pan };
 
 constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
 
@@ -92,13 +92,19 @@ struct ToggleInput {
   ElementId element;
   friend bool operator==(const ToggleInput&, const ToggleInput&) = default;
 };
+/// A text is typed: in a new note with its middle there, or in the note that was clicked.
+struct WriteNote {
+  SheetPoint at;
+  std::optional<NoteId> note;
+  friend bool operator==(const WriteNote&, const WriteNote&) = default;
+};
 struct PanBy {
   double dx = 0;
   double dy = 0;
   friend bool operator==(const PanBy&, const PanBy&) = default;
 };
 using Proposal = std::variant<SelectOnly, ToggleSelected, ClearSelection, SelectInside, MoveSelected,
-                              MoveEnded, MoveCancelled, AddLink, AddJoint, ToggleInput, PanBy>;
+                              MoveEnded, MoveCancelled, AddLink, AddJoint, ToggleInput, WriteNote, PanBy>;
 
 /// What an event did to a tool: its next state, and what it wants done.
 template <class State>

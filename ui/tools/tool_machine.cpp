@@ -51,6 +51,8 @@ std::string_view toolName(ToolKind tool) {
       return toTranslate("Input");
     case ToolKind::load:
       return toTranslate("Load");
+    case ToolKind::note:
+      return toTranslate("Note");
     case ToolKind::pan:
       return toTranslate("Pan");
   }
@@ -58,7 +60,7 @@ std::string_view toolName(ToolKind tool) {
 }
 
 char toolKey(ToolKind tool) {
-  constexpr std::string_view kKeys = "VLTGIWH";
+  constexpr std::string_view kKeys = "VLTGIWNH";
   return kKeys[static_cast<std::size_t>(tool)];
 }
 
@@ -77,6 +79,8 @@ ToolMachine::State ToolMachine::firstState(ToolKind tool) {
       return input_tool::State{};
     case ToolKind::load:
       return load_tool::State{};
+    case ToolKind::note:
+      return note_tool::State{};
     case ToolKind::pan:
       return pan_tool::State{};
   }
@@ -94,6 +98,7 @@ std::vector<Proposal> ToolMachine::on(const ToolEvent& event) {
   if (auto* input = std::get_if<input_tool::State>(&m_state)) {
     return step(*input, input_tool::on(*input, event));
   }
+  if (auto* note = std::get_if<note_tool::State>(&m_state)) return step(*note, note_tool::on(*note, event));
   // Loads are pulled with Select, too, and in every drawing: the view steps the tool itself.
   if (std::holds_alternative<load_tool::State>(m_state)) return {};
   auto& pan = std::get<pan_tool::State>(m_state);
@@ -118,6 +123,8 @@ std::string_view ToolMachine::hint() const {
       return toTranslate("Input: click a turning joint, or the link it carries, to drive it or not");
     case ToolKind::load:
       return load_tool::hint(std::get<load_tool::State>(m_state));
+    case ToolKind::note:
+      return toTranslate("Note: click on an empty area, or on a note to change it");
     case ToolKind::pan:
       return toTranslate("Drag to move the sheet");
   }

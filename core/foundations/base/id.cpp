@@ -82,6 +82,8 @@ std::string_view listName(ElementKind kind) {
       return "states";
     case ElementKind::load:
       return "loads";
+    case ElementKind::note:
+      return "view/notes";
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -60,10 +60,12 @@ using MeshId = Id<struct MeshTag>;    ///< gear meshes
 using WheelId = Id<struct WheelTag>;
 using CouplingId = Id<struct CouplingTag>;
 using LoadId = Id<struct LoadTag>;
+using NoteId = Id<struct NoteTag>;
 
-enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state, load };
+enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state, load, note };
 
-/// The name of the document's list that holds elements of this kind, e.g. "turningJoints".
+/// The name of the document's list that holds elements of this kind, e.g. "turningJoints"; that of a list
+/// inside a member with its path, "view/notes".
 [[nodiscard]] std::string_view listName(ElementKind kind);
 
 /// Anything that can be selected, hovered or blamed.
@@ -80,6 +82,7 @@ struct ElementId {
   ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}              // NOLINT
   ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}  // NOLINT
   ElementId(LoadId load) : kind(ElementKind::load), id(load.atom()) {}                  // NOLINT
+  ElementId(NoteId note) : kind(ElementKind::note), id(note.atom()) {}                  // NOLINT
 
   friend bool operator==(ElementId a, ElementId b) { return a.kind == b.kind && a.id == b.id; }
   friend bool operator!=(ElementId a, ElementId b) { return !(a == b); }

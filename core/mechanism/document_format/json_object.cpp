@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 
 namespace geargraph::inline document_format {
@@ -22,13 +23,13 @@ std::string described(JsonValue value) {
     case JsonKind::boolean:
       return slice;
     case JsonKind::number:
-      return "the number " + slice;
+      return translated("the number %1", {slice});
     case JsonKind::string:
-      return "the string " + slice;
+      return translated("the string %1", {slice});
     case JsonKind::array:
-      return "a list of " + std::to_string(value.size()) + " elements";
+      return translated("a list of %1 elements", {std::to_string(value.size())});
     case JsonKind::object:
-      return "an object";
+      return translated("an object");
   }
   return slice;
 }
@@ -37,8 +38,8 @@ bool isWholeNumber(std::string_view number) {
   return number.find_first_of(".eE") == std::string_view::npos;
 }
 
-constexpr std::string_view kId = "an id: a string of 1 to 1,000 characters or a whole number";
-constexpr std::string_view kNumber = "a number, or a fraction as a string like \"22/7\"";
+constexpr std::string_view kId = toTranslate("an id: a string of 1 to 1,000 characters or a whole number");
+constexpr std::string_view kNumber = toTranslate("a number, or a fraction as a string like \"22/7\"");
 
 }  // namespace
 
@@ -47,12 +48,12 @@ JsonObject::JsonObject(JsonFindings& findings, JsonValue value, std::string poin
       m_value(value),
       m_pointer(std::move(pointer)),
       m_isObject(value.is(JsonKind::object)) {
-  if (!m_isObject) wrongAt(m_pointer, value, "an object");
+  if (!m_isObject) wrongAt(m_pointer, value, toTranslate("an object"));
 }
 
 void JsonObject::wrongAt(const std::string& pointer, JsonValue found, std::string_view expected) {
   if (m_findings.covers(pointer)) return;
-  m_findings.add(Code::schema, "expected " + std::string(expected) + ", found " + described(found) + ".",
+  m_findings.add(Code::schema, translated("expected %1, found %2.", {translated(expected), described(found)}),
                  m_blamed, pointer, found);
 }
 
@@ -68,10 +69,9 @@ std::optional<JsonValue> JsonObject::member(std::string_view name) {
 std::optional<JsonValue> JsonObject::required(std::string_view name, std::string_view expected) {
   auto value = member(name);
   if (!value && m_isObject) {
-    m_findings.add(
-        Code::schema,
-        "the member \"" + std::string(name) + "\" is missing; expected " + std::string(expected) + ".",
-        m_blamed, pointerTo(name), m_value);
+    m_findings.add(Code::schema,
+                   translated("the member \"%1\" is missing; expected %2.", {name, translated(expected)}),
+                   m_blamed, pointerTo(name), m_value);
   }
   return value;
 }
@@ -104,7 +104,7 @@ std::optional<std::vector<Atom>> JsonObject::ids(std::string_view name) {
   if (!value) return std::nullopt;
   std::vector<Atom> result;
   if (!value->is(JsonKind::array)) {
-    wrong(name, *value, "a list of ids");
+    wrong(name, *value, toTranslate("a list of ids"));
   } else if (!m_findings.covers(pointerTo(name))) {
     value->forEachElement([&](JsonValue element, std::size_t position) {
       result.push_back(idOf(element, pointerTo(name) + pointerStep(position)).value_or(Atom()));
@@ -117,16 +117,17 @@ std::optional<std::string> JsonObject::text(std::string_view name) {
   const auto value = member(name);
   if (!value) return std::nullopt;
   if (value->is(JsonKind::string)) return value->string();
-  wrong(name, *value, "a string");
+  wrong(name, *value, toTranslate("a string"));
   return std::nullopt;
 }
 
 std::optional<std::string> JsonObject::shortText(std::string_view name) {
   auto result = text(name);
   if (!result || utf8Count(*result) <= kLongestName) return result;
-  m_findings.add(Code::schema,
-                 "expected at most 1,000 characters, found " + std::to_string(utf8Count(*result)) + ".",
-                 m_blamed, pointerTo(name), *m_value.member(name));
+  m_findings.add(
+      Code::schema,
+      translated("expected at most 1,000 characters, found %1.", {std::to_string(utf8Count(*result))}),
+      m_blamed, pointerTo(name), *m_value.member(name));
   return std::nullopt;
 }
 
@@ -164,18 +165,18 @@ std::optional<std::array<Number, count>> JsonObject::numbers(std::string_view na
 }
 
 std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
-  return numbers<3>(name, "a list of three numbers");
+  return numbers<3>(name, toTranslate("a list of three numbers"));
 }
 
 std::optional<InertiaNumbers> JsonObject::inertia(std::string_view name) {
-  return numbers<6>(name, "a list of six numbers, xx, yy, zz, xy, xz, yz");
+  return numbers<6>(name, toTranslate("a list of six numbers, xx, yy, zz, xy, xz, yz"));
 }
 
 std::optional<bool> JsonObject::flag(std::string_view name) {
   const auto value = member(name);
   if (!value) return std::nullopt;
   if (value->is(JsonKind::boolean)) return value->slice() == "true";
-  wrong(name, *value, "true or false");
+  wrong(name, *value, toTranslate("true or false"));
   return std::nullopt;
 }
 
@@ -183,7 +184,7 @@ std::optional<JsonObject::Ends> JsonObject::ends(std::string_view name) {
   const auto value = member(name);
   if (!value) return std::nullopt;
   if (!value->is(JsonKind::array) || value->size() != 2) {
-    wrong(name, *value, "a list of two, each a number or null");
+    wrong(name, *value, toTranslate("a list of two, each a number or null"));
     return std::nullopt;
   }
   Ends result;
@@ -195,18 +196,22 @@ std::optional<JsonObject::Ends> JsonObject::ends(std::string_view name) {
 }
 
 int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
-  const std::string expected =
-      lowest == highest ? "the whole number " + std::to_string(lowest)
-                        : "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
-  const auto value = required(name, expected);
-  if (!value) return lowest;
-  if (value->is(JsonKind::number)) {
+  const auto value = member(name);
+  if (value && value->is(JsonKind::number)) {
     const auto exact = Rational::fromText(value->slice());
     if (exact && exact->isInteger() && *exact >= lowest && *exact <= highest) {
       return static_cast<int>(exact->toDouble());
     }
   }
-  wrong(name, *value, expected);
+  const std::string expected =
+      lowest == highest
+          ? translated("the whole number %1", {std::to_string(lowest)})
+          : translated("a whole number from %1 to %2", {std::to_string(lowest), std::to_string(highest)});
+  if (value) {
+    wrong(name, *value, expected);
+  } else {
+    (void)required(name, expected);
+  }
   return lowest;
 }
 

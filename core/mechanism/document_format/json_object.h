@@ -26,7 +26,7 @@ class JsonObject {
   [[nodiscard]] const std::string& pointer() const { return m_pointer; }
 
   [[nodiscard]] std::optional<JsonValue> member(std::string_view name);
-  /// As member(), with a finding where it is missing.
+  /// As member(), with a finding where it is missing: what is expected, marked by toTranslate().
   [[nodiscard]] std::optional<JsonValue> required(std::string_view name, std::string_view expected);
 
   /// An id, or a reference to one: a string, or a whole number that is read as its decimal digits. Empty
@@ -47,7 +47,7 @@ class JsonObject {
   /// A whole number of the range, required; `lowest` where there is none.
   [[nodiscard]] int requiredWhole(std::string_view name, int lowest, int highest);
 
-  /// Adds a finding at a member of this object.
+  /// Adds a finding at a member of this object: what is expected, marked by toTranslate() or translated.
   void wrong(std::string_view name, JsonValue found, std::string_view expected);
   /// The members that were not asked for, in the order of the file.
   [[nodiscard]] UnknownMembers unknown() const;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/view_reader.h"
@@ -85,18 +86,20 @@ class MechanismReader {
     if (!version || !version->is(JsonKind::number)) return true;  // readRoot() says what is wrong
     const auto number = Rational::fromText(version->slice());
     if (!number || !number->isInteger() || *number <= kFileVersion) return true;
-    m_findings.add(Code::version,
-                   "The file has version " + std::string(version->slice()) +
-                       ", but this program reads version " + std::to_string(kFileVersion) +
-                       ": open it with a newer GearGraph.",
-                   {}, "/version", *version);
+    m_findings.add(
+        Code::version,
+        translated("The file has version %1, but this program reads version %2: open it with a newer "
+                   "GearGraph.",
+                   {version->slice(), std::to_string(kFileVersion)}),
+        {}, "/version", *version);
     return false;
   }
 
   bool notThisFormat(JsonValue at) {
-    m_findings.add(Code::format,
-                   "This is not a GearGraph document: the member \"format\" has to be \"geargraph\".", {},
-                   "/format", at);
+    m_findings.add(
+        Code::format,
+        translated("This is not a GearGraph document: the member \"format\" has to be \"geargraph\"."), {},
+        "/format", at);
     return false;
   }
 
@@ -117,11 +120,12 @@ class MechanismReader {
   }
 
   void readStructure(JsonObject& root) {
-    readList(root.required("links", "a list of links, the ground first"), ElementKind::link,
+    readList(root.required("links", toTranslate("a list of links, the ground first")), ElementKind::link,
              m_mechanism.links, [this](JsonObject& from, Link& link) { readLink(from, link); });
-    const auto joints = m_mechanism.links.size() > 1
-                            ? root.required("turningJoints", "a list of turning joints that tie the links")
-                            : root.member("turningJoints");
+    const auto joints =
+        m_mechanism.links.size() > 1
+            ? root.required("turningJoints", toTranslate("a list of turning joints that tie the links"))
+            : root.member("turningJoints");
     readList(joints, ElementKind::turningJoint, m_mechanism.turningJoints,
              [](JsonObject& from, TurningJoint& joint) {
                joint.tail = LinkId(from.requiredId("tail"));
@@ -130,9 +134,10 @@ class MechanismReader {
                joint.offset = from.number("offset").value_or(Number());
                if (const auto ends = from.ends("limits")) joint.limits = {(*ends)[0], (*ends)[1]};
              });
-    const auto axes = m_mechanism.turningJoints.empty()
-                          ? root.member("axes")
-                          : root.required("axes", "a list of the axes that the turning joints name");
+    const auto axes =
+        m_mechanism.turningJoints.empty()
+            ? root.member("axes")
+            : root.required("axes", toTranslate("a list of the axes that the turning joints name"));
     readList(axes, ElementKind::axis, m_mechanism.axes, [](JsonObject& from, Axis& axis) {
       axis.point = from.triple("point");
       axis.direction = from.triple("direction");
@@ -147,7 +152,7 @@ class MechanismReader {
     const auto shapes = from.member("shapes");
     const std::string pointer = from.pointer() + "/shapes";
     if (!shapes || m_findings.covers(pointer)) return;
-    if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, "a list of 3D files");
+    if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, toTranslate("a list of 3D files"));
     link.shapes = readShapes(m_findings, *shapes, pointer, link.id);
   }
 
@@ -158,7 +163,7 @@ class MechanismReader {
     if (mass) link.mass = LinkMass{*mass, center, inertia};
     if (from.member("mass")) return;
     for (const char* const name : {"centerOfMass", "inertia"}) {
-      if (const auto value = from.member(name)) from.wrong(name, *value, "a \"mass\" beside it");
+      if (const auto value = from.member(name)) from.wrong(name, *value, toTranslate("a \"mass\" beside it"));
     }
   }
 
@@ -203,7 +208,7 @@ class MechanismReader {
     for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
       if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
     }
-    from.wrong("kind", *value, "\"external\", \"internal\" or \"bevel\"");
+    from.wrong("kind", *value, toTranslate("\"external\", \"internal\" or \"bevel\""));
     return std::nullopt;
   }
 
@@ -215,7 +220,7 @@ class MechanismReader {
       Input& input = inputs.emplace_back();
       input.joint = JointId(from.requiredId("joint"));
       if (!input.joint.empty()) from.blame(input.joint);
-      (void)from.required("speed", "a speed in rad/s");
+      (void)from.required("speed", toTranslate("a speed in rad/s"));
       input.speed = from.number("speed").value_or(Number());
       input.unknown = from.unknown();
     });
@@ -230,9 +235,9 @@ class MechanismReader {
     if (!states) return;
     forEachObject(*states, "/states", [&](JsonObject& from) {
       ShiftState& state = m_mechanism.states.emplace_back();
-      (void)from.required("name", "the name of the state");
+      (void)from.required("name", toTranslate("the name of the state"));
       state.name = from.shortText("name").value_or("");
-      (void)from.required("engaged", "a list of ids of couplings");
+      (void)from.required("engaged", toTranslate("a list of ids of couplings"));
       for (const Atom id : from.ids("engaged").value_or(std::vector<Atom>{})) state.engaged.emplace_back(id);
       if (const auto link = from.id("drive")) state.drive = LinkId(*link);
       if (const auto link = from.id("driven")) state.driven = LinkId(*link);
@@ -241,7 +246,7 @@ class MechanismReader {
   }
 
   void readCoupling(JsonObject& from, Coupling& coupling) {
-    const auto kind = from.required("kind", "\"brake\" or \"clutch\"");
+    const auto kind = from.required("kind", toTranslate("\"brake\" or \"clutch\""));
     const auto is = [&](std::string_view name) {
       return kind && kind->is(JsonKind::string) && kind->equals(name);
     };
@@ -250,10 +255,10 @@ class MechanismReader {
       coupling.links = {LinkId(from.requiredId("link"))};
     } else if (is("clutch")) {
       coupling.kind = CouplingKind::clutch;
-      (void)from.required("links", "a list of two ids of links");
+      (void)from.required("links", toTranslate("a list of two ids of links"));
       for (const Atom id : from.ids("links").value_or(std::vector<Atom>{})) coupling.links.emplace_back(id);
     } else {
-      if (kind) from.wrong("kind", *kind, "\"brake\" or \"clutch\"");
+      if (kind) from.wrong("kind", *kind, toTranslate("\"brake\" or \"clutch\""));
       if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more findings
     }
   }
@@ -283,7 +288,7 @@ class MechanismReader {
 
   void readAction(JsonObject& from, Load& load) {
     const auto torque = [&] {
-      (void)from.required("torque", "a torque in N m");
+      (void)from.required("torque", toTranslate("a torque in N m"));
       return from.number("torque").value_or(Number());
     };
     const auto link = oneOfJointAndLink(from);
@@ -298,8 +303,8 @@ class MechanismReader {
       return;
     }
     if (const auto both = from.member("torque"))
-      from.wrong("torque", *both, "a torque or a force, not both in one load");
-    (void)from.required("point", "the point of the link that the force acts at");
+      from.wrong("torque", *both, toTranslate("a torque or a force, not both in one load"));
+    (void)from.required("point", toTranslate("the point of the link that the force acts at"));
     LinkForce action{*link, {}, {}};
     if (const auto components = from.triple("force")) action.force = *components;
     if (const auto point = from.triple("point")) action.point = *point;
@@ -310,7 +315,7 @@ class MechanismReader {
   static std::optional<LinkId> oneOfJointAndLink(JsonObject& from) {
     const auto link = from.member("link");
     if (!link) return std::nullopt;
-    if (from.member("joint")) from.wrong("link", *link, "a joint or a link, not both");
+    if (from.member("joint")) from.wrong("link", *link, toTranslate("a joint or a link, not both"));
     return LinkId(from.requiredId("link"));
   }
   static std::optional<AxisId> optionalAxis(JsonObject& from) {
@@ -323,7 +328,7 @@ class MechanismReader {
   bool forEachObject(JsonValue list, const std::string& pointer, Read read) {
     if (m_findings.covers(pointer)) return false;  // too long: said already
     if (!list.is(JsonKind::array)) {
-      m_findings.add(Code::schema, "expected a list.", {}, pointer, list);
+      m_findings.add(Code::schema, translated("expected a list."), {}, pointer, list);
       return false;
     }
     list.forEachElement([&](JsonValue value, std::size_t position) {
@@ -384,12 +389,13 @@ class MechanismReader {
 
 Expected<Mechanism> readMechanism(std::string_view bytes) {
   if (bytes.size() > kLargestFile) {
-    return Diagnostic{Code::schema,
-                      "The file has " + std::to_string(bytes.size()) + " bytes; at most 64 MiB are read.",
-                      {},
-                      {},
-                      0,
-                      0};
+    return Diagnostic{
+        Code::schema,
+        translated("The file has %1 bytes; at most 64 MiB are read.", {std::to_string(bytes.size())}),
+        {},
+        {},
+        0,
+        0};
   }
   const auto document = JsonDocument::parse(bytes);
   if (!document) return document.error();

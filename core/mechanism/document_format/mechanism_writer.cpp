@@ -190,6 +190,13 @@ class MechanismWriter {
     if (onLink.axis) id("axis", *onLink.axis);
   }
 
+  void members(const SheetNote& note) {
+    id("id", note.id);
+    m_json.member("text", note.text);
+    m_json.key("at");
+    place(note.at);
+  }
+
   void members(const ViewCamera& camera) {
     m_json.key("target");
     m_json.beginArray(Layout::row);
@@ -207,6 +214,7 @@ class MechanismWriter {
     m_json.beginObject();
     nodes("nodes", view.nodes, mechanism.links);
     nodes("ttNodes", view.ttNodes, mechanism.links);
+    if (!view.notes.empty()) list("notes", view.notes);
     if (view.camera) element("camera", *view.camera);
     unknown(view.unknown);
     m_json.endObject();
@@ -229,9 +237,13 @@ class MechanismWriter {
 
   void point(const std::pair<const LinkId, SheetPoint>& node) {
     m_json.key(node.first.text());
+    place(node.second);
+  }
+
+  void place(SheetPoint at) {
     m_json.beginArray(Layout::row);
-    m_json.number(node.second.x);
-    m_json.number(node.second.y);
+    m_json.number(at.x);
+    m_json.number(at.y);
     m_json.endArray();
   }
 

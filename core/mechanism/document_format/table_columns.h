@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::inline document_format {
@@ -67,7 +68,8 @@ void linkColumns(Row& row, OneLink& link) {
     if (cells.mass) {
       link.mass = LinkMass{*cells.mass, cells.center, cells.inertia};
     } else if (cells.center || cells.inertia) {
-      row.wrong(cells.center ? "x" : "ixx", "A centre of mass and an inertia need a \"mass\" beside them.");
+      row.wrong(cells.center ? "x" : "ixx",
+                translated("A centre of mass and an inertia need a \"mass\" beside them."));
     }
   }
   row.flag("pinned", link.pinned);

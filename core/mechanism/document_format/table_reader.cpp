@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
@@ -69,14 +70,14 @@ class TableReader {
     const auto named = [](const CsvField& field) { return field.text == "element"; };
     if (!isRead || std::none_of(m_fields.begin(), m_fields.end(), named)) {
       m_findings.add(Code::format,
-                     "This is no table of a mechanism: its first row has to name the columns, \"element\" "
-                     "among them.",
+                     translated("This is no table of a mechanism: its first row has to name the columns, "
+                                "\"element\" among them."),
                      {}, 1, 1);
       return false;
     }
     for (std::size_t i = 0; i < m_fields.size(); ++i) readColumn(i);
     if (m_records.count() > m_fields.size())
-      m_findings.add(Code::schema, "There are too many columns.", {}, m_fields.back().line,
+      m_findings.add(Code::schema, translated("There are too many columns."), {}, m_fields.back().line,
                      m_fields.back().column);
     return m_findings.empty();
   }
@@ -87,13 +88,14 @@ class TableReader {
     const auto known = std::find(kTableColumns.begin(), kTableColumns.end(), field.text);
     if (known == kTableColumns.end()) {
       std::vector<std::string> names(kTableColumns.begin(), kTableColumns.end());
-      m_findings.add(Code::schema,
-                     "There is no column \"" + field.text.substr(0, kLongestName) +
-                         "\": " + listed(names, kAllNames, "or") + '.',
-                     {}, field.line, field.column);
+      m_findings.add(
+          Code::schema,
+          translated("There is no column \"%1\": %2.",
+                     {field.text.substr(0, kLongestName), listed(names, kAllNames, toTranslate("or"))}),
+          {}, field.line, field.column);
     } else if (!m_header.emplace(*known, position).second) {
-      m_findings.add(Code::schema, "The column \"" + field.text + "\" occurs twice.", {}, field.line,
-                     field.column);
+      m_findings.add(Code::schema, translated("The column \"%1\" occurs twice.", {field.text}), {},
+                     field.line, field.column);
     }
   }
 
@@ -105,12 +107,13 @@ class TableReader {
     const std::size_t at = m_header.at("element");
     const std::string element = at < m_fields.size() ? m_fields[at].text : "";
     if (!readElement(element, row)) {
-      row.wrong("element",
-                element.empty()
-                    ? "The column \"element\" is empty; it says what the row is about."
-                    : "There is no element \"" + element.substr(0, kLongestName) +
-                          "\": document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, "
-                          "state, load or balance.");
+      row.wrong(
+          "element",
+          element.empty()
+              ? translated("The column \"element\" is empty; it says what the row is about.")
+              : translated("There is no element \"%1\": document, link, axis, turningJoint, gearMesh, wheel, "
+                           "input, brake, clutch, state, load or balance.",
+                           {element.substr(0, kLongestName)}));
       return;
     }
     row.rejectOtherCells(element);
@@ -124,13 +127,13 @@ class TableReader {
     }
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
       if (isNamed[i] || m_fields[i].text.empty()) continue;
-      m_findings.add(Code::schema, "This cell is in a column without a name.", {}, m_fields[i].line,
-                     m_fields[i].column);
+      m_findings.add(Code::schema, translated("This cell is in a column without a name."), {},
+                     m_fields[i].line, m_fields[i].column);
       return false;
     }
     if (m_records.count() <= m_fields.size()) return true;
-    m_findings.add(Code::schema, "This row has more cells than there are columns.", {}, m_fields.front().line,
-                   m_fields.front().column);
+    m_findings.add(Code::schema, translated("This row has more cells than there are columns."), {},
+                   m_fields.front().line, m_fields.front().column);
     return false;
   }
 
@@ -174,7 +177,7 @@ class TableReader {
   }
 
   void readDocument(TableRowReader& row) {
-    if (m_documentPlace) return row.wrongRow("There is one row \"document\" at most.");
+    if (m_documentPlace) return row.wrongRow(translated("There is one row \"document\" at most."));
     m_documentPlace = m_records.place();
     documentColumns(row, m_mechanism);
   }
@@ -183,7 +186,7 @@ class TableReader {
   void add(const char* list, std::vector<Element>& elements, TableRowReader& row, const Read& read) {
     if (elements.size() == kLongestList) {
       m_isBeyondLimits = true;
-      return row.wrongRow("A document has at most 100,000 " + std::string(list) + ".");
+      return row.wrongRow(translated("A document has at most 100,000 %1.", {list}));
     }
     Element element;
     if constexpr (requires { ElementId(element.id); }) row.template blameId<decltype(element.id)>();
@@ -194,11 +197,12 @@ class TableReader {
 
   static bool readPlace(TableRowReader& row, const ActionCells& cells) {
     if (cells.joint.has_value() == cells.link.has_value()) {
-      row.wrong(cells.joint ? "link" : "joint", "The row names a \"joint\" or a \"link\", one of them.");
+      row.wrong(cells.joint ? "link" : "joint",
+                translated("The row names a \"joint\" or a \"link\", one of them."));
       return false;
     }
     if (cells.joint && cells.axis)
-      row.wrong("axis", "An \"axis\" is named beside a \"link\"; a joint has its own.");
+      row.wrong("axis", translated("An \"axis\" is named beside a \"link\"; a joint has its own."));
     return true;
   }
 
@@ -209,15 +213,17 @@ class TableReader {
     if (id) load.id = *id;
     if (!readPlace(row, cells)) return;
     if (cells.torque.has_value() == (cells.force || cells.point))
-      return row.wrong("torque", "A load has a \"torque\", or a force (dx, dy, dz) at a point (x, y, z).");
+      return row.wrong("torque",
+                       translated("A load has a \"torque\", or a force (dx, dy, dz) at a point (x, y, z)."));
     if (cells.torque) {
       load.action = cells.joint ? decltype(load.action)(JointTorque{*cells.joint, *cells.torque})
                                 : LinkTorque{*cells.link, cells.axis, *cells.torque};
       return;
     }
     if (!cells.link || cells.axis || !cells.force || !cells.point) {
-      return row.wrong("dx",
-                       "A force acts on a \"link\": it has dx, dy, dz and a point x, y, z, and no axis.");
+      return row.wrong(
+          "dx",
+          translated("A force acts on a \"link\": it has dx, dy, dz and a point x, y, z, and no axis."));
     }
     load.action = LinkForce{*cells.link, *cells.force, *cells.point};
   }
@@ -287,12 +293,13 @@ bool looksLikeTable(std::string_view bytes) {
 
 Expected<Mechanism> readMechanismTable(std::string_view bytes) {
   if (bytes.size() > kLargestFile) {
-    return Diagnostic{Code::schema,
-                      "The file has " + std::to_string(bytes.size()) + " bytes; at most 64 MiB are read.",
-                      {},
-                      {},
-                      0,
-                      0};
+    return Diagnostic{
+        Code::schema,
+        translated("The file has %1 bytes; at most 64 MiB are read.", {std::to_string(bytes.size())}),
+        {},
+        {},
+        0,
+        0};
   }
   return TableReader(bytes).run();
 }

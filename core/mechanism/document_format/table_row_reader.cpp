@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/table_text.h"
 #include "core/mechanism/model/limits.h"
@@ -35,8 +36,12 @@ Diagnostics TableFindings::all() const {
   if (m_hasMore) {
     const int line = found.back().line;
     const int column = found.back().column;
-    found.push_back(
-        {Code::schema, "More problems follow; only the first 100 are listed.", {}, {}, line, column});
+    found.push_back({Code::schema,
+                     translated("More problems follow; only the first 100 are listed."),
+                     {},
+                     {},
+                     line,
+                     column});
   }
   return found;
 }
@@ -70,21 +75,19 @@ void TableRowReader::wrongRow(std::string message) {
 }
 
 void TableRowReader::missing(std::string_view column, std::string_view expected) {
-  wrong(column,
-        "The column \"" + std::string(column) + "\" is empty; expected " + std::string(expected) + ".");
+  wrong(column, translated("The column \"%1\" is empty; expected %2.", {column, translated(expected)}));
 }
 
 void TableRowReader::unexpected(std::string_view column, std::string_view expected) {
-  wrong(column, "The column \"" + std::string(column) + "\" has " + quoted(cell(column)) + "; expected " +
-                    std::string(expected) + ".");
+  wrong(column, translated("The column \"%1\" has %2; expected %3.",
+                           {column, quoted(cell(column)), translated(expected)}));
 }
 
 void TableRowReader::rejectOtherCells(std::string_view element) {
   for (const auto& [name, position] : m_header) {
     if (position >= m_fields.size() || m_isRead[position] || m_fields[position].text.empty()) continue;
     if (name == "element") continue;
-    wrong(name, "The column \"" + std::string(name) + "\" has no meaning for the element \"" +
-                    std::string(element) + "\".");
+    wrong(name, translated("The column \"%1\" has no meaning for the element \"%2\".", {name, element}));
   }
 }
 
@@ -109,7 +112,7 @@ std::optional<Atom> TableRowReader::atom(std::string_view column) {
   const std::string text = unguardedText(cell(column));
   if (text.empty()) return std::nullopt;
   if (text.size() > kLongestName && utf8Count(text) > kLongestName) {
-    unexpected(column, "an id of at most 1,000 characters");
+    unexpected(column, toTranslate("an id of at most 1,000 characters"));
     return std::nullopt;
   }
   return Atom(text);
@@ -120,7 +123,8 @@ void TableRowReader::ids(std::string_view column, std::vector<Id<Tag>>& ids) {
   for (const std::string& text : splitTexts(unguardedText(cell(column)))) {
     if (ids.size() == kLongestList || text.empty() ||
         (text.size() > kLongestName && utf8Count(text) > kLongestName))
-      return unexpected(column, "at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between");
+      return unexpected(column,
+                        toTranslate("at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between"));
     ids.emplace_back(text);
   }
 }
@@ -132,7 +136,7 @@ void TableRowReader::number(std::string_view column, std::optional<Number>& numb
   if (m_hasDecimalComma && std::count(text.begin(), text.end(), ',') == 1)
     std::replace(text.begin(), text.end(), ',', '.');
   number = Number::fromText(text);
-  if (!number) unexpected(column, "a number, such as 12, -1.5, 1e-3 or 22/7");
+  if (!number) unexpected(column, toTranslate("a number, such as 12, -1.5, 1e-3 or 22/7"));
 }
 
 void TableRowReader::numberOrZero(std::string_view column, Number& number) {
@@ -142,17 +146,17 @@ void TableRowReader::numberOrZero(std::string_view column, Number& number) {
 }
 
 void TableRowReader::requiredNumber(std::string_view column, Number& number) {
-  if (cell(column).empty()) return missing(column, "a number");
+  if (cell(column).empty()) return missing(column, toTranslate("a number"));
   numberOrZero(column, number);
 }
 
 void TableRowReader::teeth(std::string_view column, int& teeth) {
   const std::string& text = cell(column);
-  if (text.empty()) return missing(column, "a number of teeth");
+  if (text.empty()) return missing(column, toTranslate("a number of teeth"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), teeth);
   const bool isWhole = error == std::errc() && end == text.data() + text.size();
   if (!isWhole || teeth < kFewestTeeth || teeth > kMostTeeth)
-    unexpected(column, "a whole number from 1 to 100,000");
+    unexpected(column, toTranslate("a whole number from 1 to 100,000"));
 }
 
 void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& kind) {
@@ -161,14 +165,14 @@ void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& 
   for (const MeshKind each : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
     if (text == meshKindName(each)) kind = each;
   }
-  if (!kind) unexpected(column, "external, internal or bevel");
+  if (!kind) unexpected(column, toTranslate("external, internal or bevel"));
 }
 
 void TableRowReader::flag(std::string_view column, bool& flag) {
   const std::string& text = cell(column);
   if (text.empty()) return;
   flag = text == "yes";
-  if (!flag && text != "no") unexpected(column, "yes, no or nothing");
+  if (!flag && text != "no") unexpected(column, toTranslate("yes, no or nothing"));
 }
 
 }  // namespace geargraph::inline document_format

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/foundations/base/diagnostic.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/model/mechanism.h"
 
@@ -77,6 +78,7 @@ class TableRowReader {
   /// The text of a cell; empty where there is none.
   [[nodiscard]] const std::string& cell(std::string_view column);
   void missing(std::string_view column, std::string_view expected);
+  /// What is expected, marked by toTranslate().
   void unexpected(std::string_view column, std::string_view expected);
   /// Empty where the column "id" has none that can be one.
   [[nodiscard]] std::string shortId();
@@ -95,7 +97,7 @@ void TableRowReader::id(std::string_view column, Id<Tag>& id) {
   if (const auto read = atom(column)) {
     id = Id<Tag>(*read);
   } else if (cell(column).empty()) {
-    missing(column, "an id");
+    missing(column, toTranslate("an id"));
   }
 }
 
@@ -121,7 +123,7 @@ void TableRowReader::numbers(const std::array<std::string_view, count>& columns,
     if (one) read.at(i) = *one;
   }
   if (given == 0) return;
-  if (given < count) return missing(empty, "a number, as its neighbours have one");
+  if (given < count) return missing(empty, toTranslate("a number, as its neighbours have one"));
   numbers = std::move(read);
 }
 

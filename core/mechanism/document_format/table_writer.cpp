@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "core/mechanism/document_format/table_columns.h"
@@ -177,13 +178,14 @@ TablePart tablePart(Mechanism mechanism) {
     link.shapes.clear();
   }
   if (shapes > 0)
-    part.lost.push_back(shapes == 1 ? "an attached 3D file" : std::to_string(shapes) + " attached 3D files");
+    part.lost.push_back(shapes == 1 ? translated("an attached 3D file")
+                                    : translated("%1 attached 3D files", {std::to_string(shapes)}));
   if (mechanism.view != View())
-    part.lost.emplace_back("the view (places in the drawings, camera of the 3D view)");
+    part.lost.push_back(translated("the view (places in the drawings, camera of the 3D view)"));
   mechanism.view = {};
-  if (dropUnknownOfAll(mechanism)) part.lost.emplace_back("members that this program does not know");
+  if (dropUnknownOfAll(mechanism)) part.lost.push_back(translated("members that this program does not know"));
   if (mechanism.unit.empty()) {
-    part.lost.emplace_back("the empty name of the unit, which becomes \"mm\"");
+    part.lost.push_back(translated("the empty name of the unit, which becomes \"mm\""));
     mechanism.unit = Mechanism().unit;
   }
   if (mechanism.gearDefaults == GearDefaults()) mechanism.gearDefaults.reset();  // without a meaning

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline document_format {
 namespace {
 
@@ -10,7 +12,7 @@ using Nodes = std::map<LinkId, SheetPoint>;
 
 LinkShape readShape(JsonObject& from) {
   LinkShape shape;
-  (void)from.required("file", "a path that stays in the folder of this document");
+  (void)from.required("file", toTranslate("a path that stays in the folder of this document"));
   shape.file = from.shortText("file").value_or("");
   shape.position = from.triple("position");
   shape.orientation = from.triple("orientation");
@@ -48,6 +50,7 @@ class ViewReader {
     View view;
     view.nodes = nodes("nodes");
     view.ttNodes = nodes("ttNodes");
+    if (const auto value = m_from.member("notes")) view.notes = notes(*value);
     if (const auto value = m_from.member("camera")) view.camera = camera(*value);
     view.unknown = m_from.unknown();
     return view;
@@ -59,7 +62,7 @@ class ViewReader {
     const auto value = m_from.member(name);
     if (!value) return found;
     if (!value->is(JsonKind::object)) {
-      m_from.wrong(name, *value, "an object of points by the id of their link");
+      m_from.wrong(name, *value, toTranslate("an object of points by the id of their link"));
       return found;
     }
     value->forEachMember([&](JsonValue key, JsonValue point) {
@@ -69,9 +72,35 @@ class ViewReader {
       }
       const std::string pointer = "/view" + pointerStep(name) + pointerStep(key.string());
       if (m_findings.covers(pointer)) return;
-      m_findings.add(Code::schema,
-                     "expected the point of a node: a list of two numbers, x to the right and y down.", {},
-                     pointer, point);
+      m_findings.add(
+          Code::schema,
+          translated("expected the point of a node: a list of two numbers, x to the right and y down."), {},
+          pointer, point);
+    });
+    return found;
+  }
+
+  std::vector<SheetNote> notes(JsonValue list) {
+    std::vector<SheetNote> found;
+    if (m_findings.covers("/view/notes")) return found;  // too long: said already
+    if (!list.is(JsonKind::array)) {
+      m_from.wrong("notes", list, toTranslate("a list of notes"));
+      return found;
+    }
+    list.forEachElement([&](JsonValue value, std::size_t position) {
+      JsonObject from(m_findings, value, "/view/notes" + pointerStep(position));
+      SheetNote& note = found.emplace_back();
+      note.id = NoteId(from.requiredId("id"));
+      if (!note.id.empty()) from.blame(note.id);
+      (void)from.required("text", toTranslate("the text of the note"));
+      note.text = from.text("text").value_or("");
+      if (const auto at = from.required("at", toTranslate("the middle of the note"))) {
+        const auto point = coordinatesOf<2>(*at);
+        if (!point) from.wrong("at", *at, toTranslate("a list of two numbers, x to the right and y down"));
+        // Without the sign of a zero, as edits leave it.
+        if (point) note.at = {(*point)[0] + 0.0, (*point)[1] + 0.0};
+      }
+      note.unknown = from.unknown();
     });
     return found;
   }
@@ -79,9 +108,9 @@ class ViewReader {
   ViewCamera camera(JsonValue value) {
     JsonObject from(m_findings, value, "/view/camera");
     ViewCamera camera;
-    if (const auto target = from.required("target", "the point that the camera looks at")) {
+    if (const auto target = from.required("target", toTranslate("the point that the camera looks at"))) {
       const auto point = coordinatesOf<3>(*target);
-      if (!point) from.wrong("target", *target, "a list of three numbers");
+      if (!point) from.wrong("target", *target, toTranslate("a list of three numbers"));
       camera.target = point.value_or(camera.target);
     }
     const auto number = [&from](std::string_view name, std::string_view expected) {
@@ -90,9 +119,9 @@ class ViewReader {
       if (member && !read) from.wrong(name, *member, expected);
       return read;
     };
-    camera.azimuth = number("azimuth", "an angle in degrees").value_or(camera.azimuth);
-    camera.elevation = number("elevation", "an angle in degrees").value_or(camera.elevation);
-    camera.distance = number("distance", "a number above 0").value_or(camera.distance);
+    camera.azimuth = number("azimuth", toTranslate("an angle in degrees")).value_or(camera.azimuth);
+    camera.elevation = number("elevation", toTranslate("an angle in degrees")).value_or(camera.elevation);
+    camera.distance = number("distance", toTranslate("a number above 0")).value_or(camera.distance);
     camera.unknown = from.unknown();
     return camera;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -40,19 +41,15 @@ bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
                     [](const Input& x, const Input& y) { return x.joint == y.joint; });
 }
 
-std::string counted(int count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 /// "2 links, 1 turning joint and 3 gear meshes", or nothing.
 std::string countsOf(const Difference& difference, int Difference::Count::*which) {
   std::vector<std::string> parts;
   const auto add = [&](int count, const char* one, const char* many) {
-    if (count > 0) parts.push_back(counted(count, one, many));
+    if (count > 0) parts.push_back(filled(translated(count == 1 ? one : many), {std::to_string(count)}));
   };
-  add(difference.links.*which, "link", "links");
-  add(difference.joints.*which, "turning joint", "turning joints");
-  add(difference.meshes.*which, "gear mesh", "gear meshes");
+  add(difference.links.*which, toTranslate("%1 link"), toTranslate("%1 links"));
+  add(difference.joints.*which, toTranslate("%1 turning joint"), toTranslate("%1 turning joints"));
+  add(difference.meshes.*which, toTranslate("%1 gear mesh"), toTranslate("%1 gear meshes"));
   return listed(parts, kAllNames);
 }
 
@@ -77,9 +74,9 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
                      before.couplings != after.couplings || before.states != after.states ||
                      before.engaged != after.engaged || before.loads != after.loads ||
                      before.balances != after.balances || before.density != after.density ||
-                     before.gravity != after.gravity || before.view.camera != after.view.camera ||
-                     before.view.unknown != after.view.unknown || before.unknown != after.unknown ||
-                     reordered;
+                     before.gravity != after.gravity || before.view.notes != after.view.notes ||
+                     before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
+                     before.unknown != after.unknown || reordered;
   return difference;
 }
 
@@ -111,22 +108,22 @@ bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
 
 std::string differenceText(const Difference& difference) {
   std::vector<std::string> clauses;
-  const auto clause = [&](int Difference::Count::*which, const char* verb) {
+  const auto clause = [&](int Difference::Count::*which, const char* text) {
     const std::string elements = countsOf(difference, which);
-    if (!elements.empty()) clauses.push_back(elements + ' ' + verb);
+    if (!elements.empty()) clauses.push_back(filled(translated(text), {elements}));
   };
-  clause(&Difference::Count::added, "added");
-  clause(&Difference::Count::removed, "removed");
-  clause(&Difference::Count::changed, "changed");
+  clause(&Difference::Count::added, toTranslate("%1 added"));
+  clause(&Difference::Count::removed, toTranslate("%1 removed"));
+  clause(&Difference::Count::changed, toTranslate("%1 changed"));
   // A new joint brings its axis, a new link its place: that goes without saying.
   const bool drawn = difference.links.added + difference.links.removed + difference.joints.added +
                          difference.joints.removed >
                      0;
-  if (difference.axes && !drawn) clauses.emplace_back("axes changed");
-  if (difference.inputs) clauses.emplace_back("inputs changed");
-  if (difference.places && !drawn) clauses.emplace_back("links moved in the drawing");
-  if (difference.other) clauses.emplace_back("other properties changed");
-  if (clauses.empty()) return "nothing";
+  if (difference.axes && !drawn) clauses.push_back(translated("axes changed"));
+  if (difference.inputs) clauses.push_back(translated("inputs changed"));
+  if (difference.places && !drawn) clauses.push_back(translated("links moved in the drawing"));
+  if (difference.other) clauses.push_back(translated("other properties changed"));
+  if (clauses.empty()) return translated("nothing");
   std::string text = clauses.front();
   for (std::size_t i = 1; i < clauses.size(); ++i) text += "; " + clauses[i];
   return text;

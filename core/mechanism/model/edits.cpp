@@ -7,6 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/limits.h"
@@ -20,7 +21,7 @@ constexpr std::size_t kMostNamedInALoop = 8;
 
 Diagnostic unknown(const ElementId& element) {
   return {Code::unknownId,
-          "There is no \"" + element.id.text() + "\" in " + std::string(listName(element.kind)) + ".",
+          translated("There is no \"%1\" in %2.", {element.id.text(), listName(element.kind)}),
           {element},
           {},
           0,
@@ -100,12 +101,23 @@ std::string loopRefusal(const Mechanism& edited, JointId added, const std::vecto
     if (each != ElementId(added) && std::find(loop.begin(), loop.end(), each) != loop.end())
       with.push_back(std::to_string(edited.jointLabel(static_cast<int>(j))));
   }
-  return "A turning joint from link " + *labelOf(edited, joint.tail) + " to link " +
-         *labelOf(edited, joint.head) + " would close a loop" +
-         (with.empty()
-              ? ""
-              : (with.size() == 1 ? " with joint " : " with joints ") + listed(with, kMostNamedInALoop)) +
-         ". The turning joints have to be a tree: draw a gear mesh instead.";
+  const std::string tail = *labelOf(edited, joint.tail);
+  const std::string head = *labelOf(edited, joint.head);
+  const std::string others = listed(with, kMostNamedInALoop);
+  if (with.empty())
+    return translated(
+        "A turning joint from link %1 to link %2 would close a loop. The turning joints have to be a "
+        "tree: draw a gear mesh instead.",
+        {tail, head});
+  return with.size() == 1
+             ? translated(
+                   "A turning joint from link %1 to link %2 would close a loop with joint %3. The turning "
+                   "joints have to be a tree: draw a gear mesh instead.",
+                   {tail, head, others})
+             : translated(
+                   "A turning joint from link %1 to link %2 would close a loop with joints %3. The turning "
+                   "joints have to be a tree: draw a gear mesh instead.",
+                   {tail, head, others});
 }
 
 /// The first finding that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
@@ -133,7 +145,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
   if (mechanism.find(tail) == nullptr) return unknown(tail);
   if (mechanism.find(head) == nullptr) return unknown(head);
   if (tail == head) {
-    return refusal(Code::selfJoint, "A turning joint needs two different links.", {tail});
+    return refusal(Code::selfJoint, translated("A turning joint needs two different links."), {tail});
   }
   if (axis.empty()) {
     axis = freshAxisIds(mechanism, 1).front();
@@ -151,7 +163,7 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
   if (mechanism.find(tail) == nullptr) return unknown(tail);
   if (mechanism.find(head) == nullptr) return unknown(head);
   if (tail == head) {
-    return refusal(Code::selfJoint, "A gear mesh needs two different links.", {tail});
+    return refusal(Code::selfJoint, translated("A gear mesh needs two different links."), {tail});
   }
   GearMesh mesh;
   mesh.id = MeshId(freshId(mechanism));
@@ -177,8 +189,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   const std::unordered_set<ElementId> gone(elements.begin(), elements.end());
   const LinkId ground = mechanism.links.front().id;
   if (gone.contains(ground)) {
-    return refusal(Code::schema, "The ground cannot be deleted; make another link the ground first.",
-                   {ground});
+    return refusal(Code::schema,
+                   translated("The ground cannot be deleted; make another link the ground first."), {ground});
   }
   const auto linkGone = [&](LinkId link) { return gone.contains(link); };
   std::set<AxisId> freed;
@@ -204,6 +216,7 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   std::erase_if(mechanism.links, [&](const Link& link) { return linkGone(link.id); });
   for (auto* const nodes : {&mechanism.view.nodes, &mechanism.view.ttNodes})
     std::erase_if(*nodes, [&](const auto& node) { return linkGone(node.first); });
+  std::erase_if(mechanism.view.notes, [&](const SheetNote& note) { return gone.contains(note.id); });
 
   std::erase_if(mechanism.couplings, [&](const Coupling& coupling) {
     return gone.contains(coupling.id) || std::any_of(coupling.links.begin(), coupling.links.end(), linkGone);
@@ -252,7 +265,8 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
     return mechanism;
   }
   if (element.kind != ElementKind::axis) {
-    return refusal(Code::schema, "Only links and axes bear names; the others bear the paper's labels.",
+    return refusal(Code::schema,
+                   translated("Only links and axes bear names; the others bear the paper's labels."),
                    {element});
   }
   const AxisId from(element.id);
@@ -260,9 +274,9 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
   Axis* axis = findIn(mechanism.axes, from);
   if (axis == nullptr) return unknown(element);
   if (to == from) return mechanism;
-  if (to.empty()) return refusal(Code::schema, "An axis needs a name.", {element});
+  if (to.empty()) return refusal(Code::schema, translated("An axis needs a name."), {element});
   if (mechanism.find(to) != nullptr) {
-    return refusal(Code::duplicateId, "There is an axis \"" + name + "\" already.", {to});
+    return refusal(Code::duplicateId, translated("There is an axis \"%1\" already.", {name}), {to});
   }
   axis->id = to;
   for (TurningJoint& joint : mechanism.turningJoints) {
@@ -291,8 +305,8 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
   found->headTeeth = headTeeth;
   for (const int teeth : {tailTeeth, headTeeth}) {
     if (teeth < kFewestTeeth || teeth > kMostTeeth) {
-      return refusal(Code::schema, "A gear has 1 to 100,000 teeth, not " + std::to_string(teeth) + ".",
-                     {mesh});
+      return refusal(Code::schema,
+                     translated("A gear has 1 to 100,000 teeth, not %1.", {std::to_string(teeth)}), {mesh});
     }
   }
   return mechanism;
@@ -317,7 +331,7 @@ Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::option
   Axis* found = findIn(mechanism.axes, axis);
   if (found == nullptr) return unknown(axis);
   if (direction && isZero(*direction)) {
-    return refusal(Code::schema, "The direction of axis " + axis.text() + " has length 0.", {axis});
+    return refusal(Code::schema, translated("The direction of axis %1 has length 0.", {axis.text()}), {axis});
   }
   found->point = std::move(point);
   found->direction = std::move(direction);
@@ -372,7 +386,7 @@ Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<In
     for (const Input& input : *inputs) {
       if (joints.positionOf(input.joint) < 0) return unknown(input.joint);
       if (!seen.insert(input.joint).second) {
-        return refusal(Code::duplicateId, "The joint is an input already.", {input.joint});
+        return refusal(Code::duplicateId, translated("The joint is an input already."), {input.joint});
       }
     }
   }
@@ -385,9 +399,10 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
                                   [link](const Link& candidate) { return candidate.id == link; });
   if (found == mechanism.links.end()) return unknown(link);
   if (bearsLoad(mechanism, link)) {
-    return refusal(Code::schema,
-                   "Loads or balances act on this link, and the ground can have none: remove them first.",
-                   {link});
+    return refusal(
+        Code::schema,
+        translated("Loads or balances act on this link, and the ground can have none: remove them first."),
+        {link});
   }
   std::rotate(mechanism.links.begin(), found, found + 1);
   return mechanism;

@@ -42,6 +42,8 @@ bool ElementIndex::contains(const ElementId& element) const {
     case ElementKind::load:
       return std::any_of(m_mechanism->loads.begin(), m_mechanism->loads.end(),
                          [&](const Load& load) { return load.id.atom() == element.id; });
+    case ElementKind::note:
+      return m_mechanism->find(NoteId(element.id)) != nullptr;
   }
   GEARGRAPH_REQUIRE(false);
 }

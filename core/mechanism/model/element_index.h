@@ -11,7 +11,7 @@ namespace geargraph::inline model {
 /// The elements of one mechanism by id, for callers that look up many of them: Mechanism::find and labelOf()
 /// search a list each time, so asking for all elements that way costs the square of the document.
 ///
-/// Cost: O(n + t + c) to build, O(1) a question (a state or a load: O(its list)).
+/// Cost: O(n + t + c) to build, O(1) a question (a state, a load or a note: O(its list)).
 class ElementIndex {
  public:
   explicit ElementIndex(MechanismPtr mechanism);

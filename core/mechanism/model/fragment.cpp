@@ -6,8 +6,10 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/notes.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -90,21 +92,24 @@ class Renamer {
   std::unordered_map<CouplingId, CouplingId> m_couplings;
 };
 
-/// How far the pasted nodes have to go so that none lies on one that is there.
+/// How far the pasted nodes and notes have to go so that none lies on one that is there.
 double shiftFor(const View& there, const Mechanism& fragment) {
   std::set<std::pair<long, long>> taken;
   const auto cell = [](double x, double y) {
     return std::pair(std::lround(x / kOnTop), std::lround(y / kOnTop));
   };
   for (const auto& [link, point] : there.nodes) taken.insert(cell(point.x, point.y));
+  for (const SheetNote& note : there.notes) taken.insert(cell(note.at.x, note.at.y));
   const LinkId ground = fragment.links.front().id;
   for (int step = 0; step < kMostSteps; ++step) {
     const double shift = step * kStep;
-    const bool free =
-        std::none_of(fragment.view.nodes.begin(), fragment.view.nodes.end(), [&](const auto& node) {
-          return node.first != ground && taken.contains(cell(node.second.x + shift, node.second.y + shift));
-        });
-    if (free) return shift;
+    const auto isTaken = [&](SheetPoint at) { return taken.contains(cell(at.x + shift, at.y + shift)); };
+    const bool hides =
+        std::any_of(fragment.view.nodes.begin(), fragment.view.nodes.end(),
+                    [&](const auto& node) { return node.first != ground && isTaken(node.second); }) ||
+        std::any_of(fragment.view.notes.begin(), fragment.view.notes.end(),
+                    [&](const SheetNote& note) { return isTaken(note.at); });
+    if (!hides) return shift;
   }
   return kMostSteps * kStep;
 }
@@ -171,6 +176,16 @@ bool comesAlong(const Load& load, const std::unordered_set<LinkId>& links,
   return links.contains(*linkOf(load));
 }
 
+void addNotes(std::vector<SheetNote>& into, const std::vector<SheetNote>& from,
+              const std::vector<NoteId>& ids, double shift) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    SheetNote note = from[i];
+    note.id = ids[i];
+    note.at = {note.at.x + shift, note.at.y + shift};
+    into.push_back(std::move(note));
+  }
+}
+
 }  // namespace
 
 Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
@@ -206,16 +221,18 @@ Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& sele
   for (const auto& [link, point] : mechanism.view.nodes) {
     if (has(link)) fragment.view.nodes.emplace(link, point);
   }
+  fragment.view.notes =
+      kept(mechanism.view.notes, [&](const SheetNote& note) { return selected.contains(note.id); });
   return fragment;
 }
 
 bool isEmptyFragment(const Mechanism& fragment) {
-  return fragment.links.size() == 1;
+  return fragment.links.size() == 1 && fragment.view.notes.empty();
 }
 
 Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment) {
   if (isEmptyFragment(fragment)) {
-    return Diagnostic{Code::schema, "There is no link in what was copied.", {}, {}, 0, 0};
+    return Diagnostic{Code::schema, translated("There is no link or note in what was copied."), {}, {}, 0, 0};
   }
   const Renamer renamed(mechanism, fragment);
   const double shift = shiftFor(mechanism.view, fragment);
@@ -230,6 +247,8 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
   }
   addArrows(mechanism, fragment, renamed);
   addLoads(mechanism, fragment, renamed);
+  addNotes(mechanism.view.notes, fragment.view.notes, freshNoteIds(mechanism, fragment.view.notes.size()),
+           shift);
   if (fragment.inputs) {
     if (!mechanism.inputs) mechanism.inputs.emplace();
     for (Input input : *fragment.inputs) {
@@ -246,6 +265,7 @@ std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& afte
     for (const Link& link : mechanism.links) use(ElementId(link.id));
     for (const TurningJoint& joint : mechanism.turningJoints) use(ElementId(joint.id));
     for (const GearMesh& mesh : mechanism.gearMeshes) use(ElementId(mesh.id));
+    for (const SheetNote& note : mechanism.view.notes) use(ElementId(note.id));
   };
   each(before, [&](const ElementId& element) { known.insert(element); });
   std::set<ElementId> added;

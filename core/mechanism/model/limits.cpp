@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/element_pointer.h"
+#include "core/mechanism/model/notes.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -31,14 +33,15 @@ Diagnostic finding(std::string message, std::string pointer, std::vector<Element
 
 Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<ElementId> elements = {}) {
   return finding(
-      "A name has at most 1,000 characters; this one has " + std::to_string(characters(text)) + ".",
+      translated("A name has at most 1,000 characters; this one has %1.", {std::to_string(characters(text))}),
       std::move(pointer), std::move(elements));
 }
 
 void checkLength(std::size_t size, const std::string& name, Diagnostics& findings) {
   if (size <= kLongestList) return;
-  findings.push_back(finding(
-      "A document has at most 100,000 " + name + "; this one has " + std::to_string(size) + ".", "/" + name));
+  findings.push_back(
+      finding(translated("A document has at most 100,000 %1; this one has %2.", {name, std::to_string(size)}),
+              "/" + name));
 }
 
 void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
@@ -65,38 +68,38 @@ class RangeCheck {
       for (std::size_t k = 0; k < link.shapes.size(); ++k) {
         const LinkShape& shape = link.shapes[k];
         const std::string shapeAt = at + "/shapes/" + std::to_string(k);
-        triple(link.id, shape.position, "coordinate", shapeAt + "/position");
-        triple(link.id, shape.orientation, "number", shapeAt + "/orientation");
-        number({link.id}, shape.scale, "number", shapeAt + "/scale");
+        triple(link.id, shape.position, kCoordinate, shapeAt + "/position");
+        triple(link.id, shape.orientation, kNumber, shapeAt + "/orientation");
+        number({link.id}, shape.scale, kNumber, shapeAt + "/scale");
       }
       if (link.mass) mass(link.id, *link.mass, at);
     });
     each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const std::string& at) {
-      triple(axis.id, axis.point, "coordinate", at + "/point");
-      triple(axis.id, axis.direction, "component", at + "/direction");
+      triple(axis.id, axis.point, kCoordinate, at + "/point");
+      triple(axis.id, axis.direction, kComponent, at + "/direction");
       if (axis.direction) notTooShort(axis, at + "/direction");
     });
     each(mechanism.turningJoints, ElementKind::turningJoint,
          [this](const TurningJoint& joint, const auto& at) {
-           number({joint.id}, joint.offset.value(), "length", at + "/offset");
+           number({joint.id}, joint.offset.value(), kLength, at + "/offset");
          });
     each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const std::string& at) {
-      triple(mesh.id, mesh.pitchPoint, "coordinate", at + "/pitchPoint");
-      number({mesh.id}, mesh.faceWidth, "length", at + "/faceWidth");
+      triple(mesh.id, mesh.pitchPoint, kCoordinate, at + "/pitchPoint");
+      number({mesh.id}, mesh.faceWidth, kLength, at + "/faceWidth");
     });
     each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const std::string& at) {
-      number({wheel.id}, wheel.profileShift, "number", at + "/profileShift");
-      number({wheel.id}, wheel.bore, "length", at + "/bore");
-      number({wheel.id}, wheel.backlash, "number", at + "/backlash");
+      number({wheel.id}, wheel.profileShift, kNumber, at + "/profileShift");
+      number({wheel.id}, wheel.bore, kLength, at + "/bore");
+      number({wheel.id}, wheel.backlash, kNumber, at + "/backlash");
     });
     if (mechanism.gearDefaults) {
-      number({}, mechanism.gearDefaults->pressureAngle, "number", "/gearDefaults/pressureAngle");
-      number({}, mechanism.gearDefaults->backlash, "number", "/gearDefaults/backlash");
-      number({}, mechanism.gearDefaults->faceWidth, "length", "/gearDefaults/faceWidth");
+      number({}, mechanism.gearDefaults->pressureAngle, kNumber, "/gearDefaults/pressureAngle");
+      number({}, mechanism.gearDefaults->backlash, kNumber, "/gearDefaults/backlash");
+      number({}, mechanism.gearDefaults->faceWidth, kLength, "/gearDefaults/faceWidth");
     }
-    number({}, mechanism.density, "density", "/density");
+    number({}, mechanism.density, kDensity, "/density");
     for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
-      number({}, (*mechanism.gravity)[i].value(), "component", "/gravity/" + std::to_string(i));
+      number({}, (*mechanism.gravity)[i].value(), kComponent, "/gravity/" + std::to_string(i));
     each(mechanism.loads, ElementKind::load, [this](const Load& load, const auto& at) { action(load, at); });
     places(mechanism.view.nodes, "/view/nodes/");
     places(mechanism.view.ttNodes, "/view/ttNodes/");
@@ -107,54 +110,63 @@ class RangeCheck {
 
  private:
   static constexpr double kMost = static_cast<double>(kLargestLength);
+  static constexpr const char* kCoordinate = toTranslate("expected a coordinate from -1e15 to 1e15.");
+  static constexpr const char* kNumber = toTranslate("expected a number from -1e15 to 1e15.");
+  static constexpr const char* kComponent = toTranslate("expected a component from -1e15 to 1e15.");
+  static constexpr const char* kLength = toTranslate("expected a length from -1e15 to 1e15.");
+  static constexpr const char* kDensity = toTranslate("expected a density from -1e15 to 1e15.");
+  static constexpr const char* kMass = toTranslate("expected a mass from -1e15 to 1e15.");
+  static constexpr const char* kMoment = toTranslate("expected a moment from -1e15 to 1e15.");
+  static constexpr const char* kTorque = toTranslate("expected a torque from -1e15 to 1e15.");
+  static constexpr const char* kForce = toTranslate("expected a force from -1e15 to 1e15.");
 
-  void number(std::vector<ElementId> elements, double value, const std::string& what,
-              const std::string& pointer) {
+  void number(std::vector<ElementId> elements, double value, const char* what, const std::string& pointer) {
     if (std::abs(value) <= kMost) return;
-    found.push_back(finding("expected a " + what + " from -1e15 to 1e15.", pointer, std::move(elements)));
+    found.push_back(finding(translated(what), pointer, std::move(elements)));
   }
-  void number(std::vector<ElementId> elements, const std::optional<Number>& value, const std::string& what,
+  void number(std::vector<ElementId> elements, const std::optional<Number>& value, const char* what,
               const std::string& pointer) {
     if (value) number(std::move(elements), value->value(), what, pointer);
   }
-  void triple(const ElementId& element, const std::optional<NumberTriple>& values, const std::string& what,
+  void triple(const ElementId& element, const std::optional<NumberTriple>& values, const char* what,
               const std::string& pointer) {
     for (std::size_t i = 0; values && i < values->size(); ++i)
       number({element}, (*values)[i].value(), what, pointer + "/" + std::to_string(i));
   }
   void mass(LinkId link, const LinkMass& mass, const std::string& at) {
-    number({link}, mass.mass.value(), "mass", at + "/mass");
-    triple(link, mass.center, "coordinate", at + "/centerOfMass");
+    number({link}, mass.mass.value(), kMass, at + "/mass");
+    triple(link, mass.center, kCoordinate, at + "/centerOfMass");
     for (std::size_t i = 0; mass.inertia && i < mass.inertia->size(); ++i)
-      number({link}, (*mass.inertia)[i].value(), "moment", at + "/inertia/" + std::to_string(i));
+      number({link}, (*mass.inertia)[i].value(), kMoment, at + "/inertia/" + std::to_string(i));
   }
   void action(const Load& load, const std::string& at) {
     if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
-      number({inJoint->joint}, inJoint->torque.value(), "torque", at + "/torque");
+      number({inJoint->joint}, inJoint->torque.value(), kTorque, at + "/torque");
     } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
-      number({torque->link}, torque->torque.value(), "torque", at + "/torque");
+      number({torque->link}, torque->torque.value(), kTorque, at + "/torque");
     } else {
       const auto& force = std::get<LinkForce>(load.action);
-      triple(force.link, force.force, "force", at + "/force");
-      triple(force.link, force.point, "coordinate", at + "/point");
+      triple(force.link, force.force, kForce, at + "/force");
+      triple(force.link, force.point, kCoordinate, at + "/point");
     }
   }
   void places(const std::map<LinkId, SheetPoint>& nodes, const std::string& pointer) {
     for (const auto& [link, place] : nodes) {
-      number({link}, place.x, "coordinate", pointer + link.text() + "/0");
-      number({link}, place.y, "coordinate", pointer + link.text() + "/1");
+      number({link}, place.x, kCoordinate, pointer + link.text() + "/0");
+      number({link}, place.y, kCoordinate, pointer + link.text() + "/1");
     }
   }
   void camera(const ViewCamera& camera) {
     for (std::size_t i = 0; i < camera.target.size(); ++i)
-      number({}, camera.target[i], "coordinate", "/view/camera/target/" + std::to_string(i));
-    number({}, camera.distance, "length", "/view/camera/distance");
+      number({}, camera.target[i], kCoordinate, "/view/camera/target/" + std::to_string(i));
+    number({}, camera.distance, kLength, "/view/camera/distance");
   }
   void notTooShort(const Axis& axis, const std::string& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
     if (longest >= 1 / kMost || isZero(*axis.direction)) return;  // that of length 0 has a finding of its own
-    found.push_back(finding("expected a direction with a component of at least 1e-15.", pointer, {axis.id}));
+    found.push_back(
+        finding(translated("expected a direction with a component of at least 1e-15."), pointer, {axis.id}));
   }
 };
 
@@ -183,6 +195,7 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
     const std::string& name = mechanism.states[i].name;
     if (isTooLong(name)) findings.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
   }
+  append(findings, noteDiagnostics(mechanism));
   const Diagnostics beyond = RangeCheck(mechanism).found;
   findings.insert(findings.end(), beyond.begin(), beyond.end());
   return findings;

@@ -18,8 +18,8 @@ constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
 
 /// What the file format does not accept, one `schema` each: texts and lists beyond these limits; lengths,
 /// coordinates, components of directions, positions of nodes and measures of wheels beyond +-kLargestLength;
-/// directions shorter than its inverse. A document without any can be saved and opened again, and edits
-/// reject what has any. Cost: O(n + t + c).
+/// directions shorter than its inverse; notes that noteDiagnostics() does not accept. A document without any
+/// can be saved and opened again, and edits reject what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics limitDiagnostics(const Mechanism& mechanism);
 
 /// The mechanism, or what limitDiagnostics() finds, without pointers: the file it would be in does not exist.

@@ -1,5 +1,7 @@
 #include "core/mechanism/model/link_mass.h"
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -25,12 +27,12 @@ bool isInertiaOfABody(const InertiaNumbers& inertia) {
 }  // namespace
 
 std::optional<MassProblem> massProblem(const LinkMass& mass) {
-  if (mass.mass.exact().sign() < 0) return MassProblem{"mass", "A mass is at least 0, in kg."};
+  if (mass.mass.exact().sign() < 0) return MassProblem{"mass", translated("A mass is at least 0, in kg.")};
   if (mass.inertia && !isInertiaOfABody(*mass.inertia)) {
-    return MassProblem{"inertia",
-                       "No body has this inertia: each principal moment is at least 0 and at most the sum of "
-                       "the other two. The numbers are xx, yy, zz, xy, xz, yz in kg m², about the centre of "
-                       "mass."};
+    return MassProblem{
+        "inertia", translated("No body has this inertia: each principal moment is at least 0 and at most the "
+                              "sum of the other two. The numbers are xx, yy, zz, xy, xz, yz in kg m², about "
+                              "the centre of mass.")};
   }
   return std::nullopt;
 }

@@ -3,6 +3,8 @@
 #include <set>
 #include <unordered_set>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -32,17 +34,16 @@ class LoadCheck {
   void reference(const char* list, const ElementId& to, const Known& known, const std::string& pointer) {
     if (known.contains(to.id)) return;
     add(Code::unknownId,
-        std::string(list) + " names \"" + to.id.text() + "\", but " + std::string(listName(to.kind)) +
-            " has no such id.",
-        {to}, pointer);
+        translated("%1 names \"%2\", but %3 has no such id.", {list, to.id.text(), listName(to.kind)}), {to},
+        pointer);
   }
 
   void link(const char* list, LinkId link, const std::string& pointer) {
     reference(list, link, m_links, pointer);
     if (m_mechanism.links.empty() || link != m_mechanism.links.front().id) return;
     add(Code::schema,
-        "The ground takes any load: " + std::string(list) + " are on moving links. Name one of those.",
-        {link}, pointer);
+        translated("The ground takes any load: %1 are on moving links. Name one of those.", {list}), {link},
+        pointer);
   }
 
   void checkLosses() {
@@ -65,8 +66,8 @@ class LoadCheck {
       const Load& load = m_mechanism.loads[i];
       const std::string at = "/loads/" + std::to_string(i);
       if (!load.id.empty() && !ids.insert(load.id.atom()).second) {
-        add(Code::duplicateId, "The id \"" + load.id.text() + "\" occurs twice in loads.", {load.id},
-            at + "/id");
+        add(Code::duplicateId, translated("The id \"%1\" occurs twice in %2.", {load.id.text(), "loads"}),
+            {load.id}, at + "/id");
       }
       if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
         reference("loads", inJoint->joint, m_joints, at + "/joint");
@@ -89,7 +90,8 @@ class LoadCheck {
       if (const auto* joint = std::get_if<JointId>(&place)) {
         reference("balances", *joint, m_joints, at + "/joint");
         if (!joints.insert(joint->atom()).second)
-          add(Code::duplicateId, "The joint \"" + joint->text() + "\" occurs twice in balances.", {*joint},
+          add(Code::duplicateId,
+              translated("The joint \"%1\" occurs twice in %2.", {joint->text(), "balances"}), {*joint},
               at + "/joint");
         continue;
       }
@@ -97,7 +99,8 @@ class LoadCheck {
       link("balances", onLink.link, at + "/link");
       if (onLink.axis) reference("balances", *onLink.axis, m_axes, at + "/axis");
       if (!links.insert({onLink.link, onLink.axis.value_or(AxisId())}).second)
-        add(Code::duplicateId, "The link \"" + onLink.link.text() + "\" occurs twice in balances.",
+        add(Code::duplicateId,
+            translated("The link \"%1\" occurs twice in %2.", {onLink.link.text(), "balances"}),
             {onLink.link}, at + "/link");
     }
   }
@@ -118,11 +121,12 @@ Diagnostics loadDiagnostics(const Mechanism& mechanism) {
 std::optional<LossProblem> lossProblem(const std::optional<Number>& efficiency,
                                        const std::optional<Number>& friction) {
   if (efficiency && friction)
-    return LossProblem{"friction", "A mesh has an efficiency or a coefficient of friction, not both."};
+    return LossProblem{"friction",
+                       translated("A mesh has an efficiency or a coefficient of friction, not both.")};
   if (efficiency && (efficiency->exact().sign() <= 0 || efficiency->exact() > Rational(1)))
-    return LossProblem{"efficiency", "An efficiency is above 0 and at most 1."};
+    return LossProblem{"efficiency", translated("An efficiency is above 0 and at most 1.")};
   if (friction && (friction->exact().sign() < 0 || friction->exact() > Rational(1)))
-    return LossProblem{"friction", "A coefficient of friction is from 0 to 1."};
+    return LossProblem{"friction", translated("A coefficient of friction is from 0 to 1.")};
   return std::nullopt;
 }
 

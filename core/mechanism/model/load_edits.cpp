@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/checked_edit.h"
 #include "core/mechanism/model/load_checks.h"
 
@@ -52,8 +53,12 @@ Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh, std::option
   const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
                                   [&](const GearMesh& each) { return each.id == mesh; });
   if (found == mechanism.gearMeshes.end()) {
-    return Diagnostic{
-        Code::unknownId, "There is no \"" + mesh.text() + "\" in gearMeshes.", {mesh}, {}, 0, 0};
+    return Diagnostic{Code::unknownId,
+                      translated("There is no \"%1\" in %2.", {mesh.text(), "gearMeshes"}),
+                      {mesh},
+                      {},
+                      0,
+                      0};
   }
   if (const auto problem = lossProblem(efficiency, friction))
     return Diagnostic{Code::schema, problem->message, {mesh}, {}, 0, 0};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/checked_edit.h"
 
 namespace geargraph::inline model {
@@ -10,7 +11,8 @@ Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [link](const Link& each) { return each.id == link; });
   if (found == mechanism.links.end()) {
-    return Diagnostic{Code::unknownId, "There is no \"" + link.text() + "\" in links.", {link}, {}, 0, 0};
+    return Diagnostic{
+        Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}), {link}, {}, 0, 0};
   }
   found->mass = mass ? SharedOptional<LinkMass>(std::move(*mass)) : SharedOptional<LinkMass>();
   const auto position = found - mechanism.links.begin();
@@ -42,7 +44,7 @@ Diagnostics massDiagnostics(const Mechanism& mechanism) {
     }
   }
   if (mechanism.density && mechanism.density->exact().sign() <= 0)
-    findings.push_back({Code::schema, "A density is above 0, in kg/m³.", {}, "/density", 0, 0});
+    findings.push_back({Code::schema, translated("A density is above 0, in kg/m³."), {}, "/density", 0, 0});
   return findings;
 }
 

@@ -53,6 +53,9 @@ const Wheel* Mechanism::find(WheelId id) const {
 const Coupling* Mechanism::find(CouplingId id) const {
   return findIn(couplings, id);
 }
+const SheetNote* Mechanism::find(NoteId id) const {
+  return findIn(view.notes, id);
+}
 
 JointLimits opposite(const JointLimits& limits) {
   const auto negated = [](const std::optional<Number>& end) -> std::optional<Number> {

@@ -162,6 +162,15 @@ struct SheetPoint {
   friend bool operator==(const SheetPoint&, const SheetPoint&) = default;
 };
 
+/// A text on the sheet of the digraph, one or more lines (notes.h). `at` is its middle.
+struct SheetNote {
+  NoteId id;
+  std::string text;
+  SheetPoint at;
+  UnknownMembers unknown = {};
+  friend bool operator==(const SheetNote&, const SheetNote&) = default;
+};
+
 /// The camera of the 3D view: it looks at `target` from this distance, azimuth about +z and elevation.
 /// Lengths in the document's unit, angles in degrees.
 struct ViewCamera {
@@ -178,6 +187,7 @@ struct ViewCamera {
 struct View {
   std::map<LinkId, SheetPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
   std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
+  std::vector<SheetNote> notes;          ///< on the digraph's sheet, in painting order
   std::optional<ViewCamera> camera;
   UnknownMembers unknown;
   friend bool operator==(const View&, const View&) = default;
@@ -229,6 +239,7 @@ struct Mechanism {
   [[nodiscard]] const GearMesh* find(MeshId id) const;
   [[nodiscard]] const Wheel* find(WheelId id) const;
   [[nodiscard]] const Coupling* find(CouplingId id) const;
+  [[nodiscard]] const SheetNote* find(NoteId id) const;
 };
 
 using MechanismPtr = std::shared_ptr<const Mechanism>;

@@ -215,6 +215,7 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_gravity(valuePatch(before.gravity, after.gravity)),
       m_nodes(nodePatch(before.view.nodes, after.view.nodes)),
       m_ttNodes(nodePatch(before.view.ttNodes, after.view.ttNodes)),
+      m_sheetNotes(listPatch(before.view.notes, after.view.notes)),
       m_camera(cameraPatch(before.view.camera, after.view.camera)),
       m_viewMembers(memberPatch(before.view.unknown, after.view.unknown)),
       m_members(memberPatch(before.unknown, after.unknown)) {
@@ -279,6 +280,7 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   geargraph::apply(m_gravity, mechanism.gravity, forward);
   apply(m_nodes, mechanism.view.nodes, forward);
   apply(m_ttNodes, mechanism.view.ttNodes, forward);
+  geargraph::apply(m_sheetNotes, mechanism.view.notes, forward);
   geargraph::apply(m_camera, mechanism.view.camera, forward);
   geargraph::apply(m_viewMembers, mechanism.view.unknown, forward);
   geargraph::apply(m_members, mechanism.unknown, forward);
@@ -288,8 +290,8 @@ void MechanismPatch::count() {
   ByteCount bytes;
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
             m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_density, m_gravity,
-            m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after, m_camera, m_viewMembers,
-            m_members);
+            m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera,
+            m_viewMembers, m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 

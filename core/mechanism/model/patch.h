@@ -93,6 +93,7 @@ class MechanismPatch {
   ValuePatch<std::optional<NumberTriple>> m_gravity;
   NodePatch m_nodes;
   NodePatch m_ttNodes;
+  ListPatch<SheetNote> m_sheetNotes;
   ValuePatch<std::optional<ViewCamera>> m_camera;
   MemberPatch m_viewMembers;
   MemberPatch m_members;

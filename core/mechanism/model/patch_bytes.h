@@ -50,6 +50,7 @@ class ByteCount {
   void one(const Id<Tag>& /*id*/) {}
   void one(std::size_t /*number*/) {}
   void one(const SheetPoint& /*place*/) {}
+  void one(const SheetNote& note) { add(note.text, note.unknown); }
   void one(const LinkShape& shape) {
     add(shape.file, shape.position, shape.orientation, shape.scale, shape.unknown);
   }

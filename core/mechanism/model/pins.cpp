@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -21,7 +23,7 @@ Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, b
       mark(mechanism.gearMeshes, element, pinned))
     return mechanism;
   return Diagnostic{Code::unknownId,
-                    "There is no axis, link or mesh \"" + element.id.text() + "\" to pin.",
+                    translated("There is no axis, link or mesh \"%1\" to pin.", {element.id.text()}),
                     {element},
                     {},
                     0,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -16,18 +18,18 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<Lin
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [&](const Link& each) { return each.id == link; });
   if (found == mechanism.links.end())
-    return rejection(Code::unknownId, "There is no \"" + link.text() + "\" in links.", link);
+    return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}), link);
   for (const LinkShape& shape : shapes) {
     if (!staysInFolder(shape.file)) {
       return rejection(
           Code::schema,
-          "\"" + shape.file +
-              "\" is not in the folder of the document: save the document first, then copy the 3D "
-              "file into its folder.",
+          translated("\"%1\" is not in the folder of the document: save the document first, then copy the 3D "
+                     "file into its folder.",
+                     {shape.file}),
           link);
     }
     if (shape.scale && shape.scale->exact().sign() <= 0)
-      return rejection(Code::schema, "The scale of a 3D file has to be above 0.", link);
+      return rejection(Code::schema, translated("The scale of a 3D file has to be above 0."), link);
   }
   found->shapes = std::move(shapes);
   return mechanism;

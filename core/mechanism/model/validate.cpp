@@ -28,7 +28,7 @@ class WellFormedCheck {
 
   Diagnostics run() {
     if (m_mechanism.links.empty()) {
-      add(Code::schema, "A mechanism needs at least the ground.", {}, "/links");
+      add(Code::schema, translated("A mechanism needs at least the ground."), {}, "/links");
     }
     for (Diagnostic& beyond : limitDiagnostics(m_mechanism)) m_findings.push_back(std::move(beyond));
     uniqueIds(m_mechanism.links, ElementKind::link, m_links);
@@ -37,6 +37,7 @@ class WellFormedCheck {
     uniqueIds(m_mechanism.gearMeshes, ElementKind::gearMesh, m_meshes);
     uniqueIds(m_mechanism.wheels, ElementKind::wheel, m_wheels);
     uniqueIds(m_mechanism.couplings, ElementKind::coupling, m_couplings);
+    uniqueIds(m_mechanism.view.notes, ElementKind::note, m_notes);
     for (const Wheel& wheel : m_mechanism.wheels) m_linkOfWheel.emplace(wheel.id, wheel.link);
     checkShapes();
     checkAxes();
@@ -65,11 +66,10 @@ class WellFormedCheck {
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Atom id = list[i].id.atom();
       if (id.empty()) {
-        add(Code::schema, "An id may not be empty.", {}, pointerTo(kind, i) + "/id");
+        add(Code::schema, translated("An id may not be empty."), {}, pointerTo(kind, i) + "/id");
       } else if (!known.insert(id).second) {
-        add(Code::duplicateId,
-            "The id \"" + id.text() + "\" occurs twice in " + std::string(listName(kind)) + ".", {{kind, id}},
-            pointerTo(kind, i) + "/id");
+        add(Code::duplicateId, translated("The id \"%1\" occurs twice in %2.", {id.text(), listName(kind)}),
+            {{kind, id}}, pointerTo(kind, i) + "/id");
       }
     }
   }
@@ -79,18 +79,16 @@ class WellFormedCheck {
                  const std::string& pointer) {
     if (known.contains(to.id)) return;
     add(Code::unknownId,
-        std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() +
-            "\", but " + std::string(listName(to.kind)) + " has no such id.",
+        translated("%1 \"%2\" names \"%3\", but %4 has no such id.",
+                   {listName(owner.kind), owner.id.text(), to.id.text(), listName(to.kind)}),
         {owner, to}, pointer);
   }
 
-  void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what,
+  void notItself(const ElementId& owner, LinkId tail, LinkId head, const char* sentence,
                  const std::string& at) {
     if (tail != head) return;
-    add(Code::selfJoint,
-        what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() +
-            "\" to itself; it needs two links.",
-        {owner, tail}, at + "/head");
+    add(Code::selfJoint, filled(translated(sentence), {owner.id.text(), tail.text()}), {owner, tail},
+        at + "/head");
   }
 
   void checkShapes() {
@@ -101,12 +99,14 @@ class WellFormedCheck {
         const std::string at = pointerTo(ElementKind::link, i) + "/shapes/" + std::to_string(k);
         if (!staysInFolder(shape.file)) {
           add(Code::schema,
-              "The 3D file of a link is a path that stays in the folder of the document, not \"" +
-                  shape.file + "\".",
+              translated(
+                  "The 3D file of a link is a path that stays in the folder of the document, not \"%1\".",
+                  {shape.file}),
               {link.id}, at + "/file");
         }
         if (shape.scale && shape.scale->exact().sign() <= 0)
-          add(Code::schema, "The scale of a 3D file has to be above 0.", {link.id}, at + "/scale");
+          add(Code::schema, translated("The scale of a 3D file has to be above 0."), {link.id},
+              at + "/scale");
       }
     }
   }
@@ -115,8 +115,8 @@ class WellFormedCheck {
     for (std::size_t i = 0; i < m_mechanism.axes.size(); ++i) {
       const Axis& axis = m_mechanism.axes[i];
       if (axis.direction && isZero(*axis.direction)) {
-        add(Code::schema, "The direction of axis \"" + axis.id.text() + "\" has length 0.", {axis.id},
-            pointerTo(ElementKind::axis, i) + "/direction");
+        add(Code::schema, translated("The direction of axis %1 has length 0.", {'"' + axis.id.text() + '"'}),
+            {axis.id}, pointerTo(ElementKind::axis, i) + "/direction");
       }
     }
   }
@@ -128,7 +128,8 @@ class WellFormedCheck {
       reference(joint.id, joint.tail, m_links, at + "/tail");
       reference(joint.id, joint.head, m_links, at + "/head");
       reference(joint.id, joint.axis, m_axes, at + "/axis");
-      notItself(joint.id, joint.tail, joint.head, "Turning joint", at);
+      notItself(joint.id, joint.tail, joint.head,
+                toTranslate("Turning joint \"%1\" ties link \"%2\" to itself; it needs two links."), at);
       if (const auto problem = limitsProblem(joint.limits))
         add(Code::schema, *problem, {joint.id}, at + "/limits");
     }
@@ -140,13 +141,15 @@ class WellFormedCheck {
       const std::string at = pointerTo(ElementKind::gearMesh, i);
       reference(mesh.id, mesh.tail, m_links, at + "/tail");
       reference(mesh.id, mesh.head, m_links, at + "/head");
-      notItself(mesh.id, mesh.tail, mesh.head, "Gear mesh", at);
+      notItself(mesh.id, mesh.tail, mesh.head,
+                toTranslate("Gear mesh \"%1\" ties link \"%2\" to itself; it needs two links."), at);
       teeth(mesh, mesh.tailTeeth, at + "/tailTeeth");
       teeth(mesh, mesh.headTeeth, at + "/headTeeth");
       wheelOf(mesh, mesh.tailWheel, mesh.tail, at + "/tailWheel");
       wheelOf(mesh, mesh.headWheel, mesh.head, at + "/headWheel");
-      if (mesh.faceWidth && mesh.faceWidth->exact().sign() <= 0) {
-        add(Code::schema, "The face width of a gear mesh is above 0.", {mesh.id}, at + "/faceWidth");
+      if (mesh.faceWidth && mesh.faceWidth->value() <= 0) {  // 1e-999 is 0 for all who reckon with it
+        add(Code::schema, translated("The face width of a gear mesh is above 0."), {mesh.id},
+            at + "/faceWidth");
       }
     }
   }
@@ -154,7 +157,8 @@ class WellFormedCheck {
   void teeth(const GearMesh& mesh, int count, const std::string& pointer) {
     if (count >= kFewestTeeth && count <= kMostTeeth) return;
     add(Code::schema,
-        "A gear has 1 to 100,000 teeth; mesh \"" + mesh.id.text() + "\" says " + std::to_string(count) + ".",
+        translated("A gear has 1 to 100,000 teeth; mesh \"%1\" says %2.",
+                   {mesh.id.text(), std::to_string(count)}),
         {mesh.id}, pointer);
   }
 
@@ -166,8 +170,8 @@ class WellFormedCheck {
     if (found == m_linkOfWheel.end() || found->second == link) return;
     if (m_links.contains(link.atom()) && m_links.contains(found->second.atom())) {
       add(Code::schema,
-          "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" +
-              wheel->text() + "\" is on link \"" + found->second.text() + "\".",
+          translated("Mesh \"%1\" is on link \"%2\", but its wheel \"%3\" is on link \"%4\".",
+                     {mesh.id.text(), link.text(), wheel->text(), found->second.text()}),
           {mesh.id, *wheel}, pointer);
     }
   }
@@ -186,10 +190,12 @@ class WellFormedCheck {
       const JointId joint = (*m_mechanism.inputs)[i].joint;
       const std::string at = "/inputs/" + std::to_string(i) + "/joint";
       if (!m_joints.contains(joint.atom())) {
-        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.",
+        add(Code::unknownId,
+            translated("%1 names \"%2\", but %3 has no such id.", {"inputs", joint.text(), "turningJoints"}),
             {joint}, at);
       } else if (!seen.insert(joint.atom()).second) {
-        add(Code::duplicateId, "The joint \"" + joint.text() + "\" occurs twice in inputs.", {joint}, at);
+        add(Code::duplicateId, translated("The joint \"%1\" occurs twice in %2.", {joint.text(), "inputs"}),
+            {joint}, at);
       }
     }
   }
@@ -205,11 +211,12 @@ class WellFormedCheck {
       }
       const std::size_t wanted = isBrake ? 1 : 2;
       if (coupling.links.size() != wanted) {
-        add(Code::schema, "A brake names one link, a clutch two.", {coupling.id},
+        add(Code::schema, translated("A brake names one link, a clutch two."), {coupling.id},
             at + (isBrake ? "/link" : "/links"));
       } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
         add(Code::selfJoint,
-            "Clutch \"" + coupling.id.text() + "\" ties link \"" + coupling.links[0].text() + "\" to itself.",
+            translated("Clutch \"%1\" ties link \"%2\" to itself.",
+                       {coupling.id.text(), coupling.links[0].text()}),
             {coupling.id, coupling.links[0]}, at + "/links/1");
       }
     }
@@ -222,8 +229,8 @@ class WellFormedCheck {
       const ElementId owner(ElementKind::state, Atom(state.name));
       const std::string at = pointerTo(ElementKind::state, i);
       if (!names.insert(owner.id).second) {
-        add(Code::duplicateId, "The name \"" + state.name + "\" occurs twice in states.", {owner},
-            at + "/name");
+        add(Code::duplicateId, translated("The name \"%1\" occurs twice in %2.", {state.name, "states"}),
+            {owner}, at + "/name");
       }
       for (std::size_t k = 0; k < state.engaged.size(); ++k) {
         reference(owner, state.engaged[k], m_couplings, at + "/engaged/" + std::to_string(k));
@@ -239,9 +246,10 @@ class WellFormedCheck {
       const CouplingId id = m_mechanism.engaged[i];
       const std::string at = "/engaged/" + std::to_string(i);
       if (!m_couplings.contains(id.atom())) {
-        add(Code::unknownId, "There is no \"" + id.text() + "\" in couplings.", {id}, at);
+        add(Code::unknownId, translated("There is no \"%1\" in %2.", {id.text(), "couplings"}), {id}, at);
       } else if (!seen.insert(id.atom()).second) {
-        add(Code::duplicateId, "Coupling \"" + id.text() + "\" is listed twice in engaged.", {id}, at);
+        add(Code::duplicateId, translated("Coupling \"%1\" is listed twice in %2.", {id.text(), "engaged"}),
+            {id}, at);
       }
     }
   }
@@ -249,7 +257,8 @@ class WellFormedCheck {
   void checkCamera() {
     const std::optional<ViewCamera>& camera = m_mechanism.view.camera;
     if (camera && camera->distance <= 0)
-      add(Code::schema, "The distance of the camera has to be above 0.", {}, "/view/camera/distance");
+      add(Code::schema, translated("The distance of the camera has to be above 0."), {},
+          "/view/camera/distance");
   }
 
   const Mechanism& m_mechanism;
@@ -260,6 +269,7 @@ class WellFormedCheck {
   Known m_meshes;
   Known m_wheels;
   Known m_couplings;
+  Known m_notes;
   std::unordered_map<WheelId, LinkId> m_linkOfWheel;
 };
 
@@ -374,8 +384,9 @@ std::optional<std::string> limitsProblem(const JointLimits& limits) {
   const double low = limits.low ? limits.low->value() : -1;
   const double high = limits.high ? limits.high->value() : 1;
   if (low <= 0 && high >= 0 && low < high) return std::nullopt;
-  return "The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the "
-         "second at least 0, and not both 0.";
+  return translated(
+      "The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the "
+      "second at least 0, and not both 0.");
 }
 
 Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) {

@@ -1,8 +1,10 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/arrow_marks.h"
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/edge_routing.h"
+#include "core/presentation/drawing/note_marks.h"
 
 namespace geargraph::inline drawing {
 namespace {
@@ -45,7 +47,7 @@ void drawBadge(Pen& pen, const NodePlace& node) {
   pen.put(MarkRole::input, kBadgeDepth, Fill{box, ColorRole::inputFill});
   pen.put(MarkRole::input, kBadgeDepth, Stroke{box, ColorRole::input, 1.2, Dash::solid});
   pen.put(MarkRole::input, kBadgeDepth,
-          Text{"motor", node.badgeCenter, kBadgeTextSize, false, ColorRole::inputInk});
+          Text{translated("motor"), node.badgeCenter, kBadgeTextSize, false, ColorRole::inputInk});
 }
 
 }  // namespace
@@ -105,6 +107,8 @@ DisplayList digraphDrawing(const DigraphGeometry& geometry, const Emphases& emph
     list.append(nodeDrawing(node, emphasisOf(emphases, node.link)));
   for (const CouplingPlace& coupling : geometry.couplings)
     list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
+  for (const NotePlace& note : geometry.notes)
+    list.append(noteDrawing(note, emphasisOf(emphases, note.note)));
   list.sortByDepth();
   return list;
 }

@@ -8,6 +8,7 @@
 #include "core/presentation/drawing/edge_routing.h"
 #include "core/presentation/drawing/label_placement.h"
 #include "core/presentation/drawing/node_placement.h"
+#include "core/presentation/drawing/note_marks.h"
 #include "core/presentation/drawing/text_metrics.h"
 
 namespace geargraph::inline drawing {
@@ -245,6 +246,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     placeLabels(geometry, taken);
   }
   placeNames(geometry.nodes, mechanism, taken);
+  geometry.notes = placedNotes(mechanism.view.notes);
   return geometry;
 }
 

@@ -24,6 +24,7 @@ constexpr double kArrowLength = 11;
 constexpr double kArrowHalfWidth = 4.4;
 constexpr double kLabelSize = 12;  ///< px of an arrow's label
 constexpr double kNameSize = 10;
+constexpr double kNoteTextSize = 12;
 
 /// From the node's centre to the line that the hatching hangs on, and half that line's length.
 constexpr double kGroundDistance = 29;
@@ -75,11 +76,20 @@ struct CouplingPlace {
   friend bool operator==(const CouplingPlace&, const CouplingPlace&) = default;
 };
 
+/// A note on the sheet, line by line.
+struct NotePlace {
+  NoteId note;
+  std::vector<std::string> lines;
+  SheetPoint center;
+  friend bool operator==(const NotePlace&, const NotePlace&) = default;
+};
+
 /// Where everything in a drawing of the digraph is.
 struct DigraphGeometry {
   std::vector<NodePlace> nodes;  ///< of the links that have a position, in the document's order
   std::vector<EdgePlace> edges;  ///< between those, turning joints first
   std::vector<CouplingPlace> couplings;
+  std::vector<NotePlace> notes;  ///< what their author wrote where: nothing else keeps out of their way
 
   [[nodiscard]] const NodePlace* node(LinkId link) const;
   [[nodiscard]] const EdgePlace* edge(const ElementId& element) const;

@@ -29,6 +29,7 @@ using Emphases = std::unordered_map<ElementId, Emphasis>;
 constexpr int kHaloDepth = 0;
 constexpr int kLineDepth = 10;
 constexpr int kLabelDepth = 20;
+constexpr int kNoteDepth = 25;
 constexpr int kNodeDepth = 30;
 constexpr int kBadgeDepth = 40;
 constexpr int kGhostDepth = 50;

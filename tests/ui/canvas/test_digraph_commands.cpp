@@ -345,7 +345,8 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     const SheetPoint at{40, 40};
     const auto menu = menuAt(d, at);
-    QCOMPARE(entries(*menu), (QStringList{"New link here", "Select all", "Tidy the drawing", "Fit"}));
+    QCOMPARE(entries(*menu),
+             (QStringList{"New link here", "New note here", "Select all", "Tidy the drawing", "Fit"}));
     entry(*menu, "New link")->trigger();
     QCOMPARE(d.center(8), at);
     entry(*menu, "Tidy")->trigger();

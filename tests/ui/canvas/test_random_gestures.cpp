@@ -1,4 +1,5 @@
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QUndoStack>
 #include <random>
 
@@ -41,6 +42,11 @@ class Monkey {
     for (QLineEdit* editor : m_driver.view.viewport()->findChildren<QLineEdit*>()) {
       if (!editor->isVisible()) continue;
       QTest::keyClicks(editor, "name");
+      QTest::keyClick(editor, below(2) == 0 ? Qt::Key_Return : Qt::Key_Escape);
+    }
+    for (QPlainTextEdit* editor : m_driver.view.viewport()->findChildren<QPlainTextEdit*>()) {
+      if (!editor->isVisible()) continue;
+      QTest::keyClicks(editor, "note");
       QTest::keyClick(editor, below(2) == 0 ? Qt::Key_Return : Qt::Key_Escape);
     }
   }

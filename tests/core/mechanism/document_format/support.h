@@ -64,6 +64,7 @@ inline const std::string kEverything = R"({
   "balances": [{"joint": 4}, {"link": "arm", "axis": "a"}, {"link": "planet"}],
   "density": 2700.0, "gravity": [0, "-981/100", 0],
   "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
+           "notes": [{"id": "N1", "text": "sun\nand planet", "at": [7, -8.5], "color": "red"}],
     "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
 })";
 

@@ -95,6 +95,8 @@ class TestSchema : public QObject {
                                               "reference pose beyond a limit",
                                               "limits that leave no turn",
                                               "member twice",
+                                              "note of blanks",
+                                              "note with a control character",
                                               "member twice in an unknown one",
                                               "wheel of another link"};
     std::set<std::string> passed;

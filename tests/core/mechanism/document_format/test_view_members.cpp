@@ -35,6 +35,18 @@ class TestViewMembers : public QObject {
     QVERIFY(differenceOf(robot(), m).other);
   }
 
+  void notesSurviveTheFile() {
+    Mechanism m = robot();
+    m.view.notes = {{NoteId("N1"), "two lines\n\"quoted\" ↦ عربي", {1.5, -2}, {{"color", "\"red\""}}},
+                    {NoteId("mine"), "x", {-0.0, 4}}};
+    QVERIFY(readMechanism(writeMechanism(m)).value() == m);
+    const std::string written = "{\"id\": \"N1\", \"text\": \"two lines\\n\\\"quoted\\\" ↦ عربي\", "
+                                "\"at\": [1.5, -2], \"color\": \"red\"}";
+    QVERIFY(writeMechanism(m).find(written) != std::string::npos);
+    QVERIFY(isSameButForView(m, robot()));  // nothing is analysed anew for a note
+    QVERIFY(differenceOf(robot(), m).other);
+  }
+
   void whatIsAttachedToALinkSurvivesTheFile() {
     LinkShape arm{"parts/arm.stl"};
     arm.orientation = NumberTriple{Number(0), *Number::fromText("22.5"), Number(-90)};
