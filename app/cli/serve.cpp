@@ -12,12 +12,13 @@
 #include "app/cli/serve_edits.h"
 #include "app/cli/served_command.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/base64.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/mechanism/document_format/mechanism_table.h"
+#include "core/mechanism/graph_format/mechanism_graph.h"
 #include "core/presentation/results/diagnostics_json.h"
 
 namespace geargraph::cli {
@@ -114,17 +115,23 @@ class Server {
     if (m_documents.size() >= kMostDocuments) return Refusal{"limit", "Over 1,000 documents are open."};
     const auto given = params.member("text");
     if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
-      return Refusal{"request",
-                     "\"open\" takes \"text\": a document, as a text or as an object; or a table (CSV)."};
-    auto read =
-        readMechanismOrTable(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
+      return Refusal{
+          "request",
+          "\"open\" takes \"text\": a document, as a text or as an object; a table (CSV); or a graph (DOT, "
+          "GraphML, node-link JSON)."};
+    auto read = readAnyMechanism(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
     if (!read) return refused(read.error());
     const std::string name = std::to_string(++m_opened);
-    m_documents.emplace(name, std::make_shared<const Mechanism>(std::move(read).value()));
+    m_documents.emplace(name, std::make_shared<const Mechanism>(read->mechanism));
     return objectOf([&](JsonWriter& json) {
       json.member("format", "geargraph-serve");
       json.member("version", 1);
       json.member("document", name);
+      if (read->notes.empty()) return;
+      json.key("notes");
+      json.beginArray(JsonWriter::Layout::row);
+      for (const std::string& note : read->notes) json.string(note);
+      json.endArray();
     });
   }
 
@@ -279,18 +286,19 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--stdio", "", "requests on standard input, answers on standard output"},
-    Option{"--limit-memory", "MB", "of address space, for each command"},
+    Option{"--stdio", "", toTranslate("requests on standard input, answers on standard output")},
+    Option{"--limit-memory", "MB", toTranslate("of address space, for each command")},
 };
 
 }  // namespace
 
-const Command kServe = {"serve",
-                        "--stdio [--limit-seconds S] [--limit-memory MB]",
-                        "Answers requests, a JSON object a line: open, edit, analyze, export, ...",
-                        kOptions,
-                        run,
-                        true,
-                        false};
+const Command kServe = {
+    "serve",
+    "--stdio [--limit-seconds S] [--limit-memory MB]",
+    toTranslate("Answers requests, a JSON object a line: open, edit, analyze, export, ..."),
+    kOptions,
+    run,
+    true,
+    false};
 
 }  // namespace geargraph::cli

@@ -85,6 +85,24 @@ class TestServe : public QObject {
     QCOMPARE(wrong.at("error").at("code"), json("schema"));
   }
 
+  void graphsAreOpened() {
+    Served served;
+    for (const char* const form : {"dot", "graphml", "node-link"}) {
+      const QByteArray graph =
+          printed({"convert", QString(SOURCE) + "/resources/examples/robot.geargraph", "--to", form});
+      const json opened = served.ask("open", {{"text", graph.toStdString()}}).at("result");
+      QVERIFY(!opened.contains("notes"));
+      const json back = served.ask("text", {{"document", opened.at("document")}}).at("result").at("text");
+      QCOMPARE(json::parse(back.get<std::string>()).at("gearMeshes"), robot().at("gearMeshes"));
+    }
+    const json assumed =
+        served.ask("open", {{"text", "digraph { a -> b [kind=turning, axis=x] }"}}).at("result");
+    QCOMPARE(assumed.at("notes").size(), std::size_t{2});
+    const json wrong = served.ask("open", {{"text", "digraph { a -> b }"}});
+    QCOMPARE(wrong.at("error").at("code"), json("schema"));
+    QCOMPARE(wrong.at("error").at("diagnostics").at(0).at("column"), json(11));
+  }
+
   void textsAndBytesAreExported() {
     Served served;
     const std::string document = served.open(robot().dump());

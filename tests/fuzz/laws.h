@@ -18,6 +18,10 @@ bool checkReader(const std::string& text);
 /// sentences with a place. True where it was read.
 bool checkTable(const std::string& text);
 
+/// A graph is read into a mechanism that can be saved, opened and written as a graph in every form again, or
+/// its faults are sentences with a place. True where it was read.
+bool checkGraph(const std::string& text);
+
 enum class Analysed { rejected, withErrors, withNumbers };
 /// A document without errors gets numbers, on which both methods agree; one with errors gets none.
 Analysed checkAnalysis(const std::string& text);

@@ -21,6 +21,7 @@ const std::map<std::string_view, void (*)(const std::string&)> kLaws = {
     {"reader", [](const std::string& input) { checkReader(input); }},
     {"analysis", [](const std::string& input) { checkAnalysis(input); }},
     {"table", [](const std::string& input) { checkTable(input); }},
+    {"graph", [](const std::string& input) { checkGraph(input); }},
     {"tex", checkTex},
     {"exports", checkExports},
     {"mesh", checkMeshConfined},

@@ -1,0 +1,94 @@
+#include "core/mechanism/graph_format/graph_parts.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/words.h"
+#include "core/foundations/files/utf8.h"
+
+namespace geargraph::inline graph_format {
+
+void GraphAttributes::set(std::string_view name, AttributePtr value) {
+  for (auto& [known, text] : m_all) {
+    if (known != name) continue;
+    text = std::move(value);
+    return;
+  }
+  m_all.emplace_back(name, std::move(value));
+}
+
+const AttributeText* GraphAttributes::find(std::string_view name) const {
+  for (const auto& [known, text] : m_all) {
+    if (known == name) return text.get();
+  }
+  return nullptr;
+}
+
+void GraphParts::set(AttributeOwner owner, GraphAttributes& into, std::string_view attribute,
+                     AttributePtr value) {
+  if (const auto known = knownAttribute(owner, attribute)) {
+    into.set(*known, std::move(value));
+  } else {
+    addUnread(attribute);
+  }
+}
+
+void GraphParts::addUnread(std::string_view attribute) {
+  if (attribute == "id" || attribute == "key") return;  // NetworkX' names of edges
+  constexpr std::size_t kMostNames = 20;
+  constexpr std::size_t kLongest = 100;  // bytes
+  if (unread.size() < kMostNames && attribute.size() <= kLongest) unread.emplace(attribute);
+}
+
+void GraphFindings::add(Code code, std::string message, std::size_t offset, std::vector<ElementId> elements) {
+  if (isFull()) return;
+  m_findings.emplace_back(offset, Diagnostic{code, std::move(message), std::move(elements), {}, 0, 0});
+}
+
+Diagnostics GraphFindings::inOrder() const {
+  std::vector<std::pair<std::size_t, Diagnostic>> sorted = m_findings;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  Diagnostics result;
+  std::size_t at = 0;
+  int line = 1, column = 1;
+  for (auto& [offset, finding] : sorted) {
+    for (; at < std::min(offset, m_text.size()); ++at) {
+      const bool continues = (static_cast<unsigned char>(m_text[at]) & 0xC0U) == 0x80U;
+      if (m_text[at] == '\n') {
+        ++line;
+        column = 1;
+      } else if (!continues) {
+        ++column;
+      }
+    }
+    finding.line = line;
+    finding.column = column;
+    result.push_back(std::move(finding));
+  }
+  return result;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMostBytes = 60;
+  std::string shown = "\"";
+  std::size_t at = 0;
+  while (at < text.size() && at < kMostBytes) {
+    const std::size_t length = std::max<std::size_t>(utf8Length(text, at), 1);
+    const bool isControl = static_cast<unsigned char>(text[at]) < 0x20;
+    shown += isControl ? " " : std::string(text.substr(at, length));
+    at += length;
+  }
+  return shown + (at < text.size() ? "...\"" : "\"");
+}
+
+Diagnostics undirectedGraph(std::string_view text, std::size_t offset) {
+  GraphFindings findings(text);
+  findings.add(
+      Code::format,
+      translated("The graph is undirected, so that it does not say which link of a joint or mesh is tail and "
+                 "which is head: the signs and the teeth of each gear depend on it. Make it directed."),
+      offset);
+  return findings.inOrder();
+}
+
+}  // namespace geargraph::inline graph_format

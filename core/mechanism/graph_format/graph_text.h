@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace geargraph::inline graph_format {
+
+/// Graphs as other programs read them: Graphviz' DOT, GraphML, and the node-link JSON of NetworkX.
+enum class GraphForm { dot, graphMl, nodeLink };
+
+/// "dot", "graphml", "node-link".
+[[nodiscard]] std::optional<GraphForm> graphFormFromName(std::string_view name);
+
+/// A value that is JSON: a number, true or false, a list. Forms without lists have its text.
+struct JsonText {
+  std::string json;
+};
+using AttributeValue = std::variant<int, std::string, JsonText>;
+using Attributes = std::vector<std::pair<std::string_view, AttributeValue>>;
+
+struct DescribedNode {
+  int label = 0;
+  Attributes attributes;
+};
+
+struct DescribedEdge {
+  int source = 0;
+  int target = 0;
+  std::string key;  ///< distinguishes edges between the same two nodes
+  Attributes attributes;
+};
+
+/// A directed graph with the attributes of its nodes and edges.
+struct GraphDescription {
+  std::string name;
+  Attributes attributes{};
+  std::vector<DescribedNode> nodes{};
+  std::vector<DescribedEdge> edges{};
+};
+
+/// Cost: O(size).
+[[nodiscard]] std::string graphText(const GraphDescription& graph, GraphForm form);
+
+}  // namespace geargraph::inline graph_format
