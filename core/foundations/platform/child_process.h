@@ -32,11 +32,10 @@ enum class ChildEnd {
   inputUnreadable,  ///< it cannot be opened
   inputNoFile,      ///< it is a folder, a device or a pipe
   inputTooLarge,    ///< `inputSize` tells how large
-  unsupported,      ///< the system cannot do this
 };
 
 struct ChildResult {
-  ChildEnd end = ChildEnd::unsupported;
+  ChildEnd end = ChildEnd::notStarted;
   int status = 0;
   std::uintmax_t inputSize = 0;
   std::string output{};
@@ -45,7 +44,11 @@ struct ChildResult {
 
 /// Runs the program to its end, without environment and with no other open files; it is never left behind.
 /// The input is opened without waiting for anybody (a pipe without a writer would). Ends within 0.1 s once
-/// `stop` is requested. Portable: unsupported.
+/// `stop` is requested. Portable: it has the environment and the open files of this process, nothing limits
+/// its processor time but the deadline, and it is ended (`crashed`) where it writes 1 MiB more than is kept.
 [[nodiscard]] ChildResult runChild(const ChildProgram& child, const std::stop_token& stop);
+
+/// Can a program on this system give up its rights before it reads a file (core/foundations/sandbox)?
+[[nodiscard]] bool confinesChildren();
 
 }  // namespace geargraph::inline platform

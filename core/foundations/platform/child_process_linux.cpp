@@ -169,4 +169,8 @@ ChildResult runChild(const ChildProgram& child, const std::stop_token& stop) {
   return result;
 }
 
+bool confinesChildren() {
+  return true;
+}
+
 }  // namespace geargraph::inline platform

@@ -15,7 +15,7 @@ namespace geargraph::inline platform {
 [[nodiscard]] int processId();
 /// Is there a process of this number? Portable: only this one is known.
 [[nodiscard]] bool isProcessRunning(int id);
-/// Where this program is. Portable: empty.
+/// Where this program is. Empty where the system does not tell.
 [[nodiscard]] std::filesystem::path programPath();
 
 /// From now on the calling thread takes of the processors what others leave: for work that is not waited for

@@ -1,3 +1,5 @@
+#define BOOST_DLL_USE_STD_FS  // for headers alone
+#include <boost/dll/runtime_symbol_info.hpp>
 #include <chrono>
 #include <limits>
 #include <random>
@@ -26,7 +28,9 @@ bool isProcessRunning(int id) {
 }
 
 fs::path programPath() {
-  return {};
+  boost::dll::fs::error_code error;
+  const boost::dll::fs::path path = boost::dll::program_location(error);
+  return error ? fs::path() : fs::path(path.native());
 }
 
 void lowerThreadPriority() {}

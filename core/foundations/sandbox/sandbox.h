@@ -6,7 +6,8 @@
 
 namespace geargraph::inline sandbox {
 
-// A process that reads a file of unknown origin gives up its rights before the first byte. Linux only.
+// A process that reads a file of unknown origin gives up its rights before the first byte. Linux only:
+// elsewhere it keeps them, and only its parent limits its time and its answer (platform/child_process.h).
 
 /// What the process may use in total.
 struct SandboxLimits {
@@ -24,7 +25,8 @@ struct SandboxLimits {
 /// allowed (seccomp), an empty list of files (Landlock, where the kernel has it), resource limits.
 ///
 /// The reason where the system cannot enforce it; the process must not go on then. Landlock alone may be
-/// missing. @pre one thread
+/// missing. Portable: a thread ends the process after
+/// mostSeconds of the clock, nothing else. @pre one thread
 [[nodiscard]] std::optional<std::string> enterSandbox(const SandboxLimits& limits);
 
 // The walls by themselves, for tests. @pre NO_NEW_PRIVS is set

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 #include "core/foundations/platform/child_process.h"
 #include "core/foundations/platform/system.h"
@@ -25,7 +26,7 @@ MeshFileError refused(const std::string& why, MeshFileError::Kind kind = MeshFil
 
 MeshFileError tooSlow(const ForeignLimits& limits) {
   return refused(
-      "Reading it took longer than " + std::to_string(static_cast<int>(limits.mostSeconds)) + " s.",
+      translated("Reading it took longer than %1 s.", {std::to_string(static_cast<int>(limits.mostSeconds))}),
       MeshFileError::Kind::limit);
 }
 
@@ -58,33 +59,37 @@ MeshFileError failureOf(const ChildResult& result, const ForeignLimits& limits) 
       break;
     case ChildEnd::crashed:
       return refused(
-          "It is damaged, or made to do harm: the program that reads it crashed, and was confined.");
+          confinesChildren()
+              ? translated(
+                    "It is damaged, or made to do harm: the program that reads it crashed, and was confined.")
+              : translated(
+                    "It is damaged, or made to do harm: the program that reads it crashed. This system "
+                    "does not confine it."));
     case ChildEnd::outOfTime:
       return tooSlow(limits);
     case ChildEnd::stopped:
-      return refused("Reading it was stopped.", MeshFileError::Kind::stopped);
+      return refused(translated("Reading it was stopped."), MeshFileError::Kind::stopped);
     case ChildEnd::notStarted:
-      return refused("The program geargraph-mesh cannot be run.");
+      return refused(translated("The program geargraph-mesh cannot be run."));
     case ChildEnd::tooManyFiles:
-      return refused("There are too many open files.");
+      return refused(translated("There are too many open files."));
     case ChildEnd::inputMissing:
-      return refused("It is not there.");
+      return refused(translated("It is not there."));
     case ChildEnd::inputUnreadable:
-      return refused("It cannot be opened.");
+      return refused(translated("It cannot be opened."));
     case ChildEnd::inputNoFile:
-      return refused("It is no file.");
+      return refused(translated("It is no file."));
     case ChildEnd::inputTooLarge:
-      return refused("It has " + std::to_string(result.inputSize) + " bytes, more than the limit of " +
-                         std::to_string(limits.mostBytes) + ".",
+      return refused(translated("It has %1 bytes, more than the limit of %2.",
+                                {std::to_string(result.inputSize), std::to_string(limits.mostBytes)}),
                      MeshFileError::Kind::limit);
-    case ChildEnd::unsupported:
-      return refused("This system cannot confine the program that reads 3D files.");
   }
   if (result.status != 0 && !sentence.empty()) {
     return refused(sentence,
                    result.status == kBeyondLimit ? MeshFileError::Kind::limit : MeshFileError::Kind::file);
   }
-  return refused("It is damaged, or made to do harm: what the program that reads it answers is no solid.");
+  return refused(
+      translated("It is damaged, or made to do harm: what the program that reads it answers is no solid."));
 }
 
 }  // namespace
@@ -102,8 +107,9 @@ std::optional<MeshFormat> foreignFormat(const fs::path& path) {
 std::variant<Solid, MeshFileError> readForeignMesh(const fs::path& reader, const fs::path& path,
                                                    const ForeignLimits& limits, const std::stop_token& stop) {
   const auto format = foreignFormat(path);
-  if (!format) return refused("It is none of STL, OBJ, PLY and GLB.");
-  if (reader.empty()) return refused("The program geargraph-mesh, which reads 3D files, is missing.");
+  if (!format) return refused(translated("It is none of STL, OBJ, PLY and GLB."));
+  if (reader.empty())
+    return refused(translated("The program geargraph-mesh, which reads 3D files, is missing."));
   ChildProgram child;
   child.program = reader;
   child.words = {std::string(meshFormatName(*format)), std::to_string(limits.mostBytes),

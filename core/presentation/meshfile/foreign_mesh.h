@@ -25,9 +25,10 @@ struct ForeignLimits {
 /// The solid of a file that nobody vouches for, lengths as they stand in it, all its meshes as one. It is
 /// read by the program `reader` (geargraph-mesh) in a process of its own with these limits, which gets the
 /// open file and nothing else (core/sandbox): whatever the file does to it costs a sentence here, of one
-/// line. Files that it names (the materials of an OBJ, buffers of a GLB) are not read. Fails with `file` for
-/// what is no regular file or cannot be read, `limit` beyond a limit, `stopped`. The solid need not be
-/// closed; its indices are in range and its numbers finite.
+/// line. Portable: that process is not confined, and its memory has no limit. Files that it names (the
+/// materials of an OBJ, buffers of a GLB) are not read. Fails with `file` for what is no regular file or
+/// cannot be read, `limit` beyond a limit, `stopped`. The solid need not be closed; its indices are in range
+/// and its numbers finite.
 [[nodiscard]] std::variant<Solid, MeshFileError> readForeignMesh(const std::filesystem::path& reader,
                                                                  const std::filesystem::path& path,
                                                                  const ForeignLimits& limits = {},

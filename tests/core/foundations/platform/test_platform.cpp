@@ -169,10 +169,7 @@ class TestPlatform : public QObject {
     ChildProgram child{"/bin/cat", {"-"}, place("f"), 100, 9, 100};
     child.deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     const ChildResult copied = runChild(child, {});
-    if (platformName() == "portable") {
-      QVERIFY(copied.end == ChildEnd::unsupported && copied.output.empty());
-      return;
-    }
+    QCOMPARE(confinesChildren(), platformName() == "Linux");
     QVERIFY(copied.end == ChildEnd::exited && copied.status == 0);
     QCOMPARE(copied.output, std::string("what the "));
     child.mostInput = 21;
@@ -191,6 +188,34 @@ class TestPlatform : public QObject {
     QVERIFY(runChild(child, stop.get_token()).end == ChildEnd::stopped);
   }
 
+  void aProgramIsEndedSoonAndWhole() {
+    QVERIFY(!writeFile(place("f"), "input"));
+    const auto start = std::chrono::steady_clock::now();
+    ChildProgram child{"/bin/sh", {"-c", "echo out; echo err >&2; exit 7"}, place("f"), 100, 100, 100};
+    child.deadline = start + std::chrono::minutes(1);
+    const ChildResult ended = runChild(child, {});
+    QVERIFY(ended.end == ChildEnd::exited && ended.status == 7);
+    QCOMPARE(ended.output, std::string("out\n"));
+    QCOMPARE(ended.errors, std::string("err\n"));
+    child.words[1] = "kill -SEGV $$";
+    QVERIFY(runChild(child, {}).end == ChildEnd::crashed);
+    child.words[1] = "exec /bin/sleep 1000";
+    std::stop_source stop;
+    std::thread later([&] { stop.request_stop(); });
+    QVERIFY(runChild(child, stop.get_token()).end == ChildEnd::stopped);
+    later.join();
+    // A program that never ends its answer costs its deadline at most.
+    child.words[1] = "exec /bin/cat /dev/zero";
+    child.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    const ChildEnd poured = runChild(child, {}).end;
+    QVERIFY(poured == ChildEnd::outOfTime || poured == ChildEnd::crashed);
+    QVERIFY(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+  }
+
+  void theProgramKnowsWhereItIs() {
+    QVERIFY(fs::equivalent(programPath(), QCoreApplication::applicationFilePath().toStdString()));
+  }
+
   void aFolderIsWrittenWhole() {
     QVERIFY(!writeFolder(place("made"), {{"a.txt", "a"}, {"deep/b.txt", "b"}}));
     QCOMPARE(contentsOf(place("made/deep/b.txt")), std::string("b"));
@@ -200,5 +225,5 @@ class TestPlatform : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlatform)
+QTEST_GUILESS_MAIN(TestPlatform)
 #include "test_platform.moc"
