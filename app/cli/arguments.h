@@ -7,8 +7,11 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
+
+#include "core/foundations/base/decimal.h"
 
 namespace geargraph::cli {
 
@@ -36,10 +39,14 @@ struct Arguments {
 /// The number that a text is, and nothing else.
 template <class Number>
 [[nodiscard]] std::optional<Number> numberFrom(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  if constexpr (std::is_floating_point_v<Number>) {
+    return decimalFrom(text);
+  } else {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+  }
 }
 
 /// What is wrong with the words, as a sentence.

@@ -14,6 +14,13 @@ set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,und
 
 option(GEARGRAPH_FUZZ "Build the libFuzzer programs (clang only; preset fuzz)" OFF)
 
+option(GEARGRAPH_LIBCXX "Build with LLVM's C++ library (clang only; preset libcxx)" OFF)
+if(GEARGRAPH_LIBCXX)
+  # Stop tokens are experimental before its version 20.
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-stdlib=libc++> $<$<COMPILE_LANGUAGE:CXX>:-fexperimental-library>)
+  add_link_options(-stdlib=libc++ -fexperimental-library)
+endif()
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

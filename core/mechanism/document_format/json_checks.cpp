@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/decimal.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline document_format {
 namespace {
@@ -30,9 +32,7 @@ long magnitude(std::string_view number) {
 }
 
 bool isTooLarge(std::string_view number) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  return error == std::errc::result_out_of_range && magnitude(number) > 0;
+  return !decimalFrom(number) && magnitude(number) > 0;
 }
 
 /// Walks all values and keeps the way to the one at hand.
@@ -47,7 +47,8 @@ class Walk {
       case JsonKind::object:
         return object(value);
       case JsonKind::number:
-        if (isTooLarge(value.slice())) add("The number is too large; its double would be infinite.", value);
+        if (isTooLarge(value.slice()))
+          add(translated("The number is too large; its double would be infinite."), value);
         return;
       case JsonKind::null:
       case JsonKind::boolean:
@@ -72,7 +73,7 @@ class Walk {
   void array(JsonValue value) {
     const std::size_t size = value.size();
     if (size > kLongestList) {
-      add("A list has at most 100,000 elements; this one has " + std::to_string(size) + ".", value);
+      add(translated("A list has at most 100,000 elements; this one has %1.", {std::to_string(size)}), value);
       return;
     }
     value.forEachElement([&](JsonValue element, std::size_t position) {
@@ -99,7 +100,7 @@ class Walk {
         }
         twice = !names.insert(key.string()).second;
       }
-      if (twice) add("The member occurs twice in its object; only one may stay.", key);
+      if (twice) add(translated("The member occurs twice in its object; only one may stay."), key);
       visit(member);
       m_way.pop_back();
     });
