@@ -42,6 +42,9 @@ int exportReportPages(const Arguments& arguments);
 /// that give feedback; or as a package with that page, for a learning platform.
 int exportHandout(const Arguments& arguments, HandoutUse use);
 
+/// `export FILE --to modelica -o OUT`.
+int exportModelica(const Arguments& arguments);
+
 /// `export FILE --to dot/graphml/node-link [--view digraph/ttgraph] -o OUT`.
 int exportGraph(const Arguments& arguments, GraphForm form);
 
