@@ -193,6 +193,7 @@ class MainWindow : public QMainWindow {
   void wireView3D();
   void wireMotion();
   void wireView3DCommands();
+  void wireAxisDrag();
   void startView3DAnew();
 
   void onDocumentChanged();

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/canvas/axis_drag.h"
 #include "ui/canvas/brake_edits.h"
+#include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/menu_preview.h"
 #include "ui/mainwindow/edit_preview.h"
@@ -32,6 +34,7 @@ Camera cameraOf(const ViewCamera& camera) {
 }  // namespace
 
 void MainWindow::wireView3DCommands() {
+  wireAxisDrag();
   connect(m_view3d, &View3D::hintChanged, this,
           [this](const QString& hint) { m_status->setHint(hint.isEmpty() ? drawing().hint() : hint); });
   connect(m_view3d, &View3D::noteMade, m_status, &StatusLine::showNote);
@@ -50,6 +53,14 @@ void MainWindow::wireView3DCommands() {
     showPreviews(*menu, *m_workbench, [this](const QString& hint) {
       m_status->setHint(hint.isEmpty() ? drawing().hint() : hint);
     });
+    const Carrying carrying = carryingJoint(*m_document->mechanism(), LinkId(element->id));
+    QAction* axis =
+        menu->addAction(carrying.joint ? tr("Move its axis") : tr("Move its axis (%1)").arg(carrying.why),
+                        this, [this, joint = carrying.joint] {
+                          m_selection->select({*joint});
+                          m_view3d->takeAxisHandle();
+                        });
+    axis->setEnabled(carrying.joint.has_value());
     menu->addAction(tr("Attached 3D files…"), this, [this, link = LinkId(element->id)] {
       (new ShapesDialog(m_document, link, this))->show();
     });
@@ -59,6 +70,27 @@ void MainWindow::wireView3DCommands() {
       dock->raise();
     });
   });
+}
+
+/// The handle of an axis in the 3D view, as the schematic drags one.
+void MainWindow::wireAxisDrag() {
+  auto* drag = new AxisDrag(m_document, m_view3d);
+  const auto axisOf = [this](const ElementId& element) {
+    const TurningJoint* const joint = element.kind == ElementKind::turningJoint
+                                          ? m_document->mechanism()->find(JointId(element.id))
+                                          : nullptr;
+    return joint != nullptr ? joint->axis : AxisId(element.id);
+  };
+  connect(m_view3d, &View3D::axisPulled, drag, [drag, axisOf](const AxisPull& pull) {
+    drag->begin(axisOf(pull.element));
+    drag->moveBy(pull.way, !pull.isFree);
+  });
+  connect(m_view3d, &View3D::axisDropped, drag, &AxisDrag::drop);
+  connect(m_view3d, &View3D::axisPutBack, drag, &AxisDrag::putBack);
+  connect(m_view3d, &View3D::axisNudged, drag,
+          [drag, axisOf](const AxisPull& pull) { drag->nudge(axisOf(pull.element), pull.way); });
+  connect(drag, &AxisDrag::hintChanged, m_status, &StatusLine::setHint);
+  connect(drag, &AxisDrag::ended, this, [this] { m_status->setHint(drawing().hint()); });
 }
 
 /// Another document: what was chosen for the last one goes, and the camera is its own.

@@ -15,6 +15,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "ui/view3d/axis_hold.h"
 #include "ui/view3d/canvas_surface.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/image_canvas.h"
@@ -36,7 +37,8 @@ class View3D::Private {
         strip(new SectionBar(&viewer, view)),
         emptyText(new QLabel(view)),
         note(new QLabel(view)),
-        painter(new QLabel(view)) {}
+        painter(new QLabel(view)),
+        axis(new AxisHold(&viewer, chosen, view)) {}
 
   void useGl();
   void useImage(const QString& why);
@@ -52,6 +54,7 @@ class View3D::Private {
   void onOptionsChanged();
   [[nodiscard]] StageRange range() const;
   void renewRange();
+  void wireAxis();
   void openPartMenu(const std::optional<Hit>& hit, const QPointF& at);
   [[nodiscard]] std::optional<ElementId> selectedLink() const;
 
@@ -68,6 +71,7 @@ class View3D::Private {
   QLabel* emptyText;
   QLabel* note;
   QLabel* painter;  ///< says so where the processor paints
+  AxisHold* axis;
   bool isPaintedBySoftware = false;
   bool dark = false;
 };
@@ -88,6 +92,19 @@ void View3D::Private::renewRange() {
   playback.setPeriod(along != nullptr ? along->seconds() : stage ? stage->period : 0);
   const StageRange now = along != nullptr ? StageRange() : range();
   playback.setRange(now.from.time, now.to.time);
+}
+
+/// The axes of the document are those of the reference pose.
+void View3D::Private::wireAxis() {
+  connect(axis, &AxisHold::grabbed, q, [this] {
+    const std::vector<double>& hands = viewer.turnedByHand();
+    const bool isTurned = std::any_of(hands.begin(), hands.end(), [](double angle) { return angle != 0; });
+    if (playback.isPlaying() || playback.time() != 0 || isTurned || q->trajectory()) q->showMoment(0);
+  });
+  connect(axis, &AxisHold::pulled, q, &View3D::axisPulled);
+  connect(axis, &AxisHold::dropped, q, &View3D::axisDropped);
+  connect(axis, &AxisHold::putBack, q, &View3D::axisPutBack);
+  connect(axis, &AxisHold::nudged, q, &View3D::axisNudged);
 }
 
 void View3D::Private::place(QWidget* canvas) {
@@ -254,6 +271,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->painter->move(12, 10);
   d->painter->hide();
   d->makeButtons();
+  d->wireAxis();
   const CanvasSurface& surface = canvasSurface();
   surface.isWindow ? d->useGl() : d->useImage(surface.why);
   connect(&d->playback, &Playback::timeChanged, &d->viewer, [this](double seconds) {
@@ -443,6 +461,9 @@ void View3D::lookAlong(const ElementId& link) {
     d->viewer.setCamera(d->viewer.camera().turnedAlong(-*axis));
     d->viewer.fit();
   }
+}
+bool View3D::takeAxisHandle() {
+  return d->axis->takeFocus();
 }
 bool View3D::hasAxis(const ElementId& link) const {
   return d->viewer.axisOf(link).has_value();

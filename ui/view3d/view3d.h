@@ -6,6 +6,7 @@
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/stage/stage_forces.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/axis_pull.h"
 #include "ui/view3d/playback.h"
 #include "ui/view3d/viewer.h"
 
@@ -13,7 +14,8 @@ class QMenu;
 
 namespace geargraph::inline view3d {
 
-/// The 3D view: a stage that can be turned, zoomed and played.
+/// The 3D view: a stage that can be turned, zoomed and played. Where one axis or turning joint is selected,
+/// its axis has a handle; the train goes to its reference pose when it is grabbed.
 ///
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
 /// arrows orbit, + and - zoom; , and . step the time back and on; R rides along with the selected link or
@@ -88,6 +90,8 @@ class View3D : public QWidget {
   /// Looks along the line that the link turns about.
   void lookAlong(const ElementId& link);
   [[nodiscard]] bool hasAxis(const ElementId& link) const;
+  /// Gives the focus to the handle of the selected axis; false where there is none.
+  bool takeAxisHandle();
   /// Shows the path of a point of a part, and says its length and period.
   void trace(const Hit& hit);
   void clearTraces();
@@ -115,6 +119,11 @@ class View3D : public QWidget {
   void traceFileWanted();                 ///< the newest of traces() is to be saved
   void hintChanged(const QString& hint);  ///< what a drag would do there; empty: the pointer has left
   void noteMade(const QString& text);     ///< something to be said in a line: a traced path's length
+  void axisPulled(
+      const geargraph::AxisPull& pull);  ///< many of them make one gesture, which one of the next two ends
+  void axisDropped();
+  void axisPutBack();
+  void axisNudged(const geargraph::AxisPull& pull);  ///< a gesture of its own
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/axis_fit.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
@@ -94,7 +95,7 @@ Expected<PlacedMechanism> withAxisMoved(const PlacedMechanism& before, AxisId ax
   const double now = distanceFrom(placement, moved.neighbour, valuesOf(point));
   if (now < 1e-9 * was) {
     return Diagnostic{Code::pitchPointOnAxis,
-                      "The axis would coincide with the one that its wheels mesh with.",
+                      translated("The axis would coincide with the one that its wheels mesh with."),
                       {axis},
                       {},
                       0,
@@ -123,7 +124,11 @@ std::optional<AxisReach> axisReach(const PlacedMechanism& placed, AxisId axis) {
   if (moved.neighbour < 0) return std::nullopt;
   AxisReach reach;
   reach.from = axisOfClass(mechanism, placement, moved.neighbour).id;
-  reach.distance = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
+  const AxisLine& from = placement.lineOfClass(moved.neighbour);
+  const Vector3 between = placement.lineOfClass(moved.axisClass).point - from.point;
+  const Vector3 across = between - dot(between, from.direction) * from.direction;
+  reach.distance = length(across);
+  reach.outward = unit(across);
   for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
     if (!isBetween(*placement.meshes[m], moved)) continue;
     reach.module = 2 * reach.distance / reachOf(placement.meshes[m]->kind, mechanism.gearMeshes[m]);
@@ -143,6 +148,32 @@ Expected<PlacedMechanism> withAxisReach(const PlacedMechanism& before, AxisId ax
   const Rational along = dot(between, from.direction) / dot(from.direction, from.direction);
   const ExactVector3 place = line.point + (factor - Rational(1)) * (between - along * from.direction);
   return withAxisMoved(before, axis, numbersOf(place));
+}
+
+Expected<PlacedMechanism> withAxisDragged(const PlacedMechanism& before, AxisId axis, const Vector3& way,
+                                          bool snapped) {
+  constexpr double kLeast = 0.02;  ///< of the distance: nearer the wheels would have no room
+  const Axis* const found = before.mechanism().find(axis);
+  if (found == nullptr) return unplaced(withAxisPlaced(before, axis, {}, {}));
+  if (const std::optional<AxisReach> reach = axisReach(before, axis)) {
+    const double factor = std::max(1 + dot(way, reach->outward) / reach->distance, kLeast);
+    if (!snapped) return withAxisReach(before, axis, Rational::fromDouble(factor));
+    const long long steps = std::max(1LL, std::llround(factor * reach->module / kModuleStep));
+    return withAxisReach(before, axis, Rational(steps, 20) / Rational::fromDouble(reach->module));
+  }
+  if (!found->point) return withAxisMoved(before, axis, {});
+  Vector3 across = way;
+  if (found->direction) {
+    const Vector3 along = valuesOf(*found->direction);
+    across = way - (dot(way, along) / dot(along, along)) * along;
+  }
+  NumberTriple place = *found->point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double moved = place[i].value() + across[i];
+    if (std::abs(across[i]) > 1e-9)
+      place[i] = snapped ? Number(static_cast<int>(std::lround(moved))) : Number::fromDouble(moved);
+  }
+  return withAxisMoved(before, axis, place);
 }
 
 std::vector<TeethOffer> teethNear(const PlacedMechanism& placed, AxisId axis, double distance,

@@ -21,6 +21,7 @@ struct AxisReach {
   AxisId from;          ///< the one nearest the ground
   double distance = 0;  ///< between both
   double module = 1;    ///< of their wheels
+  Vector3 outward{};    ///< unit vector from that axis to this one, square to both
 };
 /// Nothing where the axis has no mesh of parallel axes.
 [[nodiscard]] std::optional<AxisReach> axisReach(const PlacedMechanism& placed, AxisId axis);
@@ -28,6 +29,16 @@ struct AxisReach {
 /// The axis goes to `factor` times that distance on its ray, as withAxisMoved(). @pre axisReach(), factor > 0
 [[nodiscard]] Expected<PlacedMechanism> withAxisReach(const PlacedMechanism& before, AxisId axis,
                                                       const Rational& factor);
+
+/// The module of an axis that is dragged goes in steps of this where it snaps.
+constexpr double kModuleStep = 0.05;
+
+/// The axis is dragged by this way in the base frame. With meshes of parallel axes it keeps its ray from the
+/// axis that it meshes with nearest the ground, and the module follows its distance there; one without goes
+/// along, square to itself. `snapped`: the module to kModuleStep, a place to whole length units. Refuses
+/// unknown-id and what withAxisMoved() refuses.
+[[nodiscard]] Expected<PlacedMechanism> withAxisDragged(const PlacedMechanism& before, AxisId axis,
+                                                        const Vector3& way, bool snapped);
 
 /// Tooth counts that bring an axis near a place with the module as it is.
 struct TeethOffer {

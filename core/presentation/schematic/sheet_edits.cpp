@@ -202,7 +202,6 @@ Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame&
 
 Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const SheetFrame& frame,
                                           const DraggedAxis& drag) {
-  constexpr double kLeast = 0.02;  ///< of the distance: nearer the wheels would have no room
   const SheetFrame::Line* line = frame.line(drag.axis);
   const Axis* axis = before.mechanism().find(drag.axis);
   if (line == nullptr || axis == nullptr) return unplaced(withAxisPlaced(before, drag.axis, {}, {}));
@@ -211,22 +210,13 @@ Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const S
   const double height = other == nullptr ? 0 : heightTowards(*other, *line, line->at);
   if (height > 1e-6) {
     const double moved = heightTowards(*other, *line, drag.to) - heightTowards(*other, *line, drag.from);
-    double factor = std::max(1 + moved / height, kLeast);
-    if (!drag.snapped) return withAxisReach(before, drag.axis, Rational::fromDouble(factor));
-    const long long steps = std::max(1LL, std::llround(factor * reach->module / kModuleStep));
-    return withAxisReach(before, drag.axis, Rational(steps, 20) / Rational::fromDouble(reach->module));
+    return withAxisDragged(before, drag.axis, (moved / height * reach->distance) * reach->outward,
+                           drag.snapped);
   }
-  if (!axis->point) return withAxisMoved(before, drag.axis, {});
   const Vector3 along = frame.spaceOf(line->at + line->along) - frame.spaceOf(line->at);
-  Vector3 way = frame.spaceOf(drag.to) - frame.spaceOf(drag.from);
-  way = way - (dot(way, along) / dot(along, along)) * along;
-  NumberTriple place = *axis->point;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double moved = place[i].value() + way[i];
-    if (std::abs(way[i]) > 1e-9)
-      place[i] = drag.snapped ? Number(static_cast<int>(std::lround(moved))) : Number::fromDouble(moved);
-  }
-  return withAxisMoved(before, drag.axis, place);
+  const Vector3 way = frame.spaceOf(drag.to) - frame.spaceOf(drag.from);
+  return withAxisDragged(before, drag.axis, way - (dot(way, along) / dot(along, along)) * along,
+                         drag.snapped);
 }
 
 }  // namespace geargraph::inline schematic

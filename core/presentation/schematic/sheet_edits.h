@@ -44,9 +44,8 @@ struct DraggedAxis {
   AxisId axis;
   SheetPoint from;
   SheetPoint to;
-  bool snapped = true;  ///< the module to kModuleStep, a place to whole length units
+  bool snapped = true;  ///< the module to kModuleStep (axis_drag.h), a place to whole length units
 };
-constexpr double kModuleStep = 0.05;
 
 /// The axis goes where it is dragged. With meshes it keeps its ray from the axis that it meshes with nearest
 /// the ground, and the module follows its distance there (withAxisReach); the sheet shows those distances,

@@ -234,6 +234,40 @@ class TestFitting : public QObject {
     QVERIFY(misfit(after) < 1e-9);
   }
 
+  /// The planets' axes lie 42 from the sun's, with module 2.
+  void anAxisIsDraggedAlongItsRayAndSnaps() {
+    const Mechanism before = statedPlanetary(3);
+    const AxisId axis = before.axes[1].id;
+    const AxisReach reach = *axisReach(before, axis);
+    QVERIFY(std::abs(length(reach.outward) - 1) < 1e-12);
+    const Mechanism snapped = *withAxisDragged(before, axis, 10.4 * reach.outward, true);
+    QCOMPARE(axisReach(snapped, axis)->module, 2.5);  // 52.4 / 42 * 2 = 2.495
+    QVERIFY(misfit(snapped) < 1e-9);
+    const Mechanism free = *withAxisDragged(before, axis, 10.4 * reach.outward, false);
+    QVERIFY(std::abs(axisReach(free, axis)->distance - 52.4) < 1e-9);
+    // Square to the ray it does not move, and never onto the other axis.
+    const Vector3 aside = cross(reach.outward, Vector3{0, 0, 1});
+    QCOMPARE(axisReach(*withAxisDragged(before, axis, 9.0 * aside, false), axis)->distance, 42.0);
+    QVERIFY(axisReach(*withAxisDragged(before, axis, -100.0 * reach.outward, false), axis)->distance > 0.5);
+    QCOMPARE(withAxisDragged(before, AxisId("none"), {}, true).error()[0].code, Code::unknownId);
+  }
+
+  void anAxisWithoutMeshesGoesWhereItIsDragged() {
+    Mechanism before = emptyMechanism();
+    before = *withLink(std::move(before), {});
+    before = *withTurningJoint(std::move(before), before.links[0].id, before.links[1].id);
+    const AxisId axis = before.axes[0].id;
+    before = *withAxisPlaced(std::move(before), axis, NumberTriple{Number(1), Number(2), Number(3)},
+                             NumberTriple{Number(0), Number(0), Number(1)});
+    const auto point = [&](bool snapped) {
+      const Mechanism after = *withAxisDragged(before, axis, {4.3, -2.6, 50}, snapped);
+      const NumberTriple& at = *after.axes[0].point;
+      return std::array{at[0].value(), at[1].value(), at[2].value()};
+    };
+    QCOMPARE(point(true), (std::array{5.0, -1.0, 3.0}));  // not along itself
+    QVERIFY(std::abs(point(false)[0] - 5.3) < 1e-9 && std::abs(point(false)[1] + 0.6) < 1e-9);
+  }
+
   // --- bevels ---
 
   void aBevelGoesToTheOtherSideOfItsApex() {
