@@ -1,28 +1,22 @@
 #include "ui/schematic/schematic_view.h"
 
-#include <QMenu>
-
-#include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
+#include "core/presentation/drawing/text_metrics.h"
 #include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/power_drawing/torque_marks.h"
 #include "core/presentation/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
 
 namespace geargraph::inline ui_schematic {
-namespace {
-
-QString lengthText(double length, const Mechanism& mechanism) {
-  return QStringLiteral("%1 %2").arg(length, 0, 'g', 5).arg(QString::fromStdString(mechanism.unit));
-}
-
-}  // namespace
 
 SchematicView::SchematicView(Document* document, Selection* selection, QWidget* parent)
     : DrawingView(document, selection, new DrawingScene, parent),
       m_service(new SchematicService(this)),
-      m_sheet(static_cast<DrawingScene*>(scene())) {
+      m_sheet(static_cast<DrawingScene*>(scene())),
+      m_axisDrag(new canvas::AxisDrag(document, this)) {
   setAccessibleName(tr("Schematic"));
+  connect(m_axisDrag, &canvas::AxisDrag::hintChanged, this, &SchematicView::setHint);
+  connect(m_axisDrag, &canvas::AxisDrag::ended, this, &SchematicView::endDrag);
   m_service->onAnswer(this, [this](const SchematicPtr& schematic) { showDrawing(schematic); });
   showState();
   rebuild();
@@ -55,8 +49,8 @@ void SchematicView::showDrawing(const SchematicPtr& schematic) {
   updateEmphases();
   updateMessage();
   emit redrawn();
-  if (m_drag) return emit drawn();  // the sheet stays put under the mouse
-  if (m_fitNext || isFitted()) fit();
+  if (m_drag || m_rim) return emit drawn();  // the sheet stays put under the mouse
+  if (m_fitNext || (isFitted() && !isDrawing())) fit();
   m_fitNext = false;
   emit drawn();
 }
@@ -129,6 +123,7 @@ void SchematicView::pressed(const Pointer& pointer) {
       return DrawingView::pressed(pointer);
     case ToolKind::select:
       DrawingView::pressed(pointer);
+      if (grabRim(pointer)) return;
       return step(Pressed{meant(pointer)});
     case ToolKind::input: {
       const bool can = pointer.on && (pointer.on->kind == ElementKind::turningJoint ||
@@ -142,8 +137,23 @@ void SchematicView::pressed(const Pointer& pointer) {
   }
 }
 
+void SchematicView::moved(const Pointer& pointer) {
+  m_rim ? dragRim(pointer) : step(Moved{meant(pointer)});
+}
+
+void SchematicView::released(const Pointer& pointer) {
+  m_rim ? endRim() : step(Released{meant(pointer)});
+}
+
 bool SchematicView::cancel() {
   if (isIdle()) return false;
+  if (m_rim) {
+    if (m_rim->teeth)
+      document().apply({tr("Change teeth"),
+                        [before = m_rim->before](const PlacedMechanism&) { return before; }, m_rim->gesture});
+    endRim();
+    return true;
+  }
   step(Escaped{});
   return true;
 }
@@ -157,21 +167,83 @@ void SchematicView::step(const ToolEvent& event) {
   if (const auto* shaft = std::get_if<section_tool::AddShaft>(&*next.proposal)) addShaft(*shaft);
   if (const auto* mesh = std::get_if<section_tool::MeshLinks>(&*next.proposal)) meshLinks(*mesh);
   if (const auto* drag = std::get_if<section_tool::DragAxis>(&*next.proposal)) dragAxis(*drag);
-  if (std::holds_alternative<section_tool::AxisDropped>(*next.proposal)) offerTeeth();
-  if (std::holds_alternative<section_tool::AxisPutBack>(*next.proposal) && m_drag) {
-    applyDragged([before = m_drag->before](const PlacedMechanism&) { return before; });
-    endDrag();
+  if (std::holds_alternative<section_tool::AxisDropped>(*next.proposal)) m_axisDrag->drop();
+  if (std::holds_alternative<section_tool::AxisPutBack>(*next.proposal)) m_axisDrag->putBack();
+}
+
+// --- dragging a rim ---------------------------------------------------------------------------------------
+
+/// At the pitch line of a gear, or where two of them mesh.
+bool SchematicView::grabRim(const Pointer& pointer) {
+  constexpr double kReach = 6;  ///< px on screen
+  if (!m_schematic || !isUpToDate() || !pointer.on || pointer.add) return false;
+  std::vector<LinkId> links;
+  if (pointer.on->kind == ElementKind::link) links.emplace_back(pointer.on->id);
+  const GearMesh* const mesh =
+      pointer.on->kind == ElementKind::gearMesh ? mechanism().find(MeshId(pointer.on->id)) : nullptr;
+  if (mesh != nullptr) links = {mesh->tail, mesh->head};
+  const SheetRim* const rim = rimNear(m_schematic->rims, links, pointer.at, kReach / scaleNow());
+  if (rim == nullptr) return false;
+  m_rim = RimDrag{document().newGesture(), document().placed(), *rim, pointer.at};
+  return true;
+}
+
+/// Every edit of the drag begins where the drag did, so that what follows the teeth comes back with them.
+void SchematicView::dragRim(const Pointer& pointer) {
+  const double wandered = distance(pointer.at, m_rim->from);
+  if (!m_rim->teeth && wandered <= pointer.slop) return;
+  const auto teeth = teethDragged(m_rim->before, m_rim->rim, m_rim->from, pointer.at);
+  if (!teeth) return;
+  m_rim->at = pointer.at;
+  if (m_rim->teeth != teeth) {
+    m_rim->teeth = teeth;
+    const bool done = document().apply({tr("Change teeth"),
+                                        [before = m_rim->before, to = *teeth](const PlacedMechanism&) {
+                                          return withTeethFitted(before, to.mesh, to.tailTeeth, to.headTeeth);
+                                        },
+                                        m_rim->gesture});
+    if (done) m_rim->shown = teeth->teeth;
+    if (done) setHint(tr("z = %1. Esc puts back").arg(teeth->teeth));
   }
+  showState();
+}
+
+void SchematicView::endRim() {
+  m_rim.reset();
+  if (isFitted()) fit();
+  showState();
+}
+
+/// "z = 36" on a plate beside the mouse.
+DisplayList SchematicView::rimLabel() const {
+  DisplayList list;
+  if (!m_rim || m_rim->shown == 0) return list;
+  constexpr double kSize = 13, kBeside = 22;  // px on screen
+  const double size = kSize / scaleNow();
+  const std::string text = tr("z = %1").arg(m_rim->shown).toStdString();
+  const double halfWidth = textWidth(text, size, true) / 2 + size / 2;
+  const QRectF seen = mapToScene(viewport()->rect()).boundingRect();
+  const double besideIt = kBeside / scaleNow();
+  SheetPoint middle = m_rim->at + SheetPoint{halfWidth + besideIt, -besideIt};
+  if (middle.x + halfWidth > seen.right()) middle.x = m_rim->at.x - halfWidth - besideIt;
+  if (middle.y - size < seen.top()) middle.y = m_rim->at.y + besideIt;
+  const geargraph::Box plate{{middle, halfWidth, 0.9 * size}, size / 3};
+  list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Fill{plate, ColorRole::sheet}});
+  list.marks.push_back(
+      {{}, MarkRole::ghost, kGhostDepth, Stroke{plate, ColorRole::accent, 1 / scaleNow(), Dash::solid}});
+  list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Text{text, middle, size, true, ColorRole::accent}});
+  return list;
 }
 
 // --- dragging an axis -------------------------------------------------------------------------------------
 
 void SchematicView::dragAxis(const section_tool::DragAxis& drag) {
   if (!m_schematic) return;
-  if (!m_drag) m_drag = AxisDrag{document().newGesture(), document().placed(), m_schematic, drag.axis};
+  if (!m_drag) m_drag = DraggedOn{m_schematic, drag.axis};
+  m_axisDrag->begin(drag.axis);
   const DraggedAxis dragged{drag.axis, drag.from, drag.to, !drag.unsnapped};
-  applyDragged([dragged, at = *m_drag](const PlacedMechanism&) {
-    return withAxisOnSheet(at.before, at.schematic->frame, dragged);
+  m_axisDrag->move([dragged, sheet = m_drag->schematic](const PlacedMechanism& before) {
+    return withAxisOnSheet(before, sheet->frame, dragged);
   });
 }
 
@@ -183,7 +255,7 @@ void SchematicView::nudge(double dx, double dy, bool /*repeated*/) {
   if (joint == nullptr && current->kind != ElementKind::axis) return;
   const AxisId axis = joint != nullptr ? joint->axis : AxisId(current->id);
   dragAxis({axis, {0, 0}, {dx, dy}, true});
-  endDrag();
+  m_axisDrag->end();
 }
 
 std::optional<Pointer> SchematicView::keyStrokeEnd(const Pointer& begin) const {
@@ -193,67 +265,6 @@ std::optional<Pointer> SchematicView::keyStrokeEnd(const Pointer& begin) const {
   end.on.reset();
   end.at = tool() == ToolKind::link ? begin.at + SheetPoint{kShaft, 0} : freePlace();
   return end;
-}
-
-/// Every edit of the drag begins where the drag did, so that one that is refused leaves the last valid one.
-void SchematicView::applyDragged(const Reduce& reduce) {
-  const bool done = document().apply(
-      {tr("Move axis %1").arg(QString::fromStdString(m_drag->axis.text())), reduce, m_drag->gesture});
-  const QString reach = reachText();
-  if (done && !reach.isEmpty()) setHint(tr("%1. Alt places freely, Esc puts back").arg(reach));
-}
-
-QString SchematicView::reachText() {
-  const std::optional<AxisReach> reach = axisReach(document().placed(), m_drag->axis);
-  if (!reach) return {};
-  return tr("Axis %1 is %2 from axis %3, module %4")
-      .arg(QString::fromStdString(m_drag->axis.text()), lengthText(reach->distance, mechanism()),
-           QString::fromStdString(reach->from.text()), lengthText(reach->module, mechanism()));
-}
-
-void SchematicView::offerTeeth() {
-  if (!m_drag) return;
-  const PlacedMechanism moved = document().placed();
-  const std::optional<AxisReach> reach = axisReach(moved, m_drag->axis);
-  std::vector<TeethOffer> offers;
-  if (reach && moved.pointer() != m_drag->before.pointer())
-    offers = teethNear(m_drag->before, m_drag->axis, reach->distance);
-  if (offers.empty()) return endDrag();
-  auto* menu = new QMenu(this);
-  menu->setObjectName(QStringLiteral("axisOffer"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto offer = [&](const QString& text, const Reduce& reduce) {
-    QAction* action = menu->addAction(text);
-    const auto take = [this, reduce] {
-      if (m_drag) applyDragged(reduce);
-    };
-    connect(action, &QAction::hovered, this, take);
-    connect(action, &QAction::triggered, this, take);
-    return action;
-  };
-  const auto stays = [moved](const PlacedMechanism&) { return moved; };
-  QAction* first = offer(tr("Module %1, teeth as they are").arg(lengthText(reach->module, moved)), stays);
-  menu->addSeparator();
-  for (const TeethOffer& each : offers) {
-    const double off = each.distance - reach->distance;
-    const QString text =
-        tr("%1 : %2 teeth, %3 apart, %4 off")
-            .arg(each.tailTeeth)
-            .arg(each.headTeeth)
-            .arg(lengthText(each.distance, moved),
-                 (off < 0 ? QStringLiteral("−") : QStringLiteral("+")) + lengthText(std::abs(off), moved));
-    offer(text, [before = m_drag->before, each](const PlacedMechanism&) {
-      return withTeethFitted(before, each.mesh, each.tailTeeth, each.headTeeth);
-    });
-  }
-  // Closed without a choice, the axis stands where it was dropped. A choice is told after that.
-  connect(menu, &QMenu::aboutToHide, this, [this, stays] {
-    if (m_drag) applyDragged(stays);
-    QMetaObject::invokeMethod(this, &SchematicView::endDrag, Qt::QueuedConnection);
-  });
-  setHint(tr("%1. Choose tooth counts instead, or Esc").arg(reachText()));
-  menu->setActiveAction(first);
-  menu->popup(QCursor::pos());
 }
 
 void SchematicView::endDrag() {
@@ -285,8 +296,9 @@ void SchematicView::meshLinks(const section_tool::MeshLinks& mesh) {
 
 /// The line that is being drawn, and what the tool expects next.
 void SchematicView::showState() {
-  if (!m_drag) setHint(tr(std::string(section_tool::hint(m_state, tool())).c_str()));
-  DisplayList list;
+  if (!m_drag && !(m_rim && m_rim->teeth))
+    setHint(tr(std::string(section_tool::hint(m_state, tool())).c_str()));
+  DisplayList list = rimLabel();
   if (const auto draft = section_tool::draft(m_state)) {
     using Look = section_tool::Draft::Look;
     const Dash dash = draft->look == Look::shaft ? Dash::solid : Dash::dotted;

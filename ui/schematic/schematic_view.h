@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/canvas/axis_drag.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/schematic/schematic_service.h"
 #include "ui/tools/section_tool.h"
@@ -43,9 +44,9 @@ class SchematicView : public DrawingView {
   /// An axis has its places among the properties of its joints.
   void openElement(const ElementId& element) override;
   void pressed(const Pointer& pointer) override;
-  void moved(const Pointer& pointer) override { step(Moved{meant(pointer)}); }
-  void released(const Pointer& pointer) override { step(Released{meant(pointer)}); }
-  [[nodiscard]] bool isIdle() const override { return m_state.index() == 0; }
+  void moved(const Pointer& pointer) override;
+  void released(const Pointer& pointer) override;
+  [[nodiscard]] bool isIdle() const override { return m_state.index() == 0 && !m_rim; }
   bool cancel() override;
   /// Moves the axis of what is selected, as one step.
   void nudge(double dx, double dy, bool repeated) override;
@@ -53,21 +54,30 @@ class SchematicView : public DrawingView {
 
  private:
   /// An axis that goes along with the mouse, until the offer after it is closed.
-  struct AxisDrag {
-    quint64 gesture = 0;
-    PlacedMechanism before;
-    SchematicPtr schematic;  ///< as it was then: what the mouse means
+  struct DraggedOn {
+    SchematicPtr schematic;  ///< as it was when the drag began: what the mouse means
     AxisId axis;
   };
 
+  /// The rim of a gear that goes along with the mouse: its teeth change.
+  struct RimDrag {
+    quint64 gesture = 0;
+    PlacedMechanism before;
+    SheetRim rim;
+    SheetPoint from;
+    std::optional<DraggedTeeth> teeth = {};  ///< as the mouse wants them, since it has been moved
+    int shown = 0;                           ///< teeth of the gear as they are; 0: as they were
+    SheetPoint at = {};
+  };
+
   void showDrawing(const SchematicPtr& schematic);
+  bool grabRim(const Pointer& pointer);
+  void dragRim(const Pointer& pointer);
+  void endRim();
+  [[nodiscard]] DisplayList rimLabel() const;
   void dragAxis(const section_tool::DragAxis& drag);
-  void offerTeeth();
-  void applyDragged(const Reduce& reduce);
   void endDrag();
   [[nodiscard]] std::optional<Mark> axisGhost(SheetPoint moved) const;
-  /// "48 mm from axis a, module 2.3 mm"; empty where the axis has no such neighbour.
-  [[nodiscard]] QString reachText();
   void step(const ToolEvent& event);
   /// A bearing stands for the shaft in it, as far as tools go.
   [[nodiscard]] Pointer meant(Pointer pointer) const;
@@ -79,7 +89,9 @@ class SchematicView : public DrawingView {
   DrawingScene* m_sheet;
   SchematicPtr m_schematic;
   section_tool::State m_state;
-  std::optional<AxisDrag> m_drag;
+  canvas::AxisDrag* m_axisDrag;
+  std::optional<DraggedOn> m_drag;
+  std::optional<RimDrag> m_rim;
   bool m_fitNext = true;  ///< the next drawing is another document's
   bool m_behind = false;  ///< the document has changed since, while nobody saw it
 };

@@ -60,6 +60,7 @@ SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::
   addCouplings(part, layout, section, stop);
   if (stop.stop_requested()) return geometry;
   geometry.frame = sheetFrame(part, layout);
+  geometry.rims = sheetRims(part, layout);
   geometry.notes = sectionNotes(part, layout);
   SectionLabels labels = sectionLabels(part, section, geometry.notes);
   geometry.alike = part.alike;

@@ -5,6 +5,7 @@
 
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/section_labels.h"
+#include "core/presentation/schematic/sheet_rims.h"
 
 namespace geargraph::inline bodies {
 class DerivedGeometry;
@@ -20,7 +21,8 @@ struct SchematicGeometry {
   std::vector<Outline> outlines;
   std::vector<DrawnPart::Alike> alike;  ///< elements that another one stands for
   std::vector<std::string> notes;
-  SheetFrame frame;         ///< for drawing on it
+  SheetFrame frame;  ///< for drawing on it
+  std::vector<SheetRim> rims;
   bool isTooLarge = false;  ///< more links than can be drawn: there is nothing else then
 
   [[nodiscard]] bool isEmpty() const { return marks.empty(); }

@@ -49,6 +49,35 @@ struct Driver {
   }
   QPoint at;
 
+  /// A rim of the pinion of spur-pair on the side that meshes with nothing, on the screen, and the way by
+  /// which it grows by so many teeth.
+  struct RimOnScreen {
+    QPoint at;
+    QPointF perTooth;
+  };
+  [[nodiscard]] RimOnScreen rim(LinkId link) const {
+    const Mechanism& mechanism = *document.mechanism();
+    const GearMesh& mesh = mechanism.gearMeshes.front();
+    const int teeth = mesh.tail == link ? mesh.tailTeeth : mesh.headTeeth;
+    const std::vector<SheetRim> rims = schematicGeometry(mechanism).rims;
+    const SheetRim* best = nullptr;
+    double farthest = -1;
+    for (const SheetRim& each : rims) {
+      if (each.link != link) continue;
+      double away = 1e9;  // from the other's rims
+      for (const SheetRim& other : rims) {
+        if (other.link != link) away = std::min(away, distance(other.from, each.from));
+      }
+      if (away <= farthest) continue;
+      farthest = away;
+      best = &each;
+    }
+    if (best == nullptr) return {};
+    const SheetPoint middle = between(best->from, best->to, 0.5);
+    const double scale = view.transform().m11() * best->height / teeth;
+    return {view.mapFromScene(middle.x, middle.y), {scale * best->out.x, scale * best->out.y}};
+  }
+
   /// Where an element's label stands on the screen.
   [[nodiscard]] QPoint label(const ElementId& element) const {
     for (const Mark& mark : view.displayList().marks) {
@@ -98,6 +127,59 @@ class TestSchematicView : public QObject {
     }
     driver.selection.select({JointId("13")});
     QVERIFY(driver.isLit(JointId("13")));
+  }
+
+  void draggingARimChangesTheTeethInWholeSteps() {
+    Driver driver(test::example("spur-pair"));
+    const GearMesh before = driver.document.mechanism()->gearMeshes.front();
+    const auto mesh = [&] { return driver.document.mechanism()->gearMeshes.front(); };
+    const Driver::RimOnScreen rim = driver.rim(before.tail);
+    QSignalSpy hints(&driver.view, &DrawingView::hintChanged);
+    QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
+    QTest::mouseMove(driver.view.viewport(), rim.at + QPoint(1, 0));
+    QVERIFY(mesh() == before);  // a click may wander
+    for (const double teeth : {2.0, 4.1, 6.0})
+      QTest::mouseMove(driver.view.viewport(), rim.at + (teeth * rim.perTooth).toPoint());
+    QCOMPARE(mesh().tailTeeth, before.tailTeeth + 6);
+    QCOMPARE(mesh().headTeeth, before.headTeeth);
+    const QString label = QStringLiteral("z = %1").arg(before.tailTeeth + 6);
+    QVERIFY(hints.last().first().toString().startsWith(label));
+    QVERIFY(driver.view.isDrawing());
+    QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, rim.at + (6 * rim.perTooth).toPoint());
+    driver.wait();
+    QVERIFY(!driver.view.isDrawing());
+    QVERIFY(driver.selection.isSelected(before.tail));
+    QCOMPARE(driver.document.undoStack().index(), 1);
+    driver.document.undoStack().undo();
+    QVERIFY(mesh() == before);
+  }
+
+  void escapePutsTheTeethBackAndRejectedOnesSayWhy() {
+    Driver driver(test::example("spur-pair"));
+    const MechanismPtr before = driver.document.mechanism();
+    const LinkId gear = before->gearMeshes.front().tail;
+    Driver::RimOnScreen rim = driver.rim(gear);
+    QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
+    QTest::mouseMove(driver.view.viewport(), rim.at + (3 * rim.perTooth).toPoint());
+    QVERIFY(driver.document.mechanism() != before);
+    QTest::keyClick(&driver.view, Qt::Key_Escape);
+    QCOMPARE(*driver.document.mechanism(), *before);
+    QCOMPARE(driver.document.undoStack().index(), 0);
+    QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
+    // With the places, the module and the partner's teeth pinned nothing can follow.
+    std::vector<ElementId> pins{before->gearMeshes.front().id, before->gearMeshes.front().head};
+    for (const Axis& axis : before->axes) pins.emplace_back(axis.id);
+    driver.document.apply(
+        {"Pin", [pins](const PlacedMechanism& m) { return withAllPinned(m, pins, true); }, 0});
+    driver.wait();
+    const MechanismPtr pinned = driver.document.mechanism();
+    QSignalSpy refused(&driver.document, &Document::refused);
+    rim = driver.rim(gear);
+    QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
+    QTest::mouseMove(driver.view.viewport(), rim.at + (5 * rim.perTooth).toPoint());
+    QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
+    QCOMPARE(*driver.document.mechanism(), *pinned);
+    QVERIFY(refused.count() > 0);
   }
 
   void hoveringInAnotherViewLightsItUpHere() {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/presentation/drawing/planar.h"
+
+namespace geargraph::inline schematic {
+
+struct DrawnPart;
+struct SheetLayout;
+
+/// The pitch line of a toothed wheel on the sheet, on one side of its axis: what its teeth are dragged by.
+struct SheetRim {
+  LinkId link;
+  std::vector<MeshId> meshes;  ///< of that wheel, at least one
+  SheetPoint from;             ///< ends of the line, px
+  SheetPoint to;
+  SheetPoint out;     ///< unit vector away from the axis
+  double height = 0;  ///< px from the axis to the middle of the line, above 0
+  friend bool operator==(const SheetRim&, const SheetRim&) = default;
+};
+
+[[nodiscard]] std::vector<SheetRim> sheetRims(const DrawnPart& part, const SheetLayout& layout);
+
+/// The rim of one of these links that a place is on, the nearest one within `reach` px; null: none.
+[[nodiscard]] const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<LinkId>& links,
+                                      SheetPoint place, double reach);
+
+/// Tooth counts of the first mesh of a rim after a drag across the sheet.
+struct DraggedTeeth {
+  MeshId mesh;
+  int tailTeeth = 1;
+  int headTeeth = 1;
+  int teeth = 1;  ///< of the dragged wheel: as its height, in whole teeth
+  friend bool operator==(const DraggedTeeth&, const DraggedTeeth&) = default;
+};
+/// std::nullopt where the mechanism has no such mesh any more.
+[[nodiscard]] std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const SheetRim& rim,
+                                                       SheetPoint from, SheetPoint to);
+
+}  // namespace geargraph::inline schematic
