@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/states/state_edits.h"
 
 namespace geargraph::inline fixes {
@@ -11,9 +12,9 @@ std::vector<Fix> couplingFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   for (const ElementId& element : diagnostic.elements) {
     if (element.kind != ElementKind::coupling) continue;
     const CouplingId coupling(element.id);
-    fixes.push_back({"Release " + wordFor(mechanism, element), [coupling](const Mechanism& before) {
-                       return withCouplingEngaged(before, coupling, false);
-                     }});
+    fixes.push_back(
+        {translated("Release %1", {wordFor(mechanism, element)}),
+         [coupling](const Mechanism& before) { return withCouplingEngaged(before, coupling, false); }});
     if (diagnostic.code == Code::redundantCoupling) break;  // the others hold something
   }
   if (diagnostic.code == Code::redundantCoupling) return fixes;

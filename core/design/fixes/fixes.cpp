@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/edits.h"
 
 namespace geargraph::inline fixes {
@@ -21,6 +22,8 @@ std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& 
     case Code::redundantMesh:
     case Code::splitAxis:
       return meshFixes(diagnostic, snapshot);
+    case Code::interference:
+      return overlapFixes(diagnostic, snapshot);
     case Code::invalidInputs:
       return inputFixes(snapshot);
     case Code::redundantCoupling:
@@ -44,15 +47,16 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
   const std::string label = labelOf(mechanism, element).value_or(element.id.text());
   switch (element.kind) {
     case ElementKind::link:
-      return "link " + label;
+      return translated("link %1", {label});
     case ElementKind::turningJoint:
-      return "joint " + label;
+      return translated("joint %1", {label});
     case ElementKind::gearMesh:
-      return "mesh " + label;
+      return translated("mesh %1", {label});
     case ElementKind::coupling: {
       const Coupling* coupling = mechanism.find(CouplingId(element.id));
       const bool isBrake = coupling != nullptr && coupling->kind == CouplingKind::brake;
-      return (isBrake ? "brake " : "clutch ") + element.id.text();
+      return isBrake ? translated("brake %1", {element.id.text()})
+                     : translated("clutch %1", {element.id.text()});
     }
     default:
       return label;
@@ -60,7 +64,7 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
 }
 
 Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element, const std::string& why) {
-  return {"Delete " + wordFor(*snapshot.mechanism, element) + why,
+  return {translated("Delete %1", {wordFor(*snapshot.mechanism, element)}) + why,
           [element](const Mechanism& before) { return withoutElements(before, std::array{element}); }};
 }
 

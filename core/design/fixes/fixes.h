@@ -15,9 +15,9 @@ struct Fix {
   std::function<Expected<Mechanism>(const Mechanism&)> edit;
 };
 
-/// What would mend this finding of this snapshot (or of the teeth of its mechanism: assembly, undercut), the
-/// likeliest first, kMostFixes at most; empty where only a person can tell. Geometric fixes have been tried:
-/// none is offered that leaves the finding, or that the edits refuse.
+/// What would mend this finding of this snapshot (or of the train of its mechanism: assembly, undercut,
+/// overlaps in 3D), the likeliest first, kMostFixes at most; empty where only a person can tell. Geometric
+/// fixes have been tried: none is offered that leaves the finding, or that the edits refuse.
 ///
 /// Cost: near linear in n + t + c for each try; some dozen tries for teeth that do not fit together.
 [[nodiscard]] std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);

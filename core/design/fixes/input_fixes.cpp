@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/edits.h"
 
 namespace geargraph::inline fixes {
@@ -26,20 +28,17 @@ std::vector<Input> validInputs(const Mechanism& mechanism, const InputChoice& ch
 }
 
 std::string labels(const Mechanism& mechanism, const std::vector<int>& joints) {
-  std::string text;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (i > 0) text += i + 1 == joints.size() ? " and " : ", ";
-    text += std::to_string(mechanism.jointLabel(joints[i]));
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const int joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
+  return listed(names, kAllNames);
 }
 
 std::string textFor(const Mechanism& mechanism, const InputChoice& choice) {
   const std::string out = labels(mechanism, choice.rejected);
   const std::string in = labels(mechanism, choice.added);
-  if (choice.added.empty()) return "Stop driving " + out;
-  if (choice.rejected.empty()) return "Drive " + in + " too";
-  return "Exchange input " + out + " for " + in;
+  if (choice.added.empty()) return translated("Stop driving %1", {out});
+  if (choice.rejected.empty()) return translated("Drive %1 too", {in});
+  return translated("Exchange input %1 for %2", {out, in});
 }
 
 }  // namespace
@@ -54,8 +53,8 @@ std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot) {
     fixes.push_back({textFor(mechanism, matroid->choice),
                      [inputs](const Mechanism& before) { return withInputs(before, inputs); }});
   }
-  fixes.push_back(
-      {"Choose the inputs for me", [](const Mechanism& before) { return withInputs(before, std::nullopt); }});
+  fixes.push_back({translated("Choose the inputs for me"),
+                   [](const Mechanism& before) { return withInputs(before, std::nullopt); }});
   return fixes;
 }
 

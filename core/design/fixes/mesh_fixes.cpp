@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/placement/placement.h"
@@ -13,8 +14,9 @@ constexpr double kWhole = 1e-6;  // teeth: how far from a whole number decimals 
 
 std::string teethText(const Mechanism& mechanism, const GearMesh& mesh, int tail, int head) {
   const bool ofTail = tail != mesh.tailTeeth;
-  return "Use " + std::to_string(ofTail ? tail : head) + " teeth on gear " +
-         labelOf(mechanism, ofTail ? mesh.tail : mesh.head).value_or("");
+  return translated("Use %1 teeth on gear %2",
+                    {std::to_string(ofTail ? tail : head),
+                     labelOf(mechanism, ofTail ? mesh.tail : mesh.head).value_or("")});
 }
 
 /// What a wheel would have to have where the pitch point is: N_head = N_tail r_head / r_tail, and the other
@@ -50,12 +52,24 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
   }
 }
 
+const char* textForKind(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::external:
+      return toTranslate("Make %1 external");
+    case MeshKind::internal:
+      return toTranslate("Make %1 internal");
+    case MeshKind::bevel:
+      break;
+  }
+  return toTranslate("Make %1 bevel");
+}
+
 void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
   const std::string name = wordFor(mechanism, mesh.id);
   for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
     if (mesh.kind == kind || !mesh.kind) continue;
     fixes.push_back(
-        {"Make " + name + " " + std::string(meshKindName(kind)),
+        {filled(translated(textForKind(kind)), {name}),
          [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }});
   }
 }
@@ -72,15 +86,15 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   addKinds(mechanism, *mesh, fixes);
   if (mesh->pitchPoint) {
     fixes.push_back(
-        {"Let the pitch point follow from axes and teeth",
+        {translated("Let the pitch point follow from axes and teeth"),
          [id = mesh->id](const Mechanism& before) { return withPitchPoint(before, id, std::nullopt); }});
   }
   if (mesh->pitchPoint && mesh->kind) {
-    fixes.push_back(
-        {"Let pitch point and kind follow from the axes", [id = mesh->id](const Mechanism& before) {
-           Expected<Mechanism> next = withPitchPoint(before, id, std::nullopt);
-           return next ? withMeshKind(std::move(next).value(), id, std::nullopt) : next;
-         }});
+    fixes.push_back({translated("Let pitch point and kind follow from the axes"),
+                     [id = mesh->id](const Mechanism& before) {
+                       Expected<Mechanism> next = withPitchPoint(before, id, std::nullopt);
+                       return next ? withMeshKind(std::move(next).value(), id, std::nullopt) : next;
+                     }});
   }
   fixes = tried(std::move(fixes), mechanism, [&](const Mechanism& mended) {
     const Diagnostics left = placementOf(mended).diagnostics;
@@ -129,7 +143,7 @@ std::vector<Fix> axisFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   }
   if (groups.size() < 2) return {};
   groups.erase(groups.begin());
-  return {{"Give each its own axis",
+  return {{translated("Give each its own axis"),
            [axis, groups](const Mechanism& before) { return withAxisSplit(before, axis, groups); }}};
 }
 

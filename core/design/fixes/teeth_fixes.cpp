@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/edits.h"
 
@@ -96,11 +97,11 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
   if (!set) return {};
   const int count = static_cast<int>(set->planets.size());
   std::vector<Fix> fixes;
-  const auto offer = [&](int sun, int ring, const std::string& text) {
+  const auto offer = [&](int sun, int ring, bool isRing, const char* text) {
     const int planet = (ring - sun) / 2;
     if (sun < kFewestUsualTeeth || planet < kFewestUsualTeeth || (ring - sun) % 2 != 0) return;
     if ((sun + ring) % count != 0) return;
-    fixes.push_back({"Use " + text + " and " + std::to_string(planet) + " on the planets",
+    fixes.push_back({filled(translated(text), {std::to_string(isRing ? ring : sun), std::to_string(planet)}),
                      [set = *set, sun, planet, ring](const Mechanism& before) {
                        return withSetTeeth(before, set, sun, planet, ring);
                      }});
@@ -109,9 +110,10 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
     for (const int sign : {1, -1}) {
       if (change == 0 && sign < 0) continue;
       const int ring = set->ringTeeth + sign * change;
-      offer(set->sunTeeth, ring, std::to_string(ring) + " teeth on the ring");
+      offer(set->sunTeeth, ring, true, toTranslate("Use %1 teeth on the ring and %2 on the planets"));
       const int sun = set->sunTeeth + sign * change;
-      if (change > 0) offer(sun, set->ringTeeth, std::to_string(sun) + " teeth on the sun");
+      if (change > 0)
+        offer(sun, set->ringTeeth, false, toTranslate("Use %1 teeth on the sun and %2 on the planets"));
     }
   }
   if (fixes.size() > 2 * kMostFixes) fixes.resize(2 * kMostFixes);
@@ -123,9 +125,10 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
 std::vector<Fix> undercutFixes(const Mechanism& mechanism) {
   std::vector<Fix> fixes;
   for (int factor = 2; factor <= 4; ++factor) {
-    const char* const words[] = {"twice", "three times", "four times"};
-    fixes.push_back({"Use " + std::string(words[factor - 2]) + " the teeth everywhere",
-                     [factor](Mechanism before) -> Expected<Mechanism> {
+    constexpr const char* kTexts[] = {toTranslate("Use twice the teeth everywhere"),
+                                      toTranslate("Use three times the teeth everywhere"),
+                                      toTranslate("Use four times the teeth everywhere")};
+    fixes.push_back({translated(kTexts[factor - 2]), [factor](Mechanism before) -> Expected<Mechanism> {
                        const std::vector<GearMesh> meshes = before.gearMeshes;
                        for (const GearMesh& mesh : meshes) {
                          Expected<Mechanism> next = withTeeth(
@@ -165,9 +168,9 @@ void addAgreeingTeeth(const Mechanism& mechanism, const GearMesh& mesh, std::vec
       const Expected<Mechanism> mended = edit(mechanism);
       if (!mended || isLocked(*mended)) continue;
       const std::string gear = labelOf(mechanism, ofTail ? mesh.tail : mesh.head).value_or("");
-      fixes.push_back(
-          {"Use " + std::to_string(teeth) + " teeth on gear " + gear + " of " + wordFor(mechanism, mesh.id),
-           edit});
+      fixes.push_back({translated("Use %1 teeth on gear %2 of %3",
+                                  {std::to_string(teeth), gear, wordFor(mechanism, mesh.id)}),
+                       edit});
       break;
     }
   }

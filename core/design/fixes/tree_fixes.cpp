@@ -2,6 +2,7 @@
 #include <unordered_map>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/edits.h"
 
 namespace geargraph::inline fixes {
@@ -53,12 +54,13 @@ std::vector<Fix> connectionFixes(const Diagnostic& diagnostic, const AnalysisSna
   if (parts.size() > kMostNamed) names += ", ...";
   const bool one = parts.size() == 1;
   std::vector<Fix> fixes;
-  fixes.push_back({"Tie " + std::string(one ? "link " : "links ") + names + " to the ground",
+  fixes.push_back({one ? translated("Tie link %1 to the ground", {names})
+                       : translated("Tie links %1 to the ground", {names}),
                    [parts](const Mechanism& before) { return withLinksTied(before, parts); }});
   const std::vector<ElementId> loose = diagnostic.elements;
-  fixes.push_back(
-      {loose.size() == 1 ? "Delete " + wordFor(mechanism, loose.front()) : "Delete the loose links",
-       [loose](const Mechanism& before) { return withoutElements(before, loose); }});
+  fixes.push_back({loose.size() == 1 ? translated("Delete %1", {wordFor(mechanism, loose.front())})
+                                     : translated("Delete the loose links"),
+                   [loose](const Mechanism& before) { return withoutElements(before, loose); }});
   return fixes;
 }
 
@@ -75,8 +77,9 @@ std::vector<Fix> loopFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
         std::count_if(diagnostic.elements.begin(), diagnostic.elements.end(),
                       [&](const ElementId& other) { return axisOf(other) == axisOf(joint); });
     const bool second = sharers > 1;
-    Fix fix = removalOf(snapshot, joint,
-                        second ? ", a second bearing on axis " + axisOf(joint).text() : std::string());
+    Fix fix = removalOf(
+        snapshot, joint,
+        second ? translated(", a second bearing on axis %1", {axisOf(joint).text()}) : std::string());
     (i == 0 || second ? fixes : others).push_back(std::move(fix));
   }
   std::move(others.begin(), others.end(), std::back_inserter(fixes));

@@ -2,9 +2,11 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "core/design/collision/motion_findings.h"
+#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
 #include "tests/core/support/deep_train.h"
@@ -72,6 +74,41 @@ class WindowProblemsTest : public QObject {
     QTest::keyClick(&window->digraph(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(now().get(), broken.get());
     QTRY_COMPARE(codes(), QStringList{"teeth-geometry"});
+  }
+
+  /// Bevels on the other side of their apex: links get into each other's way, and an offset clears them.
+  void anOverlapIn3DIsClearedByItsButton() {
+    const auto overlaps = [this] {  // in the reference pose
+      QStringList all;
+      const QAbstractItemModel& model = window->problems().model();
+      for (int row = 0; row < model.rowCount(); ++row) all << model.index(row, 0).data().toString();
+      return all.filter(QRegularExpression(QStringLiteral("overlap (in 3D|and do not mesh)"))).size();
+    };
+    int cleared = 0;
+    for (const char* mesh : {"15", "16", "17", "18"}) {
+      for (const bool ofTail : {true, false}) {
+        const int steps = window->document().undoStack().index();
+        change([mesh, ofTail](const PlacedMechanism& before) {
+          return withBevelSideFlipped(before, MeshId(mesh), ofTail);
+        });
+        const auto before = overlaps();
+        QPushButton* move = nullptr;
+        for (auto* button : window->problems().findChildren<QPushButton*>("fix")) {
+          if (button->isVisible() && button->text().startsWith(QStringLiteral("Move joint "))) move = button;
+        }
+        if (move != nullptr) {
+          const QString text = move->text();
+          QTest::mouseClick(move, Qt::LeftButton);
+          QTRY_VERIFY(window->isSettled());
+          QTRY_VERIFY2(overlaps() < before, qPrintable(text));
+          QCOMPARE(window->document().undoStack().undoText(), text);
+          ++cleared;
+        }
+        while (window->document().undoStack().index() > steps) window->document().undoStack().undo();
+        QTRY_VERIFY(window->isSettled());
+      }
+    }
+    QVERIFY(cleared > 0);
   }
 
   /// A load that nothing holds, with the motion by name; gone with the load.

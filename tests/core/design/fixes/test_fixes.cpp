@@ -4,6 +4,7 @@
 
 #include "core/design/fixes/fixes.h"
 #include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
@@ -293,6 +294,32 @@ class FixesTest : public QObject {
     QCOMPARE(QString::fromStdString(fixes.front().text), QString("Delete brake B"));
     snapshot = analyze(std::make_shared<const Mechanism>(fixes.front().edit(arm).value()));
     QVERIFY(!finding(Code::turningLoop));
+  }
+
+  /// Bevels of the robot on the other side of their apex: links cross each other's way.
+  void overlapsAreClearedAlongAnAxis() {
+    Mechanism robot = test::example("robot");
+    int provoked = 0;
+    for (std::size_t first = 0; first < robot.gearMeshes.size(); ++first) {
+      for (const bool ofTail : {true, false}) {
+        const Expected<PlacedMechanism> flipped =
+            withBevelSideFlipped(robot, robot.gearMeshes[first].id, ofTail);
+        if (!flipped) continue;
+        provoke(flipped->mechanism());
+        const auto found = finding(Code::interference);
+        if (!found) continue;
+        const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
+        if (fixes.empty()) continue;
+        const QString text = QString::fromStdString(fixes.front().text);
+        QVERIFY2(text.startsWith(QStringLiteral("Move joint ")) && text.endsWith(QStringLiteral(" mm")),
+                 qPrintable(text));
+        ++provoked;
+        const Mechanism mended = fixes.front().edit(*snapshot->mechanism).value();
+        for (const Diagnostic& left : trainDiagnostics(mended, placementOf(mended)))
+          QVERIFY(left.elements != found->elements || left.detail != found->detail);
+      }
+    }
+    QVERIFY(provoked > 0);
   }
 
   void whatOnlyAPersonCanTellHasNoFix() {
