@@ -335,7 +335,7 @@ class TestCli : public QObject {
   void folders_areNotOverwrittenUnlessForced() {
     const QStringList words = {"export", kRobot, "--to", "csv", "--all", "-o", path("out")};
     QCOMPARE(run(words).status, 0);
-    QCOMPARE(QDir(path("out")).entryList(QDir::Files | QDir::Hidden).size(), 11);
+    QCOMPARE(QDir(path("out")).entryList(QDir::Files | QDir::Hidden).size(), 13);
     QVERIFY(!writeFile(path("out/path.csv").toStdString(), "mine"));
     QDir(path("out")).remove("incidence.csv");
     const Run refused = run(words);

@@ -14,6 +14,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
 #include "core/teaching/derivation/matrix_text.h"
 #include "ui/models/term_tips.h"
@@ -109,14 +110,14 @@ QWidget* MatricesPanel::makeBar() {
   layout->setSpacing(4);
   m_chips = new QButtonGroup(this);
   for (const MatrixKind kind : allMatrixKinds()) {
-    const bool isCutset = kind == MatrixKind::cutset;  // not in the paper; its parts stand on the card
-    addChip(layout, isCutset ? QStringLiteral("Q") : shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')),
+    addChip(layout, shownText(matrixSymbol(kind)).section(QLatin1Char('='), 0, 0).trimmed(),
             shownText(matrixCommandName(kind)), termOf(kind), static_cast<int>(kind));
   }
   for (const QuantityKind kind : allQuantityKinds()) {
     addChip(layout, shownText(quantitySymbol(kind)), shownText(quantityCommandName(kind)), termOf(kind),
             kFirstQuantity + static_cast<int>(kind));
   }
+  connect(m_chips, &QButtonGroup::idToggled, this, &MatricesPanel::nameChip);
   m_chips->button(static_cast<int>(m_model->kind()))->setChecked(true);
   connect(m_chips, &QButtonGroup::idClicked, this, [this](int id) {
     if (id < kFirstQuantity) return showMatrix(static_cast<MatrixKind>(id));
@@ -162,7 +163,10 @@ QToolButton* MatricesPanel::makeCopyButton() {
   for (const Format& format : formats) {
     menu->addAction(format.name, this, [this, format] {
       if (const QuantityTablePtr table = m_model->quantity()) {
-        copy([table, write = format.quantity] { return write(*table); });
+        copy([table, write = format.quantity] {
+          const InEnglish english;  // for other programs
+          return write(*table);
+        });
       } else if (const IntegerMatrixPtr matrix = m_model->matrix()) {
         copy([matrix, write = format.matrix] { return write(*matrix); });
       }
@@ -195,6 +199,15 @@ void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString&
   chip->setProperty("look", "chip");
   m_chips->addButton(chip, id);
   layout->addWidget(chip);
+}
+
+/// The chosen one has room to tell its parts, "C=[T|U]".
+void MatricesPanel::nameChip(int id, bool isChosen) {
+  if (id >= kFirstQuantity) return;
+  const auto kind = static_cast<MatrixKind>(id);
+  const QString symbol = shownText(matrixSymbol(kind)).remove(QLatin1Char(' '));
+  const bool hasParts = isChosen && kind != MatrixKind::cutset;  // not in the paper; the card tells them
+  m_chips->button(id)->setText(hasParts ? symbol : symbol.section(QLatin1Char('='), 0, 0));
 }
 
 QToolButton* MatricesPanel::makeFormButton() {
@@ -292,11 +305,13 @@ void MatricesPanel::renew() {
 }
 
 void MatricesPanel::renewForm() {
-  m_form->setVisible(m_model->quantityKind().has_value());
+  const auto kind = m_model->quantityKind();
+  const bool isOfNumbers = kind && *kind != QuantityKind::ttCircuits && *kind != QuantityKind::ttCutsets;
+  m_form->setVisible(isOfNumbers);  // of whole numbers there is one form
   if (!m_model->quantity()) return m_form->setEnabled(false);
   m_form->setEnabled(true);
   m_form->setText(formName(m_model->quantity()->form()) + QStringLiteral(" ▾"));
-  const std::vector<EntryForm> forms = formsOf(*m_model->snapshot(), *m_model->quantityKind());
+  const std::vector<EntryForm> forms = formsOf(*m_model->snapshot(), *kind);
   for (QAction* action : m_form->menu()->actions()) {
     const auto form = static_cast<EntryForm>(action->data().toInt());
     action->setEnabled(std::find(forms.begin(), forms.end(), form) != forms.end());
@@ -308,6 +323,9 @@ QString MatricesPanel::whyNoQuantity() const {
   for (const Diagnostic& diagnostic : snapshot->diagnostics) {
     if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
   }
+  const auto kind = m_model->quantityKind();
+  if (kind == QuantityKind::ttCircuits || kind == QuantityKind::ttCutsets)
+    return tr("A mesh has no carrier in the T–T graph, or its kind is not known.");
   return tr("The equations are too many to be written out.");
 }
 

@@ -56,6 +56,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
  private:
   QWidget* makeBar();
   void addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id);
+  void nameChip(int id, bool isChosen);
   QToolButton* makeCopyButton();
   void copy(std::function<std::string()> write);
   QToolButton* makeFormButton();

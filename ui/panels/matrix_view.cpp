@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kRowsMeasured = 200;  // for the widths of columns
 constexpr int kColumnsMeasured = 60;
+constexpr int kHeadingGap = 8;  // between the names of two columns
 constexpr int kPillMargin = 7;
 
 /// The width of an entry's text, and drawing it where there is a painter.
@@ -197,6 +198,13 @@ std::vector<int> MatrixView::widthsOfQuantity() const {
   const int rows = std::min(m_model->rowCount(), kRowsMeasured);
   const int columns = std::min(m_model->columnCount(), kColumnsMeasured);
   std::vector<int> widths(static_cast<std::size_t>(columns), kNarrowest + 5);
+  // Chords of the T-T graph have long names: 72''''.
+  const QFontMetrics metrics(horizontalHeader()->font());
+  for (int column = 0; column < columns; ++column) {
+    const QString name = m_model->headerData(column, Qt::Horizontal).toString();
+    int& width = widths[static_cast<std::size_t>(column)];
+    width = std::max(width, metrics.horizontalAdvance(name) + kHeadingGap);
+  }
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const QModelIndex index = m_model->index(row, column);
@@ -255,8 +263,26 @@ void MatrixView::placeFrame() {
       m_framedRow = rowOf(m_framedJoint);
     }
     if (m_framedRow < 0 || m_framedColumn < 0) m_framedRow = m_framedColumn = -1;
+    frameTheChordThatCounts();
   }
   viewport()->update();
+}
+
+/// A mesh has two chords in the T-T graph, one after the other; a joint is in the circuit of one at most.
+void MatrixView::frameTheChordThatCounts() {
+  if (m_framedRow < 0) return;
+  const auto isZero = [this] {
+    return m_model->index(m_framedRow, m_framedColumn).data(MatrixModel::ValueRole).toInt() == 0;
+  };
+  if (!isZero()) return;
+  const bool byRows = m_model->rowElement(m_framedRow) == m_framedMesh;
+  int& place = byRows ? m_framedRow : m_framedColumn;
+  const int count = byRows ? m_model->rowCount() : m_model->columnCount();
+  if (place + 1 >= count) return;
+  const ElementId next = byRows ? m_model->rowElement(place + 1) : m_model->columnElement(place + 1);
+  if (next != m_framedMesh) return;
+  ++place;
+  if (isZero()) --place;
 }
 
 bool MatrixView::showFramed() {

@@ -69,6 +69,7 @@ class MatrixView : public QTableView {
   void hoverCell(const QModelIndex& index);
   void tellCycle(int row);
   void placeFrame();
+  void frameTheChordThatCounts();
   void repaintLit();
 
   MatrixModel* m_model;

@@ -158,9 +158,11 @@ std::string_view pictureOf(Term term) {
     case Term::transferVertex:
       return "ttgraph/robot/link.1";
     case Term::chord:
+    case Term::ttCutsetMatrix:
     case Term::terminalEquation:
       return "ttgraph/robot/mesh.16";
     case Term::fundamentalCircuit:
+    case Term::ttCircuitMatrix:
       return "ttgraph/robot/cycle.16";
   }
   GEARGRAPH_REQUIRE(false);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/matrix_csv.h"
 #include "core/teaching/derivation/quantity_table.h"
 
@@ -35,8 +36,15 @@ void writeQuantity(ByteSink& sink, const CsvOptions& options, const QuantityTabl
 }
 
 std::string_view needsOf(QuantityKind kind) {
-  return kind == QuantityKind::solution ? "a mechanism without errors, and at most 250,000 entries"
-                                        : "a geometry of every mesh";
+  switch (kind) {
+    case QuantityKind::solution:
+      return toTranslate("a mechanism without errors, and at most 250,000 entries");
+    case QuantityKind::ttCircuits:
+    case QuantityKind::ttCutsets:
+      return toTranslate("a carrier and a sign of every mesh");
+    default:
+      return toTranslate("a geometry of every mesh");
+  }
 }
 
 constexpr std::string_view kStaticsMatrix = "statics";
@@ -81,13 +89,16 @@ void writeCutsets(ByteSink& sink, const CsvOptions& options, const AnalysisSnaps
 void addStaticsTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics,
                       std::vector<CsvTable>& tables) {
   CsvTable& matrix = tables.emplace_back(
-      CsvTable{kStaticsMatrix, "balances in joints that hold all loads, and at most 250,000 entries", {}});
+      CsvTable{kStaticsMatrix,
+               toTranslate("balances in joints that hold all loads, and at most 250,000 entries"),
+               {}});
   matrix.ofLoads = true;
   if (statics && statics->report && statics->report->matrix)
     matrix.write = [statics](ByteSink& sink, const CsvOptions& options) {
       writeTorqueMatrix(sink, options, *statics->snapshot->mechanism, *statics->report);
     };
-  CsvTable& cutsets = tables.emplace_back(CsvTable{kCutsetEquations, "a geometry of every mesh", {}});
+  CsvTable& cutsets =
+      tables.emplace_back(CsvTable{kCutsetEquations, toTranslate("a geometry of every mesh"), {}});
   if (snapshot->matroid() != nullptr)
     cutsets.write = [snapshot](ByteSink& sink, const CsvOptions& options) {
       writeCutsets(sink, options, *snapshot);
@@ -95,8 +106,8 @@ void addStaticsTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& stati
   const bool isHeld = statics && statics->report && statics->report->isSolved &&
                       statics->report->lossless.isBalanced() && statics->report->problem.hasLoads();
   for (const ForceTableKind kind : allForceTableKinds()) {
-    CsvTable& table =
-        tables.emplace_back(CsvTable{forceTableCommandName(kind), "loads, and balances that hold them", {}});
+    CsvTable& table = tables.emplace_back(
+        CsvTable{forceTableCommandName(kind), toTranslate("loads, and balances that hold them"), {}});
     table.ofLoads = true;
     if (!isHeld) continue;
     table.write = [statics, kind](ByteSink& sink, const CsvOptions& options) {
@@ -107,8 +118,8 @@ void addStaticsTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& stati
                     options);
     };
   }
-  CsvTable& shift =
-      tables.emplace_back(CsvTable{forceTableCommandName(ForceTableKind::states), "states of a gearbox", {}});
+  CsvTable& shift = tables.emplace_back(
+      CsvTable{forceTableCommandName(ForceTableKind::states), toTranslate("states of a gearbox"), {}});
   shift.ofLoads = true;
   if (statics && !statics->states.empty())
     shift.write = [statics](ByteSink& sink, const CsvOptions& options) {
@@ -132,7 +143,8 @@ bool isOfAllStates(std::string_view name) {
 std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics) {
   std::vector<CsvTable> tables;
   for (const MatrixKind kind : allMatrixKinds()) {
-    CsvTable& table = tables.emplace_back(CsvTable{matrixCommandName(kind), "a spanning tree", {}});
+    CsvTable& table =
+        tables.emplace_back(CsvTable{matrixCommandName(kind), toTranslate("a spanning tree"), {}});
     if (const IntegerMatrixPtr matrix = snapshot->matrix(kind)) {
       table.write = [matrix](ByteSink& sink, const CsvOptions& options) {
         writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix, options);

@@ -151,6 +151,17 @@ const std::vector<Definition>& glossary() {
        toTranslate("A chord and the branches between its two ends: the velocity of the chord is the sum of "
                    "theirs, with signs by their direction. Eqs. (31) to (38) are the paper's."),
        31},
+      {Term::ttCircuitMatrix, "B = [Bₜ | U]", toTranslate("f-circuit matrix of the T–T graph"),
+       toTranslate(
+           "A row for each f-circuit of the T–T graph: 1 for its own chord; a branch that counts with "
+           "plus in the chord's velocity is −1, one that counts with minus is 1. Engaged couplings "
+           "are chords, too. B ω = 0 holds for every motion."),
+       31},
+      {Term::ttCutsetMatrix, "Q′ = [U | −Bₜᵀ]", toTranslate("f-cutset matrix of the T–T graph"),
+       toTranslate("A row for each branch of the T–T graph: 1 for its own torque, and the chords that cross "
+                   "the cut, with minus their entries in the f-circuits. Its rows are the equations of the "
+                   "T–T graph's statics, and B Q′ᵀ = 0."),
+       0},
   };
   return definitions;
 }
@@ -187,6 +198,10 @@ Term termOf(QuantityKind kind) {
       return Term::coefficientMatrix;
     case QuantityKind::solution:
       return Term::solution;
+    case QuantityKind::ttCircuits:
+      return Term::ttCircuitMatrix;
+    case QuantityKind::ttCutsets:
+      return Term::ttCutsetMatrix;
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -51,6 +51,8 @@ enum class Term {
   chord,
   terminalEquation,
   fundamentalCircuit,
+  ttCircuitMatrix,
+  ttCutsetMatrix,
 };
 
 struct Definition {

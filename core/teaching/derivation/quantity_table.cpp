@@ -4,33 +4,38 @@
 #include <charconv>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/quantity_tables.h"
 
 namespace geargraph::inline derivation {
 
 const std::vector<QuantityKind>& allQuantityKinds() {
   static const std::vector<QuantityKind> kinds = {QuantityKind::screws, QuantityKind::coefficients,
-                                                  QuantityKind::solution};
+                                                  QuantityKind::solution, QuantityKind::ttCircuits,
+                                                  QuantityKind::ttCutsets};
   return kinds;
 }
 
 std::string_view quantitySymbol(QuantityKind kind) {
-  constexpr std::array<std::string_view, 3> kSymbols = {"û", "P", "θ̇"};
+  constexpr std::array<std::string_view, 5> kSymbols = {"û", "P", "θ̇", "B", "Q′"};
   return kSymbols.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view quantityTitle(QuantityKind kind) {
-  constexpr std::array<std::string_view, 3> kTitles = {"Screws", "Coefficient matrix", "Solution"};
+  constexpr std::array<std::string_view, 5> kTitles = {
+      toTranslate("Screws"), toTranslate("Coefficient matrix"), toTranslate("Solution"),
+      toTranslate("T-T circuit matrix"), toTranslate("T-T cutset matrix")};
   return kTitles.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view quantityCommandName(QuantityKind kind) {
-  constexpr std::array<std::string_view, 3> kNames = {"screw", "p", "solution"};
+  constexpr std::array<std::string_view, 5> kNames = {"screw", "p", "solution", "tt-circuits", "tt-cutsets"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view quantityAsciiName(QuantityKind kind) {
-  constexpr std::array<std::string_view, 3> kNames = {"U", "P", "S"};
+  constexpr std::array<std::string_view, 5> kNames = {"U", "P", "S", "B", "Qtt"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -61,6 +66,10 @@ std::vector<EntryForm> formsOf(const AnalysisSnapshot& snapshot, QuantityKind ki
       }
       return forms;
     }
+    case QuantityKind::ttCircuits:
+    case QuantityKind::ttCutsets:
+      if (!snapshot.kinematics->ttGraph || !snapshot.kinematics->ttGraph->isComplete()) return {};
+      return {EntryForm::fractions};
   }
   GEARGRAPH_REQUIRE(false);
 }
@@ -75,6 +84,10 @@ QuantityTablePtr quantityTable(const SnapshotPtr& snapshot, QuantityKind kind, E
       return coefficientTable(snapshot, form);
     case QuantityKind::solution:
       return solutionTable(snapshot, form);
+    case QuantityKind::ttCircuits:
+      return ttCircuitTable(snapshot);
+    case QuantityKind::ttCutsets:
+      return ttCutsetTable(snapshot);
   }
   GEARGRAPH_REQUIRE(false);
 }
@@ -97,7 +110,7 @@ std::string shortDecimal(double value) {
 
 QuantityEntry decimalEntry(int column, double value) {
   const std::string text = shortDecimal(value);
-  return {column, text, text, value, false};
+  return {column, text, spokenTexNumber(text), value, false};
 }
 
 QuantityEntry fractionEntry(int column, const Rational& value) {
@@ -106,7 +119,7 @@ QuantityEntry fractionEntry(int column, const Rational& value) {
 
 QuantityEntry irrationalEntry(int column, double value) {
   const std::string text = shortDecimal(value);
-  return {column, "≈ " + text, "\\approx " + text, value, false};
+  return {column, "≈ " + text, "\\approx " + spokenTexNumber(text), value, false};
 }
 
 }  // namespace geargraph::inline derivation

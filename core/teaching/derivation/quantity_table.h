@@ -17,21 +17,24 @@ struct CsvOptions;
 
 namespace geargraph::inline derivation {
 
-/// What the matroid method computes beside the matrices of whole numbers.
+/// What either method computes beside the matrices of the digraph.
 enum class QuantityKind {
   screws,        ///< û of every joint of every cycle [AU, Eqs. (6)-(12)]
   coefficients,  ///< P [AU, Eqs. (17)-(20), (24)]
   solution,      ///< the outputs over the inputs [AU, Eqs. (22), (23), (25)]
+  ttCircuits,    ///< B = [B_t | U], the f-circuits of the T-T graph [AU, Eqs. (31)-(38)]
+  ttCutsets,     ///< Q' = [U | -B_t^T], its f-cutsets: the equations of its statics
 };
 
 /// In which numbers a quantity is told.
 enum class EntryForm { decimals, fractions, symbols };
 
 [[nodiscard]] const std::vector<QuantityKind>& allQuantityKinds();
-[[nodiscard]] std::string_view quantitySymbol(QuantityKind kind);  ///< "û", "P", "θ̇"
+[[nodiscard]] std::string_view quantitySymbol(QuantityKind kind);  ///< "û", "P", "θ̇", "B", "Q′"
 [[nodiscard]] std::string_view quantityTitle(QuantityKind kind);
-[[nodiscard]] std::string_view quantityCommandName(QuantityKind kind);  ///< "screw", "p", "solution"
-[[nodiscard]] std::string_view quantityAsciiName(QuantityKind kind);    ///< "U", "P", "S": for programs
+[[nodiscard]] std::string_view quantityCommandName(
+    QuantityKind kind);  ///< "screw", "p", "solution", "tt-circuits", "tt-cutsets"
+[[nodiscard]] std::string_view quantityAsciiName(QuantityKind kind);  ///< "U", "P", "S": for programs
 
 /// One entry that is not 0.
 struct QuantityEntry {

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline derivation {
 
-// The three tables of quantity_table.h. @pre formsOf() names the form
+// The tables of quantity_table.h. @pre formsOf() names the form
 
 /// A row for each joint of each cycle, "C16 12"; columns L M N of its direction, P Q R of its moment about
 /// the pitch point, the parts divided.
@@ -16,6 +16,14 @@ namespace geargraph::inline derivation {
 
 /// A row for each output, a column for each input, as Eqs. (23) and (25).
 [[nodiscard]] QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form);
+
+/// The f-circuits of the T-T graph, B = [B_t | U]: a row for each chord; columns: branches, chords. Whole
+/// numbers, told as fractions.
+[[nodiscard]] QuantityTablePtr ttCircuitTable(SnapshotPtr snapshot);
+
+/// The f-cutsets of the T-T graph, Q' = [U | -B_t^T], the rows of the T-T graph's statics: a row for each
+/// branch, columns as those of the circuits.
+[[nodiscard]] QuantityTablePtr ttCutsetTable(SnapshotPtr snapshot);
 
 [[nodiscard]] QuantityEntry decimalEntry(int column, double value);
 [[nodiscard]] QuantityEntry fractionEntry(int column, const Rational& value);

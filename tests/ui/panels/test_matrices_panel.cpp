@@ -87,6 +87,15 @@ class MatricesPanelTest : public QObject {
     QVERIFY(view().showFramed());
     QCOMPARE(view().currentIndex(), panel->model().index(2, 8));
     QVERIFY2(!cardTitle().isEmpty() && cardTitle().contains(QLatin1String("16")), qPrintable(cardTitle()));
+    // In the T-T graph mesh 16 has two chords; joint 10 is in the circuit of the first, its tail gear's.
+    panel->showQuantity(QuantityKind::ttCutsets);
+    QVERIFY(framed() == Cells({{2, 9}}));
+    panel->showQuantity(QuantityKind::ttCircuits);
+    QVERIFY(framed() == Cells({{2, 2}}));
+    view().setFramed(MeshId("16"), JointId("12"));  // in that of the second, its head gear's
+    QVERIFY(framed() == Cells({{3, 4}}));
+    panel->showQuantity(QuantityKind::ttCutsets);
+    QVERIFY(framed() == Cells({{4, 10}}));
     panel->showMatrix(MatrixKind::path);  // of joints and links
     QVERIFY(framed().empty() && !view().showFramed());
     panel->showMatrix(MatrixKind::cycleBasis);
@@ -125,6 +134,29 @@ class MatricesPanelTest : public QObject {
   void aClickSelectsRowAndColumn() {
     QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, centre(0, 2));
     QCOMPARE(selection.selected(), (std::set<ElementId>{MeshId("15"), JointId("10")}));
+  }
+
+  /// The f-circuits and f-cutsets of the T-T graph: linked, told, exported; whole numbers need no form.
+  void theMatricesOfTheTtGraph() {
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("chip.tt-cutsets")), Qt::LeftButton);
+    QVERIFY(panel->model().quantityKind() == QuantityKind::ttCutsets);
+    QCOMPARE(panel->model().rowCount(), 7);
+    QCOMPARE(panel->model().columnCount(), 15);
+    QCOMPARE(panel->model().partition(), 7);
+    QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("entryForm"))->isHidden());
+    QCOMPARE(cardTitle(), QStringLiteral("f-cutset matrix of the T–T graph"));
+    selection.select({ElementId(MeshId("16"))});
+    QVERIFY(view().isColumnLit(9) && view().isColumnLit(10) && !view().isColumnLit(8));
+    selection.clear();
+    QSignalSpy wanted(panel.get(), &MatricesPanel::quantityExportWanted);
+    panel->wantExport();
+    QCOMPARE(wanted.size(), 1);
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("chip.tt-circuits")), Qt::LeftButton);
+    QVERIFY(panel->model().quantityKind() == QuantityKind::ttCircuits);
+    QCOMPARE(panel->model().rowCount(), 8);
+    panel->showQuantity(QuantityKind::coefficients);
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("entryForm"))->isHidden());
+    panel->showMatrix(MatrixKind::cycleBasis);
   }
 
   void chipsChangeTheMatrix() {

@@ -109,6 +109,51 @@ class QuantityTableTest : public QObject {
     }
   }
 
+  /// Columns are the branches, then the two chords of each mesh, named as the T-T graph's equations name
+  /// them.
+  void circuitsAndCutsetsOfTheTtGraph() {
+    const QuantityTablePtr b = table(QuantityKind::ttCircuits, EntryForm::fractions);
+    QStringList heads;
+    for (int j = 0; j < b->columns(); ++j) heads << QString::fromStdString(b->columnHeading(j).text);
+    QCOMPARE(heads.join(' '), QString("8 9 10 11 12 13 14 40' 10' 51'' 21'' 62''' 72''' 72'''' 32''''"));
+    QCOMPARE(b->partition(), std::optional<int>(7));
+    QCOMPARE(lines(*b).at(2), QString("51'' | 0 -1 1 0 0 0 0 0 0 1 0 0 0 0 0"));
+    const QuantityTablePtr q = table(QuantityKind::ttCutsets, EntryForm::fractions);
+    QCOMPARE(lines(*q).at(2), QString("10 | 0 0 1 0 0 0 0 0 1 -1 0 0 0 0 0"));  // M_10 + M'_10 - M''_51 = 0
+    QVERIFY(q->columnHeading(9).element == ElementId(MeshId("16")));
+    QCOMPARE(q->elementsOfRow(2), (std::set<ElementId>{JointId("10"), MeshId("15"), MeshId("16")}));
+    QCOMPARE(b->elementsOfRow(2), (std::set<ElementId>{JointId("9"), JointId("10"), MeshId("16")}));
+    QCOMPARE(explained(*q, 2, 9),
+             QString("f-cutset of joint 10, 51'': −1 | The torque of the chord 51'' from gear 5 to carrier 1 "
+                     "acts across the cut, against the sense of joint 10: minus its entry in the f-circuit. "
+                     "Not in the paper."));
+    QVERIFY(explained(*q, 2, 7).contains("Both ends of the chord 40' from gear 4 to carrier 0"));
+    QVERIFY(explained(*b, 2, 1).contains("joint 9 counts with plus. On one side with the chord it is −1."));
+    QVERIFY(explained(*b, 2, 0).contains("Joint 8 is not between the ends of the chord 51''"));
+    QVERIFY(quantityTable(full, QuantityKind::ttCutsets, EntryForm::decimals) == nullptr);  // whole numbers
+    QVERIFY(quantityCsv(*q).starts_with("Qtt,8,9,10,11,12,13,14,40',10',51'',"));
+    QVERIFY(quantityLatex(*q).starts_with("\\begin{array}{c|rrrrrrr|rrrrrrrr}"));
+  }
+
+  void anEngagedCouplingIsAChord() {
+    Mechanism simpson = test::example("simpson");
+    simpson.engaged = simpson.states.front().engaged;
+    const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(std::move(simpson)));
+    const QuantityTablePtr q = quantityTable(snapshot, QuantityKind::ttCutsets, EntryForm::fractions);
+    QVERIFY(q != nullptr);
+    const int last = q->columns() - 1;
+    const ElementId coupling(snapshot->mechanism->engaged.back());
+    QVERIFY(q->columnHeading(last).element == coupling);
+    int crossing = 0;
+    for (int row = 0; row < q->rows(); ++row) {
+      if (!q->entry(row, last)) continue;
+      ++crossing;
+      QVERIFY(q->elementsOfRow(row).contains(coupling));
+      QVERIFY(explained(*q, row, last).contains("the chord of coupling"));
+    }
+    QVERIFY(crossing > 0);
+  }
+
   void cellsTellTheirRule() {
     const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
     QCOMPARE(
