@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
 #include "core/presentation/power_drawing/sheet_obstacles.h"
 
@@ -55,7 +57,7 @@ Polyline arrowOf(SheetPoint base, SheetPoint tip, double halfWidth) {
 std::string decimal(const char* format, double value) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
+  return spokenNumber(buffer.data());
 }
 
 std::string percentText(double part) {
@@ -184,9 +186,10 @@ bool BandPainter::place(const ElementId& element, SheetPoint at, SheetPoint way,
   return false;
 }
 
-/// Beside its longest straight piece first.
+/// Beside its longest straight piece first. Of an element whose part is unknown one band has the label.
 void BandPainter::label(const Band& band) {
-  if (!band.isKnown || !band.hasLabel || band.power < kLeastShown * m_largest) return;
+  if (!band.hasLabel) return;
+  if (band.isKnown ? band.power < kLeastShown * m_largest : !m_marked.insert(band.element).second) return;
   struct Piece {
     SheetPoint from;
     SheetPoint to;
@@ -196,15 +199,15 @@ void BandPainter::label(const Band& band) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return distance(a.from, a.to) > distance(b.from, b.to) + 1e-6;
   });
-  const std::string part = m_picture.fed > 0 ? percentText(band.power / m_picture.fed) : std::string();
-  const double gap = widthOf(band.power) / 2 + 4;
+  const bool hasPart = band.isKnown && m_picture.fed > 0;
+  const std::string part = hasPart ? percentText(band.power / m_picture.fed) : std::string();
+  const std::string value = band.isKnown ? powerText(band.power) + (band.isAssumed ? "*" : "") : "? W";
+  const double gap = (band.isKnown ? widthOf(band.power) : kHairline) / 2 + 4;
   constexpr std::size_t kMostPieces = 14;
   for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i) {
     const SheetPoint way = unit(pieces[i].to - pieces[i].from);
     for (const double t : {0.5, 0.3, 0.7, 0.15, 0.85})
-      if (place(band.element, between(pieces[i].from, pieces[i].to, t), way, gap, powerText(band.power),
-                part))
-        return;
+      if (place(band.element, between(pieces[i].from, pieces[i].to, t), way, gap, value, part)) return;
   }
 }
 
@@ -220,7 +223,7 @@ bool BandPainter::tryStub(const LossStub& stub, SheetPoint way, double length) {
   constexpr double kHead = 7;
   const SheetPoint from = stub.at + 8 * way;
   const SheetPoint to = from + length * way;
-  const std::string text = powerText(stub.power) + " lost";
+  const std::string text = translated("%1 lost", {powerText(stub.power)});
   const double halfWidth = textWidth(text, kLabelSize - 1, false) / 2;
   // The text begins where the arrow ends.
   const double reach =
@@ -239,39 +242,43 @@ bool BandPainter::tryStub(const LossStub& stub, SheetPoint way, double length) {
   return true;
 }
 
-/// Above the drawing: the scale, who sees these powers, and what circulates.
+/// Above the drawing: the scale, who sees these powers, what the marks mean, and what circulates.
 void BandPainter::drawLegend() {
   const Extent all = m_drawn.united(extentOf(m_list));
   double line = all.top() - 16;
   const double left = all.left();
-  const auto words = [&](const std::string& text, double from, bool bold, const Tint& tint) {
+  const auto write = [&](const std::string& text, double from, bool bold, const Tint& tint) {
     const double width = textWidth(text, kLabelSize, bold);
     put({}, Text{text, {from + width / 2, line}, kLabelSize, bold, tint}, kBandDepth + 2);
     return from + width;
   };
+  if (std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return b.isAssumed; })) {
+    write(translated("* shared by equal stiffness: an assumption"), left, false, ColorRole::secondary);
+    line -= 18;
+  }
+  if (std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return !b.isKnown; })) {
+    put({}, Stroke{Polyline{{{left, line}, {left + 26, line}}, false}, ColorRole::secondary, kHairline,
+                   Dash::dashed});
+    write(translated("? W: shared in unknown parts, not determined"), left + 34, false, ColorRole::secondary);
+    line -= 18;
+  }
   for (std::size_t i = std::min(m_picture.loops.size(), kMostLoopsNamed); i-- > 0;) {
     const DrawnLoop& loop = m_picture.loops[i];
     put({}, Stroke{Polyline{{{left, line}, {left + 26, line}}, false}, Tint(ColorRole::accent).softened(), 8,
                    Dash::solid});
-    const double next = words(powerText(loop.power), left + 34, true, ColorRole::accent);
-    words("circulates: links " + labels(loop.links) + ", meshes " + labels(loop.meshes), next + 5, false,
-          ColorRole::ink);
+    const double next = write(powerText(loop.power), left + 34, true, ColorRole::accent);
+    write(translated("circulates: links %1, meshes %2", {labels(loop.links), labels(loop.meshes)}), next + 5,
+          false, ColorRole::ink);
     line -= 18;
   }
   put({}, Stroke{Polyline{{{left, line - 4}, {left + 20, line - 4}}, false},
                  Tint(ColorRole::secondary).softened(), kWidestBand, Dash::solid});
   put({}, Fill{arrowOf({left + 20, line - 4}, {left + 34, line - 4}, kWidestBand / 2 + 4),
                Tint(ColorRole::secondary).softened()});
-  double next = words(powerText(m_largest), left + 42, true, ColorRole::ink);
-  next = words(m_picture.observer == 0 ? "seen from the ground"
-                                       : "seen from link " + std::to_string(m_picture.observer),
-               next + 10, false, ColorRole::secondary);
-  const bool areSomeShared =
-      std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return !b.isKnown; });
-  if (!areSomeShared) return;
-  put({}, Stroke{Polyline{{{next + 16, line}, {next + 42, line}}, false}, ColorRole::secondary, kHairline,
-                 Dash::dashed});
-  words("shared in unknown parts", next + 48, false, ColorRole::secondary);
+  const double next = write(powerText(m_largest), left + 42, true, ColorRole::ink);
+  write(m_picture.observer == 0 ? translated("seen from the ground")
+                                : translated("seen from link %1", {std::to_string(m_picture.observer)}),
+        next + 10, false, ColorRole::secondary);
 }
 
 DisplayList BandPainter::finish() && {

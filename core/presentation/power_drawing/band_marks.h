@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Band {
   double circulating = 0;          ///< part of it
   bool isKnown = true;             ///< else shared in unknown parts: a dashed line
   bool hasLabel = true;
+  bool isAssumed = false;  ///< known by an assumption only: equal stiffness
 };
 
 /// Power that a mesh loses, drawn as a short arrow away from it.
@@ -33,8 +35,9 @@ struct LossStub {
 };
 
 /// Draws bands of a picture under a drawing, with what they carry beside them: "495.7 W 49.6 %", where that
-/// touches nothing that is drawn. Above them the scale, the observer, and the loops in which power
-/// circulates.
+/// touches nothing that is drawn; "495.7 W* 49.6 %" where only the assumption of equal stiffness gives it,
+/// "? W" where nothing does. Above them the scale, the observer, what the marks mean, and the loops in which
+/// power circulates.
 class BandPainter {
  public:
   /// `drawing`: what the labels keep clear of
@@ -64,6 +67,7 @@ class BandPainter {
   std::vector<Extent> m_texts;  ///< of the drawing and of the labels so far
   std::vector<Band> m_bands;
   std::vector<LossStub> m_stubs;
+  std::set<ElementId> m_marked;  ///< elements of unknown parts that have their label
   DisplayList m_list;
 };
 

@@ -47,12 +47,12 @@ class DigraphBands {
     if (power == 0) return;
     if (power < 0) std::reverse(course.begin(), course.end());
     m_painter.add(Band{flow.element, std::move(course), tintOf(flow), std::abs(power), std::abs(circulating),
-                       flow.isDetermined, hasLabel});
+                       flow.isDetermined, hasLabel, flow.isAssumed});
   }
 
   void addEdge(const DrawnFlow& flow, const EdgePlace& edge) {
     if (!flow.isDetermined) {
-      m_painter.add(Band{flow.element, courseOf(edge.curve), {}, 0, 0, false, false});
+      m_painter.add(Band{flow.element, courseOf(edge.curve), {}, 0, 0, false});
       return;
     }
     const DrawnPort* const tail = portAt(flow, edge.tail);

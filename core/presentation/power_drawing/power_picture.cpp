@@ -26,6 +26,7 @@ DrawnFlow drawnFlow(const Mechanism& mechanism, const ElementPower& element, dou
   DrawnFlow flow;
   flow.element = elementOf(mechanism, element);
   flow.isDetermined = element.isDetermined;
+  flow.isAssumed = element.isAssumed;
   for (const PowerPort& port : element.ports) {
     const double power = port.power.number();
     if (std::abs(power) > least) flow.ports.push_back({port.link, power, 0});
@@ -101,7 +102,7 @@ PowerPicture powerPicture(const Mechanism& mechanism, const KinematicModel& mode
   constexpr double kRounding = 1e-9;
   for (const ElementPower& element : flow.elements) {
     DrawnFlow drawn = drawnFlow(mechanism, element, kRounding * picture.largest);
-    if (!drawn.isDetermined && element.kind == ElementPower::Kind::mesh)
+    if ((!drawn.isDetermined || drawn.isAssumed) && element.kind == ElementPower::Kind::mesh)
       drawn.members = membersOf(report.solution(), element.position);
     if (!drawn.ports.empty() || !drawn.isDetermined) picture.flows.push_back(std::move(drawn));
   }

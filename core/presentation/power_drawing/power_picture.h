@@ -19,6 +19,7 @@ struct DrawnFlow {
   std::vector<DrawnPort> ports;  ///< without the ground, where it does not move
   double lost = 0;               ///< in a mesh, W
   bool isDetermined = true;      ///< else it shares its load in unknown parts
+  bool isAssumed = false;        ///< its share is decided by equal stiffness, an assumption
   /// Of such a mesh, by self-stress: its weight in it. Meshes of equal gears whose weights add up to 0 in all
   /// of them are determined together.
   std::vector<double> members;

@@ -21,19 +21,28 @@ struct Joined {
   std::vector<double> members;     ///< by self-stress, the sum over all meshes
   double lost = 0;
   bool isDetermined = true;
+  bool isAssumed = false;
 
   void add(const DrawnFlow& flow) {
     lost += flow.lost;
     members.resize(std::max(members.size(), flow.members.size()));
     for (std::size_t i = 0; i < flow.members.size(); ++i) members[i] += flow.members[i];
     if (!flow.isDetermined && flow.members.empty()) isDetermined = false;
+    isAssumed = isAssumed || (flow.isAssumed && flow.members.empty());
+    m_isByStiffness = m_isByStiffness || flow.isAssumed;
   }
   /// Together they bear a known load where no self-stress changes it.
   void conclude() {
     constexpr double kRounding = 1e-9;
-    for (const double member : members)
-      if (std::abs(member) > kRounding) isDetermined = false;
+    for (const double member : members) {
+      if (std::abs(member) <= kRounding) continue;
+      if (m_isByStiffness) isAssumed = true;
+      if (!m_isByStiffness) isDetermined = false;
+    }
   }
+
+ private:
+  bool m_isByStiffness = false;
 };
 
 class SchematicBands {
@@ -139,9 +148,10 @@ class SchematicBands {
     }
   }
 
-  void enter(int link, SheetPoint at, const DrawnPort& port, bool isKnown) {
+  void enter(int link, SheetPoint at, const DrawnPort& port, const Joined& flow) {
     m_entries[static_cast<std::size_t>(link)].push_back({at, port.power, port.circulating});
-    if (!isKnown) m_unknown.push_back(link);
+    if (!flow.isDetermined) m_unknown.push_back(link);
+    if (flow.isAssumed) m_assumed.push_back(link);
   }
 
   /// Both gears at the pitch point, the carrier by a band of its own from there.
@@ -156,7 +166,7 @@ class SchematicBands {
       if (link == 0 || network(link).isEmpty()) continue;
       const SheetPoint from = link == tail ? ends.front() : ends.back();
       const SheetPoint at = network(link).nearest(from);
-      enter(link, at, port, flow.isDetermined);
+      enter(link, at, port, flow);
       if (link != tail && link != head) addToCarrier(element, from, at, flow, port);
     }
     if (flow.isDetermined) m_painter.add(LossStub{element, ends.front(), flow.lost});
@@ -170,7 +180,7 @@ class SchematicBands {
     std::vector<SheetPoint> course = courseOf(Curve::pulled(from, to, pull, pull));
     if (port.power < 0) std::reverse(course.begin(), course.end());
     m_painter.add(Band{element, std::move(course), tintOf(delivererOf(flow)), std::abs(port.power),
-                       std::abs(port.circulating), flow.isDetermined, true});
+                       std::abs(port.circulating), flow.isDetermined, true, flow.isAssumed});
   }
 
   static int delivererOf(const Joined& flow) {
@@ -186,11 +196,11 @@ class SchematicBands {
     for (const auto& [link, port] : flow.ports) {
       if (link == 0 || network(link).isEmpty()) continue;
       const SheetPoint at = network(link).nearest(place->second.front());
-      enter(link, at, port, flow.isDetermined);
+      enter(link, at, port, flow);
       std::vector<SheetPoint> course{place->second.front(), at};
       if (port.power < 0) std::reverse(course.begin(), course.end());
       m_painter.add(Band{element, std::move(course), tintOf(delivererOf(flow)), std::abs(port.power),
-                         std::abs(port.circulating), flow.isDetermined, false});
+                         std::abs(port.circulating), flow.isDetermined, false, flow.isAssumed});
     }
   }
 
@@ -202,9 +212,9 @@ class SchematicBands {
     for (const auto& [link, port] : flow.ports) {
       if (link == 0 || network(link).isEmpty()) continue;
       if (flow.ports.size() == 1) {
-        addFromOutside(element, link, place->second.front(), port, flow.isDetermined);
+        addFromOutside(element, link, place->second.front(), port, flow);
       } else {
-        enter(link, network(link).nearest(place->second.front()), port, flow.isDetermined);
+        enter(link, network(link).nearest(place->second.front()), port, flow);
       }
     }
   }
@@ -217,22 +227,22 @@ class SchematicBands {
       for (const TurningJoint& joint : m_mechanism.turningJoints) {
         const auto place = m_places.find(joint.id);
         if ((joint.tail != id && joint.head != id) || place == m_places.end()) continue;
-        addFromOutside(id, link, place->second.front(), port, flow.isDetermined);
+        addFromOutside(id, link, place->second.front(), port, flow);
         break;
       }
     }
   }
 
   void addFromOutside(const ElementId& element, int link, SheetPoint bearing, const DrawnPort& port,
-                      bool isKnown) {
+                      const Joined& flow) {
     const SheetPoint on = network(link).nearest(bearing);
     const SheetPoint end = network(link).nearestEnd(bearing, kShaftEnds);
     const SheetPoint way = distance(end, on) > 1 ? unit(end - on) : unit(on - bearing);
-    enter(link, end, port, isKnown);
+    enter(link, end, port, flow);
     std::vector<SheetPoint> course{end + kOutside * way, end};
     if (port.power < 0) std::reverse(course.begin(), course.end());
-    m_outside.emplace_back(
-        link, Band{element, std::move(course), tintOf(link), std::abs(port.power), 0, isKnown, false});
+    m_outside.emplace_back(link, Band{element, std::move(course), tintOf(link), std::abs(port.power), 0,
+                                      flow.isDetermined, false, flow.isAssumed});
   }
 
   [[nodiscard]] bool carriesUnknown(int link) const {
@@ -242,10 +252,11 @@ class SchematicBands {
   void addRuns(int link) {
     if (network(link).isEmpty()) return;
     const bool isKnown = !carriesUnknown(link);
+    const bool isAssumed = std::find(m_assumed.begin(), m_assumed.end(), link) != m_assumed.end();
     const ElementId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
     for (BandNetwork::Run& run : network(link).runs(m_entries[static_cast<std::size_t>(link)]))
       m_painter.add(Band{id, std::move(run.course), tintOf(link), run.power, std::max(0.0, run.circulating),
-                         isKnown, true});
+                         isKnown, true, isAssumed});
   }
 
   const PowerPicture& m_picture;
@@ -260,6 +271,7 @@ class SchematicBands {
   std::map<Key, Joined> m_joined;
   std::vector<std::pair<int, Band>> m_outside;  ///< of motors and loads, by link
   std::vector<int> m_unknown;                   ///< links that carry unknown parts of a load
+  std::vector<int> m_assumed;                   ///< links that carry parts decided by stiffness
   int m_onLinks = 0;
 };
 

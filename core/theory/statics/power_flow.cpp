@@ -104,8 +104,13 @@ class Flow {
         m_directions(mechanism, placement),
         m_couples(static_cast<std::size_t>(model.n()) + 1),
         m_fed(static_cast<std::size_t>(model.t())),
-        m_throughForces(static_cast<std::size_t>(model.n()) + 1) {
+        m_throughForces(static_cast<std::size_t>(model.n()) + 1),
+        m_isAssumed(static_cast<std::size_t>(model.c()) + solution.held.size()) {
     m_flow.observer = observer;
+    for (const SelfStress& stress : solution.selfStresses) {
+      if (!isDecided(stress)) continue;
+      for (const auto& [unknown, weight] : stress) m_isAssumed[static_cast<std::size_t>(unknown)] = 1;
+    }
     takeSpeeds();
   }
 
@@ -121,6 +126,7 @@ class Flow {
 
  private:
   using Torque = Components<Real>;
+  using SelfStress = std::vector<std::pair<int, Rational>>;
 
   [[nodiscard]] const Real& value(int unknown) const {
     return m_solution.values[static_cast<std::size_t>(unknown)];
@@ -183,6 +189,12 @@ class Flow {
     act(element, geometry.head, onHead);
     act(element, geometry.carrier, onCarrier);
     element.isDetermined = m_solution.isDetermined(mesh);
+    element.isAssumed = isAssumed(mesh);
+  }
+
+  /// Is the unknown part of a self-stress whose share was decided, by stiffness?
+  [[nodiscard]] bool isAssumed(int unknown) const {
+    return m_isAssumed[static_cast<std::size_t>(unknown)] != 0;
   }
 
   void addCouplings() {
@@ -195,13 +207,18 @@ class Flow {
       const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
       const std::size_t first = part;
       bool isDetermined = true;
-      for (; part < held.size() && held[part].coupling == position; ++part)
-        isDetermined = isDetermined && m_solution.isDetermined(m_model.c() + static_cast<int>(part));
+      bool isByStiffness = false;
+      for (; part < held.size() && held[part].coupling == position; ++part) {
+        const int unknown = m_model.c() + static_cast<int>(part);
+        isDetermined = isDetermined && m_solution.isDetermined(unknown);
+        isByStiffness = isByStiffness || isAssumed(unknown);
+      }
       const Torque torque = torqueOf(first, part);
       ElementPower& element = add(ElementPower::Kind::coupling, position);
       act(element, link, torque);
       act(element, against, opposite(torque));
       element.isDetermined = isDetermined;
+      element.isAssumed = isByStiffness;
     }
   }
 
@@ -257,10 +274,12 @@ class Flow {
         const auto joint = static_cast<std::size_t>(place.joint);
         m_fed[joint] += value(unknown) * Real(m_motion[joint]);
         if (!m_solution.isDetermined(unknown)) m_openJoints.push_back(place.joint);
+        if (isAssumed(unknown)) m_assumedJoints.push_back(place.joint);
         continue;
       }
       addOnLink(ElementPower::Kind::balance, balance, place, value(unknown));
       m_flow.elements.back().isDetermined = m_solution.isDetermined(unknown);
+      m_flow.elements.back().isAssumed = isAssumed(unknown);
     }
   }
 
@@ -320,13 +339,11 @@ class Flow {
       m_couples[at] = {};
     }
     for (const int joint : m_openJoints) joints[static_cast<std::size_t>(joint)].isDetermined = false;
-    for (const auto& stress : m_solution.selfStresses)
-      if (!isDecided(stress)) openJointsOf(stress, joints);
+    for (const int joint : m_assumedJoints) joints[static_cast<std::size_t>(joint)].isAssumed = true;
+    for (const auto& stress : m_solution.selfStresses) markJointsOf(stress, isDecided(stress), joints);
     m_flow.elements.insert(m_flow.elements.begin() + static_cast<std::ptrdiff_t>(place),
                            std::make_move_iterator(joints.begin()), std::make_move_iterator(joints.end()));
   }
-
-  using SelfStress = std::vector<std::pair<int, Rational>>;
 
   /// Was the share decided, by stiffness?
   [[nodiscard]] bool isDecided(const SelfStress& stress) const {
@@ -334,9 +351,10 @@ class Flow {
                        [&](const auto& member) { return m_solution.isDetermined(member.first); });
   }
 
-  /// Marks the joints whose power a self-stress changes: not those between its links where its torques
-  /// cancel, or do no work. Between parallel axes joints pass nothing of it. Cost: O(members * depth).
-  void openJointsOf(const SelfStress& stress, std::vector<ElementPower>& joints) {
+  /// Marks the joints whose power a self-stress changes, as assumed where its share is decided, else as not
+  /// determined: not those between its links where its torques cancel, or do no work. Between parallel axes
+  /// joints pass nothing of it. Cost: O(members * depth).
+  void markJointsOf(const SelfStress& stress, bool isKnown, std::vector<ElementPower>& joints) {
     if (m_directions.areParallel()) return;
     const SpanningTree& tree = m_model.tree();
     // By depth and link, the deepest first: what acts on a link and beyond.
@@ -351,8 +369,11 @@ class Flow {
       waiting.erase(waiting.begin());
       const int link = key.second;
       const int parent = tree.parent(link);
-      if (isFelt(torque, parent))
-        joints[static_cast<std::size_t>(tree.jointToParent(link))].isDetermined = false;
+      if (isFelt(torque, parent)) {
+        ElementPower& joint = joints[static_cast<std::size_t>(tree.jointToParent(link))];
+        if (isKnown) joint.isAssumed = true;
+        if (!isKnown) joint.isDetermined = false;
+      }
       put(parent, torque);
     }
   }
@@ -413,7 +434,9 @@ class Flow {
   std::vector<Torque> m_couples;               ///< by link: the sum of those on it and beyond
   std::vector<Real> m_fed;                     ///< by joint: by the loads and balances in it
   std::vector<Real> m_throughForces;           ///< by link: what forces beyond would do on its parent
+  std::vector<char> m_isAssumed;               ///< by unknown
   std::vector<int> m_openJoints;
+  std::vector<int> m_assumedJoints;
   PowerFlow m_flow;
 };
 

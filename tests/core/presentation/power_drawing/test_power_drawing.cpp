@@ -51,7 +51,8 @@ struct Powered {
 };
 
 /// Sun at 100 rad/s with 10 N m, ring held, 0.98 a mesh: 1000 W in, 971.7 W out.
-Powered planetarySet(int planets = 1, const Rational& torque = 10, bool losses = true) {
+Powered planetarySet(int planets = 1, const Rational& torque = 10, bool losses = true,
+                     bool stiffness = false) {
   Mechanism set = planetary(24, 18, planets);
   set.inputs = std::vector<Input>{{set.turningJoints[0].id, Number(100), {}},
                                   {set.turningJoints[1].id, Number(0), {}}};
@@ -59,6 +60,7 @@ Powered planetarySet(int planets = 1, const Rational& torque = 10, bool losses =
   options.loads = {{{}, JointTorque{set.turningJoints[0].id, Number(torque)}}};
   options.balances = {{set.turningJoints[1].id}, {set.turningJoints[2].id}};
   options.losses = losses;
+  options.stiffness = stiffness;
   options.efficiency = Rational(98, 100);
   return {set, options};
 }
@@ -97,8 +99,9 @@ Powered robot() {
 }
 
 /// 10 N m at the right axle, held by the case and the left one: -20 N m at 1 rad/s, 10 N m at 3/2 rad/s.
-Powered differential() {
+Powered differential(bool stiffness = false) {
   StaticsOptions options;
+  options.stiffness = stiffness;
   options.loads = {{{}, JointTorque{JointId("8"), Number(10)}}};
   options.balances = {{JointId("6")}, {JointId("7")}};
   return {example("bevel-differential"), options};
@@ -122,6 +125,9 @@ std::vector<std::string> textsOf(const DisplayList& list) {
     if (const auto* text = std::get_if<Text>(&mark.what)) texts.push_back(text->text);
   return texts;
 }
+
+const std::string kUnknown = "? W: shared in unknown parts, not determined";
+const std::string kAssumed = "* shared by equal stiffness: an assumption";
 
 bool has(const DisplayList& list, const std::string& text) {
   const auto texts = textsOf(list);
@@ -277,9 +283,9 @@ class TestPowerDrawing : public QObject {
   void equalPlanetsAreDrawnTogether() {
     const Powered set = planetarySet(3, 10, false);
     QVERIFY(!set.report.flow->of(ElementPower::Kind::mesh, 0).isDetermined);
-    QVERIFY(has(set.digraphBands(), "shared in unknown parts"));
+    QVERIFY(has(set.digraphBands(), kUnknown));
     const DisplayList bands = set.schematicBands();
-    QVERIFY(!has(bands, "shared in unknown parts"));
+    QVERIFY(!has(bands, kUnknown));
     QVERIFY(!widthsAt(bands, set.train.mechanism.links[1].id).empty());
     QCOMPARE(widthsAt(bands, set.train.mechanism.links[1].id).front(), kWidestBand);
   }
@@ -288,8 +294,79 @@ class TestPowerDrawing : public QObject {
   void whatEntersSharedTrainsHasItsPower() {
     const Powered train = differential();
     const DisplayList bands = train.schematicBands();
-    QVERIFY(has(bands, "shared in unknown parts"));
+    QVERIFY(has(bands, kUnknown));
     for (const char* power : {"20 W", "15 W", "5 W"}) QVERIFY2(has(bands, power), power);
+  }
+
+  /// Lines within a shared train say what is known of them: nothing, or by an assumption only.
+  void linesOfSharedTrainsTellWhatIsKnown() {
+    const auto count = [](const DisplayList& list, const std::string& end) {
+      const auto texts = textsOf(list);
+      return std::count_if(texts.begin(), texts.end(),
+                           [&](const std::string& text) { return text.ends_with(end); });
+    };
+    // Six meshes of three planets: where there is room each has its label in the digraph.
+    const DisplayList open = planetarySet(3, 10, false).digraphBands();
+    QVERIFY(count(open, "? W") >= 5 && count(open, "? W") <= 6);
+    QCOMPARE(count(open, " W*"), std::ptrdiff_t{0});
+    QVERIFY(has(open, kUnknown) && !has(open, kAssumed));
+    // By stiffness all have their power, marked, and the mark is explained.
+    const Powered shared = planetarySet(3, 10, false, true);
+    QVERIFY(shared.report.isShared);
+    QVERIFY(shared.report.flow->of(ElementPower::Kind::mesh, 0).isAssumed);
+    QVERIFY(!shared.report.flow->of(ElementPower::Kind::joint, 0).isAssumed);
+    const DisplayList decided = shared.digraphBands();
+    QCOMPARE(count(decided, "? W"), std::ptrdiff_t{0});
+    QVERIFY(count(decided, " W*") >= 6);
+    QVERIFY(has(decided, kAssumed) && !has(decided, kUnknown));
+    QVERIFY(has(decided, "1000 W"));  // what the motor feeds needs no assumption
+    // Drawn as one planet their sum is known without it.
+    QVERIFY(!has(shared.schematicBands(), kAssumed));
+    QVERIFY(count(differential().schematicBands(), "? W") >= 1);
+    const DisplayList bevels = differential(true).schematicBands();
+    QVERIFY(has(bevels, kAssumed) && count(bevels, " W*") >= 1);
+    // A train that shares nothing has neither mark.
+    for (const DisplayList& plain : {planetarySet().digraphBands(), planetarySet().schematicBands()})
+      QVERIFY(!has(plain, kAssumed) && !has(plain, kUnknown) && count(plain, "*") == 0);
+  }
+
+  /// Balances are motors, with what was found; loads are none.
+  void balancesAreMotorDiscs() {
+    const Powered set = planetarySet();
+    const std::vector<ShownTorque> torques = shownTorques(set.train.mechanism, set.report);
+    QVERIFY(torques[0].tip.empty());
+    QCOMPARE(torques[1].tip, std::string("Balance in joint 6: found, it holds the loads with 24.01 N m."));
+    QCOMPARE(torques[2].tip, std::string("Balance in joint 7: found, it holds the loads with \xE2\x88\x92"
+                                         "34.01 N m. It takes 971.7 W out of the train."));
+    const auto shared = [](bool stiffness) {
+      const Powered train = differential(stiffness);
+      return shownTorques(train.train.mechanism, train.report);
+    };
+    QCOMPARE(shared(false).size(), shared(true).size());
+    for (const bool isSchematic : {false, true}) {
+      const DisplayList chips =
+          set.chips(isSchematic, isSchematic ? set.schematicBands() : set.digraphBands());
+      int discs = 0;
+      for (const Mark& mark : chips.marks) {
+        const auto* fill = std::get_if<Fill>(&mark.what);
+        if (fill == nullptr || !std::holds_alternative<Circle>(fill->shape)) continue;
+        ++discs;
+        // The disc is inside the chip of its own element, and an M in it.
+        const Circle& disc = std::get<Circle>(fill->shape);
+        const auto chip =
+            std::find_if(chips.outlines.begin(), chips.outlines.end(), [&](const Outline& each) {
+              return each.element == mark.element && std::holds_alternative<Box>(each.shape);
+            });
+        QVERIFY(chip != chips.outlines.end());
+        const Extent& box = std::get<Box>(chip->shape).extent;
+        QVERIFY(disc.center.x - disc.radius > box.left() && disc.center.y - disc.radius > box.top());
+        QVERIFY(std::any_of(chips.marks.begin(), chips.marks.end(), [&](const Mark& other) {
+          const auto* text = std::get_if<Text>(&other.what);
+          return text != nullptr && text->text == "M" && distance(text->center, disc.center) < 1e-9;
+        }));
+      }
+      QCOMPARE(discs, 2);
+    }
   }
 
   void labelsTouchNothing() {
