@@ -127,7 +127,7 @@ DisplayList DrawingView::displayList() const {
 void DrawingView::setUnderlay(DisplayList underlay) {
   if (underlay == m_scene->underlay()) return;
   m_scene->setUnderlay(std::move(underlay));
-  if (m_fitted) fit();
+  if (m_fitted && !isLoadDragged()) fit();  // else the sheet would move under the mouse that pulls
 }
 
 DisplayList DrawingView::picture() {
@@ -277,7 +277,7 @@ void DrawingView::fitSelected() {
 
 void DrawingView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  if (m_fitted) fit();
+  if (m_fitted && !isLoadDragged()) fit();
 }
 
 // --- commands ---------------------------------------------------------------------------------------------
@@ -290,11 +290,11 @@ void DrawingView::setTool(ToolKind tool) {
 }
 
 void DrawingView::selectAll() {
-  m_commands.selectAll();
+  m_commands.selectAll(showsNotes());
 }
 
 void DrawingView::deleteSelected() {
-  m_commands.removeSelected();
+  m_commands.removeSelected(showsNotes());  // none that is not seen
 }
 
 void DrawingView::flipSelected() {
@@ -328,8 +328,10 @@ void DrawingView::toggleBrake() {
 
 void DrawingView::renameSelected() {
   const std::set<ElementId>& selected = m_selection->selected();
-  if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return;
-  openRenameEditor(LinkId(selected.begin()->id));
+  if (selected.size() != 1) return;
+  const ElementId element = *selected.begin();
+  if (element.kind == ElementKind::note) return openElement(element);
+  if (element.kind == ElementKind::link) openRenameEditor(LinkId(element.id));
 }
 
 void DrawingView::openRenameEditor(LinkId link) {
@@ -368,6 +370,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   const MeshId mesh = element ? MeshId(element->id) : MeshId();
   ContextActions actions;
   actions.rename = [this, link] { openRenameEditor(link); };
+  actions.open = [this, element] { openElement(*element); };
   actions.toggleInput = [this] { toggleInputs(); };
   actions.makeGround = [this, link] { m_commands.makeGround(link); };
   actions.flip = [this] { flipSelected(); };

@@ -2,6 +2,7 @@
 
 #include <QGraphicsView>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "core/presentation/drawing/palette.h"
@@ -26,7 +27,7 @@ namespace geargraph::inline canvas {
 /// the commands on elements. A drawing of its own derives from it, fills the scene in rebuild() and says what
 /// its tools do with the mouse.
 ///
-/// Keys while it has the focus: V L T G I W H pick a tool, Esc cancels, then deselects, then goes back to
+/// Keys while it has the focus: V L T G I W N H pick a tool, Esc cancels, then deselects, then goes back to
 /// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
 /// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
 /// the mouse; the middle button, or Space with the left one, pans.
@@ -58,6 +59,9 @@ class DrawingView : public QGraphicsView {
   static constexpr double kLargestFit = 1.25;
   [[nodiscard]] Theme theme() const;
 
+  /// Are the document's notes on this drawing?
+  [[nodiscard]] virtual bool showsNotes() const { return false; }
+
   /// Why no load can be put on what is selected, as a sentence; empty where one can.
   [[nodiscard]] QString whyNoLoad() const;
   /// Why no gear can be attached to the one selected link, as a sentence; empty where one can.
@@ -71,6 +75,8 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] virtual PowerDraw powerDraw() const { return {}; }
   /// What is painted under the drawing: such bands, or nothing.
   void setUnderlay(DisplayList underlay);
+  /// Further words for the tooltips of what is painted there, by element.
+  void setUnderlayTips(std::map<ElementId, QString> tips) { m_underlayTips = std::move(tips); }
   [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
 
   [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
@@ -109,7 +115,7 @@ class DrawingView : public QGraphicsView {
   void selectAll();
   void deleteSelected();
   void flipSelected();    ///< tail and head of the selected arrows exchanged
-  void renameSelected();  ///< opens the editor in place on the one selected link
+  void renameSelected();  ///< opens the editor in place on the one selected link or note
   void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
   toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
@@ -231,6 +237,7 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] QString whyNoLoadOn(const ElementId& element) const;
   /// The element of a load whose chip is there, beside the drawing.
   [[nodiscard]] std::optional<ElementId> loadUnder(QPointF viewportPlace) const;
+  [[nodiscard]] QString tipAt(const ElementId& element, QPointF viewportPlace) const;
   /// A press that concerns a load; false: it is the tool's.
   bool grabLoad(QPointF viewportPlace, Pointer pointer);
   void stepLoad(const ToolEvent& event);
@@ -257,6 +264,7 @@ class DrawingView : public QGraphicsView {
   SnapshotPtr m_snapshot;
   ToolKind m_tool = ToolKind::select;
   QString m_hint;
+  std::map<ElementId, QString> m_underlayTips;
   QStringList m_caption;
   std::vector<ColorRole> m_captionColors;
   QStringList m_notice;

@@ -134,6 +134,18 @@ void DrawingView::contextMenuEvent(QContextMenuEvent* event) {
   menu->popup(viewport()->mapToGlobal(place));
 }
 
+/// What the element is, then what is painted under the drawing there: a load that can be dragged, a balance
+/// with what was found for it.
+QString DrawingView::tipAt(const ElementId& element, QPointF viewportPlace) const {
+  QString tip = toolTipFor(element);
+  const SheetPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
+  const bool isUnder = !elementAt(m_scene->outlines(), place, 0);
+  const auto further = m_underlayTips.find(element);
+  if (isUnder && further != m_underlayTips.end()) tip += QLatin1Char('\n') + further->second;
+  if (loadUnder(viewportPlace)) tip += tr("\nDrag to change the load; W types it");
+  return tip;
+}
+
 bool DrawingView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     auto* help = static_cast<QHelpEvent*>(event);
@@ -143,8 +155,7 @@ bool DrawingView::viewportEvent(QEvent* event) {
     if (onCaption && !captionToolTip().isEmpty()) {
       QToolTip::showText(help->globalPos(), captionToolTip(), viewport());
     } else if (element) {
-      const QString howTo = loadUnder(help->pos()) ? tr("\nDrag to change the load; W types it") : QString();
-      QToolTip::showText(help->globalPos(), toolTipFor(*element) + howTo, viewport());
+      QToolTip::showText(help->globalPos(), tipAt(*element, help->pos()), viewport());
     } else {
       QToolTip::hideText();
     }
@@ -165,6 +176,7 @@ void DrawingView::updateCursor() {
   if (tool() == ToolKind::link || tool() == ToolKind::turningJoint || tool() == ToolKind::gearMesh) {
     shape = Qt::CrossCursor;
   }
+  if (tool() == ToolKind::note) shape = Qt::IBeamCursor;
   if (tool() == ToolKind::input || tool() == ToolKind::load) shape = Qt::PointingHandCursor;
   if (m_overLoad || isLoadDragged()) shape = Qt::SizeHorCursor;
   if (tool() == ToolKind::pan || m_spaceDown) shape = Qt::OpenHandCursor;

@@ -12,8 +12,9 @@ PowerView::PowerView(Workbench& workbench, std::vector<DrawingView*> drawings, Q
     : QObject(parent), m_workbench(workbench) {
   for (DrawingView* view : drawings) {
     const Drawing& drawing = m_drawings.emplace_back(Drawing{view, new Bands(&PowerView::draw, this)});
-    drawing.bands->onAnswer(this, [this, view](const std::shared_ptr<const DisplayList>& bands) {
-      view->setUnderlay(bands ? *bands : DisplayList());
+    drawing.bands->onAnswer(this, [this, view](const std::shared_ptr<const Answer>& bands) {
+      view->setUnderlayTips(bands ? bands->tips : std::map<ElementId, QString>());
+      view->setUnderlay(bands ? bands->list : DisplayList());
       emit shown();
     });
     connect(view, &DrawingView::redrawn, this, [this, drawing] { renew(drawing); });
@@ -60,8 +61,16 @@ void PowerView::draw(const Request& request, const Bands::Responder& respond) {
   if (request.showsPower)
     picture = powerPicture(mechanism, *kinematics.model, kinematics.placement(), *forces.report, observer);
   if (respond.stop().stop_requested()) return;
-  respond(std::make_shared<const DisplayList>(
-      request.draw(picture, shownTorques(mechanism, *forces.report), mechanism)));
+  const std::vector<ShownTorque> torques = shownTorques(mechanism, *forces.report);
+  auto answer = std::make_shared<Answer>();
+  answer->list = request.draw(picture, torques, mechanism);
+  for (const ShownTorque& torque : torques) {
+    if (torque.tip.empty()) continue;
+    QString& tip = answer->tips[torque.element];
+    if (!tip.isEmpty()) tip += QLatin1Char('\n');
+    tip += QString::fromStdString(torque.tip);
+  }
+  respond(std::move(answer));
 }
 
 void PowerView::renew() {
@@ -78,6 +87,7 @@ void PowerView::renew(const Drawing& drawing) {
   }
   if (!drawing.bands->isComplete()) drawing.bands->cancel();
   if (!drawing.view->hasUnderlay()) return;
+  drawing.view->setUnderlayTips({});
   drawing.view->setUnderlay({});
   emit shown();
 }

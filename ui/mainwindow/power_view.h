@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -42,7 +43,11 @@ class PowerView : public QObject {
     LinkId observer;
     DrawingView::PowerDraw draw;
   };
-  using Bands = Service<Request, std::shared_ptr<const DisplayList>>;
+  struct Answer {
+    DisplayList list;
+    std::map<ElementId, QString> tips;  ///< of the torques: what was found
+  };
+  using Bands = Service<Request, std::shared_ptr<const Answer>>;
   struct Drawing {
     DrawingView* view;
     Bands* bands;

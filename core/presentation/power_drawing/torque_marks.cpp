@@ -7,9 +7,12 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/power_drawing/band_marks.h"
 #include "core/presentation/power_drawing/sheet_obstacles.h"
 
 namespace geargraph::inline power_drawing {
@@ -18,13 +21,17 @@ namespace {
 constexpr double kTextSize = 11;
 constexpr double kSmallSize = 9;
 constexpr double kArcRoom = 20;  ///< of a chip, for its arc
+constexpr double kArcRadius = 6;
+constexpr double kDiscRoom = 27;  ///< of a chip, for a motor and the arc about it
+constexpr double kDiscRadius = 7;
+constexpr double kDiscArcRadius = 10.2;
 constexpr int kChipDepth = kBadgeDepth;
 
 /// Four digits, with a true minus sign.
 std::string numberText(double number) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.4g", std::abs(number));
-  return (number < 0 ? "\xE2\x88\x92" : "") + std::string(buffer.data());
+  return (number < 0 ? "\xE2\x88\x92" : "") + spokenNumber(buffer.data());
 }
 
 int signOf(double number) {
@@ -37,6 +44,22 @@ std::string rateText(const StaticsReport& report, const Mechanism& mechanism, co
     if (ElementId(mechanism.turningJoints[joint].id) == element)
       return numberText((*report.motion)[joint].toDouble()) + " rad/s";
   return {};
+}
+
+/// "Balance in joint 7: found, it holds the loads with 24 N m. It feeds 2401 W into the train."
+std::string balanceTip(const Mechanism& mechanism, const TorquePlace& place, std::optional<double> torque,
+                       double watts) {
+  const std::string where =
+      place.inJoint()
+          ? base::translated("Balance in joint %1", {std::to_string(mechanism.jointLabel(place.joint))})
+          : base::translated("Balance on link %1", {std::to_string(mechanism.linkLabel(place.link))});
+  if (!torque) return base::translated("%1: not determined, it shares the loads in unknown parts.", {where});
+  std::string tip =
+      base::translated("%1: found, it holds the loads with %2 N m.", {where, numberText(*torque)});
+  const std::string power = powerText(std::abs(watts));
+  if (watts > 0) tip += ' ' + base::translated("It feeds %1 into the train.", {power});
+  if (watts < 0) tip += ' ' + base::translated("It takes %1 out of the train.", {power});
+  return tip;
 }
 
 ShownTorque givenTorque(const Load& load) {
@@ -80,7 +103,9 @@ class ChipDrawer {
   void draw(const ShownTorque& torque, SheetPoint anchor) {
     const double words =
         std::max(textWidth(torque.torque, kTextSize, true), textWidth(torque.rate, kSmallSize, false));
-    const Extent size{{}, (words + kArcRoom + 12) / 2, torque.rate.empty() ? 9.0 : 14.0};
+    const double room = torque.isGiven ? kArcRoom : kDiscRoom;
+    const double halfHeight = torque.rate.empty() ? 9.0 : 14.0;  // what is found has a second line
+    const Extent size{{}, (words + room + 12) / 2, halfHeight};
     const Extent box = freePlace(anchor, size);
     const Tint border = torque.isGiven ? ColorRole::input : ColorRole::control;
     const Tint fill = torque.isGiven ? ColorRole::inputFill : ColorRole::sheet;
@@ -91,8 +116,10 @@ class ChipDrawer {
     put(MarkRole::input, kChipDepth, Fill{Box{box, 5}, fill});
     put(MarkRole::input, kChipDepth,
         Stroke{Box{box, 5}, border, 1.2, torque.isGiven ? Dash::solid : Dash::dashed});
-    drawArc({box.left() + kArcRoom / 2 + 3, box.center.y}, torque.sense, torque.isGiven ? border : ink);
-    const double middle = box.left() + kArcRoom + 4 + words / 2;
+    const SheetPoint arc{box.left() + room / 2 + 3, box.center.y};
+    if (!torque.isGiven) drawMotor(arc);
+    drawArc(arc, torque.sense, torque.isGiven ? border : ink, torque.isGiven ? kArcRadius : kDiscArcRadius);
+    const double middle = box.left() + room + 4 + words / 2;
     const double line = torque.rate.empty() ? box.center.y : box.center.y - 5;
     put(MarkRole::input, kChipDepth, Text{torque.torque, {middle, line}, kTextSize, true, ink});
     if (!torque.rate.empty())
@@ -147,15 +174,22 @@ class ChipDrawer {
     return {std::clamp(from.x, box.left(), box.right()), std::clamp(from.y, box.top(), box.bottom())};
   }
 
+  /// The machine that holds the loads: a disc with an M, as the sign of electric motors is.
+  void drawMotor(SheetPoint middle) {
+    const Circle disc{middle, kDiscRadius};
+    put(MarkRole::input, kChipDepth, Fill{disc, ColorRole::inputFill});
+    put(MarkRole::input, kChipDepth, Stroke{disc, ColorRole::input, 1.4, Dash::solid});
+    put(MarkRole::input, kChipDepth, Text{"M", middle, kSmallSize, true, ColorRole::inputInk});
+  }
+
   /// Three quarters of a turn, its tip where the torque turns to; positive is anticlockwise, as about an axis
   /// that points at the reader.
-  void drawArc(SheetPoint middle, int sense, const Tint& tint) {
+  void drawArc(SheetPoint middle, int sense, const Tint& tint, double radius) {
     if (sense == 0) return;
-    constexpr double kRadius = 6;
     constexpr int kChords = 12;
     const auto at = [&](double turn) {
       const double angle = -sense * turn;  // the sheet's y points down
-      return middle + kRadius * SheetPoint{std::cos(angle), std::sin(angle)};
+      return middle + radius * SheetPoint{std::cos(angle), std::sin(angle)};
     };
     Polyline arc;
     for (int i = 0; i <= kChords; ++i) arc.points.push_back(at(-0.6 + 4.3 * i / kChords));
@@ -206,9 +240,11 @@ std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsR
     }
     found.isGiven = false;
     found.sense = isKnown ? signOf(torque) : 0;
-    found.torque = isKnown ? "T " + numberText(torque) + " N m" : "T shared";
+    found.torque = isKnown ? "T " + numberText(torque) + " N m" : base::translated("T shared");
     const std::string rate = rateText(report, mechanism, found.element);
-    found.rate = rate.empty() ? "found" : rate + " \xC2\xB7 found";
+    found.rate = (rate.empty() ? "" : rate + " \xC2\xB7 ") + base::translated("found");
+    const double watts = part < report.powers.held.size() ? report.powers.held[part].number() : 0;
+    found.tip = balanceTip(mechanism, place, isKnown ? std::optional(torque) : std::nullopt, watts);
   }
   return shown;
 }

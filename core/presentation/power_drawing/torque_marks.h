@@ -16,6 +16,7 @@ struct ShownTorque {
   int sense = 0;       ///< +1, -1; 0 for a force, or where the torque is not determined
   std::string torque;  ///< "T 10 N m", "F 20 N", "T shared"
   std::string rate;    ///< "100 rad/s", "100 rad/s · found"; empty for a load without a motion
+  std::string tip;     ///< of a balance, a sentence in the language in use: what it holds, and its power
 };
 
 /// Loads first, in the document's order, then balances; balances of 0 are left out. Cost: O(loads + balances)
@@ -23,8 +24,8 @@ struct ShownTorque {
 [[nodiscard]] std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsReport& report);
 
 /// Chips near their elements, each with an arc in the sense of its torque and a line to what it acts on:
-/// amber for loads, dashed for what was found. They keep clear of the drawing and of `under`, what is laid
-/// under it.
+/// amber for loads; dashed for what was found, with a motor as a disc. They keep clear of the drawing and of
+/// `under`, what is laid under it.
 [[nodiscard]] DisplayList digraphTorques(const std::vector<ShownTorque>& torques,
                                          const DigraphGeometry& geometry, const DisplayList& under);
 [[nodiscard]] DisplayList schematicTorques(const std::vector<ShownTorque>& torques,
