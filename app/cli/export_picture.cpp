@@ -9,10 +9,12 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/results/solved_statics.h"
+#include "core/presentation/train_stage/forces_caption.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_forces.h"
 #include "core/presentation/train_stage/train_stage.h"
@@ -27,52 +29,70 @@ std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arg
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot =
       analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   GearCache cache;
   ShapeCache read;
   const ShapeSource shapes{read, file == "-" ? "." : std::filesystem::absolute(file).parent_path(),
                            arguments.stop};
   const StagePtr stage = trainStage(*snapshot, cache, &shapes, nullptr, arguments.stop);
-  if (!stage) return outOfTime(arguments, "the 3D view");
+  if (!stage) return outOfTime(arguments, translated("the 3D view"));
   for (const StageNote& note : stage->notes) std::cerr << file << ": " << note.text << '\n';
   if (stage->scene.instances.empty() && snapshot->mechanism->n() > kMostStageLinks) {
-    std::cerr << "geargraph-cli: A train of " << snapshot->mechanism->n()
-              << " links has no 3D, which is made of up to " << kMostStageLinks << " links.\n";
+    std::cerr << "geargraph-cli: "
+              << translated("A train of %1 links has no 3D, which is made of up to %2 links.",
+                            {std::to_string(snapshot->mechanism->n()), std::to_string(kMostStageLinks)})
+              << '\n';
     return static_cast<int>(kResourceLimit);
   }
   if (!stage->scene.instances.empty()) return std::pair(snapshot, stage);
-  std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
+  std::cerr << "geargraph-cli: "
+            << translated("There is nothing to show: the turning joints are no spanning tree.") << '\n';
   return static_cast<int>(kMechanismErrors);
 }
 
-/// The forces under the document's loads; the exit status where there are none.
-std::variant<StageForces, int> forcesOf(const SnapshotPtr& snapshot, const Arguments& arguments) {
+/// What `--show forces` adds to a picture.
+struct ShownForces {
+  StageForces forces;   ///< null where none is determined
+  std::string caption;  ///< why some are not drawn, or all; where all, under which loads
+  bool areUnheld = false;
+};
+
+/// The forces under the document's loads. Where some are not known the train is shown without them, and the
+/// picture says why; so does standard error. The exit status where the time is over.
+std::variant<ShownForces, int> forcesOf(const SnapshotPtr& snapshot, const Arguments& arguments) {
   const SolvedStaticsPtr solved = solvedStatics(snapshot, arguments.value("--state"), false, arguments.stop);
-  if (!solved) return outOfTime(arguments, "the torques");
+  if (!solved) return outOfTime(arguments, translated("the torques"));
   const SolvedStatics& statics = *solved;
+  const Mechanism& mechanism = *snapshot->mechanism;
+  const StaticsReport* const report = statics.report ? &*statics.report : nullptr;
+  ShownForces shown;
   std::vector<StageForce> forces;
-  if (statics.report)
-    forces = stageForces(*snapshot->mechanism, statics.snapshot->kinematics->placement(), *statics.report);
-  if (!forces.empty()) return std::make_shared<const std::vector<StageForce>>(std::move(forces));
-  if (statics.report) std::cerr << diagnosticLines(arguments.files.front(), statics.report->diagnostics);
-  const bool isShared = statics.report && statics.report->lossless.indeterminate() > 0;
-  std::cerr << (isShared ? "geargraph-cli: --show forces needs forces that are determined: here meshes share "
-                           "the load in unknown parts; nothing was written.\n"
-                         : "geargraph-cli: --show forces needs loads, balances that hold them, and a unit of "
-                           "length whose size is known; nothing was written.\n");
-  return static_cast<int>(kMechanismErrors);
+  if (report != nullptr) forces = stageForces(mechanism, statics.snapshot->kinematics->placement(), *report);
+  shown.caption = forcesCaption(mechanism, report);
+  if (!shown.caption.empty()) {
+    if (report != nullptr) std::cerr << diagnosticLines(arguments.files.front(), report->diagnostics);
+    std::cerr << "geargraph-cli: --show forces: " << shown.caption << '\n';
+  }
+  if (forces.empty()) {
+    const std::string loads = loadsCaption(mechanism, report);
+    if (!loads.empty()) shown.caption = loads + ' ' + shown.caption;
+  } else {
+    shown.forces = std::make_shared<const std::vector<StageForce>>(std::move(forces));
+  }
+  shown.areUnheld = report != nullptr && hasErrors(report->diagnostics);
+  return shown;
 }
 
 int failure(const Arguments& arguments, const ShotFailure& why) {
-  if (why.kind == ShotFailure::Kind::stopped) return outOfTime(arguments, "the picture");
+  if (why.kind == ShotFailure::Kind::stopped) return outOfTime(arguments, translated("the picture"));
   if (why.kind == ShotFailure::Kind::file) return fileFailure(why.message);
   std::cerr << "geargraph-cli: " << why.message << '\n';
   return kResourceLimit;
 }
 
 int failure(const Arguments& arguments, const MeshFileError& why) {
-  if (why.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, "the file");
+  if (why.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, translated("the file"));
   std::cerr << "geargraph-cli: " << why.message << '\n';
   return why.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
@@ -89,15 +109,15 @@ std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most) 
 }
 
 std::string wrongSize(std::string_view text, int most) {
-  return "--size takes WIDTHxHEIGHT, each from " + std::to_string(kLeastPictureSide) + " to " +
-         std::to_string(most) + ", not \"" + std::string(text) + "\".";
+  return translated("--size takes WIDTHxHEIGHT, each from %1 to %2, not \"%3\".",
+                    {std::to_string(kLeastPictureSide), std::to_string(most), text});
 }
 
 int writePicture(std::string_view bytes, const std::string& path) {
   if (path == "-") {
     StandardOutput out;
     out.write(bytes);
-    return out.failed() ? fileFailure("Standard output could not be written.") : kFine;
+    return out.failed() ? fileFailure(translated("Standard output could not be written.")) : kFine;
   }
   const auto error = writeFile(path, bytes);
   return error ? fileFailure(error->message) : kFine;
@@ -107,17 +127,19 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   if (const auto error = wrongShot(arguments)) return wrongUsage(kExport, error->message);
   const std::string path = *arguments.value("-o");
   if (arguments.has("--all") && path == "-")
-    return wrongUsage(kExport, "--all writes a folder; \"-\" is none.");
+    return wrongUsage(kExport, translated("--all writes a folder; \"-\" is none."));
   const auto made = stageOf(arguments);
   if (const int* status = std::get_if<int>(&made)) return *status;
   const auto& [snapshot, stage] = std::get<0>(made);
   const auto wish = shotOf(arguments, stage, *snapshot);
   if (const auto* error = std::get_if<UsageError>(&wish)) return wrongUsage(kExport, error->message);
   auto shot = std::get<StageShot>(wish);
+  ShownForces shown;
   if (shot.view.marks.forces) {
     auto forces = forcesOf(snapshot, arguments);
     if (const int* status = std::get_if<int>(&forces)) return *status;
-    shot.view.forces = std::get<StageForces>(std::move(forces));
+    shown = std::get<ShownForces>(std::move(forces));
+    shot.view.forces = shown.forces;
   }
   if (asSolids) {
     MeshWriteOptions options;
@@ -131,7 +153,9 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
     const OverlayChoice overlay = overlayOf(arguments);
     if (overlay.any()) {
       const Theme theme = arguments.has("--dark") ? Theme::dark : Theme::light;
-      run.finish = [labels = StageLabels(overlay), theme](Image& image, StagePainter& painter) mutable {
+      StageLabels over(overlay);
+      over.setCaption(shown.caption);
+      run.finish = [labels = std::move(over), theme](Image& image, StagePainter& painter) mutable {
         const bool painted = paintOver(image.rgba, image.width, image.height, labels.over(painter),
                                        painter.pixelRatio(), theme);
         if (!painted) image.rgba.clear();
@@ -141,7 +165,7 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
         arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
     if (why) return failure(arguments, *why);
   }
-  return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
+  return hasErrors(snapshot->diagnostics) || shown.areUnheld ? kMechanismErrors : kFine;
 }
 
 }  // namespace geargraph::cli

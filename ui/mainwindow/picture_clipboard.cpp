@@ -74,7 +74,8 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     const SeenMap seen = (*painter)->seenForLabels();
     if (image.width > 0) {
       const SeenStage& shown = (*painter)->seen();
-      overlay.paint(image, (*painter)->labelGround(seen), {shown.view().forces, shown.forceArrows(), {}, {}});
+      overlay.paint(image, (*painter)->labelGround(seen),
+                    {shown.view().forces, shown.forceArrows(), {}, content.seen->forcesCaption});
     }
     const auto bytes = pngBytes(image, stop);
     picture.png =

@@ -22,6 +22,7 @@ struct CopiedContent {
   struct Seen {
     StageShot shot;
     ViewOptions options;
+    QString forcesCaption;  ///< with forces: which are missing and why
   };
   std::optional<Seen> seen;
 };

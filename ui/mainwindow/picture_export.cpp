@@ -134,7 +134,8 @@ void WindowExports::copyView3D() {
   const StagePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty())
     return emit refused(tr("The 3D view is empty: there is nothing to copy."));
-  CopiedContent::Seen seen{{}, m_views.view3d->options()};
+  const ViewOptions options = m_views.view3d->options();
+  CopiedContent::Seen seen{{}, options, options.marks.forces ? m_views.view3d->forcesCaption() : QString()};
   seen.shot.stage = stage;
   seen.shot.view = m_views.view3d->view();
   seen.shot.view.look = pictureLook(Theme::light, true);

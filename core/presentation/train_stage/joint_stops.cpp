@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/theory/pose/joint_limits.h"
 
 namespace geargraph::inline train_stage {
@@ -47,8 +48,8 @@ class JointStops {
     return angles;
   }
   [[nodiscard]] std::string text(int joint, double angle) const {
-    return "joint " + m_labels[static_cast<std::size_t>(joint)] + " at " +
-           std::to_string(std::lround(angle * 180 / std::numbers::pi)) + "°";
+    return translated("joint %1 at %2°", {m_labels[static_cast<std::size_t>(joint)],
+                                          std::to_string(std::lround(angle * 180 / std::numbers::pi))});
   }
 
   std::vector<AngleLimits> m_limits;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline train_stage {
 namespace {
 
@@ -32,7 +34,7 @@ std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const f
                                                                          double scale,
                                                                          const std::stop_token& stop) {
   const fs::path file = fileInside(folder, name);
-  if (file.empty()) return "It is not in the folder of the document: copy it there.";
+  if (file.empty()) return translated("It is not in the folder of the document: copy it there.");
   std::error_code error;
   Key key{file.string(), 0, 0, scale};
   key.size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/platform/system.h"
 #include "core/presentation/train_stage/stage_picture.h"
@@ -21,11 +22,11 @@ ShotFailure fileFailure(std::string message) {
 }
 
 ShotFailure noMemory() {
-  return {ShotFailure::Kind::graphics, "The memory does not suffice for the pictures."};
+  return {ShotFailure::Kind::graphics, translated("The memory does not suffice for the pictures.")};
 }
 
 ShotFailure stopped() {
-  return {ShotFailure::Kind::stopped, "The export was stopped."};
+  return {ShotFailure::Kind::stopped, translated("The export was stopped.")};
 }
 
 /// Paints one picture after the other and gives each to `take`, which returns what went wrong.
@@ -34,11 +35,13 @@ Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
   for (int picture = 0; picture < painter.pictures(); ++picture) {
     Image image = painter.paint(picture);
     if (run.stop.stop_requested()) return stopped();
-    if (image.rgba.empty()) return ShotFailure{ShotFailure::Kind::graphics, "The driver painted nothing."};
+    if (image.rgba.empty())
+      return ShotFailure{ShotFailure::Kind::graphics, translated("The driver painted nothing.")};
     if (run.finish) run.finish(image, painter);
     if (run.stop.stop_requested()) return stopped();
     if (image.rgba.empty())
-      return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the labels."};
+      return ShotFailure{ShotFailure::Kind::graphics,
+                         translated("The memory does not suffice for the labels.")};
     Failure failure = take(image, picture);
     if (run.stop.stop_requested()) return stopped();
     if (failure) return failure;
@@ -68,7 +71,8 @@ Failure paintInto(StagePainter& painter, const ShotRun& run, ByteSink& sink) {
     const std::string bytes = film.add(image, run.stop);
     if (bytes.empty()) return noMemory();
     sink.write(bytes);
-    return sink.failed() ? std::optional(fileFailure("The file could not be written.")) : std::nullopt;
+    return sink.failed() ? std::optional(fileFailure(translated("The file could not be written.")))
+                         : std::nullopt;
   });
   if (!failure) sink.write(film.end());
   return failure;
@@ -104,13 +108,15 @@ Failure moveIn(const fs::path& from, const fs::path& folder, int count) {
   std::error_code error;
   if (!fs::exists(folder, error)) {
     fs::rename(from, folder, error);
-    return error ? std::optional(fileFailure("The folder \"" + folder.string() + "\" could not be made."))
+    return error ? std::optional(
+                       fileFailure(translated("The folder \"%1\" could not be made.", {folder.string()})))
                  : std::nullopt;
   }
   for (int picture = 0; picture < count; ++picture) {
     fs::rename(from / pictureName(picture), folder / pictureName(picture), error);
     if (error)
-      return fileFailure("\"" + (folder / pictureName(picture)).string() + "\" could not be written.");
+      return fileFailure(
+          translated("\"%1\" could not be written.", {(folder / pictureName(picture)).string()}));
   }
   return std::nullopt;
 }
@@ -128,7 +134,7 @@ Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun&
   if (path == "-") {
     StandardOutput out;
     Failure failure = paintInto(**painter, run, out);
-    if (!failure && out.failed()) failure = fileFailure("Standard output could not be written.");
+    if (!failure && out.failed()) failure = fileFailure(translated("Standard output could not be written."));
     return failure;
   }
   AtomicFile file(path);
@@ -148,12 +154,13 @@ Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotR
   std::error_code error;
   const fs::path target = fs::weakly_canonical(folder, error);
   if (fs::exists(target, error) && !fs::is_directory(target, error))
-    return fileFailure("\"" + folder.string() + "\" is no folder.");
+    return fileFailure(translated("\"%1\" is no folder.", {folder.string()}));
   if (!run.mayOverwrite && fs::is_directory(target, error) && !fs::is_empty(target, error))
-    return fileFailure("The folder \"" + folder.string() + "\" is not empty; nothing was written.");
+    return fileFailure(translated("The folder \"%1\" is not empty; nothing was written.", {folder.string()}));
   const Scratch scratch(target.parent_path() /
                         ("." + target.filename().string() + "." + std::to_string(processId()) + ".part"));
-  if (!scratch.isMade()) return fileFailure("No folder could be made beside \"" + folder.string() + "\".");
+  if (!scratch.isMade())
+    return fileFailure(translated("No folder could be made beside \"%1\".", {folder.string()}));
   Failure failure = forEachPicture(**painter, run, [&](const Image& image, int picture) -> Failure {
     return writePng(image, run.stop, [&](std::string_view png) {
       const auto why = writeFile(scratch.path() / pictureName(picture), png);

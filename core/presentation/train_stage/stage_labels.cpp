@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <sstream>
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
@@ -120,11 +121,12 @@ std::vector<Mark> arrowMarks(const ForceArrowShape& shape, const Tint& tint) {
   return marks;
 }
 
-/// The arrows, and a box in the arrow's colour beside each of the greatest forces.
-void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround& ground) {
+/// The arrows, a box in the arrow's colour beside each of the greatest forces, and the legend. Returns where
+/// the legend ends.
+double addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround& ground) {
   const StageView& view = painter.seen().view();
   const std::vector<ForceArrow> arrows = painter.seen().forceArrows();
-  if (arrows.empty()) return;
+  if (arrows.empty()) return kFromEdge;
   const auto put = [&](const ElementId& element, MarkRole role, auto what) {
     list.marks.push_back({element, role, 0, std::move(what)});
   };
@@ -159,6 +161,42 @@ void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround&
         Text{text, {kFromEdge + 40 + width / 2, line}, kTextSize, false, ColorRole::ink});
     line += 20;
   }
+  return line;
+}
+
+/// Its words in lines that are no wider than `room`.
+std::vector<std::string> wrapped(const std::string& text, double room) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.empty() ? word : lines.back() + ' ' + word;
+    if (!lines.empty() && textWidth(longer, kTextSize, false) <= room) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
+/// From this line on, on a plate of the sheet's colour, its lines below each other in the middle.
+void addCaption(DisplayList& list, const StagePainter& painter, const std::string& caption, double line) {
+  constexpr double kWidestCaption = 380;
+  constexpr double kLineHeight = 16;
+  const double room = painter.shot().size.width / painter.pixelRatio() - 2 * kFromEdge;
+  const std::vector<std::string> lines = wrapped(caption, std::min(kWidestCaption, room));
+  if (lines.empty()) return;
+  double half = 0;
+  for (const std::string& text : lines) half = std::max(half, textWidth(text, kTextSize, false) / 2);
+  const double height = kLineHeight * static_cast<double>(lines.size());
+  const SheetPoint middle{kFromEdge + 4 + half, line + (height - kLineHeight) / 2};
+  list.marks.push_back({ElementId(), MarkRole::line, 0,
+                        Fill{boxAbout(middle, half + 4, height / 2 + 2, 0), ColorRole::sheet}});
+  for (const std::string& text : lines) {
+    list.marks.push_back(
+        {ElementId(), MarkRole::label, 0, Text{text, {middle.x, line}, kTextSize, false, ColorRole::ink}});
+    line += kLineHeight;
+  }
 }
 
 }  // namespace
@@ -179,7 +217,7 @@ DisplayList StageLabels::over(StagePainter& painter) {
     if (place.hasLine()) addLine(list, stage, place);
   }
   for (const LabelPlate& place : places) addLabel(list, stage, place);
-  if (m_choice.forces) addForceLabels(list, painter, ground);
+  if (m_choice.forces) addCaption(list, painter, m_caption, addForceLabels(list, painter, ground));
   if (m_choice.scaleBar) addScaleBar(list, painter);
   return list;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/stage/label_places.h"
 #include "core/presentation/train_stage/stage_picture.h"
@@ -22,10 +24,13 @@ struct OverlayChoice {
 class StageLabels {
  public:
   explicit StageLabels(const OverlayChoice& choice);
+  /// With the forces, below their legend: which are missing and why. Wrapped to the picture's width.
+  void setCaption(std::string caption) { m_caption = std::move(caption); }
   [[nodiscard]] DisplayList over(StagePainter& painter);
 
  private:
   OverlayChoice m_choice;
+  std::string m_caption;
   LabelPlaces m_places;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/stage/exploded.h"
 
@@ -58,8 +59,9 @@ Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot, con
   if (std::max(shot.size.width, shot.size.height) > (*host)->maximumSide()) {
     Diagnostic tooLarge;
     tooLarge.code = Code::graphics;
-    tooLarge.message = "The driver paints pictures of up to " + std::to_string((*host)->maximumSide()) +
-                       " pixels a side; choose a smaller size.";
+    tooLarge.message =
+        translated("The driver paints pictures of up to %1 pixels a side; choose a smaller size.",
+                   {std::to_string((*host)->maximumSide())});
     return tooLarge;
   }
   if (stop.stop_requested()) return std::unique_ptr<StagePainter>();

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/solids/spec_findings.h"
@@ -128,9 +129,11 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
 }
 
 void StageBuilder::noteToothless(const TrainGear& gear) {
-  m_stage->notes.push_back({m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
-                            "Gear " + gear.name + " has " + std::to_string(gear.spec.teeth) +
-                                " teeth, too fine to be distinguished: it is shown without them."});
+  m_stage->notes.push_back(
+      {m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
+       translated("Gear %1 has %2 teeth, too fine to be distinguished: it is shown without "
+                  "them.",
+                  {gear.name, std::to_string(gear.spec.teeth)})});
 }
 
 void StageBuilder::addBody(const LinkBody& body) {
@@ -166,12 +169,13 @@ Pose poseOf(const LinkShape& shape) {
 
 void StageBuilder::addShapes(int link) {
   const Link& wearer = m_mechanism.links[static_cast<std::size_t>(link)];
-  const std::string who = "Link " + std::to_string(m_mechanism.linkLabel(link)) + " wears ";
+  const std::string label = std::to_string(m_mechanism.linkLabel(link));
   for (const LinkShape& shape : wearer.shapes) {
     const double scale = shape.scale ? shape.scale->value() : 1;
     const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
     if (const auto* why = std::get_if<std::string>(&found)) {
-      m_stage->notes.push_back({wearer.id, who + "\"" + shape.file + "\", which is not shown: " + *why});
+      m_stage->notes.push_back(
+          {wearer.id, translated("Link %1 wears \"%2\", which is not shown: %3", {label, shape.file, *why})});
       continue;
     }
     add(link, std::get<std::shared_ptr<const Solid>>(found), poseOf(shape)).isOpen = true;
@@ -196,10 +200,10 @@ std::shared_ptr<Stage> StageBuilder::build() {
   if (train.hasSimpleBodies) {
     m_stage->notes.push_back(
         {m_mechanism.links.front().id,
-         "A train of " + std::to_string(train.gears.size()) +
-             " gears: its wheels are plain discs, its shafts and arms are straight and pass "
-             "through what they meet (up to " +
-             std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
+         translated(
+             "A train of %1 gears: its wheels are plain discs, its shafts and arms are straight and pass "
+             "through what they meet (up to %2 gears they are routed past it).",
+             {std::to_string(train.gears.size()), std::to_string(kMostRoutedGears)})});
   }
   m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());
   // Two details, of this edit and the one before.

@@ -144,6 +144,30 @@ class WindowClipboardTest : public QObject {
     QCOMPARE(content->imageData().value<QImage>().size(), QSize(1600, 1000));
   }
 
+  /// Forces are wanted and there are none: the copied picture says why, as the view does.
+  void copiedPicturesOfForcesHaveTheirCaption() {
+    const auto copied = [&](bool withForces) {
+      ViewOptions options = window->view3d().options();
+      options.marks.forces = withForces;
+      window->view3d().setOptions(options);
+      QApplication::clipboard()->clear();
+      window->view3d().setFocus();
+      QTest::keyClick(&window->view3d(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+      const auto hasImage = [] {
+        const QMimeData* content = QApplication::clipboard()->mimeData();
+        return content != nullptr && content->hasImage();
+      };
+      return QTest::qWaitFor(hasImage, 20'000) ? QApplication::clipboard()->image() : QImage();
+    };
+    QVERIFY(!window->view3d().forcesCaption().isEmpty());
+    const QRect corner(0, 0, 800, 200);  // where the caption is
+    const QImage plain = copied(false).copy(corner);
+    const QImage told = copied(true).copy(corner);
+    const QImage again = copied(false).copy(corner);
+    QVERIFY(!plain.isNull() && plain == again);
+    QVERIFY(plain != told);
+  }
+
   void aPictureThatComesLateTakesNothingAway() {
     press(*window, Qt::Key_A);
     press(*window, Qt::Key_C);

@@ -1,7 +1,9 @@
 #include <QTest>
 
+#include "core/presentation/drawing/text_metrics.h"
 #include "core/presentation/stage/force_arrow_shape.h"
 #include "core/presentation/stage/stage_view.h"
+#include "core/presentation/train_stage/forces_caption.h"
 #include "core/presentation/train_stage/stage_labels.h"
 #include "core/presentation/train_stage/train_forces.h"
 #include "core/presentation/train_stage/train_stage.h"
@@ -93,6 +95,74 @@ class TrainForcesTest : public QObject {
     QCOMPARE(still.size(), turned.size());
     QVERIFY((still[0].from - turned[0].from).norm() > 1);
     QVERIFY(std::abs((still[0].to - still[0].from).norm() - (turned[0].to - turned[0].from).norm()) < 1e-9);
+  }
+
+  /// What is missing and why, for pictures; under which loads, where nothing is drawn at all.
+  void captionsTellWhatIsMissing() {
+    const LoadedSet set;
+    QCOMPARE(forcesCaption(set.mechanism, &*set.report), std::string());
+    QCOMPARE(loadsCaption(set.mechanism, &*set.report), std::string("Loads: joint 5: 10 N m."));
+    QVERIFY(forcesCaption(set.mechanism, nullptr).starts_with("No forces without loads"));
+    QVERIFY(loadsCaption(set.mechanism, nullptr).empty());
+    StaticsOptions options;
+    options.loads = {{{}, JointTorque{set.mechanism.turningJoints[0].id, Number(-10)}}};
+    options.balances = {{set.mechanism.turningJoints[1].id}, {set.mechanism.turningJoints[2].id}};
+    const auto captionOf = [&](Mechanism mechanism) {
+      const test::StaticsCase train(std::move(mechanism));
+      const auto report =
+          analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
+      return forcesCaption(train.mechanism, &*report);
+    };
+    Mechanism odd = set.mechanism;
+    odd.unit = "ell";
+    QVERIFY(captionOf(odd).starts_with("Forces need a unit of length"));
+    options.balances = {{set.mechanism.turningJoints[1].id}};
+    QVERIFY(captionOf(set.mechanism).starts_with("No forces: the loads are not in balance"));
+    Mechanism planets = test::planetary(24, 18, 3);
+    options.loads = {{{}, JointTorque{planets.turningJoints[0].id, Number(10)}}};
+    options.balances = {{planets.turningJoints[1].id}, {planets.turningJoints[2].id}};
+    const std::string open = captionOf(planets);
+    QVERIFY2(open.starts_with("Not drawn, as shared in unknown parts: forces at meshes"), open.c_str());
+    options.stiffness = true;
+    QCOMPARE(captionOf(planets), std::string("Shared by equal stiffness of all teeth: an assumption."));
+  }
+
+  /// A caption is wrapped to the picture, on plates, below the legend where there is one.
+  void captionsAreInThePicture() {
+    const LoadedSet set;
+    for (const bool hasArrows : {true, false}) {
+      StageShot shot;
+      shot.stage = set.stage;
+      shot.size = {260, 200};
+      shot.view.marks.forces = true;
+      if (hasArrows) shot.view.forces = std::make_shared<const std::vector<StageForce>>(set.forces);
+      auto painter = StagePainter::create(shot);
+      QVERIFY(painter);
+      (void)(*painter)->paint(0);
+      OverlayChoice choice;
+      choice.forces = true;
+      StageLabels labels(choice);
+      const auto textsOf = [&] {
+        std::vector<Text> texts;
+        for (const Mark& mark : labels.over(**painter).marks)
+          if (const auto* text = std::get_if<Text>(&mark.what)) texts.push_back(*text);
+        return texts;
+      };
+      const std::size_t without = textsOf().size();
+      const std::string words =
+          "Not drawn, as shared in unknown parts: forces at meshes 9, 10, 11, reactions in joints 5, 6.";
+      labels.setCaption(words);
+      const std::vector<Text> texts = textsOf();
+      QVERIFY(texts.size() >= without + 2);
+      std::string joined;
+      for (std::size_t i = without; i < texts.size(); ++i) {
+        joined += (joined.empty() ? "" : " ") + texts[i].text;
+        const double half = textWidth(texts[i].text, texts[i].size, texts[i].bold) / 2;
+        QVERIFY(texts[i].center.x - half >= 0 && texts[i].center.x + half <= 260);
+        if (i > 0) QVERIFY(texts[i].center.y > texts[i - 1].center.y || i == without);
+      }
+      QCOMPARE(joined, words);
+    }
   }
 
   void theViewShowsThemWhereItsMarksWantThem() {
