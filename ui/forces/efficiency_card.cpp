@@ -20,7 +20,7 @@ constexpr int kSteps = 200;       ///< of the slider from 0 to 1
 constexpr int kLeastSteps = 100;  ///< it begins at 0.5
 constexpr int kMostLinks = 100;   ///< formulas of larger trains are too long to be read
 constexpr std::size_t kMostLetters = 400;
-constexpr int kMostMeshes = 8;  ///< where it locks, all drivers of these are tried at each efficiency
+constexpr int kMostMeshes = 500;  ///< some 80 solutions are needed to find where it locks
 
 bool isSolved(const std::optional<LossySolution>& solution) {
   return solution && solution->outcome == LossySolution::Outcome::solved;
@@ -34,11 +34,8 @@ void workOut(const ForcesPtr& forces, const Service<ForcesPtr, EfficiencyAnswerP
   StaticsOptions options = optionsOf(forces->question);
   auto answer = std::make_shared<EfficiencyAnswer>();
   answer->forces = forces;
-  const std::vector<CurveAxis> axes = curveAxes(*snapshot.matroid(), *forces->report, options);
-  if (mechanism.c() <= kMostMeshes &&
-      std::find(axes.begin(), axes.end(), CurveAxis::meshEfficiency) != axes.end()) {
-    answer->limits = lockingLimits(mechanism, model, placement, *snapshot.matroid(), *forces->report, options,
-                                   respond.stop());
+  if (mechanism.c() <= kMostMeshes && hasLockingLimits(*forces->report)) {
+    answer->limits = lockingLimits(mechanism, model, placement, *forces->report, options, respond.stop());
     if (respond.stop().stop_requested()) return;
     respond.partly(std::make_shared<const EfficiencyAnswer>(*answer));
   }
@@ -63,6 +60,68 @@ QString formulaHtml(const std::string& text) {
   html.replace(QLatin1String("eta"), QStringLiteral("\u03B7"));
   html.replace(QLatin1Char('*'), QStringLiteral("\u2009"));
   return html.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString limitText(double limit) {
+  return shownText(shownNumber(std::round(limit * 1e4) / 1e4));
+}
+
+/// Where self-locking begins: along one efficiency, or in per cent of the losses that the meshes state.
+QString lockingText(const LockingLimits& limits) {
+  const bool isForward = limits.forward.has_value();
+  const std::optional<LockingBracket>& bracket = isForward ? limits.forward : limits.backward;
+  const bool areStated = limits.scale == LockingScale::statedLosses;
+  if (!bracket) {
+    return areStated ? EfficiencyCard::tr("Never self-locking, however large the losses")
+                     : EfficiencyCard::tr("Never self-locking, at any efficiency");
+  }
+  if (!bracket->isProven) {
+    if (areStated) {
+      const QString percent = limitText(100 * bracket->moves);
+      return isForward
+                 ? EfficiencyCard::tr("Moves up to %1 % of these losses; beyond, not decided").arg(percent)
+                 : EfficiencyCard::tr("Moves backward up to %1 % of these losses; beyond, not decided")
+                       .arg(percent);
+    }
+    const QString eta = limitText(bracket->moves);
+    return isForward ? EfficiencyCard::tr("Moves down to η = %1; below, not decided").arg(eta)
+                     : EfficiencyCard::tr("Moves backward down to η = %1; below, not decided").arg(eta);
+  }
+  const double middle = (bracket->moves + bracket->locks) / 2;
+  if (areStated) {
+    const QString percent = limitText(100 * middle);
+    return isForward ? EfficiencyCard::tr("Self-locking from %1 % of these losses on").arg(percent)
+                     : EfficiencyCard::tr("Self-locking backward from %1 % of these losses on").arg(percent);
+  }
+  return isForward ? EfficiencyCard::tr("Self-locking below η = %1").arg(limitText(middle))
+                   : EfficiencyCard::tr("Self-locking backward below η = %1").arg(limitText(middle));
+}
+
+/// What that means, and the two values between which it begins.
+QString lockingTip(const LockingLimits& limits) {
+  QString tip = EfficiencyCard::tr(
+      "Where a train locks itself, no torque of what holds the loads moves them, however large.");
+  const bool areStated = limits.scale == LockingScale::statedLosses;
+  tip += QLatin1Char(' ');
+  tip += areStated ? EfficiencyCard::tr(
+                         "The meshes state different efficiencies: all their losses, 1 − η, are "
+                         "multiplied by one factor.")
+                   : EfficiencyCard::tr("The efficiency counts as the same in all meshes.");
+  const std::optional<LockingBracket>& bracket = limits.forward ? limits.forward : limits.backward;
+  if (!bracket) return tip;
+  const auto value = [&](double limit) {
+    return QString::number(areStated ? 100 * limit : limit, 'f', areStated ? 4 : 6);
+  };
+  tip += QLatin1Char('\n');
+  tip += areStated ? EfficiencyCard::tr("At %1 % it moves, at %2 % no choice of driving gears solves it.")
+                         .arg(value(bracket->moves), value(bracket->locks))
+                   : EfficiencyCard::tr("At η = %1 it moves, at %2 no choice of driving gears solves it.")
+                         .arg(value(bracket->moves), value(bracket->locks));
+  if (!bracket->isProven) {
+    tip += QLatin1Char(' ');
+    tip += EfficiencyCard::tr("Of that many meshes not all choices were tried.");
+  }
+  return tip;
 }
 
 bool doMeshesStateLosses(const Mechanism& mechanism) {
@@ -100,9 +159,6 @@ EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
     layout->addWidget(label);
   }
   m_locking->setObjectName(QStringLiteral("selfLocking"));
-  m_locking->setToolTip(
-      tr("Where a train locks itself, no torque of what holds the loads moves them, however "
-         "large. The efficiency counts as the same in all meshes."));
   m_formula->setObjectName(QStringLiteral("efficiencyFormula"));
   m_formula->setTextFormat(Qt::RichText);
   m_formula->setToolTip(
@@ -259,12 +315,8 @@ void EfficiencyCard::showAnswer() {
   if (!answer || answer->forces != m_forces) return;
   m_locking->clear();
   if (answer->limits) {
-    const auto value = [](double limit) { return shownText(shownNumber(std::round(limit * 1e4) / 1e4)); };
-    const std::optional<double>& forward = answer->limits->forward;
-    const std::optional<double>& backward = answer->limits->backward;
-    m_locking->setText(forward    ? tr("Self-locking below η = %1").arg(value(*forward))
-                       : backward ? tr("Self-locking backward below η = %1").arg(value(*backward))
-                                  : tr("Never self-locking, at any efficiency"));
+    m_locking->setText(lockingText(*answer->limits));
+    m_locking->setToolTip(lockingTip(*answer->limits));
   }
   m_formula->setText(answer->formula.empty() ? QString()
                                              : QStringLiteral("η = ") + formulaHtml(answer->formula));

@@ -12,7 +12,7 @@ class LossSolver {
  public:
   LossSolver(const KinematicModel& model, const StaticsSolution& lossless, const RadicalColumns& loads,
              const Motion& motion, std::span<const MeshEfficiency> efficiencies,
-             const CoefficientMatrix* stiffness, const std::stop_token& stop)
+             const CoefficientMatrix* stiffness, const std::stop_token& stop, int mostPatternMeshes)
       : m_model(model),
         m_lossless(lossless),
         m_loads(loads),
@@ -20,6 +20,7 @@ class LossSolver {
         m_efficiencies(efficiencies),
         m_stiffness(stiffness),
         m_stop(stop),
+        m_mostPatternMeshes(mostPatternMeshes),
         m_powers(powersOf(model, lossless, motion)) {}
 
   std::optional<LossySolution> run() {
@@ -89,7 +90,8 @@ class LossSolver {
       if (m_powers.rolls[mesh] != 0 && m_efficiencies[mesh].value != Rational(1)) open.push_back(mesh);
     }
     m_result.outcome = LossySolution::Outcome::patternLimit;
-    if (open.size() > kMostPatternMeshes) return std::move(m_result);
+    const bool canTryAll = static_cast<int>(open.size()) <= m_mostPatternMeshes;
+    if (!canTryAll || m_mostPatternMeshes == 0) return std::move(m_result);
     m_result.outcome = LossySolution::Outcome::selfLocking;
     Pattern pattern(m_efficiencies.size(), MeshLoss::Driver::none);
     for (std::size_t number = 0; number < std::size_t{1} << open.size(); ++number) {
@@ -109,6 +111,7 @@ class LossSolver {
   std::span<const MeshEfficiency> m_efficiencies;
   const CoefficientMatrix* m_stiffness;
   std::stop_token m_stop;
+  int m_mostPatternMeshes;
   MeshPowers m_powers;
   LossySolution m_result;
 };
@@ -200,10 +203,10 @@ Real powerOf(const KinematicModel& model, const RadicalColumns& loads, const Mot
 std::optional<LossySolution> solveWithLosses(const KinematicModel& model, const StaticsSolution& lossless,
                                              const RadicalColumns& loads, const Motion& motion,
                                              std::span<const MeshEfficiency> efficiencies,
-                                             const CoefficientMatrix* stiffness,
-                                             const std::stop_token& stop) {
+                                             const CoefficientMatrix* stiffness, const std::stop_token& stop,
+                                             int mostPatternMeshes) {
   if (!lossless.isBalanced() || !lossless.isDeterminate()) return LossySolution{};
-  return LossSolver(model, lossless, loads, motion, efficiencies, stiffness, stop).run();
+  return LossSolver(model, lossless, loads, motion, efficiencies, stiffness, stop, mostPatternMeshes).run();
 }
 
 PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,

@@ -83,13 +83,16 @@ constexpr int kMostPatternMeshes = 14;
 
 /// `lossless` is the solution of the same problem with no losses. `stiffness`: where meshes share loads, they
 /// do it by equal stiffness (stiffness.h); null: then nothing is decided. Nothing where `stop` was requested.
+/// Where the rounds of guesses do not settle, all patterns are tried of at most `mostPatternMeshes` meshes
+/// that lose power, no more than kMostPatternMeshes; with 0 none is, and the outcome is patternLimit.
 /// Cost: two or three eliminations; where these cycle, one for each pattern.
 [[nodiscard]] std::optional<LossySolution> solveWithLosses(const KinematicModel& model,
                                                            const StaticsSolution& lossless,
                                                            const RadicalColumns& loads, const Motion& motion,
                                                            std::span<const MeshEfficiency> efficiencies,
                                                            const CoefficientMatrix* stiffness = nullptr,
-                                                           const std::stop_token& stop = {});
+                                                           const std::stop_token& stop = {},
+                                                           int mostPatternMeshes = kMostPatternMeshes);
 
 /// Power taken over power fed, over loads and balances. `loads`: each load for itself. None where nothing is
 /// fed.

@@ -83,6 +83,19 @@ class EfficiencyCardTest : public QObject, private OpenForcesPanel {
              qPrintable(panel->efficiency().locking()));
     QVERIFY(panel->efficiency().formula().isEmpty() ||
             panel->efficiency().formula().startsWith(QChar(0x3B7)));
+    const auto* label = panel->findChild<QLabel*>(QStringLiteral("selfLocking"));
+    QVERIFY2(label->toolTip().contains(QLatin1String("counts as the same in all meshes")) &&
+                 label->toolTip().contains(QLatin1String("no choice of driving gears solves it")),
+             qPrintable(label->toolTip()));
+    // Meshes that state different efficiencies: their losses grow by one factor.
+    mechanism.gearMeshes[0].efficiency = Number(Rational(199, 200));
+    mechanism.gearMeshes[1].efficiency = Number(Rational(999, 1000));
+    open(mechanism);
+    const QString text = panel->efficiency().locking();
+    QVERIFY2(text.startsWith(QLatin1String("Self-locking")) && text.contains(QLatin1String("from 33")) &&
+                 text.endsWith(QLatin1String(" % of these losses on")),
+             qPrintable(text));
+    QVERIFY(label->toolTip().contains(QLatin1String("multiplied by one factor")));
   }
 
   /// Where the panel is narrow the card stands below the table.
