@@ -63,10 +63,6 @@ std::vector<ForceTableKind> kindsOfChips() {
   return kinds;
 }
 
-QString numberText(const Real& value) {
-  return shownText(shownNumber(value.number()));
-}
-
 }  // namespace
 
 ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent)
@@ -99,7 +95,13 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   // A table of few rows leaves room for what is below it.
   m_pages->setMinimumHeight(scaledPixels(100));
   layout->addWidget(twin);
-  layout->addWidget(m_remark);
+  // What is shared, and beside it what decides the shares.
+  auto* remark = new QHBoxLayout;
+  remark->setContentsMargins(0, 0, 10, 0);
+  remark->addWidget(m_remark, 1);
+  remark->addStretch();  // where there is no remark
+  remark->addWidget(makeShareButton(), 0, Qt::AlignVCenter);
+  layout->addLayout(remark);
   layout->addWidget(m_explanation);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
@@ -189,57 +191,6 @@ QWidget* ForcesPanel::makeMiddle() {
   row->addWidget(m_pages, 1);
   row->addWidget(m_cardView);
   return middle;
-}
-
-QWidget* ForcesPanel::makeTotals() {
-  auto* strip = new QWidget(this);
-  auto* layout = new QHBoxLayout(strip);
-  layout->setContentsMargins(12, 2, 10, 4);
-  layout->setSpacing(14);
-  addTotal(layout, "fed", tr("fed, W"), tr("The power that loads and balances feed into the train."));
-  addTotal(layout, "taken", tr("taken, W"), tr("The power that loads and balances take from the train."));
-  addTotal(layout, "lost", tr("lost, W"), tr("What the meshes lose: fed less taken."));
-  addTotal(layout, "efficiency", tr("efficiency"),
-           tr("The power taken over the power fed; backward and in symbols it is on the card Efficiency."));
-  addTotal(layout, "latent", tr("latent ratio"),
-           tr("What all meshes pass, seen from their carriers, over the power fed: the losses are about this "
-              "many times those of one mesh."));
-  addTotal(layout, "circulating", tr("circulating, W"),
-           tr("The greatest power that goes round in a loop of shafts and gear sets."));
-  m_share = controlButton(QStringLiteral("shareByStiffness"), tr("Share by stiffness"),
-                          tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
-                             "stiff, without clearance, on rigid bodies"),
-                          strip);
-  m_share->setCheckable(true);
-  connect(m_share, &QToolButton::toggled, this, [this] { ask(); });
-  m_verdict = new QLabel(strip);
-  m_verdict->setProperty("look", "hint");
-  layout->addWidget(m_share);
-  layout->addWidget(m_verdict, 1);
-  return strip;
-}
-
-/// A title above its value.
-void ForcesPanel::addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning,
-                            QWidget* value) {
-  auto* title = new QLabel(text, this);
-  title->setProperty("look", "hint");
-  title->setToolTip(meaning);
-  value->setToolTip(meaning);
-  auto* column = new QVBoxLayout;
-  column->setSpacing(0);
-  column->addWidget(title);
-  column->addWidget(value);
-  layout->addLayout(column);
-}
-
-void ForcesPanel::addTotal(QHBoxLayout* layout, const char* name, const QString& text,
-                           const QString& meaning) {
-  auto* value = new QLabel(this);
-  value->setObjectName(QStringLiteral("total.") + QLatin1String(name));
-  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  value->setWhatsThis(meaning);
-  addColumn(layout, text, meaning, value);
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
@@ -354,45 +305,6 @@ QString ForcesPanel::whyEmpty() const {
     default:
       return tr("There is nothing to show.");
   }
-}
-
-void ForcesPanel::setTotal(const char* name, const QString& text, const QString& exact) {
-  auto* label = findChild<QLabel*>(QStringLiteral("total.") + QLatin1String(name));
-  label->setText(text);
-  const QString meaning = label->whatsThis();
-  label->setToolTip(exact.isEmpty() ? meaning : meaning + QLatin1Char('\n') + tr("Exactly %1").arg(exact));
-}
-
-QString ForcesPanel::total(const QString& name) const {
-  const auto* label = findChild<QLabel*>(QStringLiteral("total.") + name);
-  return label == nullptr ? QString() : label->text();
-}
-
-void ForcesPanel::showTotals() {
-  for (const char* name : {"fed", "taken", "lost", "efficiency", "latent", "circulating"})
-    setTotal(name, QStringLiteral("–"));
-  m_share->setVisible(false);
-  m_verdict->clear();
-  const ForcesPtr& shown = forces();
-  if (!shown || !shown->report) return;
-  const StaticsReport& report = *shown->report;
-  m_share->setVisible(report.isSolved && report.lossless.indeterminate() > 0);
-  if (report.agreement)
-    m_verdict->setText(report.agreement->equal ? tr("both methods agree")
-                                               : tr("The two methods do not agree"));
-  if (!report.sums) return;
-  setTotal("fed", numberText(report.sums->fed));
-  setTotal("taken", numberText(report.sums->taken));
-  setTotal("lost", numberText(report.sums->lost));
-  const bool hasLosses = report.lossy && report.lossy->outcome == LossySolution::Outcome::solved;
-  const auto efficiency = hasLosses ? report.sums->efficiency() : std::nullopt;
-  if (efficiency)
-    setTotal("efficiency", numberText(*efficiency),
-             efficiency->isExact() ? shownText(shownReal(*efficiency)) : QString());
-  if (report.latentRatio) setTotal("latent", numberText(*report.latentRatio));
-  if (report.circulations)
-    setTotal("circulating",
-             report.circulations->empty() ? tr("none") : numberText(report.circulations->front().power));
 }
 
 QString ForcesPanel::remark() const {

@@ -75,6 +75,7 @@ class ForcesPanel : public QWidget {
   QWidget* makeBar();
   QWidget* makeMiddle();
   QWidget* makeTotals();
+  QWidget* makeShareButton();
   void addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning, QWidget* value);
   void addTotal(QHBoxLayout* layout, const char* name, const QString& text, const QString& meaning);
   void ask();
