@@ -104,6 +104,7 @@ void DrawingView::stepLoad(const ToolEvent& event) {
          m_loadDrag->gesture});
   }
   if (isLoadDragged()) return;
+  if (m_loadDrag && m_fitted) fit();  // what the torques have done to the chips
   m_loadDrag.reset();
   if (!m_hintBeforeLoad.isNull()) setHint(std::exchange(m_hintBeforeLoad, QString()));
 }
