@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::inline languages {
@@ -92,7 +93,9 @@ void useLanguage(const QString& code) {
   if (now.own) QCoreApplication::removeTranslator(const_cast<Catalogue*>(now.own.get()));
   now.own.reset();
   now.code = code;
-  QLocale::setDefault(localeOf(code));
+  const QLocale locale = localeOf(code);
+  QLocale::setDefault(locale);
+  setDecimalSign(locale.decimalPoint() == QLatin1String(",") ? ',' : '.');
   if (code == QLatin1String("en")) return;
 
   now.ofQt = std::make_unique<QTranslator>();

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/difference.h"
 #include "ui/derivation/derivation_view.h"
 #include "ui/lessons/answer_form.h"
@@ -269,7 +270,8 @@ void LessonPanel::showStep(const PreparedStep& prepared) {
   const Question* question = prepared.question ? &*prepared.question : nullptr;
   takeMechanism(prepared.mechanism);
   if (question != nullptr) m_form->setQuestion(*question, prepared.mechanism);
-  m_text->setReport(stepText(step.title, step.text, step.formula, step.equation, std::string(taskTitle(step)),
+  m_text->setReport(stepText(step.title, step.text, step.formula, step.equation,
+                             base::translated(taskTitle(step)),
                              question != nullptr ? question->prompt : step.prompt,
                              question != nullptr ? question->formula : std::string()));
   m_text->verticalScrollBar()->setValue(0);

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "core/foundations/base/spoken.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
@@ -29,7 +30,8 @@ int stepAt(double speed) {
 }  // namespace
 
 QString printedSpeed(double speed) {
-  const QString text = QString::number(std::abs(speed), 'f', std::abs(speed) < 0.95 ? 2 : 1);
+  const QString text = QString::number(std::abs(speed), 'f', std::abs(speed) < 0.95 ? 2 : 1)
+                           .replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
   return (speed < 0 ? QStringLiteral("−") : QString()) + text + QStringLiteral("×");
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
+
 namespace geargraph::inline models {
 namespace {
 
@@ -215,7 +217,7 @@ QVariant MatrixModel::quantityData(int row, int column, int role) const {
     case Qt::DisplayRole:
       if (zero) return QStringLiteral("0");
       return formula ? shownText(entry->text)
-                     : shownText(entry->text).replace(QLatin1Char('-'), QStringLiteral("−"));
+                     : shownText(spokenNumber(entry->text)).replace(QLatin1Char('-'), QStringLiteral("−"));
     case Qt::TextAlignmentRole:
       return int(Qt::AlignCenter);
     case Qt::AccessibleTextRole:

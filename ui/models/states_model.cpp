@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "ui/models/printed_number.h"
 
@@ -14,7 +15,9 @@ QString shown(const std::string& text) {
 }
 
 QString decimalText(double value, int digits) {
-  return QString::number(value, 'f', digits).replace(QLatin1Char('-'), QStringLiteral("−"));
+  return QString::number(value, 'f', digits)
+      .replace(QLatin1Char('-'), QStringLiteral("−"))
+      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
 }
 
 QString decimalText(const Rational& value, int digits) {

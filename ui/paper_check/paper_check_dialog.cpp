@@ -14,6 +14,7 @@
 #include <QTableWidget>
 #include <QTextBlock>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/teaching/exercises/exercise_source.h"
 #include "core/teaching/paper_check/written_paper.h"
@@ -93,8 +94,9 @@ PaperCheckDialog::PaperCheckDialog(Selection* selection, QWidget* parent)
   m_kind->setToolTip(tr("Which matrix it is; recognised by its name, size and entries"));
   m_kind->addItem(tr("Recognise the matrix"));
   for (const PaperMatrix kind : allPaperMatrices()) {
-    m_kind->addItem(shown(paperMatrixTitle(kind)) + QLatin1Char(' ') + shown(paperMatrixSymbol(kind)),
-                    static_cast<int>(kind));
+    m_kind->addItem(
+        shown(base::translated(paperMatrixTitle(kind))) + QLatin1Char(' ') + shown(paperMatrixSymbol(kind)),
+        static_cast<int>(kind));
   }
   m_verdict->setObjectName(QStringLiteral("paperVerdict"));
   m_verdict->setProperty("look", "heading");
@@ -231,7 +233,7 @@ void PaperCheckDialog::showFault(const Diagnostic& fault) {
 }
 
 void PaperCheckDialog::showMatrix(const MatrixVerdict& verdict) {
-  const QString name = shown(paperMatrixTitle(verdict.kind)) + QLatin1Char(' ') +
+  const QString name = shown(base::translated(paperMatrixTitle(verdict.kind))) + QLatin1Char(' ') +
                        shown(paperMatrixSymbol(verdict.kind)) + QLatin1Char(' ') +
                        shown(paperMatrixEquation(verdict.kind));
   switch (verdict.outcome) {
@@ -305,7 +307,7 @@ void PaperCheckDialog::showEquations(const std::vector<EquationVerdict>& verdict
 }
 
 void PaperCheckDialog::addDifference(const PaperDifference& difference) {
-  QString title = shown(paperMistakeTitle(difference.name));
+  QString title = shown(base::translated(paperMistakeTitle(difference.name)));
   if (!title.isEmpty()) title[0] = title[0].toUpper();
   m_differences->addItem(tr("%1: %2").arg(title, QString::fromStdString(difference.reason)));
 }

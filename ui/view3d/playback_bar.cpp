@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/foundations/base/spoken.h"
 #include "ui/theme/icons.h"
 
 namespace geargraph::inline view3d {
@@ -23,7 +24,11 @@ constexpr double kMostTenths = 99.9;       // s: longer times are told in second
 /// `span`: of the times that are shown; short ones are told in milliseconds.
 QString seconds(double value, double span) {
   constexpr double kShort = 0.5;
-  return QString::number(value, 'f', span < kShort ? 3 : value < kMostTenths + 0.05 ? 1 : 0);
+  return QString::number(value, 'f',
+                         span < kShort                ? 3
+                         : value < kMostTenths + 0.05 ? 1
+                                                      : 0)
+      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
 }
 
 /// "1/4×", "2×"; backwards with a minus.

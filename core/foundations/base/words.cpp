@@ -1,15 +1,21 @@
 #include "core/foundations/base/words.h"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
+
+#include "core/foundations/base/spoken.h"
 
 namespace geargraph::inline base {
 namespace {
 
 std::mutex g_mutex;
 std::shared_ptr<const Catalogue> g_catalogue;  ///< guarded by g_mutex; null: English
+std::atomic<char> g_decimalSign{'.'};
+thread_local int t_inEnglish = 0;  ///< scopes of InEnglish on this thread
 
 std::shared_ptr<const Catalogue> catalogue() {
+  if (t_inEnglish > 0) return nullptr;
   const std::lock_guard lock(g_mutex);
   return g_catalogue;
 }
@@ -60,6 +66,37 @@ void setCatalogue(Catalogue next) {
   auto shared = next ? std::make_shared<const Catalogue>(std::move(next)) : nullptr;
   const std::lock_guard lock(g_mutex);
   g_catalogue.swap(shared);
+}
+
+InEnglish::InEnglish() {
+  ++t_inEnglish;
+}
+
+InEnglish::~InEnglish() {
+  --t_inEnglish;
+}
+
+bool isEnglish() {
+  return catalogue() == nullptr;
+}
+
+std::string spokenNumber(std::string number) {
+  if (const auto point = number.find('.'); point != std::string::npos) number[point] = decimalSign();
+  return number;
+}
+
+std::string spokenTexNumber(std::string number) {
+  if (const auto point = number.find('.'); point != std::string::npos && decimalSign() != '.')
+    number.replace(point, 1, std::string{'{', decimalSign(), '}'});
+  return number;
+}
+
+void setDecimalSign(char sign) {
+  g_decimalSign = sign;
+}
+
+char decimalSign() {
+  return t_inEnglish > 0 ? '.' : g_decimalSign.load();
 }
 
 }  // namespace geargraph::inline base

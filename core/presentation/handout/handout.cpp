@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/base64.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/handout/handout_data.h"
@@ -39,22 +40,22 @@ struct Parts {
   }
   [[nodiscard]] std::string largest() const {
     const auto all = named();
-    return std::max_element(all.begin(), all.end(),
-                            [](const auto& a, const auto& b) { return a.second->size() < b.second->size(); })
-        ->first;
+    return translated(std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+                        return a.second->size() < b.second->size();
+                      })->first);
   }
 
  private:
   [[nodiscard]] std::array<std::pair<const char*, const std::string*>, 9> named() const {
-    return {std::pair("the drawings", &drawings),
-            {"the matrices", &matrices},
-            {"the solution", &solution},
-            {"the derivation", &derivation},
-            {"the exercises", &exercises},
-            {"the key of the exercises", &key},
-            {"the mechanism's data", &data},
-            {"the still picture", &still},
-            {"the solids", &geometry}};
+    return {std::pair(toTranslate("the drawings"), &drawings),
+            {toTranslate("the matrices"), &matrices},
+            {toTranslate("the solution"), &solution},
+            {toTranslate("the derivation"), &derivation},
+            {toTranslate("the exercises"), &exercises},
+            {toTranslate("the key of the exercises"), &key},
+            {toTranslate("the mechanism's data"), &data},
+            {toTranslate("the still picture"), &still},
+            {toTranslate("the solids"), &geometry}};
   }
 };
 
@@ -132,13 +133,14 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
     note = " The wheels are coarse: finer ones would make the file too large.";
   }
   if (bytes > kMostHandoutBytes) {
-    return Diagnostic{Code::graphics,
-                      "The handout would have " + std::to_string(bytes / 1'000'000) +
-                          " MB; a page has at most 3 MB. The largest part: " + parts.largest() + ".",
-                      {},
-                      {},
-                      0,
-                      0};
+    return Diagnostic{
+        Code::graphics,
+        translated("The handout would have %1 MB; a page has at most 3 MB. The largest part: %2.",
+                   {std::to_string(bytes / 1'000'000), parts.largest()}),
+        {},
+        {},
+        0,
+        0};
   }
   return wholePage(*snapshot, escapedXml(report.title), parts, note, use);
 }

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/painting/gl_renderer.h"
 
 namespace geargraph::inline painting {
@@ -19,7 +20,7 @@ Diagnostic refused(const std::string& why) {
   Diagnostic diagnostic;
   diagnostic.code = Code::graphics;
   diagnostic.message =
-      "No 3D pictures: " + why + ". On Debian, the package libgl1-mesa-dri brings what is missing.";
+      translated("No 3D pictures: %1. On Debian, the package libgl1-mesa-dri brings what is missing.", {why});
   return diagnostic;
 }
 
@@ -132,13 +133,14 @@ struct EglHost::Context {
   [[nodiscard]] std::string open() {
     display = surfacelessDisplay();
     EGLint major = 0, minor = 0;
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return "EGL finds no device";
-    if (!eglBindAPI(EGL_OPENGL_API)) return "EGL has no desktop OpenGL";
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor))
+      return translated("EGL finds no device");
+    if (!eglBindAPI(EGL_OPENGL_API)) return translated("EGL has no desktop OpenGL");
     const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &found) || found == 0)
-      return "EGL has no OpenGL configuration";
+      return translated("EGL has no OpenGL configuration");
     const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
                               3,
                               EGL_CONTEXT_MINOR_VERSION,
@@ -147,7 +149,7 @@ struct EglHost::Context {
                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                               EGL_NONE};
     context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
-    return context == EGL_NO_CONTEXT ? "there is no OpenGL 3.3 core" : "";
+    return context == EGL_NO_CONTEXT ? translated("there is no OpenGL 3.3 core") : "";
   }
 };
 
@@ -159,7 +161,7 @@ Expected<std::unique_ptr<EglHost>> EglHost::create() {
   const std::string problem = context->open();
   if (!problem.empty()) return refused(problem);
   const Current current(context->display, context->context);
-  if (!current.fine()) return refused("the driver cannot paint without a window");
+  if (!current.fine()) return refused(translated("the driver cannot paint without a window"));
   auto renderer = makeGlRenderer(
       [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });  // NOLINT
   if (!renderer) return renderer.error();

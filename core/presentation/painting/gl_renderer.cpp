@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/painting/gl_renderer_class.h"
 #include "core/presentation/painting/mark_lines.h"
 #include "core/presentation/painting/triad.h"
@@ -410,20 +411,22 @@ Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProc
   const auto refused = [](const std::string& why) {
     Diagnostic diagnostic;
     diagnostic.code = Code::graphics;
-    diagnostic.message = "No 3D pictures: " + why + ". Install a driver with OpenGL 3.3 or newer.";
+    diagnostic.message = translated("No 3D pictures: %1. Install a driver with OpenGL 3.3 or newer.", {why});
     return diagnostic;
   };
   auto gl = std::make_unique<GlApi>();
   const std::string missing = gl->load(getProcAddress);
-  if (!missing.empty()) return refused("the driver has no " + missing);
+  if (!missing.empty()) return refused(translated("the driver has no %1", {missing}));
   GLint major = 0, minor = 0;
   gl->GetIntegerv(GL_MAJOR_VERSION, &major);
   gl->GetIntegerv(GL_MINOR_VERSION, &minor);
   if (10 * major + minor < 33) {
-    return refused("the driver offers OpenGL " + std::to_string(major) + "." + std::to_string(minor));
+    return refused(
+        translated("the driver offers OpenGL %1", {std::to_string(major) + "." + std::to_string(minor)}));
   }
   auto renderer = std::make_unique<GlRenderer>(std::move(gl));
-  if (!renderer->log().empty()) return refused("the driver rejects a shader: " + renderer->log());
+  if (!renderer->log().empty())
+    return refused(translated("the driver rejects a shader: %1", {renderer->log()}));
   return std::unique_ptr<Renderer>(std::move(renderer));
 }
 

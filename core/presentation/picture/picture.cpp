@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/picture/cairo_surface.h"
 
 namespace geargraph::inline picture {
@@ -23,14 +24,16 @@ Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& pictu
   const double width = std::round(2 * sheet.halfWidth * scale);
   const double height = std::round(2 * sheet.halfHeight * scale);
   if (!(std::max(width, height) <= kMostDrawingPixels)) {
-    return failure("The picture would be more than " + std::to_string(kMostDrawingPixels) +
-                   " pixels wide or high: give it a smaller size, or write SVG or PDF.");
+    return failure(
+        translated("The picture would be more than %1 pixels wide or high: give it a smaller size, or "
+                   "write SVG or PDF.",
+                   {std::to_string(kMostDrawingPixels)}));
   }
   CairoSurface surface =
       CairoSurface::image(static_cast<int>(std::max(width, 1.0)), static_cast<int>(std::max(height, 1.0)));
   surface.play(list, sheet, scale, picture.look);
   std::optional<std::string> bytes = surface.png();
-  if (!bytes) return failure("There is not enough memory for the picture.");
+  if (!bytes) return failure(translated("There is not enough memory for the picture."));
   return std::move(*bytes);
 }
 
@@ -46,7 +49,7 @@ Expected<std::string> pdfOf(const DisplayList& list, const DrawingPicture& pictu
       CairoSurface::pdf(2 * sheet.halfWidth * scale, 2 * sheet.halfHeight * scale, picture.title);
   surface.play(list, sheet, scale, picture.look);
   std::optional<std::string> bytes = surface.finished();
-  if (!bytes) return failure("There is not enough memory for the picture.");
+  if (!bytes) return failure(translated("There is not enough memory for the picture."));
   return std::move(*bytes);
 }
 

@@ -1,5 +1,6 @@
 #include "core/presentation/results/handout_train.h"
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_stage.h"
 
@@ -22,7 +23,8 @@ MadeHandoutTrain handoutTrain(const AnalysisSnapshot& snapshot, const std::files
     const std::vector<std::uint8_t> png = pngBytes(*picture, stop);
     made.train.still.assign(png.begin(), png.end());
   } else {
-    made.notes.push_back("The handout has no still picture: " + picture.error().front().message);
+    made.notes.push_back(
+        translated("The handout has no still picture: %1", {picture.error().front().message}));
   }
   return made;
 }

@@ -3,6 +3,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/drawing/palette.h"
 
@@ -35,9 +37,9 @@ Float3 colourOfLink(int label) {
 std::optional<ExportFailure> tooManyTriangles(const GearTrain& train, double tolerance) {
   const double triangles = expectedTriangles(train, tolerance);
   if (triangles <= static_cast<double>(kMostTriangles)) return std::nullopt;
-  return ExportFailure{Kind::triangles, "About " + std::to_string(static_cast<long long>(triangles)) +
-                                            " triangles are more than the limit of " +
-                                            std::to_string(kMostTriangles)};
+  return ExportFailure{Kind::triangles, translated("About %1 triangles are more than the limit of %2",
+                                                   {std::to_string(static_cast<long long>(triangles)),
+                                                    std::to_string(kMostTriangles)})};
 }
 
 /// The solids of a train at the tolerance chosen, and that tolerance.
@@ -72,9 +74,10 @@ std::variant<MeshScene, MeshFileError> stretchScene(const LinkSceneSource& sourc
     scene = linkScene(source, motion);
   }
   std::ostringstream text;
-  text << " The file shows the first " << *motion.stretch
-       << " s of it, at its speed; it does not end where it began.";
-  shows += text.str();
+  text << *motion.stretch;
+  shows +=
+      ' ' + translated("The file shows the first %1 s of it, at its speed; it does not end where it began.",
+                       {spokenNumber(text.str())});
   return scene;
 }
 
@@ -82,13 +85,13 @@ std::variant<MeshScene, MeshFileError> stretchScene(const LinkSceneSource& sourc
 
 std::variant<ExportTrain, ExportFailure> exportTrain(SnapshotPtr snapshot, const std::stop_token& stop) {
   if (hasErrors(snapshot->diagnostics) || !snapshot->kinematics)
-    return ExportFailure{Kind::mechanism, "A mechanism with errors has no gears"};
+    return ExportFailure{Kind::mechanism, translated("A mechanism with errors has no gears")};
   const auto train = snapshot->geometry->train(stop);
   const auto found = snapshot->geometry->diagnostics(stop);
-  if (!train || !found) return ExportFailure{Kind::stopped, "the gear train"};
+  if (!train || !found) return ExportFailure{Kind::stopped, translated("the gear train")};
   ExportTrain made{std::move(snapshot), *train, *found, {}};
   made.motions = motionsOf(*made.snapshot, stop);
-  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the motion"};
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, translated("the motion")};
   return made;
 }
 
@@ -110,7 +113,7 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
     return *std::move(failure);
   const PlacedTrain placed = from.placed();
   auto [made, tolerance] = fittingParts(from, choice, stop);
-  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the solids"};
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, translated("the solids")};
   if (!made.diagnostics.empty() && !from.train.hasSimpleBodies)
     return ExportFailure{Kind::mechanism, {}, std::move(made.diagnostics)};
   if (choice.link) {
@@ -118,7 +121,7 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
       return std::to_string(from.mechanism().linkLabel(part.link)) != *choice.link;
     });
     if (made.parts.empty())
-      return ExportFailure{Kind::choice, "There is no link \"" + *choice.link + "\" with solids"};
+      return ExportFailure{Kind::choice, translated("There is no link \"%1\" with solids", {*choice.link})};
   }
   const LinkSceneSource source{from.mechanism(), *from.snapshot->tree, placed.kinematics, made.parts,
                                colourOfLink};
@@ -146,8 +149,8 @@ std::variant<MeshScene, ExportFailure> gearScene(const ExportTrain& from, const 
                                                  double tolerance) {
   const TrainGear* gear = gearNamed(from, name);
   if (gear == nullptr)
-    return ExportFailure{Kind::choice,
-                         "There is no gear \"" + name + "\"; gears are named like 15:tail, 15:head"};
+    return ExportFailure{
+        Kind::choice, translated("There is no gear \"%1\"; gears are named like 15:tail, 15:head", {name})};
   GearTrain alone;
   alone.gears.push_back(*gear);
   if (auto failure = tooManyTriangles(alone, tolerance)) return *std::move(failure);
@@ -171,7 +174,7 @@ std::variant<Assembly, ExportFailure> trainAssembly(const ExportTrain& from, dou
   if (motions.empty()) motions.emplace_back(static_cast<std::size_t>(from.mechanism().t()));  // all at rest
   GearCache cache;
   auto assembly = assemblyOf(from.placed(), cache, tolerance, motions, frames);
-  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the assembly"};
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, translated("the assembly")};
   if (!assembly) return ExportFailure{Kind::mechanism, {}, assembly.error()};
   return *std::move(assembly);
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/pins.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/text_metrics.h"
@@ -188,7 +189,7 @@ class Labeller {
 
   void addAxisName(const Section::Anchors& anchors) {
     const Axis* axis = m_part.mechanism.find(AxisId(anchors.element.id));
-    const std::string pin = axis != nullptr && isPinned(*axis) ? " (pinned)" : "";
+    const std::string pin = axis != nullptr && isPinned(*axis) ? ' ' + translated("(pinned)") : std::string();
     const std::string name = elided(anchors.element.id.text(), 12) + pin;
     const double half = textWidth(name, m_size, false) / 2;
     const LabelPlacer::Place place = m_placer.take(anchors.places, half, m_size / 2, true);
@@ -225,43 +226,59 @@ std::string listedLabels(const std::vector<int>& labels) {
   return listed(words, kAllNames);
 }
 
+/// One set or planet of several is drawn: %1 how many there are, %2 the others, %3 those that are drawn.
+const char* planetsText(bool arePlanets, bool isOneOther) {
+  if (arePlanets)
+    return isOneOther ? toTranslate("One of %1 equal planets is drawn: %2 is like %3.")
+                      : toTranslate("One of %1 equal planets is drawn: %2 are like %3.");
+  return isOneOther ? toTranslate("One of %1 equal sets of planets is drawn: %2 is like %3.")
+                    : toTranslate("One of %1 equal sets of planets is drawn: %2 are like %3.");
+}
+
 }  // namespace
 
 std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& layout) {
   std::vector<std::string> notes;
   for (const DrawnPart::Planets& planets : part.planets) {
-    const std::string what = planets.drawn.size() == 1 ? "planets" : "sets of planets";
-    notes.push_back("One of " + std::to_string(planets.count) + " equal " + what + " is drawn: " +
-                    listedLabels(planets.others) + (planets.others.size() == 1 ? " is like " : " are like ") +
-                    listedLabels(planets.drawn) + ".");
+    notes.push_back(
+        filled(translated(planetsText(planets.drawn.size() == 1, planets.others.size() == 1)),
+               {std::to_string(planets.count), listedLabels(planets.others), listedLabels(planets.drawn)}));
   }
   std::vector<std::string> turned;
   for (const SheetAxis& axis : layout.axes) {
     if (axis.turned) turned.push_back(part.mechanism.axes[static_cast<std::size_t>(axis.axis)].id.text());
   }
   if (layout.otherRadii) {
-    notes.emplace_back("Unfolded: the axes do not lie in one plane. Radii are not to scale.");
+    notes.push_back(translated("Unfolded: the axes do not lie in one plane. Radii are not to scale."));
   } else if (!turned.empty() && turned.size() <= 8) {
-    notes.push_back("Unfolded: the axes do not lie in one plane. " + listed(turned, kAllNames) +
-                    (turned.size() == 1 ? " is" : " are") + " turned into the sheet.");
+    const std::string names = listed(turned, kAllNames);
+    notes.push_back(
+        turned.size() == 1
+            ? translated("Unfolded: the axes do not lie in one plane. %1 is turned into the sheet.", {names})
+            : translated("Unfolded: the axes do not lie in one plane. %1 are turned into the sheet.",
+                         {names}));
   } else if (!turned.empty()) {
-    notes.push_back("Unfolded: the axes do not lie in one plane. " + std::to_string(turned.size()) +
-                    " of them are turned into the sheet.");
+    notes.push_back(
+        translated("Unfolded: the axes do not lie in one plane. %1 of them are turned into the sheet.",
+                   {std::to_string(turned.size())}));
   }
   for (const SheetPair& pair : layout.pairs) {
     if (!pair.apart) continue;
-    notes.emplace_back("Wheels that a dashed line joins mesh, though they do not touch here.");
+    notes.push_back(translated("Wheels that a dashed line joins mesh, though they do not touch here."));
     break;
   }
   if (!part.loose.empty()) {
-    notes.push_back((part.loose.size() == 1 ? "Link " : "Links ") + listedLabels(part.loose) +
-                    (part.loose.size() == 1 ? " is" : " are") + " not drawn: no turning joint ties " +
-                    (part.loose.size() == 1 ? "it" : "them") + " to the ground.");
+    const std::string names = listedLabels(part.loose);
+    notes.push_back(
+        part.loose.size() == 1
+            ? translated("Link %1 is not drawn: no turning joint ties it to the ground.", {names})
+            : translated("Links %1 are not drawn: no turning joint ties them to the ground.", {names}));
   }
   if (!part.closing.empty()) {
-    notes.push_back((part.closing.size() == 1 ? "Joint " : "Joints ") + listedLabels(part.closing) +
-                    (part.closing.size() == 1 ? " closes" : " close") + " a loop and " +
-                    (part.closing.size() == 1 ? "is" : "are") + " not drawn.");
+    const std::string names = listedLabels(part.closing);
+    notes.push_back(part.closing.size() == 1
+                        ? translated("Joint %1 closes a loop and is not drawn.", {names})
+                        : translated("Joints %1 close a loop and are not drawn.", {names}));
   }
   return notes;
 }

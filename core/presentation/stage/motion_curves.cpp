@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline stage {
 namespace {
 
@@ -43,17 +46,18 @@ class Sampler {
       for (std::size_t k = 0; k < moving.size(); ++k)
         moving[k].push_back(velocityOf(m_view.traces[k].point, poses, twists));
     }
-    std::vector<CurveSheet> sheets = {{"Angular speed", "rad/s", m_times, {}},
-                                      {"Traced points", m_stage.unit + "/s", m_times, {}}};
+    std::vector<CurveSheet> sheets = {{translated("Angular speed"), "rad/s", m_times, {}},
+                                      {translated("Traced points"), m_stage.unit + "/s", m_times, {}}};
     addJoints(sheets[0], links.empty());
     for (std::size_t k = 0; k < links.size(); ++k) {
       const Instance& part = m_stage.scene.instances[links[k]];
-      add(sheets[0], nameOf(part.element), part.colour, turning[k], part.element);
+      add(
+          sheets[0], [&] { return nameOf(part.element); }, part.colour, turning[k], part.element);
     }
     for (std::size_t k = 0; k < moving.size(); ++k) {
       const ShownTrace& trace = m_view.traces[k];
-      const std::string name = "point " + std::to_string(k + 1) + " of " + nameOf(trace.element);
-      add(sheets[1], name, m_stage.scene.instances[trace.point.instance].colour, moving[k], {});
+      add(sheets[1], [&] { return pointName(k, trace.element); },
+          m_stage.scene.instances[trace.point.instance].colour, moving[k], {});
     }
     std::erase_if(sheets, [](const CurveSheet& sheet) { return sheet.curves.empty(); });
     return sheets;
@@ -62,9 +66,17 @@ class Sampler {
  private:
   [[nodiscard]] std::string nameOf(const ElementId& link) const {
     for (const StageLabel& label : m_stage.labels) {
-      if (label.kind == LabelKind::link && label.element == link) return "link " + label.text;
+      if (label.kind == LabelKind::link && label.element == link) return translated("link %1", {label.text});
     }
-    return "ground";
+    return translated("ground");
+  }
+  [[nodiscard]] bool isGround(const ElementId& link) const {
+    return std::none_of(m_stage.labels.begin(), m_stage.labels.end(), [&](const StageLabel& label) {
+      return label.kind == LabelKind::link && label.element == link;
+    });
+  }
+  [[nodiscard]] std::string pointName(std::size_t trace, const ElementId& link) const {
+    return translated("point %1 of %2", {std::to_string(trace + 1), nameOf(link)});
   }
 
   /// An instance of each link that was chosen, or has a wheel of a chosen mesh.
@@ -78,7 +90,7 @@ class Sampler {
           std::any_of(instances[i].also.begin(), instances[i].also.end(), [&](const ElementId& id) {
             return id.kind == ElementKind::gearMesh && m_choice.elements.contains(id);
           });
-      if (chosen && nameOf(instances[i].element) != "ground" && links.insert(instances[i].element).second)
+      if (chosen && !isGround(instances[i].element) && links.insert(instances[i].element).second)
         found.push_back(i);
     }
     return found;
@@ -99,7 +111,12 @@ class Sampler {
     for (const StageJoint& joint : m_stage.joints) {
       const bool chosen = all ? sheet.curves.size() < kMostJoints : isChosen(joint);
       if (!chosen) continue;
-      sheet.curves.push_back({"joint " + joint.text, joint.colour, false, {}, joint.element});
+      sheet.curves.push_back({translated("joint %1", {joint.text}),
+                              joint.colour,
+                              false,
+                              {},
+                              joint.element,
+                              "joint " + joint.text});
       for (const std::vector<double>& now : speeds) {
         double rate = 0;
         for (std::size_t k = 0; k < joint.gains.size(); ++k) rate += joint.gains[k] * now[k];
@@ -119,8 +136,13 @@ class Sampler {
     return back * (velocity - twists[*point.watcher].at(at));
   }
 
-  void add(CurveSheet& sheet, const std::string& name, const Rgb& colour,
+  /// `compose` makes the name of the curve, in the language in use and for files.
+  template <class Compose>
+  void add(CurveSheet& sheet, const Compose& compose, const Rgb& colour,
            const std::vector<Eigen::Vector3d>& vectors, const std::optional<ElementId>& link) const {
+    const std::string name = compose();
+    const InEnglish english;
+    const std::string nameInFiles = compose();
     const bool isSigned = link.has_value();
     Eigen::Vector3d main = Eigen::Vector3d::Zero();
     double largest = 0;
@@ -135,7 +157,7 @@ class Sampler {
     // Positive about the axis' direction that points along +x, +y or +z most.
     Eigen::Index widest = 0;
     if (largest > 0) main.cwiseAbs().maxCoeff(&widest);
-    MotionCurve whole{name, colour, false, {}, link};
+    MotionCurve whole{name, colour, false, {}, link, nameInFiles};
     for (const Eigen::Vector3d& vector : vectors) {
       const double sense = isOneLine && vector[widest] < 0 ? -1 : 1;
       whole.values.push_back(sense * vector.norm());
@@ -143,7 +165,7 @@ class Sampler {
     sheet.curves.push_back(std::move(whole));
     if (!m_choice.components || isOneLine) return;
     for (std::size_t axis = 0; axis < kCoordinates.size(); ++axis) {
-      MotionCurve part{name + kCoordinates[axis], colour, true, {}, link};
+      MotionCurve part{name + kCoordinates[axis], colour, true, {}, link, nameInFiles + kCoordinates[axis]};
       for (const Eigen::Vector3d& vector : vectors)
         part.values.push_back(vector[static_cast<Eigen::Index>(axis)]);
       sheet.curves.push_back(std::move(part));
@@ -174,7 +196,8 @@ std::vector<CurveSheet> motionCurves(const Stage& stage, const StageView& view, 
 
 std::string curvesCsv(const CurveSheet& sheet) {
   std::string text = "time s";
-  for (const MotionCurve& curve : sheet.curves) text += ",\"" + curve.name + " " + sheet.unit + "\"";
+  for (const MotionCurve& curve : sheet.curves)
+    text += ",\"" + (curve.nameInFiles.empty() ? curve.name : curve.nameInFiles) + " " + sheet.unit + "\"";
   text += "\r\n";
   for (std::size_t i = 0; i < sheet.times.size(); ++i) {
     appendNumber(text, sheet.times[i]);

@@ -17,6 +17,7 @@ struct MotionCurve {
   bool isComponent = false;               ///< a coordinate of the curve before it that is none
   std::vector<double> values;             ///< one a time
   std::optional<ElementId> element = {};  ///< the joint or link; none for a point
+  std::string nameInFiles = {};           ///< English, where `name` is translated
 };
 
 /// Quantities of one unit over the same times.

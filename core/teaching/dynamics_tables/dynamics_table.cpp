@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/spoken.h"
+#include "core/teaching/force_tables/spoken_cell.h"
 
 namespace geargraph::inline dynamics_tables {
 namespace {
@@ -15,11 +17,12 @@ ForceCell textCell(std::string text) {
 ForceCell numberCell(double value) {
   return {shownNumber(value), value, {}};
 }
-ForceColumn numberColumn(std::string head, std::string unit, std::string meaning) {
-  return {std::move(head), std::move(unit), std::move(meaning), true, false};
+/// With a head and a meaning that are marked by toTranslate().
+ForceColumn numberColumn(const char* head, std::string unit, const char* meaning) {
+  return wordedColumn(head, std::move(unit), meaning, true);
 }
-ForceColumn textColumn(std::string head, std::string meaning) {
-  return {std::move(head), {}, std::move(meaning), false, false};
+ForceColumn textColumn(const char* head, const char* meaning) {
+  return wordedColumn(head, {}, meaning, false);
 }
 
 std::string inputLabel(const Mechanism& mechanism, const MechanismDynamics& dynamics, std::size_t input) {
@@ -41,21 +44,24 @@ std::string texColumn(const Vector& values) {
 
 ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> links, double metres) {
   GEARGRAPH_REQUIRE(links.size() == mechanism.links.size());
-  const char* const center = "The centre of mass in the reference pose, in the base frame.";
-  const char* const inertia =
+  constexpr const char* center = toTranslate("The centre of mass in the reference pose, in the base frame.");
+  constexpr const char* inertia = toTranslate(
       "The moment of inertia about the centre of mass, about the direction of this axis of the base frame, "
-      "in the reference pose.";
+      "in the reference pose.");
   ValueTable table;
   table.columns = {
-      textColumn("link", "The link, by its number."),
-      numberColumn("mass", "kg", "The mass: of the link's solids at the density, or as it is stated."),
+      textColumn(toTranslate("link"), toTranslate("The link, by its number.")),
+      numberColumn(toTranslate("mass"), "kg",
+                   toTranslate("The mass: of the link's solids at the density, or as it is stated.")),
       numberColumn("x", mechanism.unit, center),
       numberColumn("y", mechanism.unit, center),
       numberColumn("z", mechanism.unit, center),
       numberColumn("I xx", "kg m²", inertia),
       numberColumn("I yy", "kg m²", inertia),
       numberColumn("I zz", "kg m²", inertia),
-      textColumn("from", "Where the mass comes from: the link's solids, or the document, which states it.")};
+      textColumn(
+          toTranslate("from"),
+          toTranslate("Where the mass comes from: the link's solids, or the document, which states it."))};
   for (std::size_t link = 1; link < links.size(); ++link) {
     const MassProperties& body = links[link].body;
     ForceRow row;
@@ -65,7 +71,7 @@ ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> li
     for (const double place : body.center) row.cells.push_back(numberCell(place / metres));
     for (const double moment : Eigen::Vector3d(body.inertia.diagonal()))
       row.cells.push_back(numberCell(moment));
-    row.cells.push_back(textCell(massSourceText(links[link].source)));
+    row.cells.push_back(spokenCell([&] { return massSourceText(links[link].source); }));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -74,14 +80,16 @@ ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> li
 ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                           const DynamicState& state) {
   ValueTable table;
-  table.columns = {textColumn("link", "The link, by its number.")};
+  table.columns = {textColumn(toTranslate("link"), toTranslate("The link, by its number."))};
   for (std::size_t i = 0; i < dynamics.inputs.size(); ++i) {
     const std::string label = inputLabel(mechanism, dynamics, i);
     table.columns.push_back(
-        numberColumn("at " + label, "kg m²",
-                     "The inertia that the link has at the motor of joint " + label +
-                         " while the other inputs stand still: for a link that turns about one axis its "
-                         "moment of inertia times the square of its ratio."));
+        spokenColumn([&] { return translated("at %1", {label}); }, "kg m²",
+                     translated("The inertia that the link has at the motor of joint %1 while the other "
+                                "inputs stand still: for a link that turns about one axis its moment of "
+                                "inertia times the square of its ratio.",
+                                {label}),
+                     true));
   }
   const Eigen::Index links = state.reflected.rows();
   for (Eigen::Index link = 1; link < links; ++link) {
@@ -92,7 +100,7 @@ ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& d
     table.rows.push_back(std::move(row));
   }
   ForceRow sums;
-  sums.cells = {textCell("sum")};
+  sums.cells = {spokenCell([] { return translated("sum"); })};
   for (Eigen::Index i = 0; i < state.reflected.cols(); ++i)
     sums.cells.push_back(numberCell(state.reflected.col(i).sum()));
   table.rows.push_back(std::move(sums));
@@ -102,21 +110,24 @@ ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& d
 ValueTable equationTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                          const DynamicState& state) {
   ValueTable table;
-  table.columns = {textColumn("input", "The joint of the input, by its number.")};
+  table.columns = {textColumn(toTranslate("input"), toTranslate("The joint of the input, by its number."))};
   const std::size_t inputs = dynamics.inputs.size();
   for (std::size_t i = 0; i < inputs; ++i) {
     const std::string label = inputLabel(mechanism, dynamics, i);
-    table.columns.push_back(numberColumn(
-        "M " + label, "kg m²",
-        "The generalised inertia: the torque in the row's joint for each rad/s² of joint " + label + "."));
+    table.columns.push_back(
+        {"M " + label, "kg m²",
+         translated("The generalised inertia: the torque in the row's joint for each rad/s² of joint %1.",
+                    {label}),
+         true, false});
   }
+  table.columns.push_back(numberColumn("h", "N m",
+                                       toTranslate("What motors have to give at constant speeds, for "
+                                                   "Coriolis and centrifugal forces and for weight.")));
   table.columns.push_back(numberColumn(
-      "h", "N m",
-      "What motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight."));
+      toTranslate("load"), "N m", toTranslate("What the loads contribute, as a torque in the row's joint.")));
   table.columns.push_back(
-      numberColumn("load", "N m", "What the loads contribute, as a torque in the row's joint."));
-  table.columns.push_back(numberColumn(
-      "holding", "N m", "The torque of the motor that keeps the speeds constant: h less the load."));
+      numberColumn(toTranslate("holding"), "N m",
+                   toTranslate("The torque of the motor that keeps the speeds constant: h less the load.")));
   for (std::size_t i = 0; i < inputs; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     ForceRow row;
@@ -157,13 +168,13 @@ std::string equationTex(const Mechanism& mechanism, const MechanismDynamics& dyn
 std::string massSourceText(MassSource source) {
   switch (source) {
     case MassSource::none:
-      return "no solid: massless";
+      return translated("no solid: massless");
     case MassSource::solids:
-      return "solids";
+      return translated("solids");
     case MassSource::scaled:
-      return "stated, spread as its solids";
+      return translated("stated, spread as its solids");
     case MassSource::stated:
-      return "stated";
+      return translated("stated");
   }
   return {};
 }
@@ -174,9 +185,9 @@ std::string texNumber(double value, int digits) {
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
   std::string text(buffer.data(), result.ptr);
   const std::size_t exponent = text.find('e');
-  if (exponent == std::string::npos) return text;
+  if (exponent == std::string::npos) return spokenTexNumber(text);
   const int power = std::atoi(text.c_str() + exponent + 1);  // NOLINT: of std::to_chars
-  return text.substr(0, exponent) + " \\cdot 10^{" + std::to_string(power) + "}";
+  return spokenTexNumber(text.substr(0, exponent)) + " \\cdot 10^{" + std::to_string(power) + "}";
 }
 
 }  // namespace geargraph::inline dynamics_tables

@@ -3,14 +3,34 @@
 #include <algorithm>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline force_tables {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
 
-std::string counted(const char* one, const char* many, const std::vector<std::string>& names) {
-  return std::string(names.size() == 1 ? one : many) + ' ' + listed(names, kMostNames);
+/// The equation of a sum that is determined, or not.
+std::string equationOf(const std::string& symbols, const std::string& numbers, bool isDetermined) {
+  if (isDetermined) return symbols + " = 0: " + numbers + " = 0 N m";
+  return translated("%1 = 0, shared in unknown parts", {symbols});
+}
+
+/// Which links a joint cuts off, and which meshes cross.
+std::string sentenceOf(const std::string& joint, const std::vector<std::string>& links,
+                       const std::vector<std::string>& meshes) {
+  const std::string beyond = listed(links, kMostNames);
+  const std::string crossing = listed(meshes, kMostNames);
+  if (links.size() == 1) {
+    if (meshes.empty()) return translated("Joint %1 cuts off link %2: no mesh crosses.", {joint, beyond});
+    if (meshes.size() == 1)
+      return translated("Joint %1 cuts off link %2: mesh %3 crosses.", {joint, beyond, crossing});
+    return translated("Joint %1 cuts off link %2: meshes %3 cross.", {joint, beyond, crossing});
+  }
+  if (meshes.empty()) return translated("Joint %1 cuts off links %2: no mesh crosses.", {joint, beyond});
+  if (meshes.size() == 1)
+    return translated("Joint %1 cuts off links %2: mesh %3 crosses.", {joint, beyond, crossing});
+  return translated("Joint %1 cuts off links %2: meshes %3 cross.", {joint, beyond, crossing});
 }
 
 class Cutset {
@@ -101,8 +121,8 @@ class Cutset {
         add(id, "T(" + id.text() + ")", torque, isDetermined);
       } else {
         const int link = m_report.problem.balances[at(held.balance)].link;
-        add(m_mechanism.links[at(link)].id, "T(link " + std::to_string(m_mechanism.linkLabel(link)) + ")",
-            torque, isDetermined);
+        add(m_mechanism.links[at(link)].id,
+            translated("T(link %1)", {std::to_string(m_mechanism.linkLabel(link))}), torque, isDetermined);
       }
     }
   }
@@ -113,7 +133,7 @@ class Cutset {
       if (!load.place.inJoint()) onLinks.torques.push_back(load);
     onLinks.forces = m_report.problem.forces;
     const Real torque = LoadPower::of(m_mechanism, m_model, m_placement, onLinks).byJoint.at(m_joint);
-    if (!torque.isZero()) add({}, "loads", torque);
+    if (!torque.isZero()) add({}, translated("loads"), torque);
   }
 
   void describe() {
@@ -136,13 +156,8 @@ class Cutset {
       }
       isDetermined = isDetermined && term.isDetermined;
     }
-    m_words.sentence =
-        "Joint " + std::to_string(m_mechanism.jointLabel(m_joint)) + " cuts off " +
-        counted("link", "links", links) + ": " +
-        (meshes.empty() ? "no mesh crosses."
-                        : counted("mesh", "meshes", meshes) + (meshes.size() == 1 ? " crosses." : " cross."));
-    m_words.equation = symbols + " = 0";
-    m_words.equation += isDetermined ? ": " + numbers + " = 0 N m" : ", shared in unknown parts";
+    m_words.sentence = sentenceOf(std::to_string(m_mechanism.jointLabel(m_joint)), links, meshes);
+    m_words.equation = equationOf(symbols, numbers, isDetermined);
   }
 
   const Mechanism& m_mechanism;
@@ -176,19 +191,35 @@ std::optional<std::string> driverSentence(const Mechanism& mechanism, const Plac
   const auto at = static_cast<std::size_t>(mesh);
   const MeshGeometry& geometry = *placement.meshes[at];
   const auto label = [&](int link) { return std::to_string(mechanism.linkLabel(link)); };
-  const std::string carrier = geometry.carrier == 0 ? "the ground" : "carrier " + label(geometry.carrier);
-  const std::string name = "mesh " + std::to_string(mechanism.meshLabel(mesh));
+  const std::string name = std::to_string(mechanism.meshLabel(mesh));
   if (!report.solution().isDetermined(mesh))
-    return "Which gear drives in " + name + " depends on how the load is shared.";
+    return translated("Which gear drives in mesh %1 depends on how the load is shared.", {name});
+  const std::string carrier = label(geometry.carrier);
+  const bool isFixed = geometry.carrier == 0;
   const Real& power = report.powers.mesh[at];
-  if (power.isZero())
-    return "No gear drives in " + name + ": seen from " + carrier +
-           (report.powers.rolls[at] != 0 ? ", it bears no load." : ", it does not roll.");
+  if (power.isZero()) {
+    if (report.powers.rolls[at] != 0)
+      return isFixed
+                 ? translated("No gear drives in mesh %1: seen from the ground, it bears no load.", {name})
+                 : translated("No gear drives in mesh %1: seen from carrier %2, it bears no load.",
+                              {name, carrier});
+    return isFixed ? translated("No gear drives in mesh %1: seen from the ground, it does not roll.", {name})
+                   : translated("No gear drives in mesh %1: seen from carrier %2, it does not roll.",
+                                {name, carrier});
+  }
   const bool tailDrives = power.sign() > 0;
-  return "Gear " + label(tailDrives ? geometry.tail : geometry.head) + " drives gear " +
-         label(tailDrives ? geometry.head : geometry.tail) + " in " + name + ": seen from " + carrier +
-         ", it turns against the teeth's torque on it and passes " +
-         shownNumber(power.sign() > 0 ? power.number() : -power.number()) + " W.";
+  const std::string driver = label(tailDrives ? geometry.tail : geometry.head);
+  const std::string driven = label(tailDrives ? geometry.head : geometry.tail);
+  const std::string watts = shownNumber(power.sign() > 0 ? power.number() : -power.number());
+  return isFixed
+             ? translated(
+                   "Gear %1 drives gear %2 in mesh %3: seen from the ground, it turns against the teeth's "
+                   "torque on it and passes %4 W.",
+                   {driver, driven, name, watts})
+             : translated(
+                   "Gear %1 drives gear %2 in mesh %3: seen from carrier %5, it turns against the teeth's "
+                   "torque on it and passes %4 W.",
+                   {driver, driven, name, watts, carrier});
 }
 
 }  // namespace geargraph::inline force_tables

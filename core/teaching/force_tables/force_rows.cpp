@@ -6,22 +6,23 @@
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/base/wording.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/teaching/force_tables/force_table.h"
+#include "core/teaching/force_tables/spoken_cell.h"
 
 namespace geargraph::inline force_tables {
 namespace {
 
-constexpr const char* kShared = "shared";  // by several, in proportions that statics does not decide
+constexpr const char* kShared =
+    toTranslate("shared");  // by several, in proportions that statics does not decide
 
-ForceColumn words(const char* head, const char* meaning) {
-  return {head, "", meaning, false, false};
+ForceColumn text(const char* head, const char* meaning) {
+  return wordedColumn(head, "", meaning, false);
 }
 /// As a fraction where it is one; `decimalFollows`: the next column has it as a decimal.
 ForceColumn exact(const char* head, const char* unit, const char* meaning, bool decimalFollows = true) {
-  return {head, unit, meaning, true, decimalFollows};
+  return wordedColumn(head, unit, meaning, true, decimalFollows);
 }
 ForceColumn number(const char* head, const char* unit, const char* meaning) {
-  return {head, unit, meaning, true, false};
+  return wordedColumn(head, unit, meaning, true);
 }
 
 class Rows {
@@ -63,11 +64,19 @@ class Rows {
   }
   static ForceCell cell(std::string text) { return {std::move(text), std::nullopt, {}}; }
   static ForceCell cell(double value) { return {shownNumber(value), value, {}}; }
+  /// A word that is marked by toTranslate().
+  static ForceCell wordCell(const char* word) {
+    return spokenCell([word] { return translated(word); });
+  }
+  /// A marked text about an element, whose label or name is %1.
+  static ForceCell nameCell(const char* text, const std::string& name) {
+    return spokenCell([&] { return filled(translated(text), {name}); });
+  }
   static ForceCell exactCell(const std::optional<Real>& value) {
-    return value ? ForceCell{shownReal(*value), value->number(), {}} : cell(kShared);
+    return value ? ForceCell{shownReal(*value), value->number(), {}} : wordCell(kShared);
   }
   static ForceCell decimalCell(const std::optional<Real>& value) {
-    return value ? cell(value->number()) : cell(kShared);
+    return value ? cell(value->number()) : wordCell(kShared);
   }
 
   [[nodiscard]] ElementId jointId(int joint) const {
@@ -112,24 +121,31 @@ class Rows {
     return torques;
   }
 
+  static const char* carriedBy(bool load, bool balance) {
+    if (load) return balance ? toTranslate("load and balance") : toTranslate("load");
+    return balance ? toTranslate("balance") : toTranslate("free");
+  }
+
   void joints() {
     m_table->columns = {
-        words("at",
-              "A turning joint, by its label, or a link on which a load or a balance acts from outside."),
-        words("turns", "The link beyond the joint, seen from the ground."),
-        words("carried by",
-              "What puts a torque in: a load that is given, a balance that is found, or "
-              "nothing: a free joint."),
-        exact("lossless", "N m",
-              "The torque that the joint's tail exerts on its head about the axis, of a "
-              "train without losses.",
+        text(toTranslate("at"),
+             toTranslate(
+                 "A turning joint, by its label, or a link on which a load or a balance acts from outside.")),
+        text(toTranslate("turns"), toTranslate("The link beyond the joint, seen from the ground.")),
+        text(toTranslate("carried by"),
+             toTranslate("What puts a torque in: a load that is given, a balance that is found, or "
+                         "nothing: a free joint.")),
+        exact(toTranslate("lossless"), "N m",
+              toTranslate("The torque that the joint's tail exerts on its head about the axis, of a "
+                          "train without losses."),
               false),
-        exact("exact torque", "N m", "The same with the losses of the meshes, where they are given."),
-        number("torque", "N m", "The same as a decimal."),
-        number("rate", "rad/s", "How fast the head turns against the tail."),
-        number("power", "W",
-               "Torque times rate: what load or balance feed into the train here; below 0: "
-               "what they take."),
+        exact(toTranslate("exact torque"), "N m",
+              toTranslate("The same with the losses of the meshes, where they are given.")),
+        number(toTranslate("torque"), "N m", toTranslate("The same as a decimal.")),
+        number(toTranslate("rate"), "rad/s", toTranslate("How fast the head turns against the tail.")),
+        number(toTranslate("power"), "W",
+               toTranslate("Torque times rate: what load or balance feed into the train here; below 0: "
+                           "what they take.")),
     };
     if (!m_isBalanced) return;
     std::vector<std::pair<bool, bool>> carried(static_cast<std::size_t>(m_model.t()));  // load, balance
@@ -146,14 +162,14 @@ class Rows {
       const auto [load, balance] = carried[at];
       line.cells = {cell(std::to_string(m_mechanism.jointLabel(joint))),
                     cell(linkName(child)),
-                    cell(load ? (balance ? "load and balance" : "load") : (balance ? "balance" : "free")),
+                    wordCell(carriedBy(load, balance)),
                     exactCell(lossless[at]),
                     exactCell(torques[at]),
                     decimalCell(torques[at])};
       if (m_report.motion) {
         line.cells.push_back(cell((*m_report.motion)[at].toDouble()));
         line.cells.push_back(torques[at] ? cell((*torques[at] * Real((*m_report.motion)[at])).number())
-                                         : cell(kShared));
+                                         : wordCell(kShared));
       } else {
         line.cells.resize(m_table->columns.size());
       }
@@ -169,7 +185,8 @@ class Rows {
       const auto* torque = std::get_if<LinkTorque>(&load.load.action);
       std::optional<Real> size;
       if (torque != nullptr) size = Real(torque->torque.exact());
-      addOnLink(m_links.at(*link), torque != nullptr ? "load" : "force", size, size, load.watts);
+      addOnLink(m_links.at(*link), torque != nullptr ? toTranslate("load") : toTranslate("force"), size, size,
+                load.watts);
     }
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const int balance = m_report.held[part].balance;
@@ -178,7 +195,7 @@ class Rows {
       if (place.inJoint()) continue;
       const int unknown = m_model.c() + static_cast<int>(part);
       const bool isKnown = m_report.solution().isDetermined(unknown);
-      addOnLink(place.link, "balance", valueIn(m_report.lossless, unknown),
+      addOnLink(place.link, toTranslate("balance"), valueIn(m_report.lossless, unknown),
                 valueIn(m_report.solution(), unknown),
                 m_report.motion && isKnown ? std::optional(m_report.powers.held[part]) : std::nullopt);
     }
@@ -188,9 +205,9 @@ class Rows {
                  const std::optional<Real>& torque, const std::optional<Real>& watts) {
     ForceRow& line = row({linkId(link)});
     const bool isForce = std::string_view(by) == "force";
-    line.cells = {cell("link " + std::to_string(m_mechanism.linkLabel(link))),
+    line.cells = {nameCell(toTranslate("link %1"), std::to_string(m_mechanism.linkLabel(link))),
                   cell(linkName(link)),
-                  cell(by),
+                  wordCell(by),
                   isForce ? cell("") : exactCell(lossless),
                   isForce ? cell("") : exactCell(torque),
                   isForce ? cell("") : decimalCell(torque),
@@ -200,14 +217,17 @@ class Rows {
 
   void couplings() {
     m_table->columns = {
-        words("coupling", "A brake or clutch that is engaged."),
-        words("holds",
-              "The link that a brake holds; the two links that a clutch joins, the torque acts on "
-              "the first one."),
-        words("about", "The axis that the torque is about, the first one on the way to the ground."),
-        exact("exact torque", "N m", "The torque on that link, with the losses where they are given."),
-        number("torque", "N m", "The same as a decimal."),
-        number("passed", "W", "The power that a clutch delivers to the first link; a brake passes none."),
+        text(toTranslate("coupling"), toTranslate("A brake or clutch that is engaged.")),
+        text(toTranslate("holds"),
+             toTranslate("The link that a brake holds; the two links that a clutch joins, the torque acts on "
+                         "the first one.")),
+        text(toTranslate("about"),
+             toTranslate("The axis that the torque is about, the first one on the way to the ground.")),
+        exact(toTranslate("exact torque"), "N m",
+              toTranslate("The torque on that link, with the losses where they are given.")),
+        number(toTranslate("torque"), "N m", toTranslate("The same as a decimal.")),
+        number(toTranslate("passed"), "W",
+               toTranslate("The power that a clutch delivers to the first link; a brake passes none.")),
     };
     if (!m_isBalanced) return;
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
@@ -222,9 +242,9 @@ class Rows {
       }
       const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
       ForceRow& line = row(std::move(elements));
-      line.cells = {cell((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text()),
-                    cell(links), cell(m_mechanism.axes[static_cast<std::size_t>(held.axis)].id.text()),
-                    exactCell(torque), decimalCell(torque)};
+      line.cells = {nameCell(couplingText(coupling), coupling.id.text()), cell(links),
+                    cell(m_mechanism.axes[static_cast<std::size_t>(held.axis)].id.text()), exactCell(torque),
+                    decimalCell(torque)};
       line.cells.push_back(held.isMain && m_report.flow
                                ? flowCell(m_report.flow->of(ElementPower::Kind::coupling, held.coupling), 0)
                                : ForceCell());
@@ -232,41 +252,47 @@ class Rows {
   }
 
   static ForceCell flowCell(const ElementPower& element, std::size_t port) {
-    return element.isDetermined ? cell(element.ports[port].power.number()) : cell(kShared);
+    return element.isDetermined ? cell(element.ports[port].power.number()) : wordCell(kShared);
   }
 
   void meshes() {
     m_table->columns = {
-        words("mesh", "The gear mesh, by its label."),
-        words("tail", "The link of the tail's gear."),
-        words("head", "The link of the head's gear."),
-        words("carrier", "The link that holds both gears' axes, from which the mesh is seen."),
-        exact("on tail", "N m",
-              "The torque of the mesh on the tail's gear about its own axis, seen from the "
-              "carrier.",
+        text(toTranslate("mesh"), toTranslate("The gear mesh, by its label.")),
+        text(toTranslate("tail"), toTranslate("The link of the tail's gear.")),
+        text(toTranslate("head"), toTranslate("The link of the head's gear.")),
+        text(toTranslate("carrier"),
+             toTranslate("The link that holds both gears' axes, from which the mesh is seen.")),
+        exact(toTranslate("on tail"), "N m",
+              toTranslate("The torque of the mesh on the tail's gear about its own axis, seen from the "
+                          "carrier."),
               false),
-        exact("on head", "N m",
-              "The torque of the mesh on the head's gear about its own axis, seen from the "
-              "carrier.",
+        exact(toTranslate("on head"), "N m",
+              toTranslate("The torque of the mesh on the head's gear about its own axis, seen from the "
+                          "carrier."),
               false),
-        number("tangential", "N",
-               "The force along the pitch circles' tangent, of the tail's gear on the "
-               "head's."),
-        number("separating", "N",
-               "The force that presses the gears apart: the tangential one times the "
-               "tangent of the operating pressure angle."),
-        number("Fx", "N", "The whole tooth force on the head's gear, in the base frame."),
-        number("Fy", "N", "The whole tooth force on the head's gear, in the base frame."),
-        number("Fz", "N", "The whole tooth force on the head's gear, in the base frame."),
-        number("efficiency", "", "Power delivered over power taken, seen from the carrier."),
-        words("drives", "The gear that delivers the power to the teeth, seen from the carrier."),
-        number("rolling power", "W",
-               "What the teeth pass from tail to head, seen from the carrier: the "
-               "latent power."),
-        number("lost", "W", "One minus the efficiency, times the rolling power."),
-        number("to tail", "W", "What the mesh delivers to the tail's gear, seen from the ground."),
-        number("to head", "W", "What the mesh delivers to the head's gear, seen from the ground."),
-        number("to carrier", "W", "What the mesh delivers to the carrier, seen from the ground."),
+        number(toTranslate("tangential"), "N",
+               toTranslate("The force along the pitch circles' tangent, of the tail's gear on the "
+                           "head's.")),
+        number(toTranslate("separating"), "N",
+               toTranslate("The force that presses the gears apart: the tangential one times the "
+                           "tangent of the operating pressure angle.")),
+        number("Fx", "N", toTranslate("The whole tooth force on the head's gear, in the base frame.")),
+        number("Fy", "N", toTranslate("The whole tooth force on the head's gear, in the base frame.")),
+        number("Fz", "N", toTranslate("The whole tooth force on the head's gear, in the base frame.")),
+        number(toTranslate("efficiency"), "",
+               toTranslate("Power delivered over power taken, seen from the carrier.")),
+        text(toTranslate("drives"),
+             toTranslate("The gear that delivers the power to the teeth, seen from the carrier.")),
+        number(toTranslate("rolling power"), "W",
+               toTranslate("What the teeth pass from tail to head, seen from the carrier: the "
+                           "latent power.")),
+        number(toTranslate("lost"), "W", toTranslate("One minus the efficiency, times the rolling power.")),
+        number(toTranslate("to tail"), "W",
+               toTranslate("What the mesh delivers to the tail's gear, seen from the ground.")),
+        number(toTranslate("to head"), "W",
+               toTranslate("What the mesh delivers to the head's gear, seen from the ground.")),
+        number(toTranslate("to carrier"), "W",
+               toTranslate("What the mesh delivers to the carrier, seen from the ground.")),
     };
     if (!m_isBalanced) return;
     for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
@@ -279,7 +305,7 @@ class Rows {
     const bool isDetermined = m_report.solution().isDetermined(mesh);
     const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
     const auto torque = [&](const Real& size, int gear, int axisClass) {
-      if (!isDetermined) return cell(kShared);
+      if (!isDetermined) return wordCell(kShared);
       return exactCell(Real(senseAt(m_placement, gear, axisClass)) * size);
     };
     line.cells = {cell(std::to_string(m_mechanism.meshLabel(mesh))),
@@ -294,7 +320,7 @@ class Rows {
       const ToothForce& force = m_report.forces.meshes[at];
       for (const double size :
            {force.tangential, force.separating, force.force[0], force.force[1], force.force[2]})
-        line.cells.push_back(isDetermined ? cell(size) : cell(kShared));
+        line.cells.push_back(isDetermined ? cell(size) : wordCell(kShared));
     }
     addMeshPower(mesh, isDetermined, line);
     line.cells.resize(m_table->columns.size());
@@ -304,7 +330,7 @@ class Rows {
     const auto at = static_cast<std::size_t>(mesh);
     if (!m_report.flow) return;
     if (!isDetermined) {
-      for (int i = 0; i < 7; ++i) line.cells.push_back(cell(kShared));
+      for (int i = 0; i < 7; ++i) line.cells.push_back(wordCell(kShared));
       return;
     }
     const MeshGeometry& geometry = *m_placement.meshes[at];
@@ -323,25 +349,26 @@ class Rows {
 
   void bearings() {
     m_table->columns = {
-        words("joint", "The turning joint, whose bearing holds its head on its tail."),
-        number("force", "N", "The size of the force of the tail on the head."),
-        number("Fx", "N", "The force of the tail on the head, in the base frame."),
-        number("Fy", "N", "The force of the tail on the head, in the base frame."),
-        number("Fz", "N", "The force of the tail on the head, in the base frame."),
+        text(toTranslate("joint"),
+             toTranslate("The turning joint, whose bearing holds its head on its tail.")),
+        number(toTranslate("force"), "N", toTranslate("The size of the force of the tail on the head.")),
+        number("Fx", "N", toTranslate("The force of the tail on the head, in the base frame.")),
+        number("Fy", "N", toTranslate("The force of the tail on the head, in the base frame.")),
+        number("Fz", "N", toTranslate("The force of the tail on the head, in the base frame.")),
         number("Mx", "N m",
-               "The moment of the tail on the head about the point, with the joint's own "
-               "torque."),
+               toTranslate("The moment of the tail on the head about the point, with the joint's own "
+                           "torque.")),
         number("My", "N m",
-               "The moment of the tail on the head about the point, with the joint's own "
-               "torque."),
+               toTranslate("The moment of the tail on the head about the point, with the joint's own "
+                           "torque.")),
         number("Mz", "N m",
-               "The moment of the tail on the head about the point, with the joint's own "
-               "torque."),
+               toTranslate("The moment of the tail on the head about the point, with the joint's own "
+                           "torque.")),
         number("x", "",
-               "Where the joint is drawn: the point that the moment is about, in the document's "
-               "unit."),
-        number("y", "", "Where the joint is drawn, in the document's unit."),
-        number("z", "", "Where the joint is drawn, in the document's unit."),
+               toTranslate("Where the joint is drawn: the point that the moment is about, in the document's "
+                           "unit.")),
+        number("y", "", toTranslate("Where the joint is drawn, in the document's unit.")),
+        number("z", "", toTranslate("Where the joint is drawn, in the document's unit.")),
     };
     for (std::size_t i = 8; i < 11; ++i) m_table->columns[i].unit = m_mechanism.unit;
     if (!m_isBalanced) return;
@@ -349,23 +376,24 @@ class Rows {
       const BearingReaction& bearing = m_report.forces.bearings[joint];
       ForceRow& line = row({jointId(static_cast<int>(joint))});
       line.cells = {cell(std::to_string(m_mechanism.jointLabel(static_cast<int>(joint)))),
-                    bearing.isDetermined ? cell(length(bearing.force)) : cell(kShared)};
+                    bearing.isDetermined ? cell(length(bearing.force)) : wordCell(kShared)};
       for (const Vector3& vector : {bearing.force, bearing.moment})
         for (const double component : vector)
-          line.cells.push_back(bearing.isDetermined ? cell(component) : cell(kShared));
+          line.cells.push_back(bearing.isDetermined ? cell(component) : wordCell(kShared));
       for (const double component : bearing.point) line.cells.push_back(cell(component));
     }
   }
 
   void powers() {
     m_table->columns = {
-        words("element", "A mesh, a joint, an engaged coupling, a load or a balance."),
-        words("link", "The link that it acts on."),
-        exact("exact power", "W",
-              "What the element delivers to the link, seen from the ground; below 0: what it "
-              "takes from it. The sum at every link is 0."),
-        number("power", "W", "The same as a decimal."),
-        number("part", "%", "Of the power fed into the train."),
+        text(toTranslate("element"),
+             toTranslate("A mesh, a joint, an engaged coupling, a load or a balance.")),
+        text(toTranslate("link"), toTranslate("The link that it acts on.")),
+        exact(toTranslate("exact power"), "W",
+              toTranslate("What the element delivers to the link, seen from the ground; below 0: what it "
+                          "takes from it. The sum at every link is 0.")),
+        number(toTranslate("power"), "W", toTranslate("The same as a decimal.")),
+        number(toTranslate("part"), "%", toTranslate("Of the power fed into the train.")),
     };
     if (!m_isBalanced || !m_report.flow) return;
     const double fed = m_report.sums ? m_report.sums->fed.number() : 0;
@@ -378,7 +406,7 @@ class Rows {
         elements.push_back(linkId(port.link));
         ForceRow& line = row(std::move(elements));
         const auto power = element.isDetermined ? std::optional(port.power) : std::nullopt;
-        line.cells = {cell(nameOf(element)), cell(linkName(port.link)), exactCell(power), decimalCell(power),
+        line.cells = {nameOf(element), cell(linkName(port.link)), exactCell(power), decimalCell(power),
                       power && fed > 0 ? cell(100 * power->number() / fed) : cell("")};
       }
     }
@@ -398,31 +426,37 @@ class Rows {
     }
     return {};
   }
-  [[nodiscard]] std::string nameOf(const ElementPower& element) const {
+  static const char* couplingText(const Coupling& coupling) {
+    return coupling.kind == CouplingKind::brake ? toTranslate("brake %1") : toTranslate("clutch %1");
+  }
+  [[nodiscard]] ForceCell nameOf(const ElementPower& element) const {
     switch (element.kind) {
       case ElementPower::Kind::mesh:
-        return "mesh " + std::to_string(m_mechanism.meshLabel(element.position));
+        return nameCell(toTranslate("mesh %1"), std::to_string(m_mechanism.meshLabel(element.position)));
       case ElementPower::Kind::joint:
-        return "joint " + std::to_string(m_mechanism.jointLabel(element.position));
+        return nameCell(toTranslate("joint %1"), std::to_string(m_mechanism.jointLabel(element.position)));
       case ElementPower::Kind::coupling: {
         const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(element.position)];
-        return (coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text();
+        return nameCell(couplingText(coupling), coupling.id.text());
       }
       case ElementPower::Kind::load:
-        return "load on link " + std::to_string(m_mechanism.linkLabel(element.ports.front().link));
+        return nameCell(toTranslate("load on link %1"),
+                        std::to_string(m_mechanism.linkLabel(element.ports.front().link)));
       case ElementPower::Kind::balance:
-        return "balance on link " + std::to_string(m_mechanism.linkLabel(element.ports.front().link));
+        return nameCell(toTranslate("balance on link %1"),
+                        std::to_string(m_mechanism.linkLabel(element.ports.front().link)));
     }
     return {};
   }
 
   void circulations() {
     m_table->columns = {
-        exact("exact power", "W", "The least power on the loop: what goes round beside what goes through."),
-        number("power", "W", "The same as a decimal."),
-        number("part", "%", "Of the power fed into the train."),
-        words("links", "The shafts of the loop."),
-        words("meshes", "The meshes of the gear sets of the loop."),
+        exact(toTranslate("exact power"), "W",
+              toTranslate("The least power on the loop: what goes round beside what goes through.")),
+        number(toTranslate("power"), "W", toTranslate("The same as a decimal.")),
+        number(toTranslate("part"), "%", toTranslate("Of the power fed into the train.")),
+        text(toTranslate("links"), toTranslate("The shafts of the loop.")),
+        text(toTranslate("meshes"), toTranslate("The meshes of the gear sets of the loop.")),
     };
     if (!m_report.circulations) return;
     const double fed = m_report.sums ? m_report.sums->fed.number() : 0;
@@ -441,7 +475,8 @@ class Rows {
       ForceRow& line = row(std::move(elements));
       line.cells = {exactCell(each.power), decimalCell(each.power),
                     fed > 0 ? cell(100 * each.power.number() / fed) : cell(""),
-                    cell(listed(links, kAllNames)), cell(listed(labels, kAllNames))};
+                    spokenCell([&] { return listed(links, kAllNames); }),
+                    spokenCell([&] { return listed(labels, kAllNames); })};
     }
   }
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline force_tables {
 namespace {
@@ -15,13 +17,13 @@ struct Names {
 };
 
 constexpr Names kNames[] = {
-    {ForceTableKind::joints, "Torques", "joint-torques"},
-    {ForceTableKind::couplings, "Couplings", "coupling-torques"},
-    {ForceTableKind::meshes, "Meshes", "mesh-forces"},
-    {ForceTableKind::bearings, "Bearings", "bearings"},
-    {ForceTableKind::powers, "Power", "powers"},
-    {ForceTableKind::circulations, "Circulating power", "circulations"},
-    {ForceTableKind::states, "Gears", "shift-torques"},
+    {ForceTableKind::joints, toTranslate("Torques"), "joint-torques"},
+    {ForceTableKind::couplings, toTranslate("Couplings"), "coupling-torques"},
+    {ForceTableKind::meshes, toTranslate("Meshes"), "mesh-forces"},
+    {ForceTableKind::bearings, toTranslate("Bearings"), "bearings"},
+    {ForceTableKind::powers, toTranslate("Power"), "powers"},
+    {ForceTableKind::circulations, toTranslate("Circulating power"), "circulations"},
+    {ForceTableKind::states, toTranslate("Gears"), "shift-torques"},
 };
 
 const Names& namesOf(ForceTableKind kind) {
@@ -52,8 +54,8 @@ const std::vector<ForceTableKind>& allForceTableKinds() {
   return kinds;
 }
 
-std::string_view forceTableTitle(ForceTableKind kind) {
-  return namesOf(kind).title;
+std::string forceTableTitle(ForceTableKind kind) {
+  return translated(namesOf(kind).title);
 }
 
 std::string_view forceTableCommandName(ForceTableKind kind) {
@@ -70,8 +72,8 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
   if (options.labels) {
     for (const ForceColumn& column : table.columns) {
       if (column.isFraction) continue;
-      text += csvLabel(column.unit.empty() ? column.head : column.head + " [" + column.unit + ']',
-                       options.separator) +
+      const std::string& head = column.headInFiles.empty() ? column.head : column.headInFiles;
+      text += csvLabel(column.unit.empty() ? head : head + " [" + column.unit + ']', options.separator) +
               options.separator;
     }
     endLine();
@@ -83,7 +85,7 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
       if (cell.number) {
         text += csvNumber(*cell.number, options);
       } else {
-        text += csvLabel(cell.text, options.separator);
+        text += csvLabel(cell.textInFiles.empty() ? cell.text : cell.textInFiles, options.separator);
       }
       text += options.separator;
     }
@@ -94,7 +96,7 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
 std::string shownNumber(double number) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", number == 0 ? 0.0 : number);
-  return buffer;
+  return spokenNumber(buffer);
 }
 
 std::string shownReal(const Real& value) {

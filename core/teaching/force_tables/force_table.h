@@ -16,7 +16,7 @@ enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circula
 
 /// Those of one problem: all but `states`.
 [[nodiscard]] const std::vector<ForceTableKind>& allForceTableKinds();
-[[nodiscard]] std::string_view forceTableTitle(ForceTableKind kind);        ///< "Torques"
+[[nodiscard]] std::string forceTableTitle(ForceTableKind kind);             ///< "Torques", translated
 [[nodiscard]] std::string_view forceTableCommandName(ForceTableKind kind);  ///< "joint-torques", of the CSV
 
 struct ForceColumn {
@@ -24,13 +24,15 @@ struct ForceColumn {
   std::string unit;     ///< empty for texts and plain numbers
   std::string meaning;  ///< the definition of what is in the column, with its sign
   bool isNumber = false;
-  bool isFraction = false;  ///< of the next column, which has the same as decimals: CSV leaves it out
+  bool isFraction = false;    ///< of the next column, which has the same as decimals: CSV leaves it out
+  std::string headInFiles{};  ///< English, where `head` is translated
 };
 
 struct ForceCell {
   std::string text;              ///< as it is shown: "-7/2", "12.5", "shared"; empty where there is nothing
   std::optional<double> number;  ///< of a number that is determined
   std::string exact;             ///< of a decimal of the shift table: its fraction, where it is a short one
+  std::string textInFiles{};     ///< English, where `text` is translated
 };
 
 struct ForceRow {
@@ -38,7 +40,7 @@ struct ForceRow {
   std::vector<ForceCell> cells;     ///< one a column
 };
 
-/// A table as an immutable value.
+/// A table as an immutable value, in the language in use; what files hold of it is English.
 struct ValueTable {
   std::vector<ForceColumn> columns;
   std::vector<ForceRow> rows;
@@ -73,7 +75,7 @@ enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent,
 /// read back as the same doubles.
 void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& options = {});
 
-/// About six digits, as screens show them: "12.5", "-0.333333".
+/// About six digits, as screens show them, with the decimal sign in use: "12.5", "-0.333333".
 [[nodiscard]] std::string shownNumber(double number);
 /// A fraction where it is one and short, else about six digits.
 [[nodiscard]] std::string shownReal(const Real& value);

@@ -1,7 +1,7 @@
 // The torques of a gearbox, a row a state.
 
 #include "core/foundations/base/position_index.h"
-#include "core/teaching/force_tables/force_table.h"
+#include "core/teaching/force_tables/spoken_cell.h"
 
 namespace geargraph::inline force_tables {
 namespace {
@@ -23,36 +23,40 @@ std::size_t placeOf(ShiftColumn column, std::size_t couplings) {
 }
 
 std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
-  std::vector<ForceColumn> columns{{"state", "", "The state of the gearbox, by its name.", false, false}};
+  std::vector<ForceColumn> columns{
+      wordedColumn(toTranslate("state"), "", toTranslate("The state of the gearbox, by its name."), false)};
   for (const Coupling& coupling : mechanism.couplings) {
     const bool isBrake = coupling.kind == CouplingKind::brake;
-    columns.push_back({coupling.id.text(), "N m",
-                       isBrake ? "The torque that the brake exerts on its link while it is engaged."
-                               : "The torque that the clutch exerts on the first of its links while it is "
-                                 "engaged; the second one has the reaction.",
-                       true, false});
+    columns.push_back(
+        {coupling.id.text(), "N m",
+         isBrake ? translated("The torque that the brake exerts on its link while it is engaged.")
+                 : translated("The torque that the clutch exerts on the first of its links while it is "
+                              "engaged; the second one has the reaction."),
+         true, false});
   }
-  columns.push_back({"exact ratio", "", "The speed of the drive over that of the driven link.", true, true});
-  columns.push_back({"ratio", "", "The same as a decimal.", true, false});
-  columns.push_back({"found", "N m",
-                     "The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where "
-                     "the document has no load there.",
-                     true, false});
-  columns.push_back({"efficiency", "", "Power taken over power fed, with the drive driving.", true, false});
-  columns.push_back(
-      {"backward", "", "The same with all known torques reversed: the output drives.", true, false});
-  columns.push_back({"latent", "",
-                     "The power that all meshes pass, seen from their carriers, over the power fed.", true,
-                     false});
-  columns.push_back({"circulating", "",
-                     "The greatest power that goes round in a loop, for each watt that is fed.", true,
-                     false});
+  const auto add = [&](const char* head, const char* unit, const char* meaning, bool isFraction = false) {
+    columns.push_back(wordedColumn(head, unit, meaning, true, isFraction));
+  };
+  add(toTranslate("exact ratio"), "", toTranslate("The speed of the drive over that of the driven link."),
+      true);
+  add(toTranslate("ratio"), "", toTranslate("The same as a decimal."));
+  add(toTranslate("found"), "N m",
+      toTranslate("The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where "
+                  "the document has no load there."));
+  add(toTranslate("efficiency"), "", toTranslate("Power taken over power fed, with the drive driving."));
+  add(toTranslate("backward"), "",
+      toTranslate("The same with all known torques reversed: the output drives."));
+  add(toTranslate("latent"), "",
+      toTranslate("The power that all meshes pass, seen from their carriers, over the power fed."));
+  add(toTranslate("circulating"), "",
+      toTranslate("The greatest power that goes round in a loop, for each watt that is fed."));
   return columns;
 }
 
 ForceCell efficiencyCell(const std::optional<LossySolution>& solution, const std::optional<PowerSums>& sums) {
   if (!solution || solution->outcome == LossySolution::Outcome::undecided) return {};
-  if (solution->outcome == LossySolution::Outcome::selfLocking) return {"locks", std::nullopt, {}};
+  if (solution->outcome == LossySolution::Outcome::selfLocking)
+    return spokenCell([] { return translated("locks"); });
   const auto value = sums ? sums->efficiency() : std::nullopt;
   return value ? realCell(*value) : ForceCell();
 }
@@ -68,7 +72,7 @@ void fillRow(const StaticsReport& report, std::size_t couplings, ForceRow& row) 
                                          : cellOf(ShiftColumn::found);
     const auto unknown = meshes + part;
     cell = solution.determined[unknown] != 0 ? realCell(solution.values[unknown])
-                                             : ForceCell{"shared", std::nullopt, {}};
+                                             : spokenCell([] { return translated("shared"); });
   }
   cellOf(ShiftColumn::efficiency) = efficiencyCell(report.lossy, report.sums);
   cellOf(ShiftColumn::backward) = efficiencyCell(report.backward, report.backwardSums);

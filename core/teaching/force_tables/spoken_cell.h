@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
+#include "core/teaching/force_tables/force_table.h"
+
+namespace geargraph::inline force_tables {
+
+/// A cell whose text `compose` makes, in the language in use and for files.
+template <class Compose>
+ForceCell spokenCell(const Compose& compose) {
+  ForceCell cell{compose(), std::nullopt, {}};
+  const InEnglish english;
+  cell.textInFiles = compose();
+  return cell;
+}
+
+/// A column whose head `compose` makes.
+template <class Compose>
+ForceColumn spokenColumn(const Compose& compose, std::string unit, std::string meaning, bool isNumber,
+                         bool isFraction = false) {
+  ForceColumn column{compose(), std::move(unit), std::move(meaning), isNumber, isFraction};
+  const InEnglish english;
+  column.headInFiles = compose();
+  return column;
+}
+
+/// One with a head and a meaning that are marked by toTranslate().
+inline ForceColumn wordedColumn(const char* head, std::string unit, const char* meaning, bool isNumber,
+                                bool isFraction = false) {
+  return spokenColumn([head] { return translated(head); }, std::move(unit), translated(meaning), isNumber,
+                      isFraction);
+}
+
+}  // namespace geargraph::inline force_tables
