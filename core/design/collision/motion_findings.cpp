@@ -7,7 +7,9 @@
 #include <sstream>
 #include <utility>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
 #include "core/theory/matroid/exact_solution.h"
@@ -29,7 +31,7 @@ std::string rounded(double value) {
   const double unit = std::pow(10, decimals);
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << std::round(value * unit) / unit + 0.0;
-  return text.str();
+  return spokenNumber(text.str());
 }
 
 std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
@@ -66,15 +68,17 @@ class Wording {
 
   [[nodiscard]] Diagnostic finding(const MotionCollision& collision) const {
     const Mechanism& mechanism = *m_snapshot.mechanism;
-    const std::string links = "Links " + std::to_string(mechanism.linkLabel(collision.one)) + " and " +
-                              std::to_string(mechanism.linkLabel(collision.other));
+    const std::string one = std::to_string(mechanism.linkLabel(collision.one));
+    const std::string other = std::to_string(mechanism.linkLabel(collision.other));
     Diagnostic diagnostic;
     diagnostic.code = Code::interference;
     diagnostic.detail = Detail::motionCollision;
-    diagnostic.message = collision.time == 0 ? links + " overlap in the reference pose: give them clearance."
-                                             : links + " collide " + when(collision.time) + ", with " +
-                                                   inputs(collision.time) +
-                                                   ". Give them clearance, or limit joints. " + checked();
+    diagnostic.message =
+        collision.time == 0
+            ? translated("Links %1 and %2 overlap in the reference pose: give them clearance.", {one, other})
+            : translated("Links %1 and %2 collide %3, with %4. Give them clearance, or limit joints.",
+                         {one, other, when(collision.time), inputs(collision.time)}) +
+                  ' ' + checked();
     for (const int link : {collision.one, collision.other})
       diagnostic.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
     diagnostic.time = collision.time;
@@ -83,8 +87,8 @@ class Wording {
 
  private:
   static std::string when(double time) {
-    if (time < 0) return "after " + secondsText(-time) + " of the motion backwards";
-    return "after " + secondsText(time) + " of the motion";
+    if (time < 0) return translated("after %1 of the motion backwards", {secondsText(-time)});
+    return translated("after %1 of the motion", {secondsText(time)});
   }
 
   [[nodiscard]] std::string inputs(double time) const {
@@ -92,20 +96,21 @@ class Wording {
     std::vector<std::string> angles;
     for (const int joint : matroid.choice.joints) {
       const double angle = matroid.solution->rates[static_cast<std::size_t>(joint)] * time;
-      angles.push_back(std::to_string(m_snapshot.graph->edgeLabel(joint)) + " at " +
-                       rounded(angle * 180 / std::numbers::pi) + " deg");
+      angles.push_back(translated("%1 at %2 deg", {std::to_string(m_snapshot.graph->edgeLabel(joint)),
+                                                   rounded(angle * 180 / std::numbers::pi)}));
     }
-    return (angles.size() == 1 ? "joint " : "joints ") + listed(angles, kMostNamedInputs);
+    const std::string all = listed(angles, kMostNamedInputs);
+    return angles.size() == 1 ? translated("joint %1", {all}) : translated("joints %1", {all});
   }
 
   [[nodiscard]] std::string checked() const {
-    if (!m_check.isComplete) return "(Only part of the motion was checked.)";
+    if (!m_check.isComplete) return translated("(Only part of the motion was checked.)");
     const std::string until = secondsText(m_check.to);
     if (!m_check.coversAll)
-      return "(Checked for the first " + until + ": the motion does not repeat sooner.)";
-    if (!m_isLimited) return "(Checked until the motion repeats.)";
-    return "(Checked between the limits of the joints, from " + secondsText(m_check.from) + " to " + until +
-           ".)";
+      return translated("(Checked for the first %1: the motion does not repeat sooner.)", {until});
+    if (!m_isLimited) return translated("(Checked until the motion repeats.)");
+    return translated("(Checked between the limits of the joints, from %1 to %2.)",
+                      {secondsText(m_check.from), until});
   }
 
   const AnalysisSnapshot& m_snapshot;
@@ -144,8 +149,9 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   }
   if (unlisted > 0)
     report.diagnostics.back().message +=
-        " (" + std::to_string(unlisted) +
-        (unlisted == 1 ? " more pair of links collides later.)" : " more pairs of links collide later.)");
+        ' ' + (unlisted == 1
+                   ? translated("(1 more pair of links collides later.)")
+                   : translated("(%1 more pairs of links collide later.)", {std::to_string(unlisted)}));
   return report;
 }
 
@@ -155,15 +161,16 @@ std::string secondsText(double seconds) {
 
 std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report) {
   if (snapshot.mechanism->n() > kMostCheckedLinks && !hasErrors(snapshot.diagnostics))
-    return "The motion of more than " + std::to_string(kMostCheckedLinks) +
-           " links is not checked for collisions.";
+    return translated("The motion of more than %1 links is not checked for collisions.",
+                      {std::to_string(kMostCheckedLinks)});
   if (report == nullptr) return {};
   const MotionCheck& check = report->check;
   if (!check.isComplete)
-    return "Only part of the motion was checked for collisions: too many parts come close to each other.";
+    return translated(
+        "Only part of the motion was checked for collisions: too many parts come close to each other.");
   if (check.coversAll) return {};
-  return "The motion was checked for collisions for its first " + secondsText(check.to) +
-         ": it does not repeat sooner.";
+  return translated("The motion was checked for collisions for its first %1: it does not repeat sooner.",
+                    {secondsText(check.to)});
 }
 
 }  // namespace geargraph::inline collision

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/design/synthesis/set_sketch.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline synthesis {
 namespace {
@@ -23,14 +24,15 @@ std::int64_t faceOf(double distance, std::span<const double> distances) {
 
 Expected<Mechanism> bevelDifferentialSet(int sideTeeth, int pinionTeeth, int pinions) {
   if (2 * sideTeeth % pinions != 0) {
-    return Diagnostic{Code::assembly,
-                      "The pinions do not go in evenly: twice the side wheels' teeth, " +
-                          std::to_string(2 * sideTeeth) + ", has to be a multiple of " +
-                          std::to_string(pinions) + ".",
-                      {},
-                      {},
-                      0,
-                      0};
+    return Diagnostic{
+        Code::assembly,
+        translated("The pinions do not go in evenly: twice the side wheels' teeth, %1, has to be a "
+                   "multiple of %2.",
+                   {std::to_string(2 * sideTeeth), std::to_string(pinions)}),
+        {},
+        {},
+        0,
+        0};
   }
   SetSketch set("Bevel differential");
   const int casing = set.link(0, "a", "case");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
@@ -11,9 +12,9 @@
 namespace geargraph::inline synthesis {
 namespace {
 
-Diagnostic noPlanet(const Mechanism& mechanism, LinkId link, const std::string& why) {
+Diagnostic noPlanet(const Mechanism& mechanism, LinkId link, const char* sentence) {
   return {Code::schema,
-          "Link " + labelOf(mechanism, link).value_or(link.text()) + " is no planet: " + why,
+          filled(translated(sentence), {labelOf(mechanism, link).value_or(link.text())}),
           {link},
           {},
           0,
@@ -58,7 +59,8 @@ struct Planet {
 Expected<Planet> planetOf(const PlacedMechanism& placed, LinkId link) {
   const Mechanism& mechanism = placed.mechanism();
   const Link* element = mechanism.find(link);
-  if (element == nullptr) return Diagnostic{Code::unknownId, "There is no such link.", {link}, {}, 0, 0};
+  if (element == nullptr)
+    return Diagnostic{Code::unknownId, translated("There is no such link."), {link}, {}, 0, 0};
   Planet planet;
   planet.link = *element;
   int joints = 0;
@@ -67,24 +69,33 @@ Expected<Planet> planetOf(const PlacedMechanism& placed, LinkId link) {
     planet.joint = joint;
     ++joints;
   }
-  if (joints != 1) return noPlanet(mechanism, link, "a planet turns on its carrier and carries nothing.");
+  if (joints != 1)
+    return noPlanet(mechanism, link,
+                    toTranslate("Link %1 is no planet: a planet turns on its carrier and carries nothing."));
   planet.axis = *mechanism.find(planet.joint.axis);
   const Placement& placement = placed.placement();
   int around = -1;
   for (std::size_t m = 0; m < mechanism.gearMeshes.size(); ++m) {
     const GearMesh& mesh = mechanism.gearMeshes[m];
     if (mesh.tail != link && mesh.head != link) continue;
-    if (!placement.meshes[m]) return noPlanet(mechanism, link, "one of its meshes does not fit its axes.");
+    if (!placement.meshes[m])
+      return noPlanet(mechanism, link,
+                      toTranslate("Link %1 is no planet: one of its meshes does not fit its axes."));
     const int other = mesh.tail == link ? placement.meshes[m]->headClass : placement.meshes[m]->tailClass;
     if (around >= 0 && around != other)
-      return noPlanet(mechanism, link, "its meshes are with wheels on several axes.");
+      return noPlanet(mechanism, link,
+                      toTranslate("Link %1 is no planet: its meshes are with wheels on several axes."));
     around = other;
     const LinkId carrier = planet.joint.tail == link ? planet.joint.head : planet.joint.tail;
     if (mechanism.links[static_cast<std::size_t>(placement.meshes[m]->carrier)].id != carrier)
-      return noPlanet(mechanism, link, "what it turns on does not carry the axis of what it meshes with.");
+      return noPlanet(
+          mechanism, link,
+          toTranslate(
+              "Link %1 is no planet: what it turns on does not carry the axis of what it meshes with."));
     planet.meshes.push_back(mesh);
   }
-  if (around < 0) return noPlanet(mechanism, link, "it meshes with nothing.");
+  if (around < 0)
+    return noPlanet(mechanism, link, toTranslate("Link %1 is no planet: it meshes with nothing."));
   planet.turn.point = placement.lineOfClass(around).point;
   planet.turn.axis = placement.lineOfClass(around).direction;
   const auto node = mechanism.view.nodes.find(link);
@@ -139,8 +150,8 @@ Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId plan
   Diagnostics misfits = trainDiagnostics(after, after.placement());
   std::erase_if(misfits, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::assembly; });
   if (!misfits.empty()) {
-    misfits.front().message =
-        std::to_string(total) + " planets cannot be put in evenly. " + misfits.front().message;
+    misfits.front().message = translated("%1 planets cannot be put in evenly.", {std::to_string(total)}) +
+                              ' ' + misfits.front().message;
     return misfits;
   }
   return after;

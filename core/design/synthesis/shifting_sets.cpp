@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/design/synthesis/set_sketch.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline synthesis {
 namespace {
@@ -76,24 +77,28 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
   if (!places) {
     return refusal(
         Code::teethGeometry,
-        "Short and long planet cannot touch each other: small sun + short planet and large sun + long "
-        "planet differ by more than short + long planet. What fits: sums that are nearer.");
+        translated(
+            "Short and long planet cannot touch each other: small sun + short planet and large sun + long "
+            "planet differ by more than short + long planet. What fits: sums that are nearer."));
   }
   if (teeth.largeSun - teeth.smallSun < 4) {
-    return refusal(Code::teethGeometry,
-                   "The long planets, which extend through both planes, interfere with the small sun. What "
-                   "fits: a large "
-                   "sun with at least 4 teeth more than the small one.");
+    return refusal(
+        Code::teethGeometry,
+        translated("The long planets, which extend through both planes, interfere with the small sun. "
+                   "What fits: a large sun with at least 4 teeth more than the small one."));
   }
   if (!pairsClear(teeth, *places, pairs))
-    return refusal(Code::teethGeometry,
-                   "The planets collide. What fits: fewer pairs, smaller planets, or a larger ring.");
+    return refusal(
+        Code::teethGeometry,
+        translated("The planets collide. What fits: fewer pairs, smaller planets, or a larger ring."));
   if ((teeth.ring() + teeth.largeSun) % pairs != 0 || (teeth.ring() - teeth.smallSun) % pairs != 0) {
     return refusal(
         Code::assembly,
-        "The pairs do not go in evenly: ring + large sun = " + std::to_string(teeth.ring() + teeth.largeSun) +
-            " and ring - small sun = " + std::to_string(teeth.ring() - teeth.smallSun) +
-            " have to be multiples of " + std::to_string(pairs) + ".");
+        translated(
+            "The pairs do not go in evenly: ring + large sun = %1 and ring - small sun = %2 have to be "
+            "multiples of %3.",
+            {std::to_string(teeth.ring() + teeth.largeSun), std::to_string(teeth.ring() - teeth.smallSun),
+             std::to_string(pairs)}));
   }
   SetSketch set("Ravigneaux set");
   const NumberTriple z{Number(0), Number(0), Number(1)};
@@ -146,13 +151,13 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
 
 Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   if (!assembles(teeth, planets)) {
-    return refusal(Code::assembly, "The planets do not go in evenly: sun + ring = " +
-                                       std::to_string(teeth.sun + teeth.ring()) +
-                                       " has to be a multiple of " + std::to_string(planets) + ".");
+    return refusal(Code::assembly,
+                   translated("The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.",
+                              {std::to_string(teeth.sun + teeth.ring()), std::to_string(planets)}));
   }
   if (!neighboursClear(teeth, planets))
     return refusal(Code::teethGeometry,
-                   "The planets collide. What fits: fewer or smaller planets, or a larger sun.");
+                   translated("The planets collide. What fits: fewer or smaller planets, or a larger sun."));
   SetSketch set("Simpson set");
   const int suns = set.link(0, "a", "suns");
   const int ring = set.link(0, "a", "first ring");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 
 namespace geargraph::inline files {
@@ -76,7 +77,7 @@ bool CsvRecords::readQuoted(CsvField& field) {
   ++m_column;
   while (true) {
     if (m_at == m_text.size())
-      return failAt(field.line, field.column, "The quote that begins here is never closed.");
+      return failAt(field.line, field.column, translated("The quote that begins here is never closed."));
     if (m_text[m_at] == '"') {
       const bool isDoubled = m_text.substr(m_at).starts_with("\"\"");
       m_at += isDoubled ? 2 : 1;
@@ -94,14 +95,15 @@ bool CsvRecords::readQuoted(CsvField& field) {
   passBlanks();
   if (m_at == m_text.size() || m_text[m_at] == m_separator || atLineEnd()) return true;
   return failAt(m_line, m_column,
-                "A field ends with its closing quote; a quote inside a field is written twice.");
+                translated("A field ends with its closing quote; a quote inside a field is written twice."));
 }
 
 bool CsvRecords::readPlain(CsvField& field) {
   while (m_at < m_text.size() && m_text[m_at] != m_separator && !atLineEnd()) {
     if (m_text[m_at] == '"')
-      return failAt(m_line, m_column,
-                    "A field with a quote in it is quoted as a whole, and the quote written twice.");
+      return failAt(
+          m_line, m_column,
+          translated("A field with a quote in it is quoted as a whole, and the quote written twice."));
     if (!take(field.text)) return false;
   }
   while (!field.text.empty() && isBlank(field.text.back())) field.text.pop_back();
@@ -110,7 +112,7 @@ bool CsvRecords::readPlain(CsvField& field) {
 
 bool CsvRecords::take(std::string& text) {
   const std::size_t length = utf8Length(m_text, m_at);
-  if (length == 0) return failAt(m_line, m_column, "These bytes are not UTF-8.");
+  if (length == 0) return failAt(m_line, m_column, translated("These bytes are not UTF-8."));
   text += m_text.substr(m_at, length);
   m_at += length;
   ++m_column;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file_identity.h"
 #include "core/foundations/files/overwrite.h"
 #include "core/foundations/platform/system.h"
@@ -44,8 +45,9 @@ std::variant<std::string, FileError> readFile(const fs::path& path, std::size_t 
     bytes.append(chunk.data(), count);
   }
   if (!error) return bytes;
-  return FileError{(isStandardInput ? "Standard input" : quoted(path)) +
-                   " could not be read: " + error.message() + "."};
+  return FileError{isStandardInput
+                       ? translated("Standard input could not be read: %1.", {error.message()})
+                       : translated("%1 could not be read: %2.", {quoted(path), error.message()})};
 }
 
 AtomicFile::AtomicFile(const fs::path& path) : m_shown(path), m_target(followedLinks(path)) {
@@ -54,7 +56,7 @@ AtomicFile::AtomicFile(const fs::path& path) : m_shown(path), m_target(followedL
   if (fs::is_symlink(m_target, error)) {
     fail(std::make_error_code(std::errc::too_many_symbolic_link_levels));
   } else if (fs::is_directory(status)) {
-    m_error = FileError{quoted(m_shown) + " could not be written: it is a folder."};
+    m_error = FileError{translated("%1 could not be written: it is a folder.", {quoted(m_shown)})};
   } else if (fs::exists(status) && !fs::is_regular_file(status)) {
     m_file = OpenFile(m_target, OpenMode::write, error);
     if (error) fail(error);
@@ -105,7 +107,7 @@ void AtomicFile::takeAttributes() {
 
 void AtomicFile::fail(const std::error_code& what, const std::string& more) {
   if (!m_error)
-    m_error = FileError{quoted(m_shown) + " could not be written: " + what.message() + more + "."};
+    m_error = FileError{translated("%1 could not be written: %2.", {quoted(m_shown), what.message() + more})};
 }
 
 void AtomicFile::discard() {
@@ -162,7 +164,8 @@ void AtomicFile::overwrite() {
   m_temporary = copy;
   const Overwritten done = overwriteInPlace(m_target, m_file);
   if (done.error)
-    fail(done.error, done.isTargetWhole ? "" : "; what should be in it is kept in " + quoted(m_temporary));
+    fail(done.error,
+         done.isTargetWhole ? "" : translated("; what should be in it is kept in %1", {quoted(m_temporary)}));
   if (!done.isTargetWhole) m_temporary.clear();  // it is the only whole copy
   discard();
 }

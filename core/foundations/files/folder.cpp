@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/platform/system.h"
 
 namespace geargraph::inline files {
@@ -10,13 +11,14 @@ namespace {
 namespace fs = std::filesystem;
 
 FolderError notMade(const fs::path& folder, const std::string& why) {
-  return {"The folder \"" + folder.string() + "\" could not be made: " + why + "."};
+  return {translated("The folder \"%1\" could not be made: %2.", {folder.string(), why})};
 }
 
 std::optional<FolderError> writeInto(const fs::path& folder, const FolderFiles& files,
                                      const FolderOptions& options) {
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (options.stop.stop_requested()) return FolderError{"Stopped; the folder is not complete.", true};
+    if (options.stop.stop_requested())
+      return FolderError{translated("Stopped; the folder is not complete."), true};
     const fs::path path = folder / files[i].first;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
@@ -52,10 +54,11 @@ std::optional<FolderError> writeFolder(const fs::path& folder, const FolderFiles
                                        const FolderOptions& options) {
   std::error_code error;
   if (!fs::exists(folder, error)) return writeNew(folder, files, options);
-  if (!fs::is_directory(folder, error)) return notMade(folder, "there is a file of that name");
+  if (!fs::is_directory(folder, error)) return notMade(folder, translated("there is a file of that name"));
   for (const auto& [name, bytes] : files) {
     if (!options.overwrite && fs::exists(folder / name, error))
-      return FolderError{"\"" + (folder / name).string() + "\" is there already; nothing was written."};
+      return FolderError{
+          translated("\"%1\" is there already; nothing was written.", {(folder / name).string()})};
   }
   return writeInto(folder, files, options);
 }

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/utf8.h"
 
@@ -61,14 +62,14 @@ class JsonParser {
   Expected<JsonDocument> run() {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text().size() >= std::numeric_limits<std::uint32_t>::max()) {
-      return Diagnostic{Code::schema, "The file is far too large.", {}, {}, 0, 0};
+      return Diagnostic{Code::schema, translated("The file is far too large."), {}, {}, 0, 0};
     }
     if (text().starts_with(kByteOrderMark)) m_at = kByteOrderMark.size();
     skipSpace();
     if (!value(1)) return failure();
     skipSpace();
     if (m_at < text().size()) {
-      fail("expected the end of the file after the outermost value");
+      fail(translated("expected the end of the file after the outermost value"));
       return failure();
     }
     return std::move(m_document);
@@ -101,11 +102,12 @@ class JsonParser {
   }
 
   bool value(int depth) {
-    if (m_at == text().size()) return fail("expected a value");
+    if (m_at == text().size()) return fail(translated("expected a value"));
     const char first = text()[m_at];
     if (first == '{' || first == '[') {
       if (depth > JsonDocument::kDeepest) {
-        return fail("lists and objects are nested deeper than " + std::to_string(JsonDocument::kDeepest),
+        return fail(translated("lists and objects are nested deeper than %1",
+                               {std::to_string(JsonDocument::kDeepest)}),
                     Code::schema);
       }
       return first == '{' ? object(depth) : array(depth);
@@ -115,11 +117,11 @@ class JsonParser {
     if (first == 't') return word("true", JsonKind::boolean);
     if (first == 'f') return word("false", JsonKind::boolean);
     if (first == 'n') return word("null", JsonKind::null);
-    return fail("expected a value");
+    return fail(translated("expected a value"));
   }
 
   bool word(std::string_view wanted, JsonKind kind) {
-    if (text().substr(m_at, wanted.size()) != wanted) return fail("expected a value");
+    if (text().substr(m_at, wanted.size()) != wanted) return fail(translated("expected a value"));
     const std::size_t node = open(kind);
     m_at += wanted.size();
     return close(node);
@@ -130,7 +132,7 @@ class JsonParser {
     std::size_t stop = 0;
     const std::size_t length = numberLength(text().substr(m_at), stop);
     m_at += length > 0 ? length : stop;
-    if (length == 0) return fail("expected a digit of a number");
+    if (length == 0) return fail(translated("expected a digit of a number"));
     return close(node);
   }
 
@@ -147,7 +149,7 @@ class JsonParser {
         ++m_at;
       }
     }
-    if (!at(']')) return fail("expected ',' or ']' in a list");
+    if (!at(']')) return fail(translated("expected ',' or ']' in a list"));
     ++m_at;
     return close(node);
   }
@@ -159,10 +161,10 @@ class JsonParser {
     if (!at('}')) {
       while (true) {
         skipSpace();
-        if (!at('"')) return fail("expected a member name in double quotes");
+        if (!at('"')) return fail(translated("expected a member name in double quotes"));
         if (!string()) return false;
         skipSpace();
-        if (!at(':')) return fail("expected ':' after a member name");
+        if (!at(':')) return fail(translated("expected ':' after a member name"));
         ++m_at;
         skipSpace();
         if (!value(depth + 1)) return false;
@@ -171,7 +173,7 @@ class JsonParser {
         ++m_at;
       }
     }
-    if (!at('}')) return fail("expected ',' or '}' in an object");
+    if (!at('}')) return fail(translated("expected ',' or '}' in an object"));
     ++m_at;
     return close(node);
   }
@@ -179,16 +181,16 @@ class JsonParser {
   bool string() {
     const std::size_t node = open(JsonKind::string);
     for (++m_at; !at('"');) {
-      if (m_at == text().size()) return fail("expected the closing quote of a string");
+      if (m_at == text().size()) return fail(translated("expected the closing quote of a string"));
       if (static_cast<unsigned char>(text()[m_at]) < 0x20) {
-        return fail("expected the closing quote of a string, or an escape such as \\n");
+        return fail(translated("expected the closing quote of a string, or an escape such as \\n"));
       }
       if (at('\\')) {
         if (!escape()) return false;
         continue;
       }
       const std::size_t length = utf8Length(text(), m_at);
-      if (length == 0) return fail("expected a character in UTF-8");
+      if (length == 0) return fail(translated("expected a character in UTF-8"));
       m_at += length;
     }
     ++m_at;
@@ -199,7 +201,7 @@ class JsonParser {
     const char kind = m_at + 1 < text().size() ? text()[m_at + 1] : '\0';
     if (kind == 'u') return unicodeEscape();
     if (kind == '\0' || std::string_view("\"\\/bfnrt").find(kind) == std::string_view::npos) {
-      return fail("expected an escape that JSON knows (\\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u)");
+      return fail(translated("expected an escape that JSON knows (\\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u)"));
     }
     m_at += 2;
     return true;
@@ -217,25 +219,27 @@ class JsonParser {
 
   bool unicodeEscape() {
     const auto code = hex(m_at);
-    if (!code) return fail("expected four hexadecimal digits after \\u");
+    if (!code) return fail(translated("expected four hexadecimal digits after \\u"));
     const bool high = *code >= 0xD800 && *code < 0xDC00;
-    if (*code >= 0xDC00 && *code < 0xE000) return fail("expected no second half of a surrogate pair here");
+    if (*code >= 0xDC00 && *code < 0xE000)
+      return fail(translated("expected no second half of a surrogate pair here"));
     if (high) {
       const auto low = hex(m_at + 6);
-      if (!low || *low < 0xDC00 || *low >= 0xE000) return fail("expected both halves of a surrogate pair");
+      if (!low || *low < 0xDC00 || *low >= 0xE000)
+        return fail(translated("expected both halves of a surrogate pair"));
     }
     m_at += high ? 12 : 6;
     return true;
   }
 
   [[nodiscard]] std::string found() const {
-    if (m_at >= text().size()) return "the end of the file";
+    if (m_at >= text().size()) return translated("the end of the file");
     const std::size_t length = utf8Length(text(), m_at);
     const auto byte = static_cast<unsigned char>(text()[m_at]);
     if (length > 0 && byte >= 0x20 && byte != 0x7F)
       return "'" + std::string(text().substr(m_at, length)) + "'";
     constexpr std::string_view kDigits = "0123456789ABCDEF";
-    return std::string("the byte 0x") + kDigits[byte / 16] + kDigits[byte % 16];
+    return translated("the byte 0x%1", {std::string{kDigits[byte / 16], kDigits[byte % 16]}});
   }
 
   [[nodiscard]] Diagnostic failure() const {
@@ -245,8 +249,11 @@ class JsonParser {
     const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
     const std::size_t column = utf8Count(before.substr(lineStart)) + 1;
     std::string message =
-        "Line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + m_expected;
-    message += m_code == Code::syntax ? ", found " + found() + "." : ".";
+        m_code == Code::syntax
+            ? translated("Line %1, column %2: %3, found %4.",
+                         {std::to_string(line), std::to_string(column), m_expected, found()})
+            : translated("Line %1, column %2: %3.",
+                         {std::to_string(line), std::to_string(column), m_expected});
     return {m_code, std::move(message), {}, {}, static_cast<int>(line), static_cast<int>(column)};
   }
 

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/arrangement/arrangement.h"
 #include "core/machine/arrangement/body_clashes.h"
 #include "core/machine/arrangement/body_shapes.h"
@@ -337,18 +339,18 @@ void fitBore(const Arrangement& plan, TrainGear& gear) {
 }
 
 Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& links) {
-  std::string who;
+  std::vector<std::string> labels;
   std::vector<ElementId> elements;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const char* before = i == 0 ? "" : i + 1 < links.size() ? ", " : " and ";
-    who += before + std::to_string(links[i]);
-    elements.emplace_back(mechanism.links[static_cast<std::size_t>(links[i])].id);
+  for (const int link : links) {
+    labels.push_back(std::to_string(link));
+    elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
   }
   return finding(
       Detail::bodiesOverlap,
-      "Links " + who +
-          " overlap in 3D: move their joints along the axes, leave pitch points open, or change the "
+      translated(
+          "Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the "
           "tooth counts.",
+          {listed(labels, kAllNames)}),
       std::move(elements));
 }
 

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/solids/gear_body.h"
 
 namespace geargraph::inline solids {
@@ -13,7 +15,7 @@ using std::numbers::pi;
 
 std::string oneDecimal(double value) {
   const auto tenths = static_cast<long long>(std::llround(value * 10));
-  return std::string(tenths < 0 ? "-" : "") + std::to_string(std::abs(tenths) / 10) + "." +
+  return std::string(tenths < 0 ? "-" : "") + std::to_string(std::abs(tenths) / 10) + decimalSign() +
          std::to_string(std::abs(tenths) % 10);
 }
 
@@ -35,17 +37,17 @@ bool numbersAreSane(const GearSpec& s) {
 void checkBody(const GearSpec& s, Diagnostics& found) {
   if (s.kind == GearKind::internal) {
     if (s.rim > 0 && s.rim / 2 < nominalRootRadius(s) + 0.1 * s.module) {
-      found.push_back(refused("The rim of " + oneDecimal(s.rim) +
-                              " does not reach past the roots of the ring's " + std::to_string(s.teeth) +
-                              " teeth: make it larger than " +
-                              oneDecimal(2 * (nominalRootRadius(s) + 0.5 * s.module)) + "."));
+      found.push_back(refused(translated(
+          "The rim of %1 does not reach past the roots of the ring's %2 teeth: make it larger than %3.",
+          {oneDecimal(s.rim), std::to_string(s.teeth),
+           oneDecimal(2 * (nominalRootRadius(s) + 0.5 * s.module))})));
     }
     return;
   }
   if (s.bore > largestBore(s)) {
-    found.push_back(refused("The bore of " + oneDecimal(s.bore) + " leaves no body below the roots of " +
-                            std::to_string(s.teeth) + " teeth: make it smaller than " +
-                            oneDecimal(largestBore(s)) + "."));
+    found.push_back(refused(
+        translated("The bore of %1 leaves no body below the roots of %2 teeth: make it smaller than %3.",
+                   {oneDecimal(s.bore), std::to_string(s.teeth), oneDecimal(largestBore(s))})));
   }
 }
 
@@ -53,30 +55,34 @@ void checkBody(const GearSpec& s, Diagnostics& found) {
 
 Diagnostics specDiagnostics(const GearSpec& spec) {
   if (!numbersAreSane(spec)) {
-    return {
-        refused("A gear of " + std::to_string(spec.teeth) +
-                " teeth has a measure that no tooth can have; module and face width must be positive, the "
-                "pressure angle between 5 and 35 degrees, shift and heights at most 3 modules.")};
+    return {refused(
+        translated("A gear of %1 teeth has a measure that no tooth can have; module and face width must be "
+                   "positive, the pressure angle between 5 and 35 degrees, shift and heights at most 3 "
+                   "modules.",
+                   {std::to_string(spec.teeth)}))};
   }
   Diagnostics found;
   const bool ring = spec.kind == GearKind::internal;
   const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
   if (spec.teeth < fewest) {
-    found.push_back(refused(std::to_string(spec.teeth) + " teeth are too few for " +
-                            (ring ? "a ring" : "a gear") + " that a rack can generate; use at least " +
-                            std::to_string(fewest) + "."));
+    found.push_back(refused(
+        ring ? translated("%1 teeth are too few for a ring that a rack can generate; use at least %2.",
+                          {std::to_string(spec.teeth), std::to_string(fewest)})
+             : translated("%1 teeth are too few for a gear that a rack can generate; use at least %2.",
+                          {std::to_string(spec.teeth), std::to_string(fewest)})));
   } else if (spec.kind == GearKind::bevel) {
     if (!(spec.coneAngle > 0.01 && spec.coneAngle < pi - 0.3)) {
-      found.push_back(refused("The pitch cone of a bevel gear must be between 0.6 and 163 degrees."));
+      found.push_back(refused(translated("The pitch cone of a bevel gear must be between %1 and 163 degrees.",
+                                         {oneDecimal(0.6)})));
     } else if (spec.faceWidth > 0.7 * coneDistance(spec)) {
-      found.push_back(refused("The face of " + oneDecimal(spec.faceWidth) +
-                              " runs into the apex: make it shorter than " +
-                              oneDecimal(coneDistance(spec) / 3) + ", a third of the cone distance."));
+      found.push_back(refused(translated(
+          "The face of %1 runs into the apex: make it shorter than %2, a third of the cone distance.",
+          {oneDecimal(spec.faceWidth), oneDecimal(coneDistance(spec) / 3)})));
     }
   } else if (spec.kind == GearKind::external && nominalRootRadius(spec) < 0.2 * spec.module) {
-    found.push_back(refused(std::to_string(spec.teeth) +
-                            " teeth leave no body below the roots; use more, or a larger "
-                            "profile shift."));
+    found.push_back(
+        refused(translated("%1 teeth leave no body below the roots; use more, or a larger profile shift.",
+                           {std::to_string(spec.teeth)})));
   }
   if (found.empty()) checkBody(spec, found);
   return found;

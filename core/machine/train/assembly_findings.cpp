@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/train/train_findings.h"
 
 namespace geargraph::inline train {
@@ -110,9 +111,9 @@ std::string countAdvice(const TrainGear& sun, const TrainGear& ring, const Train
     const int change = (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2) * 2;  // +2, -2, +4: the ring stays coaxial
     const int teeth = ring.spec.teeth + change;
     if (teeth <= sun.spec.teeth || (sun.spec.teeth + teeth) % n != 0) continue;
-    text = ", or give the ring " + std::to_string(teeth) + " teeth and the planets " +
-           std::to_string((teeth - sun.spec.teeth) / 2) + " (then " + std::to_string(n) +
-           " at equal distances fit)";
+    text =
+        translated(", or give the ring %1 teeth and the planets %2 (then %3 at equal distances fit)",
+                   {std::to_string(teeth), std::to_string((teeth - sun.spec.teeth) / 2), std::to_string(n)});
     break;
   }
   const double orbit = (planet.pose.translation() - sun.pose.translation())
@@ -122,7 +123,7 @@ std::string countAdvice(const TrainGear& sun, const TrainGear& ring, const Train
     const int other = n + (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2);
     if (other < 2 || (sun.spec.teeth + ring.spec.teeth) % other != 0) continue;
     if (orbit * std::sin(std::numbers::pi / other) <= nominalTipRadius(planet.spec)) continue;
-    text += ", or use " + std::to_string(other) + " planets at equal distances";
+    text += translated(", or use %1 planets at equal distances", {std::to_string(other)});
     break;
   }
   return text;
@@ -133,10 +134,11 @@ std::string planetAdvice(const Mechanism& mechanism, const GearTrain& train, con
   const double perTurn = pitchesPerTurn(train, set);
   if (perTurn == 0) return {};
   const TrainGear& planet = Epicyclic::gear(train, set.planet);
-  const std::string text = " Planets fit at multiples of 360/" + fixedText(perTurn, 0) + " = " +
-                           fixedText(360 / perTurn, 3) + " degrees: move that of link " +
-                           std::to_string(mechanism.linkLabel(planet.link)) + " by " +
-                           fixedText(std::abs(residual) * 360 / perTurn, 3) + " degrees";
+  const std::string text =
+      ' ' + translated("Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees",
+                       {fixedText(perTurn, 0), fixedText(360 / perTurn, 3),
+                        std::to_string(mechanism.linkLabel(planet.link)),
+                        fixedText(std::abs(residual) * 360 / perTurn, 3)});
   int sun = set.centralA;
   int ring = set.centralB;
   if (Epicyclic::gear(train, sun).spec.kind == GearKind::internal) std::swap(sun, ring);
@@ -176,12 +178,16 @@ std::string toothAdvice(const GearTrain& train, const Loop& loop) {
       const TrainGear& gear = Epicyclic::gear(train, loop.gears[i]);
       const int teeth = gear.spec.teeth + change;
       if (teeth < kFewestGearTeeth || residualWith(train, loop, i, teeth) > kPhaseFits) continue;
-      text += (proposals == 0 ? " It fits with " : ", or with ") + std::to_string(teeth) + " instead of " +
-              std::to_string(gear.spec.teeth) + " teeth on gear " + gear.name;
+      const std::string was = std::to_string(gear.spec.teeth);
+      text += proposals == 0 ? ' ' + translated("It fits with %1 instead of %2 teeth on gear %3",
+                                                {std::to_string(teeth), was, gear.name})
+                             : translated(", or with %1 instead of %2 teeth on gear %3",
+                                          {std::to_string(teeth), was, gear.name});
       ++proposals;
     }
   }
-  return (text.empty() ? " Change tooth counts of the loop, or move one of its axes" : text) + ".";
+  if (text.empty()) text = ' ' + translated("Change tooth counts of the loop, or move one of its axes");
+  return text + ".";
 }
 
 }  // namespace
@@ -209,9 +215,10 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
       labels += (labels.empty() ? "" : ", ") + std::to_string(mechanism.meshLabel(mesh));
       d.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
     }
-    d.message = "The loop of meshes " + labels + " cannot be assembled as drawn: at mesh " +
-                std::to_string(mechanism.meshLabel(train.meshes[m].mesh)) + " the teeth miss each other by " +
-                fixedText(residual, 3) + " of a pitch.";
+    d.message = translated(
+        "The loop of meshes %1 cannot be assembled as drawn: at mesh %2 the teeth miss each other by %3 of a "
+        "pitch.",
+        {labels, std::to_string(mechanism.meshLabel(train.meshes[m].mesh)), fixedText(residual, 3)});
     const Epicyclic set(train, loop);
     const std::string advice = set.found ? planetAdvice(mechanism, train, set, residual) : std::string();
     d.message += advice.empty() ? toothAdvice(train, loop) : advice;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/train/train_findings.h"
 
 namespace geargraph::inline train {
@@ -93,17 +94,18 @@ void NeighbourFinder::check(const TrainGear& centre, std::vector<Planet>& planet
 
 void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const TrainGear& b, double depth) {
   const auto label = [&](const TrainGear& g) { return std::to_string(m_mechanism.linkLabel(g.link)); };
-  std::string message = "The wheels of links " + label(a) + " and " + label(b) + " beside gear " +
-                        centre.name + " interfere: their tips overlap by " + fixedText(depth, 2) +
-                        " modules.";
+  std::string message =
+      translated("The wheels of links %1 and %2 beside gear %3 interfere: their tips overlap by %4 modules.",
+                 {label(a), label(b), centre.name, fixedText(depth, 2)});
+  message += ' ';
   const double orbit =
       (a.pose.translation() - centre.pose.translation()).cross(Vector3d(centre.pose.linear().col(2))).norm();
   const double tip = nominalTipRadius(a.spec);
   if (a.spec == b.spec && a.spec.kind == GearKind::external && tip < orbit) {
-    message += " At most " + std::to_string(static_cast<int>(pi / std::asin(tip / orbit))) +
-               " of them fit round it, at equal distances.";
+    message += translated("At most %1 of them fit round it, at equal distances.",
+                          {std::to_string(static_cast<int>(pi / std::asin(tip / orbit)))});
   } else {
-    message += " Move one of them, or give it fewer teeth.";
+    message += translated("Move one of them, or give it fewer teeth.");
   }
   std::vector<ElementId> elements;
   for (const TrainGear* g : {&a, &b}) {

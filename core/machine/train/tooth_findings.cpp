@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/solids/spec_findings.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
@@ -71,11 +73,13 @@ class ToothFinder {
 
 void ToothFinder::addGear(const TrainGear& gear) {
   const GearSpec& spec = gear.spec;
-  const std::string who = "Gear " + gear.name + " (" + std::to_string(spec.teeth) + " teeth)";
+  const std::string teeth = std::to_string(spec.teeth);
   const Diagnostics impossible = specDiagnostics(spec);
   if (!impossible.empty()) {
     m_teeth.emplace_back();
-    add(Detail::noToothForm, who + " has no solid: " + impossible.front().message, blamed(m_mechanism, gear));
+    add(Detail::noToothForm,
+        translated("Gear %1 (%2 teeth) has no solid: %3", {gear.name, teeth, impossible.front().message}),
+        blamed(m_mechanism, gear));
     return;
   }
   m_teeth.emplace_back(toothOf(spec));
@@ -84,17 +88,19 @@ void ToothFinder::addGear(const TrainGear& gear) {
     Diagnostic undercut;
     undercut.code = Code::undercut;
     undercut.elements = blamed(m_mechanism, gear);
-    undercut.message = who + " is undercut: at a profile shift of " + fixedText(spec.profileShift, 2) +
-                       " a rack needs " + fixedText(fewestTeethWithoutUndercut(spec), 1) +
-                       " teeth or more. Use more teeth, or a shift of " + "at least " +
-                       fixedText(leastShiftWithoutUndercut(spec), 2) + ".";
+    undercut.message = translated(
+        "Gear %1 (%2 teeth) is undercut: at a profile shift of %3 a rack needs %4 teeth or more. Use more "
+        "teeth, or "
+        "a shift of at least %5.",
+        {gear.name, teeth, fixedText(spec.profileShift, 2), fixedText(fewestTeethWithoutUndercut(spec), 1),
+         fixedText(leastShiftWithoutUndercut(spec), 2)});
     found.push_back(std::move(undercut));
   }
   if (tooth.shortened) {
     add(Detail::pointedTeeth,
-        who + " would have pointed teeth: its tips were lowered to keep a land of " +
-            fixedText(kNarrowestLand, 1) + " modules. Use a smaller profile shift than " +
-            fixedText(spec.profileShift, 2) + ".",
+        translated("Gear %1 (%2 teeth) would have pointed teeth: its tips were lowered to keep a land of %3 "
+                   "modules. Use a smaller profile shift than %4.",
+                   {gear.name, teeth, fixedText(kNarrowestLand, 1), fixedText(spec.profileShift, 2)}),
         blamed(m_mechanism, gear));
   }
 }
@@ -106,9 +112,9 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
   const TrainGear& tail = m_train.gears[t];
   const TrainGear& head = m_train.gears[h];
   const ElementId id = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh.mesh)].id;
-  const std::string pair = "Mesh " + std::to_string(m_mechanism.meshLabel(mesh.mesh)) + ", " +
-                           std::to_string(tail.spec.teeth) + " and " + std::to_string(head.spec.teeth) +
-                           " teeth";
+  const std::string pair = translated("Mesh %1, %2 and %3 teeth",
+                                      {std::to_string(m_mechanism.meshLabel(mesh.mesh)),
+                                       std::to_string(tail.spec.teeth), std::to_string(head.spec.teeth)});
   const double distance = distanceOf(tail, head);
   addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
   if (tail.spec.kind == GearKind::bevel) {
@@ -122,12 +128,16 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
 
 void ToothFinder::addContact(double ratio, const std::string& pair, const ElementId& mesh) {
   if (ratio >= kLeastContactRatio) return;
-  const std::string what = ratio < 1 ? "one pair of teeth lets go before the next takes over"
-                                     : "that leaves nothing for errors of the teeth";
+  const std::string reached = fixedText(std::max(ratio, 0.0), 2);
+  const std::string wanted = fixedText(kLeastContactRatio, 1);
   add(Detail::contactRatio,
-      pair + ": a contact ratio of " + fixedText(std::max(ratio, 0.0), 2) + ", " + what +
-          ". Use more teeth, or " + "profile shifts that leave longer flanks, for " +
-          fixedText(kLeastContactRatio, 1) + " or more.",
+      ratio < 1
+          ? translated("%1: a contact ratio of %2, one pair of teeth lets go before the next takes over. Use "
+                       "more teeth, or profile shifts that leave longer flanks, for %3 or more.",
+                       {pair, reached, wanted})
+          : translated("%1: a contact ratio of %2, that leaves nothing for errors of the teeth. Use more "
+                       "teeth, or profile shifts that leave longer flanks, for %3 or more.",
+                       {pair, reached, wanted}),
       {mesh});
 }
 
@@ -135,29 +145,32 @@ void ToothFinder::addFace(const GearSpec& spec, const std::string& pair, const E
   const double most = coneDistance(spec) / 3;
   if (spec.faceWidth <= most * (1 + 1e-6)) return;
   add(Detail::faceTooWide,
-      pair + ": a face width of " + fixedText(spec.faceWidth, 1) +
-          " is more than a third of the cone distance, so that the small ends of the teeth are too weak to "
-          "bear " +
-          "load. Use " + fixedText(most, 1) + " or less.",
+      translated(
+          "%1: a face width of %2 is more than a third of the cone distance, so that the small ends of the "
+          "teeth are too weak to bear load. Use %3 or less.",
+          {pair, fixedText(spec.faceWidth, 1), fixedText(most, 1)}),
       {mesh});
 }
 
 void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double distance,
                           const ElementId& mesh) {
-  const std::string pair = std::to_string(pinion.teeth) + " teeth in a ring of " + std::to_string(ring.teeth);
+  const std::string teeth = std::to_string(pinion.teeth);
+  const std::string around = std::to_string(ring.teeth);
   const double margin = trochoidMargin(pinion, ring, distance);
   if (margin < 0) {
     add(Detail::tipInterference,
-        pair + ": their tips collide outside of the mesh, by " + fixedText(-margin * ring.teeth / 2, 3) +
-            " modules. Use a difference of more teeth, or a larger profile shift of the ring.",
+        translated("%1 teeth in a ring of %2: their tips collide outside of the mesh, by %3 modules. Use a "
+                   "difference of more teeth, or a larger profile shift of the ring.",
+                   {teeth, around, fixedText(-margin * ring.teeth / 2, 3)}),
         {mesh});
   }
   const double standard = ring.teeth / 2.0 - ring.addendum + ring.profileShift;
   if (ring.tipRadius > standard + kNoticedShortening) {
     add(Detail::ringTipsLowered,
-        pair + ": the ring's tips would interfere with the pinion's fillets and were lowered by " +
-            fixedText(ring.tipRadius - standard, 2) +
-            " modules. Use a pinion of more teeth, or with a larger profile shift.",
+        translated(
+            "%1 teeth in a ring of %2: the ring's tips would interfere with the pinion's fillets and were "
+            "lowered by %3 modules. Use a pinion of more teeth, or with a larger profile shift.",
+            {teeth, around, fixedText(ring.tipRadius - standard, 2)}),
         {mesh});
   }
 }
@@ -167,7 +180,7 @@ void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double d
 std::string fixedText(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return spokenNumber(text);
 }
 
 Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,

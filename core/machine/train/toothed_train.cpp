@@ -1,5 +1,6 @@
 #include "core/machine/train/toothed_train.h"
 
+#include "core/foundations/base/words.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/teeth/phase.h"
 #include "core/machine/train/train_findings.h"
@@ -77,12 +78,16 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
-    found.push_back(finding(Detail::wheelsOverlap,
-                            "Gears " + one.name + " and " + other.name + " overlap and do not mesh. " +
-                                (bevels ? "Use smaller face widths, or leave them or a pitch point open."
-                                        : "Move the pitch point of one along its axis, or leave it open."),
-                            {mechanism.links[static_cast<std::size_t>(one.link)].id,
-                             mechanism.links[static_cast<std::size_t>(other.link)].id}));
+    found.push_back(
+        finding(Detail::wheelsOverlap,
+                bevels ? translated("Gears %1 and %2 overlap and do not mesh. Use smaller face widths, "
+                                    "or leave them or a pitch point open.",
+                                    {one.name, other.name})
+                       : translated("Gears %1 and %2 overlap and do not mesh. Move the pitch point of "
+                                    "one along its axis, or leave it open.",
+                                    {one.name, other.name}),
+                {mechanism.links[static_cast<std::size_t>(one.link)].id,
+                 mechanism.links[static_cast<std::size_t>(other.link)].id}));
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/module_fit.h"
 #include "core/mechanism/fitting/pin_refusal.h"
 #include "core/mechanism/model/pins.h"
@@ -224,8 +225,10 @@ class AxisFitter {
     }
     const AxisId axis = m_before.axes[static_cast<std::size_t>(classAt(axisClass).axis)].id;
     why.elements.emplace_back(axis);
-    why.message = "There is no place for axis " + axis.text() + " where the wheels of meshes " + names +
-                  " would touch at these tooth counts. What fits: a smaller change, or other teeth first.";
+    why.message = translated(
+        "There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. "
+        "What fits: a smaller change, or other teeth first.",
+        {axis.text(), names});
     m_refusals.push_back(std::move(why));
   }
 

@@ -1,3 +1,4 @@
+#include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
 #include "core/mechanism/fitting/module_fit.h"
@@ -41,8 +42,8 @@ Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, Me
     Diagnostic refusal;
     refusal.code = Code::pitchGeometry;
     refusal.detail = Detail::noBevelPair;
-    refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(position)) +
-                      " is no bevel pair: only bevels have an apex with two sides.";
+    refusal.message = translated("Mesh %1 is no bevel pair: only bevels have an apex with two sides.",
+                                 {std::to_string(mechanism.meshLabel(position))});
     refusal.elements.emplace_back(mesh);
     return refusal;
   }

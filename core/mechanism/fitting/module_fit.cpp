@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/axis_fit.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
@@ -63,12 +64,14 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   const Mechanism& mechanism = before.mechanism();
   const GearMesh* found = mechanism.find(mesh);
   if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // refuses unknown-id
-  if (module <= 0) return refusal(mesh, "A module is more than 0: the pitch diameter over the teeth.");
+  if (module <= 0)
+    return refusal(mesh, translated("A module is more than 0: the pitch diameter over the teeth."));
   const Placement& placement = before.placement();
   if (!canBeFitted(placement))
-    return refusal(mesh, "Modules can be set where every mesh has its place, in trains of up to " +
-                             std::to_string(kMostFittedMeshes) +
-                             " meshes. Resolve the reported problems first.");
+    return refusal(mesh,
+                   translated("Modules can be set where every mesh has its place, in trains of up to %1 "
+                              "meshes. Resolve the reported problems first.",
+                              {std::to_string(kMostFittedMeshes)}));
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
   const std::vector<int> along =

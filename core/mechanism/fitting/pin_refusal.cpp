@@ -1,6 +1,7 @@
 #include "core/mechanism/fitting/pin_refusal.h"
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/pins.h"
 
 namespace geargraph::inline fitting {
@@ -21,25 +22,30 @@ Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, in
     const Link& element = mechanism.links[static_cast<std::size_t>(link)];
     if (!isPinned(element)) continue;
     refusal.elements.emplace_back(element.id);
-    pinned.push_back("gear " + std::to_string(mechanism.linkLabel(link)));
+    pinned.push_back(translated("gear %1", {std::to_string(mechanism.linkLabel(link))}));
   }
   for (const int axisClass : {geometry.tailClass, geometry.headClass}) {
     const Axis& axis = axisOfClass(mechanism, placement, axisClass);
     if (!isPinned(axis)) continue;
     refusal.elements.emplace_back(axis.id);
-    pinned.push_back("axis " + axis.id.text());
+    pinned.push_back(translated("axis %1", {axis.id.text()}));
   }
   if (pinned.empty()) {  // what holds it lies farther along the train
     for (const Axis& axis : mechanism.axes) {
       if (!isPinned(axis)) continue;
       refusal.elements.emplace_back(axis.id);
-      pinned.push_back("axis " + axis.id.text());
+      pinned.push_back(translated("axis %1", {axis.id.text()}));
     }
   }
-  refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) +
-                    " cannot follow: " + listed(pinned, kAllNames) + (pinned.size() == 1 ? " is" : " are") +
-                    " pinned. What fits: unpin " + (pinned.size() == 1 ? "it" : "one of them") +
-                    ", or another change.";
+  const std::string label = std::to_string(mechanism.meshLabel(mesh));
+  const std::string holding = listed(pinned, kAllNames);
+  refusal.message =
+      pinned.size() == 1
+          ? translated("Mesh %1 cannot follow: %2 is pinned. What fits: unpin it, or another change.",
+                       {label, holding})
+          : translated(
+                "Mesh %1 cannot follow: %2 are pinned. What fits: unpin one of them, or another change.",
+                {label, holding});
   return refusal;
 }
 
@@ -47,8 +53,9 @@ Diagnostic modulePinRefusal(const Mechanism& mechanism, int mesh) {
   Diagnostic refusal;
   refusal.code = Code::teethGeometry;
   refusal.detail = Detail::pinnedModule;
-  refusal.message = "The module of mesh " + std::to_string(mechanism.meshLabel(mesh)) +
-                    " is pinned, and would change. What fits: unpin it, or another change.";
+  refusal.message =
+      translated("The module of mesh %1 is pinned, and would change. What fits: unpin it, or another change.",
+                 {std::to_string(mechanism.meshLabel(mesh))});
   refusal.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   return refusal;
 }
@@ -57,7 +64,7 @@ Diagnostic pinRefusal(const Axis& axis) {
   Diagnostic refusal;
   refusal.code = Code::teethGeometry;
   refusal.detail = Detail::pinnedAxis;
-  refusal.message = "Axis " + axis.id.text() + " is pinned. What fits: unpin it to move it.";
+  refusal.message = translated("Axis %1 is pinned. What fits: unpin it to move it.", {axis.id.text()});
   refusal.elements.emplace_back(axis.id);
   return refusal;
 }

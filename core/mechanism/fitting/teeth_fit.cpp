@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/pin_refusal.h"
 #include "core/mechanism/model/pins.h"
 
@@ -175,8 +176,9 @@ class TeethFitter {
     const int teeth = sign * (reachWanted - rest);
     if (teeth < kFewestFollowing || teeth > kMostTeeth) {
       const int link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;
-      return refuse(mesh, "gear " + std::to_string(m_mechanism.linkLabel(link)) + " would need " +
-                              std::to_string(teeth) + " teeth to stay coaxial. What fits: a smaller change.");
+      return refuse(mesh,
+                    translated("gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.",
+                               {std::to_string(m_mechanism.linkLabel(link)), std::to_string(teeth)}));
     }
     setTeeth(m_wheels.wheelOf(end), teeth);
     m_given.insert(m_wheels.wheelOf(end));
@@ -207,14 +209,14 @@ class TeethFitter {
   }
 
   void refuseEqual(int mesh) {
-    refuse(mesh, "an internal pair needs different tooth counts, the ring the larger one.");
+    refuse(mesh, translated("an internal pair needs different tooth counts, the ring the larger one."));
   }
 
   void refuse(int mesh, const std::string& why) {
     const GearMesh& element = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
     const GearMesh& edited = m_mechanism.gearMeshes[static_cast<std::size_t>(m_change.mesh)];
     m_refusals.push_back({Code::teethGeometry,
-                          "Mesh " + std::to_string(m_mechanism.meshLabel(mesh)) + ": " + why,
+                          translated("Mesh %1: %2", {std::to_string(m_mechanism.meshLabel(mesh)), why}),
                           {element.id, element.tail, element.head, edited.id},
                           {},
                           0,

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline graph {
 namespace {
@@ -17,13 +18,16 @@ struct KindEntry {
 };
 
 constexpr std::array kKinds = {
-    KindEntry{MatrixKind::incidence, "incidence", "incidence", "Γ⁰", "Incidence matrix", 1},
+    KindEntry{MatrixKind::incidence, "incidence", "incidence", "Γ⁰", toTranslate("Incidence matrix"), 1},
     KindEntry{MatrixKind::reducedIncidence, "reduced-incidence", "reducedIncidence", "Γ = [G | G*]",
-              "Reduced incidence matrix", 2},
-    KindEntry{MatrixKind::path, "path", "path", "Z", "Path matrix", 3},
-    KindEntry{MatrixKind::spanningTree, "spanning-tree", "spanningTree", "T", "Spanning-tree matrix", 4},
-    KindEntry{MatrixKind::cycleBasis, "cycle-basis", "cycleBasis", "C = [T | U]", "Cycle-basis matrix", 5},
-    KindEntry{MatrixKind::cutset, "cutset", "cutset", "Q = [U | −Tᵀ]", "Fundamental cutset matrix", 0},
+              toTranslate("Reduced incidence matrix"), 2},
+    KindEntry{MatrixKind::path, "path", "path", "Z", toTranslate("Path matrix"), 3},
+    KindEntry{MatrixKind::spanningTree, "spanning-tree", "spanningTree", "T",
+              toTranslate("Spanning-tree matrix"), 4},
+    KindEntry{MatrixKind::cycleBasis, "cycle-basis", "cycleBasis", "C = [T | U]",
+              toTranslate("Cycle-basis matrix"), 5},
+    KindEntry{MatrixKind::cutset, "cutset", "cutset", "Q = [U | −Tᵀ]",
+              toTranslate("Fundamental cutset matrix"), 0},
 };
 
 const KindEntry& entryOf(MatrixKind kind) {

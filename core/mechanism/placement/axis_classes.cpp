@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/placement/tolerance.h"
 
 namespace geargraph::inline placement {
@@ -186,9 +187,14 @@ class ClassFinder {
       const AxisId second = m_mechanism.axes[b].id;
       Diagnostic finding;
       finding.code = Code::mergedAxes;
-      finding.message = "Axes " + first.text() + " and " + second.text() +
-                        " are one line held by a common link: they are treated as one axis" +
-                        (sense < 0 ? ", with opposite directions." : ".");
+      finding.message =
+          sense < 0
+              ? translated(
+                    "Axes %1 and %2 are one line held by a common link: they are treated as one axis, with "
+                    "opposite directions.",
+                    {first.text(), second.text()})
+              : translated("Axes %1 and %2 are one line held by a common link: they are treated as one axis.",
+                           {first.text(), second.text()});
       finding.elements = {first, second};
       diagnostics.push_back(std::move(finding));
     }
@@ -226,10 +232,10 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
       groups += (groups.empty() ? "" : ", ") + std::to_string(mechanism.jointLabel(joint));
       finding.elements.emplace_back(mechanism.turningJoints[joint].id);
     }
-    finding.message =
-        "Axis " + mechanism.axes[a].id.text() + " is named by joints that share no link on it (" + groups +
-        " ...): they coincide in the drawn pose only and are treated as different axes. Give each its "
-        "own axis.";
+    finding.message = translated(
+        "Axis %1 is named by joints that share no link on it (%2 ...): they coincide in the drawn pose "
+        "only and are treated as different axes. Give each its own axis.",
+        {mechanism.axes[a].id.text(), groups});
     diagnostics.push_back(std::move(finding));
   }
 }

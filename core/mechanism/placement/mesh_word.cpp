@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline placement {
 namespace {
 
@@ -12,10 +14,6 @@ std::string wordText(const Mechanism& mechanism, const AxisClasses& classes, con
     text += (text.empty() ? "" : "|") + mechanism.axes[classes.classes[letter].axis].id.text();
   }
   return text;
-}
-
-std::string name(const Mechanism& mechanism, int mesh) {
-  return "Mesh " + std::to_string(mechanism.meshLabel(mesh));
 }
 
 /// The class that two links share, -1 where there is none. @pre the links differ
@@ -90,17 +88,21 @@ std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& 
   Diagnostic finding;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   finding.elements = {element.id, element.tail, element.head};
-  const std::string pair =
-      name(mechanism, mesh) + " (" + std::to_string(tail) + ", " + std::to_string(head) + ")";
+  const std::string label = std::to_string(mechanism.meshLabel(mesh));
+  const std::string pair = std::to_string(tail) + ", " + std::to_string(head);
   const std::string word = wordText(mechanism, classes, path.classes());
   if (path.classes().size() < 2) {
     finding.code = Code::coaxialMesh;
-    finding.message = pair + " joins two gears on the same axis " + word +
-                      ": coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.";
+    finding.message = translated(
+        "Mesh %1 (%2) joins two gears on the same axis %3: coaxial gears cannot mesh. Move one of them "
+        "to another axis, or delete the mesh.",
+        {label, pair, word});
   } else {
     finding.code = Code::noTransferVertex;
-    finding.message = pair + " has no carrier: the path between its gears changes axis more than once, " +
-                      word + ". One link must carry both axes, so that their distance is constant.";
+    finding.message = translated(
+        "Mesh %1 (%2) has no carrier: the path between its gears changes axis more than once, %3. One "
+        "link must carry both axes, so that their distance is constant.",
+        {label, pair, word});
   }
   diagnostics.push_back(std::move(finding));
   return std::nullopt;

@@ -1,6 +1,7 @@
 #include "core/theory/analysis/kinematics.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/states/engagement.h"
 
 namespace geargraph::inline analysis {
@@ -22,8 +23,8 @@ class SymbolicPass {
     const ExactSolution& exact = *m_result.exact;
     const std::size_t entries = exact.inputs.size() * exact.outputs.size();
     if (entries > SolvedKinematics::kMostSymbolicEntries) {
-      m_result.diagnostics.push_back(
-          skipped("The symbolic solution has " + std::to_string(entries) + " entries; it was left out."));
+      m_result.diagnostics.push_back(skipped(
+          translated("The symbolic solution has %1 entries; it was left out.", {std::to_string(entries)})));
       return true;
     }
     return byMatroid() && byTtGraph();
@@ -36,15 +37,15 @@ class SymbolicPass {
                                       m_live.matroid->independentEquations(), m_result.exact->inputs, m_stop);
     if (m_stop.stop_requested()) return false;
     if (!m_result.symbolic) {
-      m_result.diagnostics.push_back(skipped(
-          "The equations of this mechanism are so coupled that the symbolic solution would fill pages; it "
-          "was left out."));
+      m_result.diagnostics.push_back(skipped(translated(
+          "The equations of this mechanism are so coupled that the symbolic solution would fill pages; "
+          "it was left out.")));
     } else if (m_result.symbolic->skipped > 0) {
-      m_result.diagnostics.push_back(skipped(
-          std::to_string(m_result.symbolic->skipped) +
-          " entries of the symbolic solution are left as a chain of substitutions: expanded, one has over " +
-          std::to_string(kExpansionBudget) + " terms, or all together over " +
-          std::to_string(kSolutionBudget) + " factors."));
+      m_result.diagnostics.push_back(skipped(translated(
+          "%1 entries of the symbolic solution are left as a chain of substitutions: expanded, one "
+          "has over %2 terms, or all together over %3 factors.",
+          {std::to_string(m_result.symbolic->skipped), std::to_string(kExpansionBudget),
+           std::to_string(kSolutionBudget)})));
     }
     return true;
   }

@@ -1,6 +1,7 @@
 #include "core/theory/dynamics/dynamics_report.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/pose/turning_lines.h"
 #include "core/theory/statics/applied_loads.h"
 
@@ -83,13 +84,15 @@ std::optional<Expected<MechanismDynamics>> dynamicsOf(const Mechanism& mechanism
   GEARGRAPH_REQUIRE(solution.matrix.size() == solution.inputs.size() * solution.outputs.size());
   const auto exactMetres = metresPerUnit(mechanism);
   if (!exactMetres) {
-    return Diagnostic{Code::unknownUnit,
-                      "Masses need lengths in metres, and \"" + mechanism.unit +
-                          "\" is no unit of length that is known: use mm, cm, m or in.",
-                      {},
-                      {},
-                      0,
-                      0};
+    return Diagnostic{
+        Code::unknownUnit,
+        translated("Masses need lengths in metres, and \"%1\" is no unit of length that is known: "
+                   "use mm, cm, m or in.",
+                   {mechanism.unit}),
+        {},
+        {},
+        0,
+        0};
   }
   const double metres = exactMetres->toDouble();
   MechanismDynamics result;

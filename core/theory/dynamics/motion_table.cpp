@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline dynamics {
 namespace {
 
@@ -56,11 +58,11 @@ std::string_view endName(SimulationEnd end) {
 std::string endSentence(SimulationEnd end, std::string_view limitJoint) {
   switch (end) {
     case SimulationEnd::atLimit:
-      return "It ends where joint " + std::string(limitJoint) + " reaches the end of its range.";
+      return translated("It ends where joint %1 reaches the end of its range.", {limitJoint});
     case SimulationEnd::massless:
-      return "A motion of the inputs moves no mass: torques determine no acceleration.";
+      return translated("A motion of the inputs moves no mass: torques determine no acceleration.");
     case SimulationEnd::unbounded:
-      return "It ends where speeds grow beyond what can be followed.";
+      return translated("It ends where speeds grow beyond what can be followed.");
     case SimulationEnd::complete:
     case SimulationEnd::stopped:
       break;

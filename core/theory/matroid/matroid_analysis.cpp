@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/base/scratch.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/matroid/findings.h"
 
 namespace geargraph::inline matroid {
@@ -15,11 +16,10 @@ namespace {
 std::optional<Diagnostic> overflowOf(const Mechanism& mechanism, const KinematicModel& model,
                                      const LiveSolution& solution, std::span<const Vector3> velocities) {
   const auto isFinite = [](double value) { return std::isfinite(value); };
-  constexpr const char* kRange = " is beyond the largest number that the analysis can hold, 1.79e308. ";
-  const auto beyond = [&](int joint, const char* what, const char* cure) {
+  const auto beyond = [&](int joint, const char* sentence) {
     const ElementId id = model.graph().edgeId(joint);
     return Diagnostic{Code::schema,
-                      std::string(what) + std::to_string(mechanism.jointLabel(joint)) + kRange + cure,
+                      filled(translated(sentence), {std::to_string(mechanism.jointLabel(joint))}),
                       {id},
                       {},
                       0,
@@ -28,18 +28,25 @@ std::optional<Diagnostic> overflowOf(const Mechanism& mechanism, const Kinematic
   const auto ratio = std::find_if_not(solution.matrix.begin(), solution.matrix.end(), isFinite);
   if (ratio != solution.matrix.end()) {
     const auto row = static_cast<std::size_t>(ratio - solution.matrix.begin()) / solution.inputs.size();
-    return beyond(solution.outputs[row], "The ratio of an input to joint ",
-                  "Tooth counts nearer to each other, or fewer meshes in a row, give a ratio that it can.");
+    return beyond(
+        solution.outputs[row],
+        toTranslate("The ratio of an input to joint %1 is beyond the largest number that the analysis "
+                    "can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, "
+                    "give a ratio that it can."));
   }
   const auto rate = std::find_if_not(solution.rates.begin(), solution.rates.end(), isFinite);
   if (rate != solution.rates.end()) {
-    return beyond(static_cast<int>(rate - solution.rates.begin()), "The speed of joint ",
-                  "Lower the speeds of the inputs.");
+    return beyond(
+        static_cast<int>(rate - solution.rates.begin()),
+        toTranslate("The speed of joint %1 is beyond the largest number that the analysis can hold, "
+                    "1.79e308. Lower the speeds of the inputs."));
   }
   for (std::size_t link = 1; link < velocities.size(); ++link) {
     if (std::all_of(velocities[link].begin(), velocities[link].end(), isFinite)) continue;
-    return beyond(model.tree().jointToParent(static_cast<int>(link)),
-                  "The speed of the link that turns about joint ", "Lower the speeds of the inputs.");
+    return beyond(
+        model.tree().jointToParent(static_cast<int>(link)),
+        toTranslate("The speed of the link that turns about joint %1 is beyond the largest number that "
+                    "the analysis can hold, 1.79e308. Lower the speeds of the inputs."));
   }
   return std::nullopt;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline statics {
 namespace {
@@ -24,9 +26,13 @@ bool isOnLoads(Code code) {
   }
 }
 
+/// English goes on in lower case behind the colon; what it does in other languages is for their catalogues.
 std::string inStates(const std::vector<std::string>& names, std::string message) {
-  message.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(message.front())));
-  return (names.size() == 1 ? "In state " : "In states ") + listed(names, kAllNames) + ": " + message;
+  if (isEnglish())
+    message.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(message.front())));
+  const std::string states = listed(names, kAllNames);
+  return names.size() == 1 ? translated("In state %1: %2", {states, message})
+                           : translated("In states %1: %2", {states, message});
 }
 
 }  // namespace

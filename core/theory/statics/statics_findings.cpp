@@ -7,7 +7,9 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/load_edits.h"
 
 namespace geargraph::inline statics {
@@ -22,13 +24,24 @@ Diagnostic finding(Code code, std::string message, std::vector<ElementId> elemen
 std::string decimal(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  return buffer;
+  return spokenNumber(buffer);
 }
 
-/// "joint 14", "joints 13 and 14".
-std::string counted(const char* one, const char* many, const std::vector<std::string>& names,
-                    const char* last = "and") {
-  return std::string(names.size() == 1 ? one : many) + ' ' + listed(names, kMostNames, last);
+/// One of two texts that are marked by toTranslate(), by the number of names in the place %1: "joint 14",
+/// "joints 13 and 14".
+std::string counted(const char* one, const char* many, const std::vector<std::string>& names) {
+  return filled(translated(names.size() == 1 ? one : many), {listed(names, kMostNames)});
+}
+
+/// With its first letter in upper case, where that is one of ASCII: German nouns have it already.
+std::string capitalized(std::string sentence) {
+  if (!sentence.empty())
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  return sentence;
+}
+
+std::string countedMeshes(const std::vector<std::string>& names) {
+  return counted(toTranslate("mesh %1"), toTranslate("meshes %1"), names);
 }
 
 std::vector<std::string> jointLabels(const Mechanism& mechanism, const std::vector<int>& joints) {
@@ -65,9 +78,9 @@ Drivers driversOf(const Mechanism& mechanism, const StaticsReport& report) {
       if (!rates.empty() && rates[static_cast<std::size_t>(position)].isZero()) continue;
       drivers.joints.insert(position);
       if (names.insert("j" + joint->text()).second)
-        drivers.names.push_back("joint " + std::to_string(mechanism.jointLabel(position)));
+        drivers.names.push_back(translated("joint %1", {std::to_string(mechanism.jointLabel(position))}));
     } else if (names.insert("l" + linkOf(load.load)->text()).second) {
-      drivers.names.push_back("link " + labelOf(mechanism, *linkOf(load.load)).value_or(""));
+      drivers.names.push_back(translated("link %1", {labelOf(mechanism, *linkOf(load.load)).value_or("")}));
     }
   }
   return drivers;
@@ -76,34 +89,42 @@ Drivers driversOf(const Mechanism& mechanism, const StaticsReport& report) {
 }  // namespace
 
 Diagnostic noLoad() {
-  return finding(Code::noLoad, "No load is given: all torques are 0.");
+  return finding(Code::noLoad, translated("No load is given: all torques are 0."));
 }
 
 Diagnostic unitLoad(const Mechanism& mechanism, const ShiftState& state) {
-  return finding(Code::unitLoad,
-                 "The drive of state " + state.name + ", link " +
-                     labelOf(mechanism, *state.drive).value_or(state.drive->text()) +
-                     ", gets 1 N m, as no load acts on it or on the driven link.",
-                 {*state.drive});
+  return finding(
+      Code::unitLoad,
+      translated("The drive of state %1, link %2, gets 1 N m, as no load acts on it or on the driven link.",
+                 {state.name, labelOf(mechanism, *state.drive).value_or(state.drive->text())}),
+      {*state.drive});
 }
 
 Diagnostic unknownUnit(const Mechanism& mechanism, bool leavesForcesOut) {
-  return finding(Code::unknownUnit, "The unit of length, \"" + mechanism.unit +
-                                        "\", has no known size: forces of teeth and bearings are left out" +
-                                        (leavesForcesOut ? ", and so are loads that are forces" : "") +
-                                        ". Units are nm, um, mm, cm, dm, m, mil, in and ft.");
+  return finding(
+      Code::unknownUnit,
+      leavesForcesOut
+          ? translated(
+                "The unit of length, \"%1\", has no known size: forces of teeth and bearings are left "
+                "out, and so are loads that are forces. Units are nm, um, mm, cm, dm, m, mil, in and ft.",
+                {mechanism.unit})
+          : translated("The unit of length, \"%1\", has no known size: forces of teeth and bearings are left "
+                       "out. Units are nm, um, mm, cm, dm, m, mil, in and ft.",
+                       {mechanism.unit}));
 }
 
 Diagnostic noMotion() {
   return finding(
       Code::noMotion,
-      "Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or "
-      "choose a state of one degree of freedom.");
+      translated(
+          "Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or "
+          "choose a state of one degree of freedom."));
 }
 
 Diagnostic noEfficiency() {
   return finding(Code::noEfficiency,
-                 "No mesh has an efficiency: give `efficiency` or `friction` in the document, or --eta.");
+                 translated("No mesh has an efficiency: give `efficiency` or `friction` in the document, or "
+                            "--eta."));
 }
 
 Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& report) {
@@ -113,11 +134,19 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   for (const int joint : motion.joints)
     if (!drivers.joints.contains(joint)) cures.push_back(joint);
   if (cures.empty()) cures = motion.joints;
-  std::string message = "Nothing holds this motion: ";
-  message += counted("joint", "joints", jointLabels(mechanism, motion.joints)) +
-             (motion.joints.size() == 1 ? " turns" : " turn") + " freely under the load on ";
-  message += listed(drivers.names, kMostNames) + ". Add a balance at " +
-             counted("joint", "joint", jointLabels(mechanism, cures), "or") + '.';
+  const std::string turning = listed(jointLabels(mechanism, motion.joints), kMostNames);
+  const std::string loads = listed(drivers.names, kMostNames);
+  const std::string choices = listed(jointLabels(mechanism, cures), kMostNames, toTranslate("or"));
+  std::string message =
+      motion.joints.size() == 1
+          ? translated(
+                "Nothing holds this motion: joint %1 turns freely under the load on %2. Add a balance at "
+                "joint %3.",
+                {turning, loads, choices})
+          : translated(
+                "Nothing holds this motion: joints %1 turn freely under the load on %2. Add a balance at "
+                "joint %3.",
+                {turning, loads, choices});
   std::vector<ElementId> elements;
   for (const int joint : motion.joints)
     elements.emplace_back(mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
@@ -146,16 +175,25 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
     elements.emplace_back(id);
   }
   std::vector<std::string> groups;
-  if (!meshes.empty()) groups.push_back(counted("mesh", "meshes", meshLabels(mechanism, meshes)));
-  if (!couplings.empty()) groups.push_back(counted("coupling", "couplings", couplings));
-  if (balances) groups.emplace_back("balances");
-  std::string message = listed(groups, kMostNames);
-  if (!message.empty()) message[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(message[0])));
+  if (!meshes.empty()) groups.push_back(countedMeshes(meshLabels(mechanism, meshes)));
+  if (!couplings.empty())
+    groups.push_back(counted(toTranslate("coupling %1"), toTranslate("couplings %1"), couplings));
+  if (balances) groups.push_back(translated("balances"));
+  const std::string sharing = capitalized(listed(groups, kMostNames));
   const int count = solution.indeterminate();
-  message += " share the load in proportions that stiffness and clearance decide (" + std::to_string(count) +
-             (count == 1 ? " self-stress). " : " self-stresses). ");
-  message += couplings.empty() && !balances ? "Torques outside are determined."
-                                            : "Torques that do not depend on them are determined.";
+  std::string message = count == 1
+                            ? translated(
+                                  "%1 share the load in proportions that stiffness and clearance decide (1 "
+                                  "self-stress).",
+                                  {sharing})
+                            : translated(
+                                  "%1 share the load in proportions that stiffness and clearance decide (%2 "
+                                  "self-stresses).",
+                                  {sharing, std::to_string(count)});
+  message += ' ';
+  message += couplings.empty() && !balances
+                 ? translated("Torques outside are determined.")
+                 : translated("Torques that do not depend on them are determined.");
   return finding(Code::staticallyIndeterminate, std::move(message), std::move(elements));
 }
 
@@ -163,13 +201,17 @@ Diagnostic deadLoad(const Mechanism& mechanism, int joint, const std::vector<int
   const JointId id = mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
   std::vector<ElementId> elements{id};
   for (const int mesh : meshes) elements.push_back(meshId(mechanism, mesh));
-  const std::string carried =
-      meshes.empty() ? "."
-                     : " is carried by " + counted("mesh", "meshes", meshLabels(mechanism, meshes)) + '.';
-  return finding(Code::deadLoad,
-                 "Joint " + std::to_string(mechanism.jointLabel(joint)) + " cannot turn: its load" +
-                     (meshes.empty() ? " needs no balance." : carried),
-                 std::move(elements));
+  const std::string label = std::to_string(mechanism.jointLabel(joint));
+  const std::string carrying = listed(meshLabels(mechanism, meshes), kMostNames);
+  std::string message;
+  if (meshes.empty()) {
+    message = translated("Joint %1 cannot turn: its load needs no balance.", {label});
+  } else if (meshes.size() == 1) {
+    message = translated("Joint %1 cannot turn: its load is carried by mesh %2.", {label, carrying});
+  } else {
+    message = translated("Joint %1 cannot turn: its load is carried by meshes %2.", {label, carrying});
+  }
+  return finding(Code::deadLoad, std::move(message), std::move(elements));
 }
 
 Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
@@ -178,15 +220,16 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
   std::vector<ElementId> elements;
   for (const TorquePlace& place : report.problem.balances) {
     if (place.inJoint()) {
-      names.push_back("joint " + std::to_string(mechanism.jointLabel(place.joint)));
+      names.push_back(translated("joint %1", {std::to_string(mechanism.jointLabel(place.joint))}));
       elements.emplace_back(mechanism.turningJoints[static_cast<std::size_t>(place.joint)].id);
     } else {
-      names.push_back("link " + std::to_string(mechanism.linkLabel(place.link)));
+      names.push_back(translated("link %1", {std::to_string(mechanism.linkLabel(place.link))}));
       elements.emplace_back(mechanism.links[static_cast<std::size_t>(place.link)].id);
     }
   }
-  std::string message = "No torque at " + listed(names, kMostNames) +
-                        " moves this load: the train is self-locking in this direction";
+  const std::string places = listed(names, kMostNames);
+  std::string message =
+      translated("No torque at %1 moves this load: the train is self-locking in this direction.", {places});
   if (part) {
     std::set<std::string> values;
     double efficiency = 1;
@@ -195,20 +238,28 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
       values.insert(each.value.toString());
       efficiency = 1 - *part * (1 - each.value.toDouble());
     }
-    message += values.size() == 1 ? " (it begins below eta = " + decimal(efficiency) + ")"
-                                  : " (it begins at " + decimal(100 * *part) + " % of these losses)";
+    message = values.size() == 1
+                  ? translated(
+                        "No torque at %1 moves this load: the train is self-locking in this direction (it "
+                        "begins below eta = %2).",
+                        {places, decimal(efficiency)})
+                  : translated(
+                        "No torque at %1 moves this load: the train is self-locking in this direction (it "
+                        "begins at %2 % of these losses).",
+                        {places, decimal(100 * *part)});
   }
-  return finding(Code::selfLocking, message + '.', std::move(elements));
+  return finding(Code::selfLocking, std::move(message), std::move(elements));
 }
 
 Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& meshes) {
   std::vector<ElementId> elements;
   for (const int mesh : meshes) elements.push_back(meshId(mechanism, mesh));
-  return finding(Code::patternLimit,
-                 "Which gears drive was not decided: the rounds of guesses do not settle, and " +
-                     counted("mesh", "meshes", meshLabels(mechanism, meshes)) +
-                     " leave too many patterns to try all of them. Powers are those without losses.",
-                 std::move(elements));
+  return finding(
+      Code::patternLimit,
+      translated("Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave "
+                 "too many patterns to try all of them. Powers are those without losses.",
+                 {countedMeshes(meshLabels(mechanism, meshes))}),
+      std::move(elements));
 }
 
 Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>& times) {
@@ -236,11 +287,13 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
       most = std::max(most, times[static_cast<std::size_t>(mesh)]);
       elements.push_back(meshId(mechanism, mesh));
     }
-    const bool isOne = meshes.size() == 1;
-    std::string message = counted("mesh", "meshes", meshLabels(mechanism, meshes));
-    message[0] = 'M';
-    message += (isOne ? " passes " : " pass up to ") + decimal(most) + " times the power fed, seen from " +
-               (isOne ? "its carrier." : "their carriers.");
+    const std::string labels = listed(meshLabels(mechanism, meshes), kMostNames);
+    std::string message =
+        meshes.size() == 1
+            ? translated("Mesh %1 passes %2 times the power fed, seen from its carrier.",
+                         {labels, decimal(most)})
+            : translated("Meshes %1 pass up to %2 times the power fed, seen from their carriers.",
+                         {labels, decimal(most)});
     findings.push_back(finding(Code::recirculation, std::move(message), std::move(elements)));
   }
   return findings;
@@ -255,8 +308,9 @@ Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circu
   }
   for (const int mesh : circulation.meshes) elements.push_back(meshId(mechanism, mesh));
   return finding(Code::recirculation,
-                 decimal(part) + " W of each W fed circulate through " + counted("link", "links", links) +
-                     " and " + counted("mesh", "meshes", meshLabels(mechanism, circulation.meshes)) + '.',
+                 translated("%1 W of each W fed circulate through %2 and %3.",
+                            {decimal(part), counted(toTranslate("link %1"), toTranslate("links %1"), links),
+                             countedMeshes(meshLabels(mechanism, circulation.meshes))}),
                  std::move(elements));
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/foundations/base/scratch.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/ttgraph/wording.h"
 
 namespace geargraph::inline ttgraph {
@@ -183,10 +184,13 @@ class Classifier {
       finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }
     for (const int found : levels) names.push_back(m_levels.name(found));
-    finding.message = "Turning joints " + listed(labels, kMostNames) + " name one axis (" + id.text() +
-                      ") but do not all hang together on it by common links: they coincide only in the drawn "
-                      "pose and are treated as different axes (" +
-                      listed(names, kMostNames) + "). Give each axis of the mechanism its own entry in axes.";
+    finding.message = translated(
+        "Turning joints %1 name one axis (%2) but do not all hang together on it by common links: they "
+        "coincide "
+        "only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its "
+        "own "
+        "entry in axes.",
+        {listed(labels, kMostNames), id.text(), listed(names, kMostNames)});
     m_levels.diagnostics.push_back(std::move(finding));
   }
 
@@ -211,12 +215,12 @@ class Classifier {
       finding.elements.emplace_back(id);
       if (dot(m_lines.axis(axis)->direction, along) < 0) opposite.push_back(id.text());
     }
-    finding.message = "Axes " + listed(names, kMostNames) +
-                      " are one line held by common links: they are treated as one axis (" +
-                      m_levels.name(level) + ").";
-    if (!opposite.empty()) {
-      finding.message += " The opposite direction of " + listed(opposite, kMostNames) + " is minded.";
-    }
+    finding.message =
+        translated("Axes %1 are one line held by common links: they are treated as one axis (%2).",
+                   {listed(names, kMostNames), m_levels.name(level)});
+    if (!opposite.empty())
+      finding.message +=
+          ' ' + translated("The opposite direction of %1 is minded.", {listed(opposite, kMostNames)});
     m_levels.diagnostics.push_back(std::move(finding));
   }
 

@@ -1,0 +1,152 @@
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest>
+#include <algorithm>
+#include <vector>
+
+#include "tests/core/support/example_files.h"
+
+using namespace geargraph::test;
+
+namespace {
+
+struct Literal {
+  qsizetype start = 0;
+  qsizetype end = 0;
+  QString text;
+};
+
+/// The string literals of C++ source, those that the compiler joins as one; raw strings (formats and programs
+/// in other languages), characters and comments are left out.
+std::vector<Literal> literalsOf(const QString& source) {
+  static const QRegularExpression kTokens(
+      R"lex(//[^\n]*|/\*.*?\*/|#include[^\n]*|R"([^(]*)\(.*?\)\1"|)lex"
+      R"lex((?<![0-9A-Za-z])'(?:\\.|[^'\\\n])*'|"((?:\\.|[^"\\\n])*)")lex",
+      QRegularExpression::DotMatchesEverythingOption);
+  std::vector<Literal> literals;
+  for (auto found = kTokens.globalMatch(source); found.hasNext();) {
+    const QRegularExpressionMatch token = found.next();
+    if (!token.hasCaptured(2)) continue;
+    const bool continues =
+        !literals.empty() && QStringView(source)
+                                 .mid(literals.back().end, token.capturedStart() - literals.back().end)
+                                 .trimmed()
+                                 .isEmpty();
+    if (!continues) literals.push_back({token.capturedStart(), 0, {}});
+    literals.back().end = token.capturedEnd();
+    literals.back().text += token.captured(2);
+  }
+  return literals;
+}
+
+/// Whether a text is for people: two words in a row, or one to be joined with something, beside markup.
+bool speaks(QString text) {
+  static const QRegularExpression kMarkup(R"re(\\?<[^>]*>|\\\\[A-Za-z]+|[\w-]+=\\".*?(\\"|$))re");
+  static const QRegularExpression kWords(R"re([A-Za-z]{2,} [A-Za-z]{2,}|[A-Za-z]{3,} $|^ [A-Za-z]{3,})re");
+  text.replace(kMarkup, "|");
+  return kWords.match(text).hasMatch();
+}
+
+bool isMarked(const QString& source, qsizetype literal) {
+  static const QRegularExpression kMark(
+      R"re((?:^|[^A-Za-z0-9_])(?:translated|toTranslate|tr|words)\(\s*$)re");
+  return kMark.match(source.mid(std::max<qsizetype>(literal - 200, 0), std::min<qsizetype>(literal, 200)))
+      .hasMatch();
+}
+
+/// "line: text" of each text for people that is not handed to the words mechanism (words.h).
+QStringList bypassingIn(const QString& source) {
+  QStringList found;
+  for (const Literal& literal : literalsOf(source)) {
+    if (!speaks(literal.text) || isMarked(source, literal.start)) continue;
+    found << QString("%1: %2").arg(source.left(literal.start).count('\n') + 1).arg(literal.text);
+  }
+  return found;
+}
+
+/// What speaks no language of its reader, and why.
+const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
+    {"core/design/synthesis/", "names of links and states that the document keeps"},
+    {"core/teaching/comparison/comparison_families.cpp", "names of documents"},
+    {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
+    {"core/mechanism/graph_format/graph_text.cpp", "formats"},
+    {"core/foundations/base/answer_worker.h", "what an exception says, for developers"},
+    {"core/foundations/base/contract.cpp", "for developers"},
+    {"core/foundations/sandbox/", "for developers"},
+    {"core/presentation/drawing/", "formats"},
+    {"core/presentation/handout/", "the handout's page, which is English as yet"},
+    {"core/presentation/manual/", "the manual, which is English"},
+    {"core/presentation/meshfile/", "formats, and what the reader of its own process says"},
+    {"core/presentation/painting/", "for developers"},
+    {"core/presentation/picture/", "names of fonts"},
+    {"core/presentation/report/mathml.cpp", "a format"},
+    {"core/presentation/report/html_report.cpp", "a format"},
+    {"core/presentation/simulators/", "formats"},
+    {"core/presentation/typeset/", "commands of TeX"},
+    {"app/cli/serve", "the protocol of programs"},
+};
+
+/// Names in files, which stay as they are, heads of a command's options, and words that English alone needs.
+const QRegularExpression kNames(
+    R"re(^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s|)re"
+    R"re(geargraph-cli.*|file,status,.*|--(to|view|show)\b.*| --view |((kinds|check) )?FILE\b.*)$)re");
+
+}  // namespace
+
+/// A sentence that is written into the program without the words mechanism stays English in every language.
+class TestCoreWords : public QObject {
+  Q_OBJECT
+ private slots:
+  /// The check has to be able to fail.
+  void textsBesideTheMechanismAreFound() {
+    QCOMPARE(
+        bypassingIn("fail(\"This is wrong.\");\nauto a = \"link \" + label;\nb = name + \" is missing\";"),
+        (QStringList{"1: This is wrong.", "2: link ", "3:  is missing"}));
+    QCOMPARE(bypassingIn("fail(other(\"One \"\n    \"sentence of two.\"));"),
+             (QStringList{"1: One sentence of two."}));
+    QCOMPARE(bypassingIn("x = \"<p class=\\\"a\\\">Your answer here</p>\";"),
+             (QStringList{"1: <p class=\\\"a\\\">Your answer here</p>"}));
+    QCOMPARE(bypassingIn("write(isFirst ? \"No link moves.\" : translated(\"No joint moves.\"));"),
+             (QStringList{"1: No link moves."}));
+  }
+
+  void whatIsMarkedOrNoTextPasses() {
+    QCOMPARE(
+        bypassingIn("fail(translated(\"This is wrong.\"));\nk{toTranslate(\n  \"One is \"\n  \"two.\")};"),
+        QStringList());
+    QCOMPARE(
+        bypassingIn("// a note: \"one of two\"\n/* \"one of two\" */\n#include \"one of two\"\n"
+                    "x = R\"js(return one two)js\"; y = '\"'; z = \"turningJoints\"; w = \"\\\\quad \";"),
+        QStringList());
+  }
+
+  void noTextOfCoreOrTheCommandLineBypassesTheMechanism() {
+    QStringList found;
+    int files = 0;
+    for (const char* part : {"core", "app/cli"}) {
+      const QString folder = QString::fromStdString(sourcePath(part));
+      QDirIterator sources(folder, {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+      while (sources.hasNext()) {
+        QFile file(sources.next());
+        const QString name = part + file.fileName().mid(folder.size());
+        if (std::any_of(kEnglishOnly.begin(), kEnglishOnly.end(),
+                        [&](const auto& each) { return name.startsWith(each.first); }))
+          continue;
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString source = QString::fromUtf8(file.readAll());
+        ++files;
+        for (const QString& place : bypassingIn(source)) {
+          if (!kNames.match(place.section(": ", 1)).hasMatch()) found << name + ':' + place;
+        }
+      }
+    }
+    found.sort();
+    QVERIFY2(found.isEmpty(),
+             qPrintable("Not handed to translated() or toTranslate():\n" + found.join('\n')));
+    QVERIFY2(files > 300, qPrintable(QString::number(files)));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestCoreWords)
+#include "test_core_words.moc"
