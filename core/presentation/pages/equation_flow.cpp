@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline pages {
 namespace {
 
@@ -73,7 +75,8 @@ FlowLine leftOut(const FlowLook& flow, const std::string& number, double numberW
   FlowLine line;
   line.above = 0.6 * flow.size;
   line.height = 1.4 * flow.size;
-  line.words.push_back({"Too wide for this page; the web page and LaTeX hold it whole.", 0, flow.size, look});
+  line.words.push_back(
+      {translated("Too wide for this page; the web page and LaTeX hold it whole."), 0, flow.size, look});
   if (!number.empty()) line.words.push_back({number, flow.width - numberWidth, flow.size, look});
   return line;
 }

@@ -1,5 +1,6 @@
 #include "core/presentation/pages/report_pdf.h"
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/flow.h"
 #include "core/presentation/pages/page_break.h"
@@ -106,7 +107,7 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   if (bytes) return std::move(*bytes);
   Diagnostic diagnostic;
   diagnostic.code = Code::graphics;
-  diagnostic.message = "There is not enough memory for the pages.";
+  diagnostic.message = translated("There is not enough memory for the pages.");
   return diagnostic;
 }
 

@@ -1,3 +1,4 @@
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/teaching/comparison/comparison_families.h"
@@ -29,15 +30,16 @@ class ComparisonPart : private ReportPart {
  private:
   void addAgreement(const Agreement& agreement) {
     if (agreement.equal) {
-      return paragraph("Both methods give the same fractions: all " + std::to_string(agreement.compared) +
-                       " entries agree.");
+      return paragraph(translated("Both methods give the same fractions: all %1 entries agree.",
+                                  {std::to_string(agreement.compared)}));
     }
-    paragraph("The two methods differ by up to " + agreement.largestDifference.toString() + ".");
+    paragraph(translated("The two methods differ by up to %1.", {agreement.largestDifference.toString()}));
   }
 
   void addSteps() {
-    heading(2, "Step by step");
-    ReportTable table{{"", "Matroid method", "T-T graph method", "Relation"}, {}};
+    heading(2, toTranslate("Step by step"));
+    ReportTable table{
+        {"", translated("Matroid method"), translated("T-T graph method"), translated("Relation")}, {}};
     for (const ComparedStep& step : comparedSteps()) {
       table.rows.push_back({plainWords(step.name), reportWords(step.matroid), reportWords(step.ttGraph),
                             reportWords(step.relationWords)});
@@ -46,10 +48,10 @@ class ComparisonPart : private ReportPart {
   }
 
   void addMeshes(const MethodComparison& comparison) {
-    heading(2, "Mesh by mesh");
-    paragraph(
+    heading(2, toTranslate("Mesh by mesh"));
+    paragraph(translated(
         "For each mesh, above: its row of $P$, divided by the radius of the head's gear. Below: its terminal "
-        "equation with both circuits put in, times $N_{tail} / N_{head}$.");
+        "equation with both circuits put in, times $N_{tail} / N_{head}$."));
     int listed = 0;
     for (const ComparedMesh& mesh : comparison.perMesh) {
       if (isStopped() || ++listed > kMostListed) return;
@@ -83,61 +85,65 @@ class ComparisonPart : private ReportPart {
     return static_cast<double>(operations.products + operations.sums);
   }
   static std::string countText(const Operations& operations) {
-    return std::to_string(operations.products) + (operations.products == 1 ? " product, " : " products, ") +
-           std::to_string(operations.sums) + (operations.sums == 1 ? " sum" : " sums");
+    return productsText(operations) + ", " + sumsText(operations);
   }
   static std::string countText(const std::optional<Operations>& operations) {
-    return operations ? countText(*operations) : "too long to write";
+    return operations ? countText(*operations) : translated("too long to write");
   }
 
   void addCounts(const MethodComparison& comparison) {
-    heading(2, "Counted");
-    paragraph(
+    heading(2, toTranslate("Counted"));
+    paragraph(translated(
         "Products and quotients, sums and differences of the calculation by hand for this mechanism; those "
         "with "
-        "$0$ and $\\pm 1$ cost nothing.");
+        "$0$ and $\\pm 1$ cost nothing."));
     const MethodSize& matroid = comparison.matroid;
     const MethodSize& ttGraph = comparison.ttGraph;
-    ReportTable table{{"", "Matroid method", "T-T graph method"}, {}};
+    ReportTable table{{"", translated("Matroid method"), translated("T-T graph method")}, {}};
     const auto add = [&](const char* what, const std::string& left, const std::string& right) {
-      table.rows.push_back({plainWords(what), reportWords(left), reportWords(right)});
+      table.rows.push_back({plainWords(translated(what)), reportWords(left), reportWords(right)});
     };
     const auto number = [](long long value) { return "$" + std::to_string(value) + "$"; };
     const auto size = [](const MethodSize& of) {
       return "$" + std::to_string(of.rows) + " \\times " + std::to_string(of.columns) + "$";
     };
-    add("Unknowns", number(matroid.unknowns), number(ttGraph.unknowns));
-    add("Equations", number(matroid.equations), number(ttGraph.equations));
-    add("Matrix of the equations", size(matroid), size(ttGraph));
-    add("Entries that are not 0", number(matroid.nonZeros), number(ttGraph.nonZeros));
-    add("From the drawing to the equations", countText(matroid.setUp), countText(ttGraph.setUp));
-    add("From the equations to the solution", countText(matroid.numbers), countText(ttGraph.numbers));
-    add("The same in gear ratios", countText(matroid.symbols), countText(ttGraph.symbols));
+    add(toTranslate("Unknowns"), number(matroid.unknowns), number(ttGraph.unknowns));
+    add(toTranslate("Equations"), number(matroid.equations), number(ttGraph.equations));
+    add(toTranslate("Matrix of the equations"), size(matroid), size(ttGraph));
+    add(toTranslate("Entries that are not 0"), number(matroid.nonZeros), number(ttGraph.nonZeros));
+    add(toTranslate("From the drawing to the equations"), countText(matroid.setUp), countText(ttGraph.setUp));
+    add(toTranslate("From the equations to the solution"), countText(matroid.numbers),
+        countText(ttGraph.numbers));
+    add(toTranslate("The same in gear ratios"), countText(matroid.symbols), countText(ttGraph.symbols));
     put(std::move(table));
   }
 
   void addFamilies() {
-    heading(2, "With more links");
-    paragraph(
+    heading(2, toTranslate("With more links"));
+    paragraph(translated(
         "The same counted on larger trains. The chain of substitutions grows with the number of meshes times "
         "that of the inputs; the inverse of $P_r$ holds all products along the way and grows with its "
-        "square.");
-    ReportTable table{{"Train", "Moving links", "Meshes", "Inverse and product", "Substitution"}, {}};
+        "square."));
+    ReportTable table{{translated("Train"), translated("Moving links"), translated("Meshes"),
+                       translated("Inverse and product"), translated("Substitution")},
+                      {}};
     for (const FamilyCount& count : familyCounts()) {
-      table.rows.push_back({plainWords(std::to_string(count.size) + " " + familyName(count.family)),
+      table.rows.push_back({plainWords(familyText(count.family, count.size)),
                             plainWords(std::to_string(count.links)), plainWords(std::to_string(count.meshes)),
                             reportWords(countText(count.matroid)), reportWords(countText(count.ttGraph))});
     }
     put(std::move(table));
-    put(ReportCurves{familyCharts(), "Multiplications and additions from the equations to the solution"});
+    put(ReportCurves{familyCharts(),
+                     translated("Multiplications and additions from the equations to the solution")});
   }
 
   /// A chart for each family, over the number of moving links.
   static std::vector<CurveChart> familyCharts() {
     std::vector<CurveChart> charts;
     for (const TrainFamily family : {TrainFamily::chain, TrainFamily::stack, TrainFamily::wrist}) {
-      CurveChart chart{
-          familyName(family), "moving links", {{"Inverse and product", {}}, {"Substitution", {}}}};
+      CurveChart chart{familyName(family),
+                       translated("moving links"),
+                       {{translated("Inverse and product"), {}}, {translated("Substitution"), {}}}};
       for (const FamilyCount& count : familyCounts()) {
         if (count.family != family) continue;
         const double links = count.links;
@@ -150,14 +156,14 @@ class ComparisonPart : private ReportPart {
   }
 
   void addClaims(const MethodComparison& comparison) {
-    heading(2, "What the paper concludes");
+    heading(2, toTranslate("What the paper concludes"));
     for (const ComparedClaim& claim : claimsOf(comparison)) {
       paragraph(claim.claim);
       ReportList evidence;
       for (const std::string& each : claim.evidenceFor)
-        evidence.items.push_back(reportWords("For it: " + each));
+        evidence.items.push_back(reportWords(translated("For it: %1", {each})));
       for (const std::string& each : claim.evidenceAgainst)
-        evidence.items.push_back(reportWords("Against it: " + each));
+        evidence.items.push_back(reportWords(translated("Against it: %1", {each})));
       put(std::move(evidence));
     }
   }

@@ -1,5 +1,6 @@
 #include <unordered_map>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/teaching/derivation/matrix_text.h"
@@ -7,8 +8,21 @@
 namespace geargraph::inline report {
 namespace {
 
+/// In one of two texts that are marked by toTranslate(), by their number, which is %1.
 std::string counted(int count, const char* one, const char* many) {
-  return "$" + std::to_string(count) + "$ " + (count == 1 ? one : many);
+  return filled(translated(count == 1 ? one : many), {std::to_string(count)});
+}
+
+const char* wordOf(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::external:
+      return toTranslate("external");
+    case MeshKind::internal:
+      return toTranslate("internal");
+    case MeshKind::bevel:
+      break;
+  }
+  return toTranslate("bevel");
 }
 
 class DigraphPart : private ReportPart {
@@ -21,56 +35,63 @@ class DigraphPart : private ReportPart {
   }
 
   void addMechanism() {
-    heading(1, "The mechanism");
+    heading(1, toTranslate("The mechanism"));
     if (!m_mechanism.notes.empty()) put(ReportParagraph{plainWords(m_mechanism.notes)});
     const int n = m_mechanism.n(), t = m_mechanism.t(), c = m_mechanism.c();
-    paragraph("It has " + counted(n, "moving link", "moving links") + " ($n = " + std::to_string(n) + "$), " +
-              counted(t, "turning joint", "turning joints") + " ($t = " + std::to_string(t) + "$) and " +
-              counted(c, "gear mesh", "gear meshes") + " ($c = " + std::to_string(c) +
-              "$), $k = t + c = " + std::to_string(t + c) +
-              "$ joints in all. The ground is link 0; the other links, the turning joints and the meshes are "
-              "numbered on from there.");
+    paragraph(translated(
+        "It has %1, %2 and %3, $k = t + c = %4$ joints in all. The ground is link 0; the other links, the "
+        "turning "
+        "joints and the meshes are numbered on from there.",
+        {counted(n, toTranslate("$%1$ moving link ($n = %1$)"), toTranslate("$%1$ moving links ($n = %1$)")),
+         counted(t, toTranslate("$%1$ turning joint ($t = %1$)"),
+                 toTranslate("$%1$ turning joints ($t = %1$)")),
+         counted(c, toTranslate("$%1$ gear mesh ($c = %1$)"), toTranslate("$%1$ gear meshes ($c = %1$)")),
+         std::to_string(t + c)}));
     addLinks();
     addJoints();
     addMeshes();
-    put(ReportFigure{ReportDrawing::schematic, "Functional schematic"});
+    put(ReportFigure{ReportDrawing::schematic, translated("Functional schematic")});
   }
 
   void addMatrices() {
-    heading(1, "Digraph and matrices");
-    paragraph(
+    heading(1, toTranslate("Digraph and matrices"));
+    paragraph(translated(
         "Each link becomes a node, each turning joint a solid arrow from its tail to its head, each gear "
         "mesh a "
-        "dashed one.");
-    put(ReportFigure{ReportDrawing::digraph, "Digraph"});
-    matrix(MatrixKind::incidence, "\\Gamma^0",
-           "In the incidence matrix an edge's column holds $-1$ in the row of the link that it leaves and "
-           "$1$ in "
-           "the row of the link that it reaches.");
+        "dashed one."));
+    put(ReportFigure{ReportDrawing::digraph, translated("Digraph")});
     matrix(
-        MatrixKind::reducedIncidence, "\\Gamma = \\left[ G \\mid G^* \\right]",
-        "Without the row of the ground its rows are independent: $G$ for the turning joints, $G^*$ for the "
-        "meshes.");
+        MatrixKind::incidence, "\\Gamma^0",
+        translated(
+            "In the incidence matrix an edge's column holds $-1$ in the row of the link that it leaves and "
+            "$1$ in "
+            "the row of the link that it reaches."));
+    matrix(MatrixKind::reducedIncidence, "\\Gamma = \\left[ G \\mid G^* \\right]",
+           translated("Without the row of the ground its rows are independent: $G$ for the turning joints, "
+                      "$G^*$ for the "
+                      "meshes."));
     if (m_snapshot.tree == nullptr) {
-      return paragraph(
+      return paragraph(translated(
           "The turning joints are no spanning tree of this digraph, so there is nothing more to derive: see "
           "the "
-          "findings above.");
+          "findings above."));
     }
-    matrix(MatrixKind::path, "Z",
-           "The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its "
-           "path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it.");
     matrix(
-        MatrixKind::spanningTree, "T = G^{*T} Z^T",
-        "Each mesh closes a fundamental cycle with the joints between its two links. They follow from both "
-        "matrices.");
+        MatrixKind::path, "Z",
+        translated(
+            "The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its "
+            "path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it."));
+    matrix(MatrixKind::spanningTree, "T = G^{*T} Z^T",
+           translated("Each mesh closes a fundamental cycle with the joints between its two links. They "
+                      "follow from both "
+                      "matrices."));
     matrix(MatrixKind::cycleBasis, "C = \\left[ T \\mid U \\right]",
-           "With the meshes themselves, each once, this is the cycle-basis matrix.");
+           translated("With the meshes themselves, each once, this is the cycle-basis matrix."));
   }
 
  private:
   void addLinks() {
-    ReportTable table{{"Link", "Name"}, {}};
+    ReportTable table{{translated("Link"), translated("Name")}, {}};
     for (int i = 0; i <= m_mechanism.n(); ++i) {
       const Link& link = m_mechanism.links[static_cast<std::size_t>(i)];
       table.rows.push_back({plainWords(std::to_string(m_mechanism.linkLabel(i))),
@@ -80,7 +101,8 @@ class DigraphPart : private ReportPart {
   }
 
   void addJoints() {
-    ReportTable table{{"Turning joint", "From", "To", "Axis"}, {}};
+    ReportTable table{{translated("Turning joint"), translated("From"), translated("To"), translated("Axis")},
+                      {}};
     for (int i = 0; i < m_mechanism.t(); ++i) {
       const TurningJoint& joint = m_mechanism.turningJoints[static_cast<std::size_t>(i)];
       table.rows.push_back({plainWords(std::to_string(m_mechanism.jointLabel(i))),
@@ -91,14 +113,16 @@ class DigraphPart : private ReportPart {
   }
 
   void addMeshes() {
-    ReportTable table{{"Gear mesh", "From", "To", "Teeth", "Kind"}, {}};
+    ReportTable table{{translated("Gear mesh"), translated("From"), translated("To"), translated("Teeth"),
+                       translated("Kind")},
+                      {}};
     for (int i = 0; i < m_mechanism.c(); ++i) {
       const GearMesh& mesh = m_mechanism.gearMeshes[static_cast<std::size_t>(i)];
       table.rows.push_back(
           {plainWords(std::to_string(m_mechanism.meshLabel(i))), plainWords(m_labels[mesh.tail]),
            plainWords(m_labels[mesh.head]),
            plainWords(std::to_string(mesh.tailTeeth) + " : " + std::to_string(mesh.headTeeth)),
-           plainWords(mesh.kind ? std::string(meshKindName(*mesh.kind)) : std::string())});
+           plainWords(mesh.kind ? translated(wordOf(*mesh.kind)) : std::string())});
     }
     if (!table.rows.empty()) put(std::move(table));
   }
@@ -107,10 +131,8 @@ class DigraphPart : private ReportPart {
     const IntegerMatrixPtr& matrix = m_snapshot.matrix(kind);
     if (matrix == nullptr || matrix->rows() == 0 || matrix->columns() == 0) return;
     if (matrix->rows() > kMostReportRows || matrix->columns() > kMostReportColumns) {
-      return paragraph(text + " It has $" + std::to_string(matrix->rows()) + " \\times " +
-                       std::to_string(matrix->columns()) +
-                       "$ entries, too many to print: \"export --to csv --matrix " +
-                       std::string(matrixCommandName(kind)) + "\" writes them.");
+      return paragraph(text + ' ' +
+                       tooManyEntries(matrix->rows(), matrix->columns(), matrixCommandName(kind)));
     }
     paragraph(text);
     equation(symbol + " =\n" + matrixLatex(*matrix), matrixEquation(kind));

@@ -1,4 +1,5 @@
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/report/mathml.h"
 #include "core/presentation/report/report.h"
@@ -131,9 +132,9 @@ class HtmlWriter {
 
 std::string reportHtml(const Report& report, const ReportDrawings& drawings) {
   const std::string title = escapedXml(report.title);
-  std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     title + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" +
-                     title + "</h1>\n";
+  std::string text = "<!DOCTYPE html>\n<html lang=\"" + translated("en") +
+                     "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" +
+                     std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
   const HtmlWriter writer(drawings, false);
   for (const ReportBlock& block : report.blocks) text += std::visit(writer, block);
   return text + "</body>\n</html>\n";

@@ -1,4 +1,5 @@
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
@@ -16,7 +17,7 @@ class MatroidPart : private ReportPart {
         m_matroid(*snapshot->matroid()) {}
 
   void add() {
-    heading(1, "Matroid method");
+    heading(1, toTranslate("Matroid method"));
     addScrews();
     if (!isStopped()) addCoefficients();
     addFreedom();
@@ -50,19 +51,17 @@ class MatroidPart : private ReportPart {
     if (fits(*table)) {
       return equation(before + (after.empty() ? quantityLatex(*table) : texMatrix(*table)) + after, number);
     }
-    paragraph("It has $" + std::to_string(table->rows()) + " \\times " + std::to_string(table->columns()) +
-              "$ entries, too many to print: \"export --to csv --matrix " +
-              std::string(quantityCommandName(table->kind())) + "\" writes them.");
+    paragraph(tooManyEntries(table->rows(), table->columns(), quantityCommandName(table->kind())));
   }
 
   void addScrews() {
-    heading(2, "Screws");
-    paragraph(
+    heading(2, toTranslate("Screws"));
+    paragraph(translated(
         "The screw of joint $k$ about the pitch point of mesh $c$ is the unit vector along the joint's axis, "
         "$u_k$, "
         "with its moment about that point, $r_{c,k} = l_{c,k} \\times u_k$, where $l_{c,k}$ leads from the "
         "pitch "
-        "point to the axis:");
+        "point to the axis:"));
     equation(
         "\\hat{u}_{c,k} = \\begin{pmatrix} u_k \\\\ r_{c,k} \\end{pmatrix} = \\begin{pmatrix} L_k & M_k & "
         "N_k & "
@@ -70,35 +69,35 @@ class MatroidPart : private ReportPart {
         6);
     const QuantityTablePtr screws = numbers(QuantityKind::screws);
     if (screws == nullptr || screws->rows() == 0) return;
-    paragraph("For the joints of each cycle, lengths in " + m_snapshot.mechanism->unit + ":");
+    paragraph(translated("For the joints of each cycle, lengths in %1:", {m_snapshot.mechanism->unit}));
     addTable(screws, "", "", std::nullopt);
   }
 
   void addCoefficients() {
-    heading(2, "Equations of the meshes");
-    paragraph(
+    heading(2, toTranslate("Equations of the meshes"));
+    paragraph(translated(
         "The twists $\\hat{s}_k = \\hat{u}_{c,k} \\dot{\\theta}_k$ of a cycle's joints add up to zero. The "
         "mesh has no "
         "moment about its own pitch point, so the moments of the turning joints alone do, each with its sign "
         "in "
-        "$T$:");
+        "$T$:"));
     equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0", 16);
-    paragraph(
+    paragraph(translated(
         "They all point along one line: the normal of the plane that holds both axes of the mesh. One number "
         "of each "
-        "is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:");
+        "is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:"));
     equation("P \\, \\dot{\\theta}_t = 0 , \\quad P = \\left[ T \\circ P_{c,t} \\right]", 17);
-    paragraph("With lengths in " + m_snapshot.mechanism->unit + ",");
+    paragraph(translated("With lengths in %1,", {m_snapshot.mechanism->unit}));
     addTable(numbers(QuantityKind::coefficients), "P =\n", "", 18);
     addRatios();
   }
 
   void addRatios() {
     if (m_graph.c() == 0) return;
-    paragraph(
+    paragraph(translated(
         "The entries of a row are the radii of its two gears. Divided by the radius of the head's gear, the "
         "ratios "
-        "are left:");
+        "are left:"));
     const CoefficientMatrix matrix(*m_snapshot.mechanism, *m_snapshot.kinematics->model,
                                    m_snapshot.kinematics->placement());
     std::vector<std::string> lines;
@@ -121,12 +120,12 @@ class MatroidPart : private ReportPart {
   void addHeld() {
     const std::vector<KinematicModel::HeldRow>& held = m_snapshot.kinematics->model->held();
     if (held.empty()) return;
-    heading(2, "Engaged couplings");
-    paragraph(
+    heading(2, toTranslate("Engaged couplings"));
+    paragraph(translated(
         "An engaged brake holds its link against the ground, an engaged clutch makes two links turn as one. "
         "The rates of the joints between them add up to zero, once for each direction of their axes: rows "
-        "below those of the meshes, which stay as they are.");
-    ReportTable table{{"Coupling", "Equation"}, {}};
+        "below those of the meshes, which stay as they are."));
+    ReportTable table{{translated("Coupling"), translated("Equation")}, {}};
     for (const KinematicModel::HeldRow& row : held) {
       const Coupling& coupling = m_snapshot.mechanism->couplings[static_cast<std::size_t>(row.coupling)];
       std::string sum;
@@ -135,60 +134,76 @@ class MatroidPart : private ReportPart {
         sum += rateName(m_graph, term.of);
       }
       table.rows.push_back(
-          {plainWords((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text()),
+          {plainWords(coupling.kind == CouplingKind::brake ? translated("brake %1", {coupling.id.text()})
+                                                           : translated("clutch %1", {coupling.id.text()})),
            reportWords("$" + sum + " = 0$")});
     }
     put(std::move(table));
   }
 
+  static const char* inputsText(bool isOne, bool areGiven) {
+    if (areGiven)
+      return isOne ? toTranslate("The input is joint %1.") : toTranslate("The inputs are joints %1.");
+    return isOne
+               ? toTranslate("The input is joint %1, chosen by the program because the document names none.")
+               : toTranslate(
+                     "The inputs are joints %1, chosen by the program because the document names none.");
+  }
+
   void addFreedom() {
     addHeld();
-    heading(2, "Freedom and inputs");
+    heading(2, toTranslate("Freedom and inputs"));
     const bool isHeld = !m_snapshot.kinematics->model->held().empty();
-    paragraph((isHeld ? "The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = "
-                      : "The rank of $P$, in exact arithmetic, is $r = ") +
-              std::to_string(m_matroid.rank) + "$. The mechanism therefore has");
+    const std::string rank = std::to_string(m_matroid.rank);
+    paragraph(
+        isHeld
+            ? translated("The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = %1$. "
+                         "The mechanism therefore has",
+                         {rank})
+            : translated("The rank of $P$, in exact arithmetic, is $r = %1$. The mechanism therefore has",
+                         {rank}));
     equation("E = t - r = " + std::to_string(m_graph.t()) + " - " + std::to_string(m_matroid.rank) + " = " +
                  std::to_string(m_matroid.dof),
              21);
     if (m_matroid.kutzbachDof != m_matroid.dof) {
       const int equations = m_snapshot.kinematics->model->equations();
-      paragraph("degrees of freedom. Kutzbach's count $" + std::string(isHeld ? "n - c - h" : "n - c") +
-                " = " + std::to_string(m_matroid.kutzbachDof) + "$" +
-                (isHeld ? ", with the $h$ rows of couplings," : "") + " differs, because " +
-                (isHeld ? std::to_string(equations - m_matroid.rank) + " of the equations follow"
-                        : "the equations of " + std::to_string(equations - m_matroid.rank) +
-                              " of the meshes follow") +
-                " from the others.");
+      const std::string count = std::to_string(m_matroid.kutzbachDof);
+      const std::string following = std::to_string(equations - m_matroid.rank);
+      paragraph(
+          isHeld ? translated("degrees of freedom. Kutzbach's count $n - c - h = %1$, with the $h$ rows of "
+                              "couplings, differs, because %2 of the equations follow from the others.",
+                              {count, following})
+                 : translated("degrees of freedom. Kutzbach's count $n - c = %1$ differs, because the "
+                              "equations of %2 of the meshes follow from the others.",
+                              {count, following}));
     } else {
-      paragraph("degrees of freedom: as many inputs have to be given.");
+      paragraph(translated("degrees of freedom: as many inputs have to be given."));
     }
     if (!m_matroid.solution) return;
     std::vector<std::string> names;
     for (const int joint : m_matroid.solution->inputs) names.push_back(label(joint));
     if (names.empty()) return;
-    paragraph(std::string(names.size() == 1 ? "The input is joint " : "The inputs are joints ") +
-              listed(names, kAllNames) +
-              (m_matroid.inputsGiven ? "." : ", chosen by the program because the document names none."));
+    paragraph(
+        filled(translated(inputsText(names.size() == 1, m_matroid.inputsGiven)), {listed(names, kAllNames)}));
   }
 
   void addSolution() {
-    heading(2, "Solution");
+    heading(2, toTranslate("Solution"));
     const LiveSolution& solution = *m_matroid.solution;
     if (solution.outputs.empty()) return;
     const bool symbols = m_snapshot.solved && m_snapshot.solved->symbolic;
     if (!solution.inputs.empty() && symbols) {
-      paragraph("With the inputs first, and in gear ratios, the equations are");
+      paragraph(translated("With the inputs first, and in gear ratios, the equations are"));
       std::vector<int> joints = solution.inputs;
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
                " " + rateColumn(m_graph, joints) + " = 0", 24);
     }
     if (isStopped()) return;
-    paragraph("Solved for the outputs,");
+    paragraph(translated("Solved for the outputs,"));
     equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
     if (solution.inputs.empty()) {
-      return paragraph("there is nothing that turns: without a freedom all rates are $0$.");
+      return paragraph(translated("there is nothing that turns: without a freedom all rates are $0$."));
     }
     const std::string left = rateColumn(m_graph, solution.outputs) + " =\n";
     const std::string right = " " + rateColumn(m_graph, solution.inputs);
@@ -198,14 +213,15 @@ class MatroidPart : private ReportPart {
       addRecurrence();
     }
     if (isStopped()) return;
-    paragraph("With the teeth of this mechanism:");
+    paragraph(translated("With the teeth of this mechanism:"));
     addTable(numbers(QuantityKind::solution), left, right, std::nullopt);
     addRates();
   }
 
   /// Where whole entries are too long to read.
   void addRecurrence() {
-    paragraph("Written out, some entries are too long to read. One joint after the other they are");
+    paragraph(
+        translated("Written out, some entries are too long to read. One joint after the other they are"));
     std::vector<std::string> lines;
     std::vector<ElementId> joints;
     for (const SymbolicLine& line : m_snapshot.solved->symbolic->lines) {
@@ -240,9 +256,9 @@ class MatroidPart : private ReportPart {
       }
       return texts;
     };
-    paragraph("At these speeds of the inputs, in rad/s,");
+    paragraph(translated("At these speeds of the inputs, in rad/s,"));
     equation(texLines(lines(exact.inputs)), std::nullopt, elementsOf(exact.inputs));
-    paragraph("the outputs turn at");
+    paragraph(translated("the outputs turn at"));
     equation(texLines(lines(exact.outputs)), std::nullopt, elementsOf(exact.outputs));
   }
 

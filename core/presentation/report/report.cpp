@@ -1,6 +1,7 @@
 #include "core/presentation/report/report.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
   if (snapshot.diagnostics.empty()) return;
-  report.blocks.emplace_back(ReportHeading{1, "Warnings"});
+  report.blocks.emplace_back(ReportHeading{1, translated("Warnings")});
   ReportList findings;
   for (const Diagnostic& finding : snapshot.diagnostics)
     findings.items.push_back(plainWords(finding.message));
@@ -19,7 +20,7 @@ void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
 }  // namespace
 
 std::string reportTitle(const Mechanism& mechanism) {
-  return mechanism.name.empty() ? "Untitled mechanism" : mechanism.name;
+  return mechanism.name.empty() ? translated("Untitled mechanism") : mechanism.name;
 }
 
 Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {

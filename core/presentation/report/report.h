@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/curve_chart.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -69,14 +70,15 @@ using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportEquation,
 struct Report {
   std::string title;
   std::vector<ReportBlock> blocks;
-  std::string subtitle = "Worked out by the Matroid and the T-T graph method";  ///< on pages
+  std::string subtitle = translated("Worked out by the Matroid and the T-T graph method");  ///< on pages
 };
 
 /// Reports of more links would be thousands of pages.
 constexpr int kMostReportLinks = 200;
 
-/// The heading of the part that compares the methods; a mechanism without a solution has none.
-inline constexpr const char* kComparisonHeading = "Both methods compared";
+/// The heading of the part that compares the methods, which is shown translated; a mechanism without a
+/// solution has none.
+inline constexpr const char* kComparisonHeading = toTranslate("Both methods compared");
 
 /// What the report of a mechanism is headed with.
 [[nodiscard]] std::string reportTitle(const Mechanism& mechanism);

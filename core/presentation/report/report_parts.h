@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report.h"
 
 namespace geargraph::inline report {
@@ -31,7 +32,8 @@ class ReportPart {
 
   [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
 
-  void heading(int level, const char* text) { put(ReportHeading{level, text}); }
+  /// Marked by toTranslate().
+  void heading(int level, const char* text) { put(ReportHeading{level, translated(text)}); }
   /// With formulas between dollar signs (reportWords()).
   void paragraph(std::string_view text);
   /// Without the line ends behind it: an empty line would end the formula in LaTeX.

@@ -2,6 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 
 namespace geargraph::inline report {
@@ -102,6 +103,12 @@ std::string texStages(const std::vector<std::string>& stages) {
     text += (i > 1 ? " \\\\\n &= " : " &= ") + stages[i];
   }
   return text + "\n\\end{aligned}";
+}
+
+std::string tooManyEntries(int rows, int columns, std::string_view commandName) {
+  return translated(
+      "It has $%1 \\times %2$ entries, too many to print: \"export --to csv --matrix %3\" writes them.",
+      {std::to_string(rows), std::to_string(columns), commandName});
 }
 
 std::string citedEquations(const std::vector<int>& numbers) {

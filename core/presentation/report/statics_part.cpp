@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/statics/statics_report.h"
@@ -24,13 +26,13 @@ class StaticsPart : private ReportPart {
         m_statics(statics) {}
 
   void add() {
-    heading(1, "Statics");
-    paragraph(
+    heading(1, toTranslate("Statics"));
+    paragraph(translated(
         "What holds the loads follows from the same matrices, read down their columns. A starred number "
         "belongs to the equation of the kinematics beside it. A torque $\\tau_e$ acts in joint $e$, by its "
         "tail on its head, about the direction of its axis; $\\ell_e$ is the power of the loads on links "
         "beyond the joint for its rate $1$; $F_c$ is the tangential force of mesh $c$, by the tail's gear "
-        "on the head's.");
+        "on the head's."));
     addCutsets();
     if (isStopped()) return;
     addTransposed();
@@ -57,7 +59,7 @@ class StaticsPart : private ReportPart {
     return texColumn(names);
   }
   [[nodiscard]] static std::string number(const Real& value) {
-    return value.isExact() ? latexOf(*value.fraction()) : shortDecimal(value.number());
+    return value.isExact() ? latexOf(*value.fraction()) : spokenTexNumber(shortDecimal(value.number()));
   }
   /// " + 3 x", " - x" for a sum; the first term without a plus.
   static void addTerm(std::string& sum, bool negative, const std::string& term) {
@@ -96,36 +98,37 @@ class StaticsPart : private ReportPart {
   }
 
   void addCutsets() {
-    heading(2, "Cutset equations");
-    paragraph(
+    heading(2, toTranslate("Cutset equations"));
+    paragraph(translated(
         "Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its "
-        "fundamental cutset. It crosses each cycle as often along the cycle as against it:");
+        "fundamental cutset. It crosses each cycle as often along the cycle as against it:"));
     dualEquation(
         "C = \\left[ T \\mid U \\right] \\quad (5) , \\quad Q = \\left[ U \\mid -T^T \\right] , \\quad "
         "Q \\, C^T = 0",
         5);
-    paragraph(
+    paragraph(translated(
         "So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the "
         "forces "
         "of the meshes that cross the cutset. Their moments about the joint's axis are the entries of its "
         "column of $P$; forces along the line of centres or along an axis do no work and are in no "
-        "equation:");
+        "equation:"));
     dualEquation("P \\, \\dot{\\theta}_t = 0 \\quad (17) , \\quad \\tau + \\ell = P^T F", 17);
     if (m_graph.t() > kMostListed) {
-      return paragraph(
-          "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them.");
+      return paragraph(translated(
+          "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them."));
     }
     if (!m_statics.problem.engaged.empty())
-      paragraph("An engaged coupling is a further edge of the graph, with its torque $T$.");
-    paragraph("With lengths in " + m_mechanism.unit + ", so that torques are in N " + m_mechanism.unit +
-              ", joint by joint,");
+      paragraph(translated("An engaged coupling is a further edge of the graph, with its torque $T$."));
+    paragraph(
+        translated("With lengths in %1, so that torques are in N %1, joint by joint,", {m_mechanism.unit}));
     const CutsetEquations cutsets(CoefficientMatrix(m_mechanism, m_model, m_placement));
     std::vector<std::string> lines;
     std::vector<ElementId> joints;
     for (int joint = 0; joint < cutsets.count(); ++joint) {
       std::string sum;
       for (const CutsetEquations::Term& term : cutsets.terms(joint))
-        addTerm(sum, term.length < 0, shortDecimal(std::abs(term.length)) + " " + force(term.mesh));
+        addTerm(sum, term.length < 0,
+                spokenTexNumber(shortDecimal(std::abs(term.length))) + " " + force(term.mesh));
       lines.push_back(torque(joint) + besides(joint) + " = " + (sum.empty() ? "0" : sum));
       joints.push_back(jointId(joint));
     }
@@ -134,10 +137,10 @@ class StaticsPart : private ReportPart {
 
   void addTransposed() {
     if (!m_statics.matrix || m_statics.balancedJoints.empty()) return;
-    heading(2, "The transposed solution");
-    paragraph(
+    heading(2, toTranslate("The transposed solution"));
+    paragraph(translated(
         "The torques in the balanced joints, $\\tau_E$, hold those in the others, $\\tau_r$. With the "
-        "columns of $P$ in the same order as for the speeds,");
+        "columns of $P$ in the same order as for the speeds,"));
     dualEquation(
         "\\dot{\\theta}_r = K_r \\, \\dot{\\theta}_E \\quad (23) , \\quad \\tau_E = -K_r^T \\, \\tau_r", 23);
     const TorqueMatrix& matrix = *m_statics.matrix;
@@ -154,18 +157,18 @@ class StaticsPart : private ReportPart {
       return texts;
     };
     if (m_statics.symbolic && m_statics.symbolic->skipped == 0) {
-      paragraph("which in ratios is (25) transposed, with the opposite sign:");
+      paragraph(translated("which in ratios is (25) transposed, with the opposite sign:"));
       dualEquation(
           left + texMatrix(rows([&](std::size_t at) { return m_statics.symbolic->matrix[at]->toLatex(); })) +
               right,
           25);
     }
-    paragraph("With the teeth of this mechanism:");
+    paragraph(translated("With the teeth of this mechanism:"));
     equation(left + texMatrix(rows([&](std::size_t at) { return latexOf(matrix.entries[at]); })) + right);
   }
 
   void addTorques() {
-    heading(2, "Torques under the loads");
+    heading(2, toTranslate("Torques under the loads"));
     if (!m_statics.lossless.isBalanced()) {
       for (const Diagnostic& each : m_statics.diagnostics)
         if (each.code == Code::unbalanced) put(ReportParagraph{plainWords(each.message)});
@@ -183,7 +186,8 @@ class StaticsPart : private ReportPart {
       elements.push_back(jointId(place.joint));
     }
     if (!lines.empty()) {
-      paragraph("The loads of the document are held by these torques, in N m, in a train without losses:");
+      paragraph(translated(
+          "The loads of the document are held by these torques, in N m, in a train without losses:"));
       equation(texLines(lines), std::nullopt, std::move(elements));
     }
     addForces();
@@ -194,12 +198,13 @@ class StaticsPart : private ReportPart {
     std::vector<ElementId> elements;
     for (int mesh = 0; mesh < m_model.c() && mesh < kMostListed; ++mesh) {
       if (m_statics.forces.meshes.empty() || !m_statics.lossless.isDetermined(mesh)) continue;
-      lines.push_back(force(mesh) + " = " +
-                      shortDecimal(m_statics.forces.meshes[static_cast<std::size_t>(mesh)].tangential));
+      lines.push_back(
+          force(mesh) + " = " +
+          spokenTexNumber(shortDecimal(m_statics.forces.meshes[static_cast<std::size_t>(mesh)].tangential)));
       elements.push_back(meshId(mesh));
     }
     if (lines.empty()) return;
-    paragraph("The tangential forces of the meshes, in N, are");
+    paragraph(translated("The tangential forces of the meshes, in N, are"));
     equation(texLines(lines), std::nullopt, std::move(elements));
   }
 
@@ -212,13 +217,13 @@ class StaticsPart : private ReportPart {
   [[nodiscard]] std::string branch(int joint) const { return torqueName(branchName(m_graph, joint)); }
 
   void addTtGraphMethod() {
-    heading(2, "The same by the T-T graph");
+    heading(2, toTranslate("The same by the T-T graph"));
     const EquationNumbers numbers(m_ttGraph, 0);
     const std::vector<RatioNames> names = ratioNames(m_graph);
     if (m_graph.c() > kMostListed || m_graph.t() > kMostListed || m_graph.c() == 0) return;
-    paragraph(
+    paragraph(translated(
         "A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in "
-        "the inverse ratio of their speeds:");
+        "the inverse ratio of their speeds:"));
     for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
       const TerminalPair& pair = *m_ttGraph.terminal(mesh);
       dualEquation(torqueName(headChordName(pair)) + " = " + (pair.sign > 0 ? "-" : "") +
@@ -226,9 +231,9 @@ class StaticsPart : private ReportPart {
                        torqueName(tailChordName(pair)),
                    numbers.terminal(mesh), {meshId(mesh)});
     }
-    paragraph(
+    paragraph(translated(
         "Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that "
-        "the branch belongs to:");
+        "the branch belongs to:"));
     std::vector<std::string> cutsets(static_cast<std::size_t>(m_graph.t()));
     for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
       const TerminalPair& pair = *m_ttGraph.terminal(mesh);
@@ -270,13 +275,13 @@ class StaticsPart : private ReportPart {
         torques.push_back(torqueName(isTail ? tailChordName(pair) : headChordName(pair)));
       }
     }
-    paragraph(
+    paragraph(translated(
         "These cutsets as the rows of a matrix, the torques in the branches before the line, those of the "
-        "chords after it; loads and engaged couplings come in addition:");
+        "chords after it; loads and engaged couplings come in addition:"));
     equation(texMatrix(rows, m_graph.t()) + " " + texColumn(torques));
-    paragraph(
+    paragraph(translated(
         "The Matroid method's $Q$ has the same rows. A mesh is one edge there and has a chord to each gear "
-        "here, so its column of $Q$ is that of the chord of the head's gear less that of the tail's:");
+        "here, so its column of $Q$ is that of the chord of the head's gear less that of the tail's:"));
     std::vector<std::vector<std::string>> texts(static_cast<std::size_t>(q->rows()));
     std::vector<std::string> edges;
     for (int column = 0; column < q->columns(); ++column) {
@@ -292,9 +297,9 @@ class StaticsPart : private ReportPart {
     const LoadPower power = LoadPower::of(m_mechanism, m_model, m_placement, m_statics.problem);
     const auto torques = ttTorques(m_ttGraph, chordsOf(m_statics.held), power.byJoint);
     if (!torques || !torques->isBalanced || torques->steps.empty()) return;
-    paragraph(
+    paragraph(translated(
         "The chain runs from the loads back to the motors: a cutset with one unknown left gives it, the "
-        "terminal equation of its mesh the other torque.");
+        "terminal equation of its mesh the other torque."));
     int place = 0;
     for (const TtStaticStep& step : torques->steps) {
       if (isStopped() || place >= kMostListed) return;
@@ -322,16 +327,18 @@ class StaticsPart : private ReportPart {
   void addAgreement() {
     if (!m_statics.agreement) return;
     const std::optional<bool> inSymbols = m_statics.agreesInSymbols();
-    paragraph(m_statics.agreement->equal
-                  ? "Torque by torque, both methods give the same fractions: all " +
-                        std::to_string(m_statics.agreement->compared) + " entries agree."
-                  : "The two methods differ by up to " +
-                        shortDecimal(m_statics.agreement->largestDifference.number()) + " N m.");
+    paragraph(
+        m_statics.agreement->equal
+            ? translated("Torque by torque, both methods give the same fractions: all %1 entries agree.",
+                         {std::to_string(m_statics.agreement->compared)})
+            : translated("The two methods differ by up to %1 N m.",
+                         {spokenNumber(shortDecimal(m_statics.agreement->largestDifference.number()))}));
     if (!inSymbols) return;
-    paragraph(*inSymbols
-                  ? "In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give "
-                    "the torque matrix of (25) transposed, entry by entry."
-                  : "In symbols the two torque matrices differ.");
+    paragraph(
+        *inSymbols
+            ? translated("In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give "
+                         "the torque matrix of (25) transposed, entry by entry.")
+            : translated("In symbols the two torque matrices differ."));
   }
 
   const AnalysisSnapshot& m_snapshot;

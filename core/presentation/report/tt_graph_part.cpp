@@ -1,6 +1,7 @@
 #include <map>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/ttgraph/equations.h"
@@ -18,7 +19,7 @@ class TtGraphPart : private ReportPart {
         m_digraph(m_graph.graph()) {}
 
   void add() {
-    heading(1, "T-T graph method");
+    heading(1, toTranslate("T-T graph method"));
     addLevels();
     addCarriers();
     if (!m_graph.isComplete() || m_graph.equations() == 0) return;
@@ -37,38 +38,38 @@ class TtGraphPart : private ReportPart {
   [[nodiscard]] const SolvedKinematics& solved() const { return *m_snapshot.solved; }
 
   void addLevels() {
-    heading(2, "Levels");
-    paragraph(
+    heading(2, toTranslate("Levels"));
+    paragraph(translated(
         "The turning joints are the branches of the graph's tree. Each carries the letter of its axis, its "
-        "level.");
+        "level."));
     const AxisLevels& levels = m_graph.levels();
     std::map<int, std::vector<std::string>> joints;
     for (int joint = 0; joint < m_digraph.t(); ++joint) {
       joints[levels.ofJoint[static_cast<std::size_t>(joint)]].push_back(
           std::to_string(m_digraph.edgeLabel(joint)));
     }
-    ReportTable table{{"Level", "Turning joints"}, {}};
+    ReportTable table{{translated("Level"), translated("Turning joints")}, {}};
     for (const auto& [level, labels] : joints) {
       table.rows.push_back({plainWords(levels.name(level)), plainWords(listed(labels, kAllNames))});
     }
     put(std::move(table));
-    put(ReportFigure{ReportDrawing::ttGraph, "T-T graph"});
+    put(ReportFigure{ReportDrawing::ttGraph, translated("T-T graph")});
   }
 
   void addCarriers() {
     if (m_digraph.c() == 0) return;
-    heading(2, "Carriers");
-    paragraph(
+    heading(2, toTranslate("Carriers"));
+    paragraph(translated(
         "From one gear of a mesh through the branches to the other, the level changes at one link: the "
         "transfer "
-        "vertex, which carries both gears. A mesh is written as its gear pair and its carrier.");
-    ReportTable table{{"Mesh", "Walk", "Pair and carrier"}, {}};
+        "vertex, which carries both gears. A mesh is written as its gear pair and its carrier."));
+    ReportTable table{{translated("Mesh"), translated("Walk"), translated("Pair and carrier")}, {}};
     for (int mesh = 0; mesh < m_digraph.c(); ++mesh) {
       const std::string label = std::to_string(m_digraph.edgeLabel(m_digraph.t() + mesh));
       if (const auto words = meshWords(m_graph, mesh)) {
         table.rows.push_back({plainWords(label), plainWords(words->path), plainWords(words->set)});
       } else {
-        table.rows.push_back({plainWords(label), plainWords("no transfer vertex"), {}});
+        table.rows.push_back({plainWords(label), plainWords(translated("no transfer vertex")), {}});
       }
     }
     put(std::move(table));
@@ -80,17 +81,17 @@ class TtGraphPart : private ReportPart {
                                 FormulaStyle::latex);
     const EquationNumbers numbers(m_graph, unknowns());
     if (m_digraph.c() == 0) return;
-    heading(2, "Terminal equations");
-    paragraph(
+    heading(2, toTranslate("Terminal equations"));
+    paragraph(translated(
         "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
         "teeth, with "
-        "a plus sign where both turn the same way, each seen along its own axis:");
+        "a plus sign where both turn the same way, each seen along its own axis:"));
     for (int mesh = 0; mesh < m_digraph.c(); ++mesh)
       equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
-    heading(2, "Fundamental circuits");
-    paragraph(
+    heading(2, toTranslate("Fundamental circuits"));
+    paragraph(translated(
         "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
-        "branches:");
+        "branches:"));
     std::map<int, std::pair<std::string, int>> circuits;  // by number: those of several branches come first
     for (int mesh = 0; mesh < m_digraph.c() && !isStopped(); ++mesh) {
       circuits[numbers.tailCircuit(mesh)] = {equations.tailCircuit(mesh), mesh};
@@ -107,11 +108,11 @@ class TtGraphPart : private ReportPart {
     const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : none, RatioNaming::ttGraph,
                                 FormulaStyle::latex);
     const EquationNumbers numbers(m_graph, unknowns());
-    heading(2, "Engaged couplings");
-    paragraph(
+    heading(2, toTranslate("Engaged couplings"));
+    paragraph(translated(
         "An engaged brake or clutch is one more edge of the graph, from the link that it holds to the ground "
         "or to the other link. Its velocity is zero, so the branches of its fundamental circuit add up to "
-        "zero, once for each direction of their axes:");
+        "zero, once for each direction of their axes:"));
     for (int place = 0; place < static_cast<int>(m_graph.held().size()); ++place) {
       const auto coupling =
           static_cast<std::size_t>(m_graph.held()[static_cast<std::size_t>(place)].coupling);
@@ -125,28 +126,32 @@ class TtGraphPart : private ReportPart {
   }
 
   void addSteps() {
-    heading(2, "Solution by substitution");
+    heading(2, toTranslate("Solution by substitution"));
     const TtEquations equations(m_graph, solved().ttPlan, RatioNaming::ttGraph, FormulaStyle::latex);
     std::vector<std::string> given;
     for (const int joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
     if (!given.empty()) {
-      paragraph((given.size() == 1 ? "Given is " : "Given are ") + listed(given, kAllNames) + ". " +
-                (m_graph.held().empty() ? "Mesh by mesh, the equations give the others."
-                                        : "One after the other, the equations give the others."));
+      const std::string names = listed(given, kAllNames);
+      paragraph(
+          (given.size() == 1 ? translated("Given is %1.", {names}) : translated("Given are %1.", {names})) +
+          ' ' +
+          (m_graph.held().empty() ? translated("Mesh by mesh, the equations give the others.")
+                                  : translated("One after the other, the equations give the others.")));
     }
     for (const SubstitutionStep& step : *solved().ttSteps) {
       if (isStopped()) return;
       const std::string unknown = "$" + branch(step.joint) + "$";
-      paragraph(step.coupled ? coupledWords(step) + ", solved together, give " + unknown + ":"
-                             : "Equations " + citedEquations(step.uses) + " give " + unknown + ":");
+      paragraph(step.coupled ? filled(translated(coupledText(step)), {unknown})
+                             : translated("Equations %1 give %2:", {citedEquations(step.uses), unknown}));
       equation(texStages(equations.stages(step)), step.number, {jointId(step.joint)});
     }
     addMatrices();
   }
 
-  [[nodiscard]] std::string coupledWords(const SubstitutionStep& step) const {
+  [[nodiscard]] const char* coupledText(const SubstitutionStep& step) const {
     const bool held = !step.equations.empty() && step.equations.back() >= m_digraph.c();
-    return held ? "The equations of several meshes and couplings" : "The equations of several meshes";
+    return held ? toTranslate("The equations of several meshes and couplings, solved together, give %1:")
+                : toTranslate("The equations of several meshes, solved together, give %1:");
   }
 
   /// Eqs. (43)-(45).
@@ -160,7 +165,7 @@ class TtGraphPart : private ReportPart {
     const std::string left = branches(plan.outputs) + " =\n";
     const std::string right = " " + branches(plan.inputs);
     if (const auto matrix = stepMatrix()) {
-      paragraph("Together:");
+      paragraph(translated("Together:"));
       equation(left + texMatrix(*matrix) + right, numbers.matrix());
     }
     if (!solved().ttSymbolic) return;
@@ -172,13 +177,13 @@ class TtGraphPart : private ReportPart {
         rows.back().push_back(entry->toLatex());
       }
     }
-    paragraph("With the names of the ratios that the matroid method uses,");
+    paragraph(translated("With the names of the ratios that the matroid method uses,"));
     std::vector<std::string> same;
     for (const RatioNames& names : ratioNames(m_digraph)) {
       same.push_back(names.latex + " = i_{" + names.matroid.substr(1) + "}");
     }
     equation(texLines(same), numbers.names());
-    paragraph("this is");
+    paragraph(translated("this is"));
     equation(left + texMatrix(rows) + right, numbers.result());
   }
 

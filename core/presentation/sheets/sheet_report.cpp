@@ -21,7 +21,8 @@ std::string printed(const AnswerField& field, const std::string& answer) {
 }
 
 std::string points(int count) {
-  return std::to_string(count) + (count == 1 ? " point" : " points");
+  const std::string number = std::to_string(count);
+  return count == 1 ? translated("%1 point", {number}) : translated("%1 points", {number});
 }
 
 class SheetWriter {
@@ -31,28 +32,33 @@ class SheetWriter {
 
   void addHead(const SheetPlan& plan, const SheetVariant& sheet, const std::string& student) {
     std::string title = plan.title;
-    if (plan.variants > 1) title += ", variant " + std::to_string(sheet.variant);
-    m_report.title = m_isSolution ? title + ": solution" : title;
+    if (plan.variants > 1) title = translated("%1, variant %2", {title, std::to_string(sheet.variant)});
+    m_report.title = m_isSolution ? translated("%1: solution", {title}) : title;
     m_report.subtitle = difficultyOf(m_source).text;
     const std::string count = std::to_string(sheet.questions.size());
     put(ReportParagraph{plainWords(
-        (student.empty() ? "Name: ______________________________" : "Name: " + student) + "   \u00b7   " +
-        count + (sheet.questions.size() == 1 ? " question, " : " questions, ") + points(sheet.points()))});
+        translated("Name: %1", {student.empty() ? std::string(30, '_') : student}) + "   \u00b7   " +
+        (sheet.questions.size() == 1 ? translated("%1 question", {count})
+                                     : translated("%1 questions", {count})) +
+        ", " + points(sheet.points()))});
   }
 
   void addMechanism() {
     const Mechanism& mechanism = m_source.mechanism();
-    put(ReportHeading{1, mechanism.name.empty() ? "The mechanism" : mechanism.name});
-    put(ReportFigure{ReportDrawing::schematic, "Functional schematic"});
-    put(ReportFigure{ReportDrawing::digraph, "Digraph"});
+    put(ReportHeading{1, mechanism.name.empty() ? translated("The mechanism") : mechanism.name});
+    put(ReportFigure{ReportDrawing::schematic, translated("Functional schematic")});
+    put(ReportFigure{ReportDrawing::digraph, translated("Digraph")});
     const Digraph& graph = m_source.graph();
-    ReportTable joints{{"Turning joint", "From", "To", "Axis"}, {}};
+    ReportTable joints{
+        {translated("Turning joint"), translated("From"), translated("To"), translated("Axis")}, {}};
     for (int joint = 0; joint < graph.t(); ++joint) {
       joints.rows.push_back({plainWords(m_source.edgeLabel(joint)), linkWords(graph.edge(joint).tail),
                              linkWords(graph.edge(joint).head), plainWords(axisName(joint))});
     }
     if (!joints.rows.empty()) put(std::move(joints));
-    ReportTable meshes{{"Gear mesh", "From", "Teeth", "To", "Teeth", "Kind"}, {}};
+    ReportTable meshes{{translated("Gear mesh"), translated("From"), translated("Teeth"), translated("To"),
+                        translated("Teeth"), translated("Kind")},
+                       {}};
     for (int mesh = 0; mesh < graph.c(); ++mesh) {
       const GearMesh& gears = mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
       meshes.rows.push_back({plainWords(m_source.meshLabel(mesh)), linkWords(graph.meshEdge(mesh).tail),
@@ -73,7 +79,8 @@ class SheetWriter {
     if (m_isSolution) put(ReportParagraph{plainWords(question.rule)});
   }
 
-  void heading(const char* text) { put(ReportHeading{1, text}); }
+  /// Marked by toTranslate().
+  void heading(const char* text) { put(ReportHeading{1, translated(text)}); }
 
  private:
   template <class Block>
@@ -89,7 +96,7 @@ class SheetWriter {
   }
   [[nodiscard]] std::string kindOf(int mesh) const {
     if (m_source.matroid() == nullptr) return {};
-    return std::string(meshKindName(m_source.meshKind(mesh)));
+    return translated(meshKindName(m_source.meshKind(mesh)));
   }
   [[nodiscard]] ReportWords cell(const Question& question, std::size_t field) const {
     return plainWords(m_isSolution ? printed(question.fields[field], question.solution[field])
@@ -97,15 +104,16 @@ class SheetWriter {
   }
 
   void addStates() {
-    ReportTable couplings{{"Brake or clutch", "Engaged, it holds"}, {}};
+    ReportTable couplings{{translated("Brake or clutch"), translated("Engaged, it holds")}, {}};
     for (const Coupling& coupling : m_source.mechanism().couplings) {
       std::vector<std::string> links;
       for (const LinkId link : coupling.links)
         links.push_back(m_source.linkLabel(m_source.graph().nodeOf(link)));
-      couplings.rows.push_back({plainWords(coupling.id.text()),
-                                plainWords(coupling.kind == CouplingKind::brake
-                                               ? "link " + links.front() + " against the ground"
-                                               : "links " + listed(links, kAllNames) + " together")});
+      couplings.rows.push_back(
+          {plainWords(coupling.id.text()),
+           plainWords(coupling.kind == CouplingKind::brake
+                          ? translated("link %1 against the ground", {links.front()})
+                          : translated("links %1 together", {listed(links, kAllNames)}))});
     }
     if (!couplings.rows.empty()) put(std::move(couplings));
   }
@@ -126,7 +134,7 @@ class SheetWriter {
   }
 
   void addList(const Question& question) {
-    ReportTable table{{"", "Answer", ""}, {}, true};
+    ReportTable table{{"", translated("Answer"), ""}, {}, true};
     for (std::size_t field = 0; field < question.fields.size(); ++field) {
       const AnswerField& asked = question.fields[field];
       const bool isShort = asked.kind == FieldKind::choice && asked.options.size() <= kMostOptions;
@@ -154,7 +162,7 @@ Report sheetReport(const ExerciseSource& source, const SheetPlan& plan, const Sh
   SheetWriter writer(source, form, report);
   writer.addHead(plan, sheet, student);
   writer.addMechanism();
-  writer.heading(form == SheetForm::solution ? "Solution" : "Questions");
+  writer.heading(form == SheetForm::solution ? toTranslate("Solution") : toTranslate("Questions"));
   int number = 0;
   for (const Question& question : sheet.questions) writer.addQuestion(question, ++number);
   return report;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline comparison {
 namespace {
@@ -138,16 +139,20 @@ FamilyCount countOf(TrainFamily family, int size) {
 
 }  // namespace
 
-const char* familyName(TrainFamily family) {
+std::string familyName(TrainFamily family) {
   switch (family) {
     case TrainFamily::chain:
-      return "gears in a row";
+      return translated("gears in a row");
     case TrainFamily::stack:
-      return "planetary sets in line";
+      return translated("planetary sets in line");
     case TrainFamily::wrist:
-      return "arms of a bevel-gear wrist";
+      return translated("arms of a bevel-gear wrist");
   }
   return "";
+}
+
+std::string familyText(TrainFamily family, int size) {
+  return std::to_string(size) + ' ' + familyName(family);
 }
 
 Mechanism familyTrain(TrainFamily family, int size) {

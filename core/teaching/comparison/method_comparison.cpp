@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/foundations/base/words.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
 namespace geargraph::inline comparison {
@@ -158,52 +159,77 @@ class Comparison {
   MethodComparison m_result;
 };
 
-std::string count(long long number, const char* what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+/// In one of two texts that are marked by toTranslate(), by their number, which is %1.
+std::string counted(long long number, const char* one, const char* many) {
+  return filled(translated(number == 1 ? one : many), {std::to_string(number)});
 }
 
 std::string inWords(const Operations& operations) {
-  return count(operations.products, "product") + " and " + count(operations.sums, "sum");
+  return translated("%1 and %2", {productsText(operations), sumsText(operations)});
+}
+
+std::string equationsText(const MethodSize& size) {
+  return counted(size.equations, toTranslate("%1 equation"), toTranslate("%1 equations"));
+}
+
+std::string unknownsText(const MethodSize& size) {
+  return counted(size.unknowns, toTranslate("%1 unknown"), toTranslate("%1 unknowns"));
 }
 
 }  // namespace
 
-const std::vector<ComparedStep>& comparedSteps() {
-  static const std::vector<ComparedStep> steps = {
-      {"Graph", "digraph: a node for each link, an oriented line for each joint and mesh (Figs. 2, 3)",
-       "oriented graph: the same nodes and branches, and for each mesh two chords to its carrier (Figs. 4 to "
-       "6)",
-       "The turning joints are the tree in both, the meshes close its cycles.", StepRelation::same},
-      {"Tree and cycles", "incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)",
-       "levels of the branches; f-circuits of the chords (31)-(38)",
-       "The cycle of a mesh is the circuit of its tail's chord less that of its head's chord.",
-       StepRelation::equivalent},
-      {"Carrier", "not named: it drops out of the moments about the pitch point",
-       "transfer vertex: where the level changes on the walk between the gears",
-       "The moments of a cycle's joints lie on one line because the carrier holds both axes.",
-       StepRelation::equivalent},
-      {"Mesh",
-       "screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail's axis, $\\pm 1$ "
-       "on the head's",
-       "terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign",
-       "The terminal equation with its two circuits put in is the row of $P$.", StepRelation::equivalent},
-      {"Sign", "comes with the diameters in the reference frame",
-       "from the turning senses of the two gears, seen along their axes",
-       "The signs agree: both are that of the product of the two moments.", StepRelation::equivalent},
-      {"Freedom and inputs", "rank of $P$, $E = t - r$ (21); bases of the dual matroid are the valid inputs",
-       "not asked: the inputs are taken as given", "What can be driven is read from $P$.",
-       StepRelation::onlyMatroid},
-      {"Solution", "$-P_r^{-1} P_E$ (22)-(25)",
-       "one mesh after the other, substituted (39)-(42), then (43)-(45)", "The same matrix, by joint.",
+std::string productsText(const Operations& operations) {
+  return counted(operations.products, toTranslate("%1 product"), toTranslate("%1 products"));
+}
+
+std::string sumsText(const Operations& operations) {
+  return counted(operations.sums, toTranslate("%1 sum"), toTranslate("%1 sums"));
+}
+
+std::vector<ComparedStep> comparedSteps() {
+  return {
+      {translated("Graph"),
+       translated("digraph: a node for each link, an oriented line for each joint and mesh (Figs. 2, 3)"),
+       translated("oriented graph: the same nodes and branches, and for each mesh two chords to its carrier "
+                  "(Figs. 4 to "
+                  "6)"),
+       translated("The turning joints are the tree in both, the meshes close its cycles."),
        StepRelation::same},
-      {"Relative velocities", "of the two gears of a mesh to each other (15), after the solution",
-       "of each gear to its carrier: the chords, on the way to the solution",
-       "(15) is the difference of the two chords, as vectors.", StepRelation::equivalent},
-      {"Forces", "columns of $P$ (not in the paper)",
-       "complementary terminal variables and f-cutsets (not worked out in the paper)",
-       "The cutset matrix $Q$ serves both.", StepRelation::equivalent},
+      {translated("Tree and cycles"),
+       translated("incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)"),
+       translated("levels of the branches; f-circuits of the chords (31)-(38)"),
+       translated("The cycle of a mesh is the circuit of its tail's chord less that of its head's chord."),
+       StepRelation::equivalent},
+      {translated("Carrier"), translated("not named: it drops out of the moments about the pitch point"),
+       translated("transfer vertex: where the level changes on the walk between the gears"),
+       translated("The moments of a cycle's joints lie on one line because the carrier holds both axes."),
+       StepRelation::equivalent},
+      {translated("Mesh"),
+       translated("screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail's "
+                  "axis, $\\pm 1$ "
+                  "on the head's"),
+       translated("terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign"),
+       translated("The terminal equation with its two circuits put in is the row of $P$."),
+       StepRelation::equivalent},
+      {translated("Sign"), translated("comes with the diameters in the reference frame"),
+       translated("from the turning senses of the two gears, seen along their axes"),
+       translated("The signs agree: both are that of the product of the two moments."),
+       StepRelation::equivalent},
+      {translated("Freedom and inputs"),
+       translated("rank of $P$, $E = t - r$ (21); bases of the dual matroid are the valid inputs"),
+       translated("not asked: the inputs are taken as given"),
+       translated("What can be driven is read from $P$."), StepRelation::onlyMatroid},
+      {translated("Solution"), translated("$-P_r^{-1} P_E$ (22)-(25)"),
+       translated("one mesh after the other, substituted (39)-(42), then (43)-(45)"),
+       translated("The same matrix, by joint."), StepRelation::same},
+      {translated("Relative velocities"),
+       translated("of the two gears of a mesh to each other (15), after the solution"),
+       translated("of each gear to its carrier: the chords, on the way to the solution"),
+       translated("(15) is the difference of the two chords, as vectors."), StepRelation::equivalent},
+      {translated("Forces"), translated("columns of $P$ (not in the paper)"),
+       translated("complementary terminal variables and f-cutsets (not worked out in the paper)"),
+       translated("The cutset matrix $Q$ serves both."), StepRelation::equivalent},
   };
-  return steps;
 }
 
 std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot, ComparisonDepth depth,
@@ -222,44 +248,50 @@ std::vector<ComparedClaim> claimsOf(const MethodComparison& comparison) {
   const Operations& inverse = comparison.matroid.numbers;
   const Operations& chain = comparison.ttGraph.numbers;
   ComparedClaim easier{
-      "\"The kinematic equations can be obtained more easily by the T-T graph method.\"", {}, {}};
+      translated("\"The kinematic equations can be obtained more easily by the T-T graph method.\""), {}, {}};
   const bool isFewer = chain.products + chain.sums < inverse.products + inverse.sums;
   (isFewer ? easier.evidenceFor : easier.evidenceAgainst)
-      .push_back("From its equations to the solution of this mechanism the chain of substitutions takes " +
-                 inWords(chain) + ", the inverse of $P_r$ and its product " + inWords(inverse) + ".");
-  easier.evidenceFor.push_back(
-      "It needs teeth and turning senses; the rows of $P$ need coordinates of axes and "
-      "pitch points, and " +
-      inWords(comparison.matroid.setUp) + " from them.");
-  easier.evidenceAgainst.push_back("It writes " + count(comparison.ttGraph.equations, "equation") + " in " +
-                                   count(comparison.ttGraph.unknowns, "unknown") + ", the Matroid method " +
-                                   count(comparison.matroid.equations, "equation") + " in " +
-                                   count(comparison.matroid.unknowns, "unknown") + ".");
+      .push_back(
+          translated("From its equations to the solution of this mechanism the chain of substitutions takes "
+                     "%1, the inverse of $P_r$ and its product %2.",
+                     {inWords(chain), inWords(inverse)}));
+  easier.evidenceFor.push_back(translated(
+      "It needs teeth and turning senses; the rows of $P$ need coordinates of axes and pitch points, and "
+      "%1 from them.",
+      {inWords(comparison.matroid.setUp)}));
   easier.evidenceAgainst.push_back(
-      "Once a row of $P$ is divided by a radius it is the terminal equation with its circuits put in: solved "
-      "in "
-      "the same order, both take the same steps.");
-  ComparedClaim only{
-      "\"The only advantage of the Matroid method is the derivation of the relative velocities of "
-      "the gears with respect to the carrier arm.\"",
-      {},
-      {}};
-  only.evidenceFor.push_back("(15) gives them as vectors, for skew and meeting axes alike.");
-  only.evidenceAgainst.push_back("The chords of the T-T graph are velocities relative to the carrier, too.");
+      translated("It writes %1 in %2, the Matroid method %3 in %4.",
+                 {equationsText(comparison.ttGraph), unknownsText(comparison.ttGraph),
+                  equationsText(comparison.matroid), unknownsText(comparison.matroid)}));
+  easier.evidenceAgainst.push_back(translated(
+      "Once a row of $P$ is divided by a radius it is the terminal equation with its circuits put in: "
+      "solved in the same order, both take the same steps."));
+  ComparedClaim only{translated("\"The only advantage of the Matroid method is the derivation of the "
+                                "relative velocities of the gears "
+                                "with respect to the carrier arm.\""),
+                     {},
+                     {}};
+  only.evidenceFor.push_back(translated("(15) gives them as vectors, for skew and meeting axes alike."));
   only.evidenceAgainst.push_back(
+      translated("The chords of the T-T graph are velocities relative to the carrier, too."));
+  only.evidenceAgainst.push_back(translated(
       "The rank of $P$ gives the degrees of freedom, redundant meshes and every valid set of inputs; the T-T "
       "graph "
-      "takes the inputs as given.");
+      "takes the inputs as given."));
   ComparedClaim sign{
-      "\"The sign of the gear ratio is obtained directly, without considering the turning direction.\"",
+      translated(
+          "\"The sign of the gear ratio is obtained directly, without considering the turning direction.\""),
       {},
       {}};
-  sign.evidenceFor.push_back("The sign of each entry of $P$ is that of a difference of coordinates.");
+  sign.evidenceFor.push_back(
+      translated("The sign of each entry of $P$ is that of a difference of coordinates."));
   const auto turnsAgainst = std::count_if(comparison.perMesh.begin(), comparison.perMesh.end(),
                                           [](const ComparedMesh& mesh) { return mesh.sign < 0; });
-  sign.evidenceAgainst.push_back("The senses have to be seen once a mesh: here " +
-                                 count(turnsAgainst, "pair") + " of " + std::to_string(comparison.meshes) +
-                                 " turn against each other, seen along their axes.");
+  sign.evidenceAgainst.push_back(translated(
+      "The senses have to be seen once a mesh: here %1 of %2 turn against each other, seen along their "
+      "axes.",
+      {counted(turnsAgainst, toTranslate("%1 pair"), toTranslate("%1 pairs")),
+       std::to_string(comparison.meshes)}));
   return {easier, only, sign};
 }
 

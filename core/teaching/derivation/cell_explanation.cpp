@@ -1,6 +1,7 @@
 #include "core/teaching/derivation/cell_explanation.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/graph/matrices.h"
 
 namespace geargraph::inline derivation {
@@ -12,42 +13,52 @@ std::string label(int number) {
 
 /// "joint 10" or "mesh 16".
 std::string edgeName(const Digraph& graph, int edge) {
-  return (edge < graph.t() ? "joint " : "mesh ") + label(graph.edgeLabel(edge));
+  const std::string number = label(graph.edgeLabel(edge));
+  return edge < graph.t() ? translated("joint %1", {number}) : translated("mesh %1", {number});
 }
 
-std::string capital(std::string text) {
-  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
+/// The same at the beginning of a sentence or title.
+std::string edgeTitle(const Digraph& graph, int edge) {
+  const std::string number = label(graph.edgeLabel(edge));
+  return edge < graph.t() ? translated("Joint %1", {number}) : translated("Mesh %1", {number});
 }
 
 std::string cycleName(const Digraph& graph, int mesh) {
   return "C" + label(graph.edgeLabel(graph.t() + mesh));
 }
 
-/// "runs along joint 9 (from 0 to 5)": a walk over an edge, with or against its arrow.
-std::string passage(const Digraph& graph, int edge, int direction) {
+/// The ends of an edge as a walk along it, or against it, passes them.
+struct Passage {
+  std::string from;
+  std::string to;
+};
+
+Passage passage(const Digraph& graph, int edge, int direction) {
   const DigraphEdge& arrow = graph.edge(edge);
-  const int from = direction > 0 ? arrow.tail : arrow.head;
-  const int to = direction > 0 ? arrow.head : arrow.tail;
-  return (direction > 0 ? "runs along " : "runs against ") + edgeName(graph, edge) + " (from " +
-         label(graph.nodeLabel(from)) + " to " + label(graph.nodeLabel(to)) + ")";
+  return {label(graph.nodeLabel(direction > 0 ? arrow.tail : arrow.head)),
+          label(graph.nodeLabel(direction > 0 ? arrow.head : arrow.tail))};
 }
 
 std::string incidenceText(const Digraph& graph, int node, int edge) {
   const DigraphEdge& arrow = graph.edge(edge);
-  const std::string name = capital(edgeName(graph, edge));
-  const std::string link = "link " + label(graph.nodeLabel(node));
-  if (arrow.head == node) return name + " points to " + link + ": its arrow ends there.";
-  if (arrow.tail == node) return name + " leaves " + link + ": its arrow begins there.";
-  return name + " goes from link " + label(graph.nodeLabel(arrow.tail)) + " to link " +
-         label(graph.nodeLabel(arrow.head)) + " and does not touch " + link + ".";
+  const std::string name = edgeTitle(graph, edge);
+  const std::string link = label(graph.nodeLabel(node));
+  if (arrow.head == node) return translated("%1 points to link %2: its arrow ends there.", {name, link});
+  if (arrow.tail == node) return translated("%1 leaves link %2: its arrow begins there.", {name, link});
+  return translated("%1 goes from link %2 to link %3 and does not touch link %4.",
+                    {name, label(graph.nodeLabel(arrow.tail)), label(graph.nodeLabel(arrow.head)), link});
 }
 
 std::string pathText(const Digraph& graph, const SpanningTree& tree, int joint, int node) {
-  const std::string walk = "The walk from link " + label(graph.nodeLabel(node)) + " to the ground ";
+  const std::string link = label(graph.nodeLabel(node));
+  const std::string edge = edgeName(graph, joint);
   const int value = tree.pathEntry(joint, node);
-  if (value == 0) return walk + "does not use " + edgeName(graph, joint) + ".";
-  return walk + passage(graph, joint, value) + ".";
+  if (value == 0) return translated("The walk from link %1 to the ground does not use %2.", {link, edge});
+  const auto [from, to] = passage(graph, joint, value);
+  return value > 0 ? translated("The walk from link %1 to the ground runs along %2 (from %3 to %4).",
+                                {link, edge, from, to})
+                   : translated("The walk from link %1 to the ground runs against %2 (from %3 to %4).",
+                                {link, edge, from, to});
 }
 
 std::string cycleText(const Digraph& graph, const SpanningTree& tree, int mesh, int edge) {
@@ -57,32 +68,41 @@ std::string cycleText(const Digraph& graph, const SpanningTree& tree, int mesh, 
   const DigraphEdge& arrow = graph.meshEdge(mesh);
   const std::string tail = label(graph.nodeLabel(arrow.tail));
   const std::string head = label(graph.nodeLabel(arrow.head));
-  if (edge == t + mesh) {
-    return cycle + " is the cycle that " + own + " closes, walked along its arrow (from " + tail + " to " +
-           head + ").";
-  }
-  if (edge >= t) {
-    return "A cycle of the basis holds one mesh, its own: " + cycle + " holds " + own + ", not " +
-           edgeName(graph, edge) + ".";
-  }
-  const std::string walk =
-      "Walking " + cycle + " along " + own + ", the path from " + head + " back to " + tail + " ";
+  if (edge == t + mesh)
+    return translated("%1 is the cycle that %2 closes, walked along its arrow (from %3 to %4).",
+                      {cycle, own, tail, head});
+  const std::string other = edgeName(graph, edge);
+  if (edge >= t)
+    return translated("A cycle of the basis holds one mesh, its own: %1 holds %2, not %3.",
+                      {cycle, own, other});
   const int value = tree.pathEntry(edge, arrow.head) - tree.pathEntry(edge, arrow.tail);
-  if (value == 0) return walk + "does not use " + edgeName(graph, edge) + ".";
-  return walk + passage(graph, edge, value) + ".";
+  if (value == 0)
+    return translated("Walking %1 along %2, the path from %3 back to %4 does not use %5.",
+                      {cycle, own, head, tail, other});
+  const auto [from, to] = passage(graph, edge, value);
+  return value > 0
+             ? translated("Walking %1 along %2, the path from %3 back to %4 runs along %5 (from %6 to %7).",
+                          {cycle, own, head, tail, other, from, to})
+             : translated("Walking %1 along %2, the path from %3 back to %4 runs against %5 (from %6 to %7).",
+                          {cycle, own, head, tail, other, from, to});
 }
 
 std::string cutsetText(const Digraph& graph, const SpanningTree& tree, int joint, int edge) {
   const std::string own = edgeName(graph, joint);
-  if (edge == joint) return "Without " + own + " the tree falls into two halves; its own arrow counts as 1.";
-  if (edge < graph.t()) {
-    return "A cutset holds one turning joint, its own: " + own + ", not " + edgeName(graph, edge) + ".";
-  }
+  if (edge == joint)
+    return translated("Without %1 the tree falls into two halves; its own arrow counts as 1.", {own});
+  const std::string other = edgeName(graph, edge);
+  if (edge < graph.t())
+    return translated("A cutset holds one turning joint, its own: %1, not %2.", {own, other});
   const DigraphEdge& arrow = graph.edge(edge);
   const int value = tree.pathEntry(joint, arrow.tail) - tree.pathEntry(joint, arrow.head);
-  const std::string halves = "Without " + own + " the tree falls into two halves; " + edgeName(graph, edge);
-  if (value == 0) return halves + " stays in one of them.";
-  return halves + (value > 0 ? " crosses over in the direction of " : " crosses over against ") + own + ".";
+  if (value == 0)
+    return translated("Without %1 the tree falls into two halves; %2 stays in one of them.", {own, other});
+  return value > 0 ? translated(
+                         "Without %1 the tree falls into two halves; %2 crosses over in the direction of %1.",
+                         {own, other})
+                   : translated("Without %1 the tree falls into two halves; %2 crosses over against %1.",
+                                {own, other});
 }
 
 const SpanningTree& required(const SpanningTree* tree) {
@@ -101,7 +121,7 @@ int incidenceEntry(const Digraph& graph, int node, int edge) {
 }
 
 Reading readIncidence(const Digraph& graph, int node, int edge) {
-  return {"Link " + label(graph.nodeLabel(node)) + ", " + edgeName(graph, edge),
+  return {translated("Link %1, %2", {label(graph.nodeLabel(node)), edgeName(graph, edge)}),
           incidenceText(graph, node, edge), incidenceEntry(graph, node, edge)};
 }
 
@@ -116,7 +136,7 @@ Reading readCutset(const Digraph& graph, const SpanningTree& tree, int joint, in
   const DigraphEdge& arrow = graph.edge(edge);
   const int value = edge < graph.t() ? (edge == joint ? 1 : 0)
                                      : tree.pathEntry(joint, arrow.tail) - tree.pathEntry(joint, arrow.head);
-  return {"Cutset of " + edgeName(graph, joint) + ", " + edgeName(graph, edge),
+  return {translated("Cutset of %1, %2", {edgeName(graph, joint), edgeName(graph, edge)}),
           cutsetText(graph, tree, joint, edge), value};
 }
 
@@ -127,7 +147,7 @@ Reading read(MatrixKind kind, const Digraph& graph, const SpanningTree* tree, in
     case MatrixKind::reducedIncidence:
       return readIncidence(graph, row + 1, column);
     case MatrixKind::path:
-      return {capital(edgeName(graph, row)) + ", link " + label(graph.nodeLabel(column + 1)),
+      return {translated("%1, link %2", {edgeTitle(graph, row), label(graph.nodeLabel(column + 1))}),
               pathText(graph, required(tree), row, column + 1), tree->pathEntry(row, column + 1)};
     case MatrixKind::spanningTree:
     case MatrixKind::cycleBasis:
@@ -153,7 +173,8 @@ CellExplanation explainCell(MatrixKind kind, const Digraph& graph, const Spannin
                             int column) {
   Reading reading = read(kind, graph, tree, row, column);
   const int equation = matrixEquation(kind);
-  reading.text += equation == 0 ? " Not in the paper." : " Eq. (" + label(equation) + ")";
+  reading.text += ' ';
+  reading.text += equation == 0 ? translated("Not in the paper.") : translated("Eq. (%1)", {label(equation)});
   return {reading.title + ": " + printedEntry(reading.value), std::move(reading.text)};
 }
 

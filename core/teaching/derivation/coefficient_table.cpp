@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
@@ -53,29 +54,42 @@ class CoefficientTable final : public QuantityTable {
 
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
     const int joint = jointAt(column);
-    const std::string jointName = "joint " + std::to_string(graph().edgeLabel(joint));
+    const std::string jointName = translated("joint %1", {std::to_string(graph().edgeLabel(joint))});
     const std::string cycle = rowHeading(row).text;
     const std::string mesh = std::to_string(graph().edgeLabel(graph().t() + row));
-    const std::string equation = form() == EntryForm::symbols ? " Eq. (24)" : " Eq. (18)";
+    const std::string equation = ' ' + translated("Eq. (%1)", {form() == EntryForm::symbols ? "24" : "18"});
     for (const CoefficientMatrix::Entry& entry : m_matrix.row(row)) {
       if (entry.joint != joint) continue;
       const QuantityEntry shown = shownEntry(row, entry);
       CellExplanation cell{cycle + ", " + jointName + ": " + shown.text, {}};
-      const std::string gear = entry.tail ? "tail" : "head";
       if (form() == EntryForm::symbols) {
-        cell.text = "The row divided by the radius of the head's gear: " + jointName +
-                    " turns about the axis of the " + gear + "'s gear, which leaves " +
-                    (entry.tail ? "the ratio i" + mesh + " = " + m_matrix.ratio(row).toString() : "1") + ".";
+        cell.text = entry.tail
+                        ? translated(
+                              "The row divided by the radius of the head's gear: %1 turns about the axis of "
+                              "the tail's gear, which leaves the ratio i%2 = %3.",
+                              {jointName, mesh, m_matrix.ratio(row).toString()})
+                        : translated(
+                              "The row divided by the radius of the head's gear: %1 turns about the axis of "
+                              "the head's gear, which leaves 1.",
+                              {jointName});
       } else {
-        cell.text = "T times the moment of " + jointName + "'s axis about the pitch point of mesh " + mesh +
-                    ", along the normal of the mesh: the radius of the " + gear + "'s gear.";
+        cell.text = entry.tail
+                        ? translated(
+                              "T times the moment of %1's axis about the pitch point of mesh %2, along the "
+                              "normal of the mesh: the radius of the tail's gear.",
+                              {jointName, mesh})
+                        : translated(
+                              "T times the moment of %1's axis about the pitch point of mesh %2, along the "
+                              "normal of the mesh: the radius of the head's gear.",
+                              {jointName, mesh});
       }
       cell.text += equation;
       return cell;
     }
-    return {cycle + ", " + jointName + ": 0", cycle + " does not use " + jointName +
-                                                  ", so it has no part in the equation of mesh " + mesh +
-                                                  "." + equation};
+    return {cycle + ", " + jointName + ": 0",
+            translated("%1 does not use %2, so it has no part in the equation of mesh %3.",
+                       {cycle, jointName, mesh}) +
+                equation};
   }
 
  private:

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/screw.h"
 
@@ -66,20 +67,21 @@ class ScrewTable final : public QuantityTable {
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
     const Digraph& graph = *m_snapshot->graph;
     const auto [mesh, joint] = at(row);
-    const std::string jointName = "joint " + std::to_string(graph.edgeLabel(joint));
-    const std::string meshName = "mesh " + std::to_string(graph.edgeLabel(graph.t() + mesh));
+    const std::string jointName = translated("joint %1", {std::to_string(graph.edgeLabel(joint))});
+    const std::string meshName = translated("mesh %1", {std::to_string(graph.edgeLabel(graph.t() + mesh))});
     const auto shown = entry(row, column);
     const std::string axis(1, "xyz"[column % 3]);
     CellExplanation cell;
     cell.title = "C" + std::to_string(graph.edgeLabel(graph.t() + mesh)) + ", " + jointName + ", " +
                  std::string(1, "LMNPQR"[column]) + ": " + (shown ? shown->text : "0");
     if (column < 3) {
-      cell.text =
-          "The " + axis + " component of the unit vector u along the axis of " + jointName + ". Eqs. (7)-(9)";
+      cell.text = translated("The %1 component of the unit vector u along the axis of %2. Eqs. (7)-(9)",
+                             {axis, jointName});
     } else {
-      cell.text = "The " + axis + " component of the moment of " + jointName +
-                  "'s axis about the pitch point of " + meshName +
-                  ": how fast that point moves for one unit of speed. Eqs. (10)-(12)";
+      cell.text = translated(
+          "The %1 component of the moment of %2's axis about the pitch point of %3: how fast "
+          "that point moves for one unit of speed. Eqs. (10)-(12)",
+          {axis, jointName, meshName});
     }
     return cell;
   }

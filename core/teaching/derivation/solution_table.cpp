@@ -1,3 +1,4 @@
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/quantity_tables.h"
 
 namespace geargraph::inline derivation {
@@ -36,14 +37,16 @@ class SolutionTable final : public QuantityTable {
     const std::string input = columnHeading(column).text;
     const bool zero = isZero(row, column);
     const std::string text = zero ? "0" : shownEntry(row, column).text;
-    CellExplanation cell{"Joint " + output + " over joint " + input + ": " + text, {}};
-    cell.text = zero ? "Joint " + output + " does not feel input " + input + "."
-                     : "How fast joint " + output + " turns for one unit of speed at joint " + input +
-                           ", the other inputs at rest.";
+    CellExplanation cell{translated("Joint %1 over joint %2: %3", {output, input, text}), {}};
+    cell.text = zero ? translated("Joint %1 does not feel input %2.", {output, input})
+                     : translated(
+                           "How fast joint %1 turns for one unit of speed at joint %2, the other inputs at "
+                           "rest.",
+                           {output, input});
     if (form() == EntryForm::symbols && !zero && hasFractions()) {
-      cell.text += " With these teeth: " + exactAt(row, column).toString() + ".";
+      cell.text += ' ' + translated("With these teeth: %1.", {exactAt(row, column).toString()});
     }
-    cell.text += form() == EntryForm::symbols ? " Eq. (25)" : " Eq. (23)";
+    cell.text += ' ' + translated("Eq. (%1)", {form() == EntryForm::symbols ? "25" : "23"});
     return cell;
   }
 
