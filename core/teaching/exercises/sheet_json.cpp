@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/exercises/exercise_sheet.h"
@@ -29,7 +30,7 @@ std::uint64_t seedFrom(MemberReader& reader, const JsonValue& root) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc() || end != text.data() + text.size() || text.empty())
-    reader.fail("/seed", "The seed is a whole number from 0 to 2^64 - 1, in quotes.");
+    reader.fail("/seed", translated("The seed is a whole number from 0 to 2^64 - 1, in quotes."));
   return seed;
 }
 
@@ -75,40 +76,41 @@ Expected<SheetFile> readSheet(std::string_view text) {
   SheetFile sheet;
   const auto generator = reader.memberNumber(root, "generator", "");
   if (generator && *generator != kGeneratorVersion) {
-    reader.fail(
-        "/generator",
-        "The sheet was made by another version of the program, whose questions this one cannot make again.",
-        Code::version);
+    reader.fail("/generator",
+                translated("The sheet was made by another version of the program, whose questions this one "
+                           "cannot make again."),
+                Code::version);
   }
   sheet.plan.title = reader.text(root, "title", "");
   sheet.plan.seed = seedFrom(reader, root);
   sheet.plan.variants = reader.memberNumber(root, "variants", "").value_or(0);
   if (sheet.plan.variants < 1 || sheet.plan.variants > kMostVariants)
-    reader.fail("/variants", "A sheet has 1 to 1,000 variants.");
+    reader.fail("/variants", translated("A sheet has 1 to 1,000 variants."));
   for (const std::string& name : reader.texts(root, "kinds", "", true)) {
     const auto kind = kindFromName(name);
-    if (!kind) reader.fail("/kinds", "There is no kind of question \"" + name + "\".");
+    if (!kind) reader.fail("/kinds", translated("There is no kind of question \"%1\".", {name}));
     if (kind) sheet.plan.kinds.push_back(*kind);
   }
   if (sheet.plan.kinds.empty() || static_cast<int>(sheet.plan.kinds.size()) > kMostQuestions)
-    reader.fail("/kinds", "A sheet has 1 to 100 questions.");
+    reader.fail("/kinds", translated("A sheet has 1 to 100 questions."));
   const auto mechanism = reader.member(root, "mechanism", JsonKind::object, "");
   if (reader.fault()) return *reader.fault();
   auto read = readMechanism(mechanism->slice());
   if (!read) return read.error();
   sheet.mechanism = std::move(read).value();
   if (sheet.mechanism.n() > kMostExerciseLinks)
-    return Diagnostic{
-        Code::schema, "Exercises are made of mechanisms of at most 60 moving links.", {}, "/mechanism"};
+    return Diagnostic{Code::schema,
+                      translated("Exercises are made of mechanisms of at most %1 moving links.", {"60"}),
+                      {},
+                      "/mechanism"};
   const ExerciseSource source(sheet.mechanism);
   for (const ExerciseKind kind : sheet.plan.kinds) {
     const auto reason = reasonAgainst(source, kind);
     if (reason)
-      return Diagnostic{
-          Code::schema,
-          "The mechanism gives no question \"" + std::string(kindName(kind)) + "\": " + *reason + ".",
-          {},
-          "/kinds"};
+      return Diagnostic{Code::schema,
+                        translated("The mechanism gives no question \"%1\": %2.", {kindName(kind), *reason}),
+                        {},
+                        "/kinds"};
   }
   return sheet;
 }

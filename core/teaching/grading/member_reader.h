@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/foundations/base/diagnostic.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/json.h"
 
 namespace geargraph::inline grading {
@@ -26,14 +27,14 @@ class MemberReader {
   std::optional<JsonValue> member(const JsonValue& object, std::string_view name, JsonKind kind,
                                   const std::string& pointer, bool isNeeded = true) {
     if (!object.is(JsonKind::object)) {
-      fail(pointer, "An object is needed here.");
+      fail(pointer, translated("An object is needed here."));
       return std::nullopt;
     }
     const auto found = object.member(name);
     const std::string place = pointer + '/' + std::string(name);
-    if (!found && isNeeded) fail(place, "The member \"" + std::string(name) + "\" is missing.");
+    if (!found && isNeeded) fail(place, translated("The member \"%1\" is missing.", {name}));
     if (found && !found->is(kind)) {
-      fail(place, "The member \"" + std::string(name) + "\" is of the wrong type.");
+      fail(place, translated("The member \"%1\" is of the wrong type.", {name}));
       return std::nullopt;
     }
     return found;
@@ -50,7 +51,7 @@ class MemberReader {
     const std::string_view slice = value.slice();
     const auto [end, error] = std::from_chars(slice.data(), slice.data() + slice.size(), number);
     if (!value.is(JsonKind::number) || error != std::errc() || end != slice.data() + slice.size())
-      fail(pointer, "A whole number is needed here.");
+      fail(pointer, translated("A whole number is needed here."));
     return number;
   }
 
@@ -70,7 +71,7 @@ class MemberReader {
   }
   template <class Visit>
   void eachElement(const JsonValue& array, const std::string& pointer, Visit visit) {
-    if (!array.is(JsonKind::array)) return fail(pointer, "An array is needed here.");
+    if (!array.is(JsonKind::array)) return fail(pointer, translated("An array is needed here."));
     array.forEachElement([&](const JsonValue& element, std::size_t position) {
       visit(element, pointer + '/' + std::to_string(position));
     });
@@ -86,7 +87,7 @@ class MemberReader {
   }
   std::string elementText(const JsonValue& element, const std::string& pointer) {
     if (element.is(JsonKind::string)) return element.string();
-    fail(pointer, "A text is needed here.");
+    fail(pointer, translated("A text is needed here."));
     return {};
   }
 
@@ -107,7 +108,7 @@ class MemberReader {
           kind = static_cast<ElementKind>(i);
       }
       if (!kind || slash == std::string::npos) {
-        fail(pointer + "/elements", "\"" + text + "\" is no list of the document with an id.");
+        fail(pointer + "/elements", translated("\"%1\" is no list of the document with an id.", {text}));
         return all;
       }
       all.emplace_back(*kind, Atom(text.substr(slash + 1)));
@@ -118,10 +119,10 @@ class MemberReader {
   /// Checks format and version of a document.
   void heading(const JsonValue& root, std::string_view format, int newest) {
     if (!root.is(JsonKind::object) || text(root, "format", "") != format)
-      return fail("/format", "This is no file of the format \"" + std::string(format) + "\".", Code::format);
+      return fail("/format", translated("This is no file of the format \"%1\".", {format}), Code::format);
     const auto version = memberNumber(root, "version", "");
     if (version && (*version < 1 || *version > newest))
-      fail("/version", "Version " + std::to_string(*version) + " is not known to this program.",
+      fail("/version", translated("Version %1 is not known to this program.", {std::to_string(*version)}),
            Code::version);
   }
 

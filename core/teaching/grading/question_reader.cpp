@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/foundations/base/rational.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/grading/question_json.h"
 
 namespace geargraph::inline grading {
@@ -20,7 +21,7 @@ Value named(MemberReader& reader, const std::string& name, int count, NameOf nam
   for (int i = 0; i < count; ++i) {
     if (nameOf(static_cast<Value>(i)) == name) return static_cast<Value>(i);
   }
-  reader.fail(pointer, "\"" + name + "\" is not known here.");
+  reader.fail(pointer, translated("\"%1\" is not known here.", {name}));
   return {};
 }
 
@@ -174,7 +175,8 @@ Expected<std::vector<Question>> readQuestions(std::string_view text) {
                   questions.push_back(readQuestion(reader, element, place));
                   const auto unsound = reader.fault() ? std::nullopt : unsoundPart(questions.back());
                   if (unsound)
-                    reader.fail(place + '/' + *unsound, "This part does not fit the fields of its question.");
+                    reader.fail(place + '/' + *unsound,
+                                translated("This part does not fit the fields of its question."));
                 });
   }
   if (reader.fault()) return *reader.fault();
@@ -200,12 +202,12 @@ Expected<AnswerSheet> readAnswers(std::string_view text) {
     int question = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), question);
     if (error != std::errc() || end != name.data() + name.size() || question < 1)
-      return reader.fail(place, "Answers are kept by the number of their question.");
-    if (!fields.is(JsonKind::object)) return reader.fail(place, "An object is needed here.");
+      return reader.fail(place, translated("Answers are kept by the number of their question."));
+    if (!fields.is(JsonKind::object)) return reader.fail(place, translated("An object is needed here."));
     fields.forEachMember([&](const JsonValue& field, const JsonValue& answer) {
       const bool isText = answer.is(JsonKind::string);
       if (!isText && !answer.is(JsonKind::number))
-        return reader.fail(place + '/' + field.string(), "An answer is a text or a number.");
+        return reader.fail(place + '/' + field.string(), translated("An answer is a text or a number."));
       sheet.answers[question][field.string()] = isText ? answer.string() : std::string(answer.slice());
     });
   });

@@ -1,6 +1,7 @@
 #include "core/teaching/lessons/course.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/lessons/bundled_files.h"
 #include "core/teaching/lessons/lesson_reader.h"
@@ -38,7 +39,7 @@ Expected<MechanismPtr> bundledExample(const std::string& name) {
     GEARGRAPH_REQUIRE(mechanism.has_value());
     return std::make_shared<const Mechanism>(std::move(mechanism).value());
   }
-  return Diagnostic{Code::unknownId, "There is no example \"" + name + "\".", {}, {}};
+  return Diagnostic{Code::unknownId, translated("There is no example \"%1\".", {name}), {}, {}};
 }
 
 }  // namespace geargraph::inline lessons

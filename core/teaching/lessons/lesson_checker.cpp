@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/glossary.h"
 
 namespace geargraph::inline lessons {
@@ -29,7 +30,8 @@ class LessonChecker {
       const bool isKnown = std::any_of(glossaryTerms.begin(), glossaryTerms.end(),
                                        [&](const Definition& d) { return d.name == m_lesson.terms[i]; });
       if (!isKnown)
-        find("/terms/" + std::to_string(i), "The glossary has no term \"" + m_lesson.terms[i] + "\".");
+        find("/terms/" + std::to_string(i),
+             translated("The glossary has no term \"%1\".", {m_lesson.terms[i]}));
     }
   }
 
@@ -40,7 +42,8 @@ class LessonChecker {
     if (!prepared) return append(m_findings, prepared.error());
     if (const auto* draw = std::get_if<DrawTask>(&step.task)) return checkDrawTask(*draw, *prepared, pointer);
     const Question& question = *prepared->question;
-    if (!grade(question, question.solution).isRight) find(pointer, "The solution is not accepted.");
+    if (!grade(question, question.solution).isRight)
+      find(pointer, translated("The solution is not accepted."));
     if (const auto* answer = std::get_if<AnswerTask>(&step.task)) checkMistakes(*answer, question, pointer);
   }
 
@@ -49,14 +52,14 @@ class LessonChecker {
       const std::string place = pointer + "/mistakes/" + std::to_string(i);
       const std::vector<std::string> example = exampleOf(task.mistakes[i], question);
       if (example.size() != question.fields.size()) {
-        find(place + "/example", "An answer has a text for each field.");
+        find(place + "/example", translated("An answer has a text for each field."));
         continue;
       }
       const Verdict verdict = grade(question, example);
       if (verdict.isRight) {
-        find(place, "This answer is accepted as right.");
+        find(place, translated("This answer is accepted as right."));
       } else if (verdict.reason != task.mistakes[i].mistake.reason) {
-        find(place, "This answer gets another reason: \"" + verdict.reason + "\"");
+        find(place, translated("This answer gets another reason: \"%1\"", {verdict.reason}));
       }
     }
   }
@@ -64,14 +67,14 @@ class LessonChecker {
   void checkDrawTask(const DrawTask& task, const PreparedStep& prepared, const std::string& pointer) {
     if (checkDrawing(task, prepared.mechanism, m_stop).verdict.isRight)
       find(pointer + "/conditions",
-           "The document of the step fulfils them already: nothing is left to draw.");
+           translated("The document of the step fulfils them already: nothing is left to draw."));
     const auto solution = mechanismOf(task.solution, m_examples, pointer + "/solution");
     if (!solution) {
       append(m_findings, solution.error());
     } else {
       const DrawingVerdict result = checkDrawing(task, *solution, m_stop);
       if (!result.verdict.isRight)
-        find(pointer + "/solution", "The solution is not accepted: " + result.verdict.reason);
+        find(pointer + "/solution", translated("The solution is not accepted: %1", {result.verdict.reason}));
     }
     for (std::size_t i = 0; i < task.mistakes.size(); ++i) {
       const std::string place = pointer + "/mistakes/" + std::to_string(i);
@@ -82,9 +85,9 @@ class LessonChecker {
       }
       const int failing = checkDrawing(task, *drawing, m_stop).failing;
       if (failing != task.mistakes[i].failing)
-        find(place + "/failing", failing < 0
-                                     ? "This drawing is accepted as right."
-                                     : "The first condition that fails is " + std::to_string(failing) + ".");
+        find(place + "/failing",
+             failing < 0 ? translated("This drawing is accepted as right.")
+                         : translated("The first condition that fails is %1.", {std::to_string(failing)}));
     }
   }
 

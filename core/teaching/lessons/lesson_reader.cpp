@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/document_format/json_checks.h"
 #include "core/teaching/lessons/task_reader.h"
 
@@ -35,7 +36,7 @@ int wordsIn(const std::string& text) {
 std::string sentence(MemberReader& reader, const JsonValue& object, std::string_view name,
                      const std::string& pointer) {
   std::string text = reader.text(object, name, pointer);
-  if (text.empty()) reader.fail(pointer + '/' + std::string(name), "A text is needed here.");
+  if (text.empty()) reader.fail(pointer + '/' + std::string(name), translated("A text is needed here."));
   return text;
 }
 
@@ -44,7 +45,7 @@ LessonView readView(MemberReader& reader, const JsonValue& step, const std::stri
   const std::string name = reader.text(step, "view", pointer, false);
   const auto* const found = std::find(kNames.begin(), kNames.end(), name);
   if (found == kNames.end() && !name.empty())
-    reader.fail(pointer + "/view", "A view is digraph, tt-graph or schematic.");
+    reader.fail(pointer + "/view", translated("A view is digraph, tt-graph or schematic."));
   return name.empty() || found == kNames.end() ? LessonView::digraph
                                                : static_cast<LessonView>(found - kNames.begin());
 }
@@ -64,19 +65,20 @@ class LessonReader {
                   "document", "steps"});
     lesson.id = m_reader.text(m_root, "id", "");
     if (!isLessonId(lesson.id))
-      m_reader.fail("/id", "An id consists of small letters, digits and hyphens, such as \"cycle-basis\".");
+      m_reader.fail(
+          "/id", translated("An id consists of small letters, digits and hyphens, such as \"cycle-basis\"."));
     lesson.title = sentence(m_reader, m_root, "title", "");
     lesson.goal = sentence(m_reader, m_root, "goal", "");
     lesson.minutes = m_reader.memberNumber(m_root, "minutes", "").value_or(0);
     if (lesson.minutes < kFewestMinutes || lesson.minutes > kMostMinutes)
-      m_reader.fail("/minutes", "A lesson takes 1 to 60 minutes.");
+      m_reader.fail("/minutes", translated("A lesson takes 1 to 60 minutes."));
     lesson.terms = m_reader.texts(m_root, "terms", "", false);
     const LessonDocument common = documentOf(m_root, "");
     m_reader.each(m_root, "steps", "", true, [&](const JsonValue& step, const std::string& pointer) {
       if (!m_reader.fault()) lesson.steps.push_back(readStep(step, pointer, common));
     });
     if (lesson.steps.empty() || lesson.steps.size() > kMostLessonSteps)
-      m_reader.fail("/steps", "A lesson has 1 to " + std::to_string(kMostLessonSteps) + " steps.");
+      m_reader.fail("/steps", translated("A lesson has 1 to %1 steps.", {std::to_string(kMostLessonSteps)}));
     return lesson;
   }
 
@@ -85,7 +87,8 @@ class LessonReader {
     if (m_reader.fault() || !object.is(JsonKind::object)) return {};
     const bool hasExample = object.member("example").has_value();
     if (hasExample && object.member("document"))
-      m_reader.fail(pointer + "/document", "Either an example is named or a document is given, not both.");
+      m_reader.fail(pointer + "/document",
+                    translated("Either an example is named or a document is given, not both."));
     return readDocument(m_reader, object, hasExample ? "example" : "document", pointer);
   }
 
@@ -98,18 +101,20 @@ class LessonReader {
     step.title = sentence(m_reader, object, "title", pointer);
     step.text = sentence(m_reader, object, "text", pointer);
     if (wordsIn(step.text) > kMostLessonWords)
-      m_reader.fail(pointer + "/text", "A step explains in at most " + std::to_string(kMostLessonWords) +
-                                           " words; these are " + std::to_string(wordsIn(step.text)) + ".");
+      m_reader.fail(pointer + "/text",
+                    translated("A step explains in at most %1 words; these are %2.",
+                               {std::to_string(kMostLessonWords), std::to_string(wordsIn(step.text))}));
     step.formula = m_reader.text(object, "formula", pointer, false);
     step.equation = m_reader.text(object, "equation", pointer, false);
     step.view = readView(m_reader, object, pointer);
     step.document = documentOf(object, pointer);
     if (step.document.example.empty() && !step.document.mechanism) step.document = common;
     if (step.document.example.empty() && !step.document.mechanism)
-      m_reader.fail(pointer, "Neither the step nor its lesson names an example or gives a document.");
+      m_reader.fail(pointer,
+                    translated("Neither the step nor its lesson names an example or gives a document."));
     if (!m_reader.fault()) step.elements = m_reader.elements(object, pointer);
     step.hints = m_reader.texts(object, "hints", pointer, true);
-    if (step.hints.empty()) m_reader.fail(pointer + "/hints", "A step gives at least one hint.");
+    if (step.hints.empty()) m_reader.fail(pointer + "/hints", translated("A step gives at least one hint."));
     if (!m_reader.fault()) readTask(m_reader, object, pointer, step);
     return step;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/rational.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/grading/question_reader.h"
 #include "core/teaching/grading/read_answer.h"
 #include "core/teaching/lessons/quantities.h"
@@ -58,7 +59,7 @@ class QuestionMaker {
       question.mistakes.push_back(std::move(mistake));
     }
     if (const auto part = unsoundPart(question))
-      return taskFault(m_pointer + '/' + *part, "This part does not fit the fields of its task.");
+      return taskFault(m_pointer + '/' + *part, translated("This part does not fit the fields of its task."));
     return question;
   }
 
@@ -85,7 +86,8 @@ class QuestionMaker {
       question.solution = std::move(values);
     }
     if (question.solution.size() != question.fields.size())
-      return Diagnostics{taskFault(m_pointer + "/accepted", "An answer has a text for each field.")};
+      return Diagnostics{
+          taskFault(m_pointer + "/accepted", translated("An answer has a text for each field."))};
     for (std::size_t i = 0; i < question.fields.size(); ++i)
       question.solution[i] = written(question.fields[i], question.solution[i]);
     if (const auto fault = normalise(question, question.accepted, m_pointer + "/accepted"))
@@ -104,12 +106,12 @@ class QuestionMaker {
       const bool fits =
           field.kind == FieldKind::set || (field.kind == FieldKind::choice && labels.size() == 1);
       if (!fits || labels.empty())
-        return taskFault({}, "What the analysis gives here is no answer to this field.");
+        return taskFault({}, translated("What the analysis gives here is no answer to this field."));
       return setText(labels);
     }
     const bool isNumber = field.kind == FieldKind::integer || field.kind == FieldKind::number;
     if (!isNumber || values->numbers.size() != 1)
-      return taskFault({}, "What the analysis gives here is no answer to this field.");
+      return taskFault({}, translated("What the analysis gives here is no answer to this field."));
     return values->numbers.front().toString();
   }
 
@@ -128,15 +130,16 @@ class QuestionMaker {
       const std::size_t fields = condition.fields.empty() ? question.fields.size() : condition.fields.size();
       for (std::vector<std::string>& row : condition.values) {
         if (row.size() != fields)
-          return taskFault(place, "An answer has a text for each field: " + std::to_string(fields) +
-                                      ", not " + std::to_string(row.size()) + '.');
+          return taskFault(place, translated("An answer has a text for each field: %1, not %2.",
+                                             {std::to_string(fields), std::to_string(row.size())}));
         for (std::size_t i = 0; i < row.size(); ++i) {
           const std::size_t position =
               condition.fields.empty() ? i : static_cast<std::size_t>(std::max(0, condition.fields[i]));
-          if (position >= question.fields.size()) return taskFault(place, "There is no such field.");
+          if (position >= question.fields.size())
+            return taskFault(place, translated("There is no such field."));
           const AnswerField& field = question.fields[position];
           if (readField(field, row[i]).fault != AnswerFault::none)
-            return taskFault(place, "The field \"" + field.name + "\" cannot hold \"" + row[i] + "\".");
+            return taskFault(place, translated("The field \"%1\" cannot hold \"%2\".", {field.name, row[i]}));
           row[i] = written(field, row[i]);
         }
       }
@@ -153,11 +156,12 @@ class QuestionMaker {
 Expected<Question> exerciseQuestion(const LessonStep& step, const ExerciseTask& task,
                                     const Mechanism& mechanism, const std::string& pointer) {
   if (mechanism.n() > kMostExerciseLinks)
-    return taskFault(pointer, "Exercises are made of mechanisms of at most " +
-                                  std::to_string(kMostExerciseLinks) + " moving links.");
+    return taskFault(pointer, translated("Exercises are made of mechanisms of at most %1 moving links.",
+                                         {std::to_string(kMostExerciseLinks)}));
   const ExerciseSource source(mechanism);
   if (const auto reason = reasonAgainst(source, task.kind))
-    return taskFault(pointer + "/exercise", "The document gives no exercise of this kind: " + *reason + '.');
+    return taskFault(pointer + "/exercise",
+                     translated("The document gives no exercise of this kind: %1.", {*reason}));
   for (std::uint64_t seed = task.seed; seed < task.seed + kMostSeeds; ++seed) {
     ExerciseRandom random(seed);
     Question question = makeQuestion(source, task.kind, random);
@@ -166,7 +170,7 @@ Expected<Question> exerciseQuestion(const LessonStep& step, const ExerciseTask& 
     if (!step.prompt.empty()) question.prompt = step.prompt;
     return question;
   }
-  return taskFault(pointer + "/about", "No exercise of this kind is about this element.");
+  return taskFault(pointer + "/about", translated("No exercise of this kind is about this element."));
 }
 
 bool isBetween(const Rational& value, const DrawingCondition& condition) {
@@ -179,7 +183,7 @@ bool isBetween(const Rational& value, const DrawingCondition& condition) {
 Expected<MechanismPtr> mechanismOf(const LessonDocument& document, const ExampleSource& examples,
                                    const std::string& pointer) {
   if (document.example.empty()) {
-    if (!document.mechanism) return taskFault(pointer, "A mechanism is missing here.");
+    if (!document.mechanism) return taskFault(pointer, translated("A mechanism is missing here."));
     return document.mechanism;
   }
   auto example = examples(document.example);
@@ -197,8 +201,10 @@ Expected<PreparedStep> prepareStep(const Lesson& lesson, std::size_t step, const
   for (std::size_t i = 0; i < written.elements.size(); ++i) {
     const ElementId& element = written.elements[i];
     if (labelOf(**mechanism, element) || element.kind == ElementKind::coupling) continue;
-    return Diagnostic{
-        Code::unknownId, "The document has no such element.", {}, pointer + "/elements/" + std::to_string(i)};
+    return Diagnostic{Code::unknownId,
+                      translated("The document has no such element."),
+                      {},
+                      pointer + "/elements/" + std::to_string(i)};
   }
   if (std::holds_alternative<DrawTask>(written.task)) return prepared;
   if (const auto* made = std::get_if<QuestionTask>(&written.task)) {
@@ -245,22 +251,22 @@ DrawingVerdict checkDrawing(const DrawTask& task, const MechanismPtr& drawing, c
 }
 
 std::string_view taskTitle(const LessonStep& step) {
-  if (std::holds_alternative<DrawTask>(step.task)) return "Draw";
+  if (std::holds_alternative<DrawTask>(step.task)) return toTranslate("Draw");
   const auto* answer = std::get_if<AnswerTask>(&step.task);
-  if (answer == nullptr) return "Your task";
+  if (answer == nullptr) return toTranslate("Your task");
   switch (answer->kind) {
     case AnswerKind::type:
-      return "Work out";
+      return toTranslate("Work out");
     case AnswerKind::choose:
-      return "Choose";
+      return toTranslate("Choose");
     case AnswerKind::pick:
-      return "Pick in the drawing";
+      return toTranslate("Pick in the drawing");
     case AnswerKind::predict:
-      return "Predict";
+      return toTranslate("Predict");
     case AnswerKind::find:
-      return "Find the mistake";
+      return toTranslate("Find the mistake");
   }
-  return "Your task";
+  return toTranslate("Your task");
 }
 
 std::optional<ElementId> elementLabelled(const Mechanism& mechanism, const std::string& label) {

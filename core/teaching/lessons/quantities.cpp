@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/statics/statics_report.h"
 
@@ -51,8 +52,8 @@ Diagnostic notDefined(const std::string& why) {
   return {Code::schema, why, {}, {}};
 }
 
-Diagnostic unknown(const std::string& what, const std::string& name) {
-  return {Code::unknownId, "The document has no " + what + " \"" + name + "\".", {}, {}};
+Diagnostic unknown(const char* sentence, const std::string& name) {
+  return {Code::unknownId, filled(translated(sentence), {name}), {}, {}};
 }
 
 QuantityValues number(Rational value) {
@@ -146,7 +147,7 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     case Quantity::kutzbachDof: {
       const MatroidAnalysis* const matroid = live().matroid();
       if (matroid == nullptr)
-        return notDefined("The degrees of freedom are not defined yet: the document has errors.");
+        return notDefined(translated("The degrees of freedom are not defined yet: the document has errors."));
       return number(asked.quantity == Quantity::rank  ? matroid->rank
                     : asked.quantity == Quantity::dof ? matroid->dof
                                                       : matroid->kutzbachDof);
@@ -166,7 +167,7 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     case Quantity::transferVertex:
       return walkOf(asked);
   }
-  return notDefined("This quantity is not known.");
+  return notDefined(translated("This quantity is not known."));
 }
 
 QuantityValues LessonAnalysis::findingsOf(const AskedQuantity& asked) {
@@ -191,11 +192,12 @@ QuantityValues LessonAnalysis::findingsOf(const AskedQuantity& asked) {
 Expected<QuantityValues> LessonAnalysis::ratesOf(const AskedQuantity& asked) {
   const MatroidAnalysis* const matroid = live().matroid();
   const std::optional<int> joint = positionOf(m_mechanism->turningJoints, asked.of);
-  if (asked.quantity == Quantity::rate && !joint) return unknown("turning joint", asked.of);
+  if (asked.quantity == Quantity::rate && !joint)
+    return unknown(toTranslate("The document has no turning joint \"%1\"."), asked.of);
   if (matroid == nullptr || !matroid->solution)
-    return notDefined("The speeds are not determined yet: see Problems.");
+    return notDefined(translated("The speeds are not determined yet: see Problems."));
   const auto exact = solveExact(*live().kinematics->model, matroid->choice.joints, matroid->speeds, m_stop);
-  if (!exact) return notDefined("The solution was cancelled.");
+  if (!exact) return notDefined(translated("The solution was cancelled."));
   if (joint) return number(exact->rates[static_cast<std::size_t>(*joint)]);
   QuantityValues values;
   for (const int output : exact->outputs) {
@@ -210,12 +212,13 @@ Expected<QuantityValues> LessonAnalysis::ratioOf(const std::string& state) {
   const auto& states = m_mechanism->states;
   const auto found =
       std::find_if(states.begin(), states.end(), [&](const ShiftState& s) { return s.name == state; });
-  if (found == states.end()) return unknown("state", state);
+  if (found == states.end()) return unknown(toTranslate("The document has no state \"%1\"."), state);
   const LiveKinematicsPtr& kinematics = live().kinematics;
-  if (!kinematics || !kinematics->model) return notDefined("The document has errors: no state has a ratio.");
+  if (!kinematics || !kinematics->model)
+    return notDefined(translated("The document has errors: no state has a ratio."));
   const auto solved = solveState(*m_mechanism, *kinematics->model, kinematics->placement(),
                                  static_cast<int>(found - states.begin()), false, m_stop);
-  if (!solved || !solved->ratio) return notDefined("State \"" + state + "\" has no ratio.");
+  if (!solved || !solved->ratio) return notDefined(translated("State \"%1\" has no ratio.", {state}));
   return number(*solved->ratio);
 }
 
@@ -223,13 +226,13 @@ Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
   const LiveKinematicsPtr& kinematics = live().kinematics;
   const MatroidAnalysis* const matroid = live().matroid();
   if (matroid == nullptr || !kinematics->ttGraph->isComplete())
-    return notDefined("The document has errors: torques are not determined.");
+    return notDefined(translated("The document has errors: torques are not determined."));
   StaticsOptions options;
   options.symbolic = false;
   const auto report = analyzeStatics(*m_mechanism, *kinematics->model, kinematics->placement(),
                                      *kinematics->ttGraph, *matroid, options, m_stop);
   if (!report || !report->isSolved || !report->solution().isBalanced())
-    return notDefined("The loads are not held: torques are not determined.");
+    return notDefined(translated("The loads are not held: torques are not determined."));
   const int meshes = m_mechanism->c();
   const std::optional<int> joint = positionOf(m_mechanism->turningJoints, holder);
   const int coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
@@ -242,23 +245,24 @@ Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
     const int unknownNumber = meshes + static_cast<int>(i);
     const Real& torque = report->solution().values[static_cast<std::size_t>(unknownNumber)];
     if (!report->solution().isDetermined(unknownNumber) || !torque.isExact())
-      return notDefined("The torque of \"" + holder + "\" is not determined as a fraction.");
+      return notDefined(translated("The torque of \"%1\" is not determined as a fraction.", {holder}));
     return number(*torque.fraction());
   }
-  return unknown("balance or engaged coupling", holder);
+  return unknown(toTranslate("The document has no balance or engaged coupling \"%1\"."), holder);
 }
 
 Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
   const std::optional<int> mesh = positionOf(m_mechanism->gearMeshes, asked.of);
-  if (!mesh) return unknown("gear mesh", asked.of);
+  if (!mesh) return unknown(toTranslate("The document has no gear mesh \"%1\"."), asked.of);
   const AnalysisSnapshot& snapshot = live();
-  if (!snapshot.tree) return notDefined("The turning joints are no spanning tree: meshes close no cycles.");
+  if (!snapshot.tree)
+    return notDefined(translated("The turning joints are no spanning tree: meshes close no cycles."));
   const DigraphEdge& gears = snapshot.graph->meshEdge(*mesh);
   QuantityValues values;
   if (asked.quantity == Quantity::transferVertex) {
     const auto& vertices = snapshot.kinematics->ttGraph->transferVertices().ofMesh;
     const auto& vertex = vertices[static_cast<std::size_t>(*mesh)];
-    if (!vertex) return notDefined("Mesh \"" + asked.of + "\" has no transfer vertex.");
+    if (!vertex) return notDefined(translated("Mesh \"%1\" has no transfer vertex.", {asked.of}));
     values.elements = {snapshot.graph->nodeId(vertex->carrier)};
     return values;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/foundations/base/rational.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/grading/question_json.h"
 #include "core/teaching/grading/question_reader.h"
@@ -24,7 +25,8 @@ std::optional<std::string> numberText(MemberReader& reader, const JsonValue& obj
   if (!member) return std::nullopt;
   const std::string text = member->is(JsonKind::string) ? member->string() : std::string(member->slice());
   if (!Rational::fromText(text))
-    reader.fail(pointer + '/' + std::string(name), "A number or a fraction such as \"-2/3\" is needed here.");
+    reader.fail(pointer + '/' + std::string(name),
+                translated("A number or a fraction such as \"-2/3\" is needed here."));
   return text;
 }
 
@@ -33,12 +35,12 @@ std::optional<AskedQuantity> readQuantity(MemberReader& reader, const JsonValue&
   const std::string name = reader.text(object, "quantity", pointer);
   const auto quantity = quantityFromName(name);
   if (!quantity) {
-    reader.fail(pointer + "/quantity", '"' + name + "\" is no quantity that the analysis gives.");
+    reader.fail(pointer + "/quantity", translated("\"%1\" is no quantity that the analysis gives.", {name}));
     return std::nullopt;
   }
   AskedQuantity asked{*quantity, reader.text(object, "of", pointer, needsName(*quantity))};
   if (!needsName(*quantity) && !asked.of.empty())
-    reader.fail(pointer + "/of", "The quantity \"" + name + "\" is of the whole document.");
+    reader.fail(pointer + "/of", translated("The quantity \"%1\" is of the whole document.", {name}));
   return asked;
 }
 
@@ -68,12 +70,12 @@ std::vector<ElementKind> readPickable(MemberReader& reader, const JsonValue& tas
     const auto* const kind =
         std::find_if(kPickable.begin(), kPickable.end(), [&](ElementKind k) { return listName(k) == name; });
     if (kind == kPickable.end()) {
-      reader.fail(pointer + "/from", "What can be picked is links, turningJoints or gearMeshes.");
+      reader.fail(pointer + "/from", translated("What can be picked is links, turningJoints or gearMeshes."));
     } else {
       kinds.push_back(*kind);
     }
   }
-  if (kinds.empty()) reader.fail(pointer + "/from", "What can be picked is named here.");
+  if (kinds.empty()) reader.fail(pointer + "/from", translated("What can be picked is named here."));
   return kinds;
 }
 
@@ -86,12 +88,13 @@ TaskField readField(MemberReader& reader, const JsonValue& object, const std::st
   const auto* const known =
       std::find_if(kKinds.begin(), kKinds.end(), [&](FieldKind k) { return fieldKindName(k) == kind; });
   if (known == kKinds.end())
-    return reader.fail(pointer + "/kind", "A field is an integer, a number, a choice or a set."), field;
+    return reader.fail(pointer + "/kind", translated("A field is an integer, a number, a choice or a set.")),
+           field;
   field.field.kind = *known;
   field.field.options = reader.texts(object, "options", pointer, false);
   const bool hasOptions = *known == FieldKind::choice || *known == FieldKind::set;
   if (hasOptions == field.field.options.empty())
-    reader.fail(pointer + "/options", "A choice or a set has options, a number has none.");
+    reader.fail(pointer + "/options", translated("A choice or a set has options, a number has none."));
   if (!reader.fault()) field.field.elements = reader.elements(object, pointer);
   const auto mayBeEmpty = reader.member(object, "mayBeEmpty", JsonKind::boolean, pointer, false);
   field.field.mayBeEmpty = mayBeEmpty && mayBeEmpty->boolean();
@@ -108,7 +111,8 @@ TaskMistake readMistake(MemberReader& reader, const JsonValue& object, const std
   if (object.member("when")) {
     read.mistake.when = readConditions(reader, object, "when", pointer);
     if (object.member("answers"))
-      reader.fail(pointer + "/answers", "A mistake is told by answers or by conditions, not by both.");
+      reader.fail(pointer + "/answers",
+                  translated("A mistake is told by answers or by conditions, not by both."));
   } else {
     Condition condition{Test::values, read.mistake.fields,
                         readAnswers(reader, object, "answers", pointer, true)};
@@ -116,12 +120,14 @@ TaskMistake readMistake(MemberReader& reader, const JsonValue& object, const std
   }
   if (!reader.fault()) read.mistake.elements = reader.elements(object, pointer);
   read.mistake.reason = reader.text(object, "reason", pointer);
-  if (read.mistake.reason.empty()) reader.fail(pointer + "/reason", "A reason is a sentence.");
-  if (read.mistake.when.empty()) reader.fail(pointer + "/when", "A mistake has at least one condition.");
+  if (read.mistake.reason.empty()) reader.fail(pointer + "/reason", translated("A reason is a sentence."));
+  if (read.mistake.when.empty())
+    reader.fail(pointer + "/when", translated("A mistake has at least one condition."));
   if (reader.fault()) return read;
   read.example = reader.texts(object, "example", pointer, false);
   if (read.example.empty() && read.mistake.when.front().test != Test::values)
-    reader.fail(pointer + "/example", "A mistake that conditions tell needs an example of an answer.");
+    reader.fail(pointer + "/example",
+                translated("A mistake that conditions tell needs an example of an answer."));
   return read;
 }
 
@@ -131,7 +137,7 @@ void readFields(MemberReader& reader, const JsonValue& object, const std::string
       if (!reader.fault()) task.fields.push_back(readField(reader, element, place));
       if (!reader.fault() && task.kind == AnswerKind::predict && !task.fields.back().is)
         reader.fail(place + "/is",
-                    "A prediction names the quantity of the analysis that it is compared with.");
+                    translated("A prediction names the quantity of the analysis that it is compared with."));
     });
     return;
   }
@@ -141,7 +147,7 @@ void readFields(MemberReader& reader, const JsonValue& object, const std::string
   if (task.kind == AnswerKind::choose) {
     field.field.options = reader.texts(object, "options", pointer, true);
     if (field.field.options.size() < 2)
-      reader.fail(pointer + "/options", "A choice needs two options or more.");
+      reader.fail(pointer + "/options", translated("A choice needs two options or more."));
   } else {
     field.field.kind = FieldKind::set;
     task.from = readPickable(reader, object, pointer);
@@ -171,17 +177,16 @@ AnswerTask readAnswerTask(MemberReader& reader, const JsonValue& object, const s
     if (!reader.fault()) task.mistakes.push_back(readMistake(reader, element, place));
   });
   if (task.mistakes.empty())
-    reader.fail(pointer + "/mistakes", "A task gives its reason for at least one wrong answer.");
+    reader.fail(pointer + "/mistakes", translated("A task gives its reason for at least one wrong answer."));
   task.rule = reader.text(object, "rule", pointer);
   const bool isDecided = std::all_of(task.fields.begin(), task.fields.end(),
                                      [](const TaskField& field) { return field.is.has_value(); });
   const int keys = (isDecided ? 1 : 0) + (task.accepted.empty() ? 0 : 1) + (task.conditions.empty() ? 0 : 1);
   if (keys != 1)
-    reader.fail(
-        pointer,
-        "What is right is told in one way: by \"accepted\", by \"conditions\", or by \"is\" of every field.");
+    reader.fail(pointer, translated("What is right is told in one way: by \"accepted\", by \"conditions\", "
+                                    "or by \"is\" of every field."));
   if (!task.conditions.empty() && task.solution.empty())
-    reader.fail(pointer + "/solution", "Conditions need a solution that fulfils them.");
+    reader.fail(pointer + "/solution", translated("Conditions need a solution that fulfils them."));
   return task;
 }
 
@@ -191,8 +196,9 @@ ExerciseTask readExercise(MemberReader& reader, const JsonValue& object, const s
   const std::string name = reader.text(object, "exercise", pointer);
   const auto kind = kindFromName(name);
   if (!kind) {
-    reader.fail(pointer + "/exercise",
-                '"' + name + "\" is no kind of exercise; `geargraph-cli exercises kinds` lists them.");
+    reader.fail(
+        pointer + "/exercise",
+        translated("\"%1\" is no kind of exercise; `geargraph-cli exercises kinds` lists them.", {name}));
     return task;
   }
   task.kind = *kind;
@@ -208,16 +214,16 @@ DrawingCondition readCondition(MemberReader& reader, const JsonValue& object, co
   if (const auto quantity = reader.fault() ? std::nullopt : readQuantity(reader, object, pointer))
     condition.quantity = *quantity;
   if (isSetOfElements(condition.quantity.quantity))
-    reader.fail(pointer + "/quantity", "A drawing is judged by numbers.");
+    reader.fail(pointer + "/quantity", translated("A drawing is judged by numbers."));
   condition.least = numberText(reader, object, "least", pointer);
   condition.most = numberText(reader, object, "most", pointer);
   if (const auto equals = numberText(reader, object, "equals", pointer)) {
     if (condition.least || condition.most)
-      reader.fail(pointer + "/equals", "Either one value is given or bounds, not both.");
+      reader.fail(pointer + "/equals", translated("Either one value is given or bounds, not both."));
     condition.least = condition.most = equals;
   }
   if (!condition.least && !condition.most)
-    reader.fail(pointer, "A condition has \"equals\", \"least\" or \"most\".");
+    reader.fail(pointer, translated("A condition has \"equals\", \"least\" or \"most\"."));
   condition.reason = reader.text(object, "reason", pointer);
   return condition;
 }
@@ -228,7 +234,8 @@ DrawTask readDrawTask(MemberReader& reader, const JsonValue& object, const std::
   reader.each(object, "conditions", pointer, true, [&](const JsonValue& element, const std::string& place) {
     if (!reader.fault()) task.conditions.push_back(readCondition(reader, element, place));
   });
-  if (task.conditions.empty()) reader.fail(pointer + "/conditions", "A drawing has to fulfil something.");
+  if (task.conditions.empty())
+    reader.fail(pointer + "/conditions", translated("A drawing has to fulfil something."));
   if (reader.fault()) return task;
   task.solution = readDocument(reader, object, "solution", pointer);
   reader.each(object, "mistakes", pointer, true, [&](const JsonValue& element, const std::string& place) {
@@ -237,11 +244,11 @@ DrawTask readDrawTask(MemberReader& reader, const JsonValue& object, const std::
     WrongDrawing wrong{readDocument(reader, element, "drawing", place), 0};
     wrong.failing = reader.memberNumber(element, "failing", place).value_or(0);
     if (wrong.failing < 0 || wrong.failing >= static_cast<int>(task.conditions.size()))
-      reader.fail(place + "/failing", "This is the position of a condition, counted from 0.");
+      reader.fail(place + "/failing", translated("This is the position of a condition, counted from 0."));
     task.mistakes.push_back(std::move(wrong));
   });
   if (task.mistakes.empty())
-    reader.fail(pointer + "/mistakes", "A task gives its reason for at least one wrong drawing.");
+    reader.fail(pointer + "/mistakes", translated("A task gives its reason for at least one wrong drawing."));
   task.rule = reader.text(object, "rule", pointer);
   return task;
 }
@@ -250,11 +257,11 @@ DrawTask readDrawTask(MemberReader& reader, const JsonValue& object, const std::
 
 void checkMembers(MemberReader& reader, const JsonValue& object, const std::string& pointer,
                   std::initializer_list<std::string_view> known) {
-  if (!object.is(JsonKind::object)) return reader.fail(pointer, "An object is needed here.");
+  if (!object.is(JsonKind::object)) return reader.fail(pointer, translated("An object is needed here."));
   object.forEachMember([&](const JsonValue& key, const JsonValue&) {
     const std::string name = key.string();
     if (std::find(known.begin(), known.end(), name) == known.end())
-      reader.fail(pointer + '/' + name, "The member \"" + name + "\" is not known here.");
+      reader.fail(pointer + '/' + name, translated("The member \"%1\" is not known here.", {name}));
   });
 }
 
@@ -266,7 +273,7 @@ LessonDocument readDocument(MemberReader& reader, const JsonValue& object, std::
   const std::string place = pointer + '/' + std::string(name);
   auto mechanism = readMechanism(member->slice());
   if (!mechanism) {
-    reader.fail(place, "The document has a fault: " + mechanism.error().front().message);
+    reader.fail(place, translated("The document has a fault: %1", {mechanism.error().front().message}));
     return {};
   }
   return {"", std::make_shared<const Mechanism>(std::move(mechanism).value())};
@@ -282,7 +289,8 @@ std::optional<ElementId> readElement(MemberReader& reader, const JsonValue& obje
     if (slash != std::string::npos && listName(kind) == text.substr(0, slash))
       return ElementId(kind, Atom(text.substr(slash + 1)));
   }
-  reader.fail(pointer + '/' + std::string(name), '"' + text + "\" is no list of the document with an id.");
+  reader.fail(pointer + '/' + std::string(name),
+              translated("\"%1\" is no list of the document with an id.", {text}));
   return std::nullopt;
 }
 
@@ -300,7 +308,8 @@ void readTask(MemberReader& reader, const JsonValue& step, const std::string& po
   } else if (kind == "draw") {
     into.task = readDrawTask(reader, *object, place);
   } else {
-    reader.fail(place + "/kind", "A task is one of type, choose, pick, predict, find, exercise and draw.");
+    reader.fail(place + "/kind",
+                translated("A task is one of type, choose, pick, predict, find, exercise and draw."));
   }
   if (reader.fault()) return;
   into.prompt = reader.text(*object, "prompt", place, kind != "exercise");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/foundations/base/words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
 namespace geargraph::inline paper_check {
@@ -17,14 +18,14 @@ struct MatrixFacts {
 };
 
 constexpr std::array<MatrixFacts, 8> kFacts = {{
-    {"incidence", "\u0393\u2070", "Incidence matrix", "(1)", RowFreedom::none},
-    {"reduced-incidence", "\u0393", "Reduced incidence matrix", "(2)", RowFreedom::none},
-    {"path", "Z", "Path matrix", "(3)", RowFreedom::none},
-    {"spanning-tree", "T", "Spanning-tree matrix", "(4)", RowFreedom::sign},
-    {"cycle-basis", "C", "Cycle-basis matrix", "(5)", RowFreedom::sign},
-    {"cutset", "Q", "Fundamental cutset matrix", "", RowFreedom::sign},
-    {"p", "P", "Coefficient matrix", "(24)", RowFreedom::multiple},
-    {"solution", "S", "Solution", "(25)", RowFreedom::none},
+    {"incidence", "\u0393\u2070", toTranslate("Incidence matrix"), "(1)", RowFreedom::none},
+    {"reduced-incidence", "\u0393", toTranslate("Reduced incidence matrix"), "(2)", RowFreedom::none},
+    {"path", "Z", toTranslate("Path matrix"), "(3)", RowFreedom::none},
+    {"spanning-tree", "T", toTranslate("Spanning-tree matrix"), "(4)", RowFreedom::sign},
+    {"cycle-basis", "C", toTranslate("Cycle-basis matrix"), "(5)", RowFreedom::sign},
+    {"cutset", "Q", toTranslate("Fundamental cutset matrix"), "", RowFreedom::sign},
+    {"p", "P", toTranslate("Coefficient matrix"), "(24)", RowFreedom::multiple},
+    {"solution", "S", toTranslate("Solution"), "(25)", RowFreedom::none},
 }};
 
 const MatrixFacts& factsOf(PaperMatrix kind) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline paper_check {
 namespace {
 
@@ -87,8 +89,10 @@ class EquationCheck {
     if (hasVelocity && !hasConstant) return std::nullopt;
     Diagnostic fault{
         Code::syntax,
-        hasVelocity ? "An equation between velocities has no number without one: write the input's velocity."
-                    : "This equation has no velocity: write \u03b8 or \u03c9 with a label.",
+        hasVelocity
+            ? translated(
+                  "An equation between velocities has no number without one: write the input's velocity.")
+            : translated("This equation has no velocity: write θ or ω with a label."),
         {},
         {}};
     fault.line = place.line;
@@ -161,10 +165,11 @@ class EquationCheck {
     std::vector<Rational> coefficients;
     for (const auto& term : terms) coefficients.push_back(m_vocabulary.atTeeth(term.coefficient.value));
     if (vanishes(terms, coefficients)) {
-      return {"another-ratio-symbol",
-              {},
-              elementsOf(terms),
-              "The equation is true for these teeth and not for all: it holds another mesh's ratio."};
+      return {
+          "another-ratio-symbol",
+          {},
+          elementsOf(terms),
+          translated("The equation is true for these teeth and not for all: it holds another mesh's ratio.")};
     }
     if (auto found = signMistake(terms, coefficients)) return *found;
     if (auto found = ratioMistake(terms, coefficients)) return *found;
@@ -198,11 +203,12 @@ class EquationCheck {
       if (!isTrue) continue;
       const bool isCircuit = std::all_of(coefficients.begin(), coefficients.end(),
                                          [](const Rational& c) { return c.abs() == Rational(1); });
-      return PaperDifference{isCircuit && terms.size() > 2 ? "walked-against-arrow" : "mesh-sign",
-                             {},
-                             elementsOf(terms[i].rates),
-                             "The sign of the term with " + shown(terms[i].name) +
-                                 " is wrong: with the other one the equation holds."};
+      return PaperDifference{
+          isCircuit && terms.size() > 2 ? "walked-against-arrow" : "mesh-sign",
+          {},
+          elementsOf(terms[i].rates),
+          translated("The sign of the term with %1 is wrong: with the other one the equation holds.",
+                     {shown(terms[i].name)})};
     }
     return std::nullopt;
   }
@@ -223,14 +229,15 @@ class EquationCheck {
             "ratio-upside-down",
             {},
             {m_source.meshId(mesh)},
-            "The ratio " + name + " is upside down: it is N of the tail over N of the head."};
+            translated("The ratio %1 is upside down: it is N of the tail over N of the head.", {name})};
       for (std::size_t i = 0; i < changed.size(); ++i) {
         changed[i] = -changed[i];
         if (vanishes(terms, changed))
-          return PaperDifference{"sign-and-ratio",
-                                 {},
-                                 {m_source.meshId(mesh)},
-                                 "The ratio " + name + " is upside down, and a sign is wrong besides."};
+          return PaperDifference{
+              "sign-and-ratio",
+              {},
+              {m_source.meshId(mesh)},
+              translated("The ratio %1 is upside down, and a sign is wrong besides.", {name})};
         changed[i] = -changed[i];
       }
     }
@@ -242,7 +249,7 @@ class EquationCheck {
         return PaperDifference{"ratio-upside-down",
                                {},
                                elementsOf(terms[i].rates),
-                               "The number before " + shown(terms[i].name) + " is upside down."};
+                               translated("The number before %1 is upside down.", {shown(terms[i].name)})};
       changed[i] = coefficients[i];
     }
     return std::nullopt;
@@ -263,7 +270,7 @@ class EquationCheck {
             return PaperDifference{"term-left-out",
                                    {},
                                    {m_source.edgeId(joint)},
-                                   "A term with \u03b8" + m_source.edgeLabel(joint) + " is left out."};
+                                   translated("A term with θ%1 is left out.", {m_source.edgeLabel(joint)})};
         }
       }
     }
@@ -281,7 +288,7 @@ class EquationCheck {
             "another-velocity",
             {},
             elementsOf(own),
-            "In place of " + shown(term.name) + " there should be \u03b8" + m_source.edgeLabel(joint) + '.'};
+            translated("In place of %1 there should be θ%2.", {shown(term.name), m_source.edgeLabel(joint)})};
       }
       term.rates = own;
     }
@@ -294,11 +301,12 @@ class EquationCheck {
       Rational sum = 0;
       for (std::size_t i = 0; i < terms.size(); ++i) sum += coefficients[i] * speed(terms[i].rates, input);
       if (sum.isZero()) continue;
-      return "With \u03b8" + m_source.edgeLabel(m_source.inputs()[input]) +
-             " = 1 and the other inputs at rest the left side is greater than the right one by " +
-             inWords(sum) + '.';
+      return translated(
+          "With θ%1 = 1 and the other inputs at rest the left side is greater than the right one by "
+          "%2.",
+          {m_source.edgeLabel(m_source.inputs()[input]), inWords(sum)});
     }
-    return "The equation is true for these teeth only.";
+    return translated("The equation is true for these teeth only.");
   }
 
   const Vocabulary& m_vocabulary;
@@ -315,7 +323,8 @@ Expected<std::vector<EquationVerdict>> checkEquations(const Vocabulary& vocabula
   const ExerciseSource& source = vocabulary.source();
   if (source.matroid() == nullptr) {
     if (hasErrors(source.snapshot()->diagnostics)) return source.snapshot()->diagnostics;
-    Diagnostic fault{Code::noMeshes, "This mechanism has no motion to check an equation against.", {}, {}};
+    Diagnostic fault{
+        Code::noMeshes, translated("This mechanism has no motion to check an equation against."), {}, {}};
     return Expected<std::vector<EquationVerdict>>(fault);
   }
   const EquationCheck check(vocabulary, stop);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/paper_check/table_mistakes.h"
 
 namespace geargraph::inline paper_check {
@@ -48,7 +49,7 @@ class MistakenTables {
 
   std::vector<MistakenTable> all() {
     const std::string symbol(paperMatrixSymbol(m_right.kind));
-    add("transposed", "You exchange rows and columns of " + symbol + '.', m_right.transposed());
+    add("transposed", translated("You exchange rows and columns of %1.", {symbol}), m_right.transposed());
     addGroundRow();
     addSigns();
     addTransposedSigns();
@@ -72,11 +73,11 @@ class MistakenTables {
     if (!other) return;
     other->kind = m_right.kind;
     if (isFull) {
-      add("ground-row-left-out",
-          "You leave out the ground: \u0393\u2070 keeps its row, only \u0393 has none.", *other);
+      add("ground-row-left-out", translated("You leave out the ground: Γ⁰ keeps its row, only Γ has none."),
+          *other);
     } else {
       add("ground-row-left-in",
-          "You leave the row of the ground in: \u0393 has the rows of the moving links only.", *other);
+          translated("You leave the row of the ground in: Γ has the rows of the moving links only."), *other);
     }
   }
 
@@ -85,21 +86,23 @@ class MistakenTables {
       case PaperMatrix::incidence:
       case PaperMatrix::reducedIncidence:
         add("incidence-exchanged",
-            "You exchange + and \u2212: a column holds \u22121 where the arrow begins and 1 where it ends.",
+            translated("You exchange + and −: a column holds −1 where the arrow begins and 1 where it ends."),
             changed(m_right, negated));
         break;
       case PaperMatrix::path:
-        add("walk-from-ground", "You walk from the ground to the links: the walks of Z end at the ground.",
+        add("walk-from-ground",
+            translated("You walk from the ground to the links: the walks of Z end at the ground."),
             changed(m_right, negated));
         break;
       case PaperMatrix::cutset:
         add("cutset-as-cycle",
-            "You take the signs of the cycles: Q holds \u2212T transposed beside the unit matrix.",
+            translated("You take the signs of the cycles: Q holds −T transposed beside the unit matrix."),
             withMeshesTurned());
         break;
       case PaperMatrix::solution:
         add("minus-left-out",
-            "You leave out the minus of (23): what is on the other side of the equation changes its sign.",
+            translated("You leave out the minus of (23): what is on the other side of the equation changes "
+                       "its sign."),
             changed(m_right, negated));
         break;
       case PaperMatrix::spanningTree:
@@ -108,15 +111,15 @@ class MistakenTables {
         break;
     }
     add("signs-left-out",
-        "You write all entries without their signs: \u22121 where a walk runs against an arrow.",
+        translated("You write all entries without their signs: −1 where a walk runs against an arrow."),
         changed(m_right, magnitude));
   }
 
   void addTransposedSigns() {
     if (rowFreedom(m_right.kind) != RowFreedom::none || m_right.kind == PaperMatrix::solution) return;
     add("transposed",
-        "You exchange rows and columns of " + std::string(paperMatrixSymbol(m_right.kind)) +
-            ", and + and \u2212 besides.",
+        translated("You exchange rows and columns of %1, and + and − besides.",
+                   {paperMatrixSymbol(m_right.kind)}),
         changed(m_right.transposed(), negated));
   }
 
@@ -141,13 +144,14 @@ class MistakenTables {
     if (const auto tree = derivedTable(m_vocabulary, PaperMatrix::spanningTree)) {
       for (std::size_t i = 0; i < cycles.entries.size(); ++i) cycles.entries[i] = tree->entries[i];
       add("coefficients-left-out",
-          "These are the rows of T: P multiplies each entry by the joint's coefficient.", cycles);
+          translated("These are the rows of T: P multiplies each entry by the joint's coefficient."), cycles);
     }
     add("coefficients-left-out",
-        "These are the signs of P alone: each is to be multiplied by the ratio of its gear.",
+        translated("These are the signs of P alone: each is to be multiplied by the ratio of its gear."),
         changed(m_right, one));
     add("ratio-upside-down",
-        "Your ratios are upside down: a joint on the axis of the tail's gear has i, one on the head's has 1.",
+        translated("Your ratios are upside down: a joint on the axis of the tail's gear has i, one on the "
+                   "head's has 1."),
         upsideDown());
   }
 

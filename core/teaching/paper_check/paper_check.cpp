@@ -5,28 +5,30 @@
 #include <set>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/paper_check/equation_check.h"
 #include "core/teaching/paper_check/table_check.h"
 
 namespace geargraph::inline paper_check {
 
 std::string_view outcomeName(PaperOutcome outcome) {
-  constexpr std::array<std::string_view, 3> kNames = {"right", "wrong", "ambiguous"};
+  constexpr std::array<std::string_view, 3> kNames = {toTranslate("right"), toTranslate("wrong"),
+                                                      toTranslate("ambiguous")};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
 std::span<const MistakeName> paperMistakeNames() {
   static constexpr MistakeName kNames[] = {
-      {"another-matrix", "another matrix than the one asked for"},
-      {"another-size", "size that the matrix does not have"},
-      {"minus-left-out", "minus of the solution left out"},
-      {"another-output", "row of another output"},
-      {"another-ratio-symbol", "ratio of another mesh with the same value"},
-      {"input-without-effect", "input that the output does not feel"},
-      {"wrong-entry", "entry that differs"},
-      {"term-left-out", "velocity left out of the equation"},
-      {"another-velocity", "velocity of another joint or link"},
-      {"equation-does-not-hold", "equation that does not follow from the mechanism"},
+      {"another-matrix", toTranslate("another matrix than the one asked for")},
+      {"another-size", toTranslate("size that the matrix does not have")},
+      {"minus-left-out", toTranslate("minus of the solution left out")},
+      {"another-output", toTranslate("row of another output")},
+      {"another-ratio-symbol", toTranslate("ratio of another mesh with the same value")},
+      {"input-without-effect", toTranslate("input that the output does not feel")},
+      {"wrong-entry", toTranslate("entry that differs")},
+      {"term-left-out", toTranslate("velocity left out of the equation")},
+      {"another-velocity", toTranslate("velocity of another joint or link")},
+      {"equation-does-not-hold", toTranslate("equation that does not follow from the mechanism")},
   };
   return kNames;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/paper_check/table_trial.h"
 
 namespace geargraph::inline paper_check {
@@ -70,8 +72,10 @@ class TableCheck {
       return unknownLabel(*label, kind, own.right());
     if (const auto other = rightAsAnother(kind)) {
       MatrixVerdict verdict = std::move(own.verdict());
-      verdict.differences = {
-          {"another-matrix", {}, {}, "This is " + described(*other) + ", not " + described(kind) + '.'}};
+      verdict.differences = {{"another-matrix",
+                              {},
+                              {},
+                              translated("This is %1, not %2.", {described(*other), described(kind)})}};
       return verdict;
     }
     if (own.badness() == TableTrial::kNotComparable) {
@@ -79,8 +83,9 @@ class TableCheck {
           {"another-size",
            {},
            {},
-           described(kind) + " has the size " + sizeText(own.right().height(), own.right().width()) +
-               " for this mechanism, and yours is " + sizeText(m_table.rows(), m_table.columns()) + '.'}};
+           translated("%1 has the size %2 for this mechanism, and yours is %3.",
+                      {described(kind), sizeText(own.right().height(), own.right().width()),
+                       sizeText(m_table.rows(), m_table.columns())})}};
     }
     return own.verdict();
   }
@@ -138,12 +143,12 @@ class TableCheck {
     std::vector<std::string> sizes;
     for (const TableTrial& tried : trials) {
       if (tried.isDefined())
-        sizes.push_back(std::string(paperMatrixSymbol(tried.right().kind)) + " is " +
-                        sizeText(tried.right().height(), tried.right().width()));
+        sizes.push_back(translated("%1 is %2", {paperMatrixSymbol(tried.right().kind),
+                                                sizeText(tried.right().height(), tried.right().width())}));
     }
-    return faultAt(m_table.cells.front().front(), "No matrix of this mechanism has the size " +
-                                                      sizeText(m_table.rows(), m_table.columns()) + ": " +
-                                                      listed(sizes, kAllNames) + '.');
+    return faultAt(m_table.cells.front().front(),
+                   translated("No matrix of this mechanism has the size %1: %2.",
+                              {sizeText(m_table.rows(), m_table.columns()), listed(sizes, kAllNames)}));
   }
 
   [[nodiscard]] static Diagnostic unknownLabel(const WrittenCell& label, PaperMatrix kind,
@@ -153,21 +158,24 @@ class TableCheck {
       for (const Heading& heading : headings) all.push_back(heading.text);
       return listed(all, kMostNamed);
     };
-    return faultAt(label, quoted(label.text) + " is no label of " + std::string(paperMatrixSymbol(kind)) +
-                              ", or occurs twice: its rows are " + names(right.rows) + ", its columns " +
-                              names(right.columns) + '.');
+    return faultAt(
+        label,
+        translated("%1 is no label of %2, or occurs twice: its rows are %3, its columns %4.",
+                   {quoted(label.text), paperMatrixSymbol(kind), names(right.rows), names(right.columns)}));
   }
 
   [[nodiscard]] Diagnostics undefined(PaperMatrix kind) const {
     const Diagnostics& diagnostics = m_vocabulary.source().snapshot()->diagnostics;
     if (hasErrors(diagnostics)) return diagnostics;
-    return {faultAt(m_table.cells.front().front(), "This mechanism has no " + described(kind) + '.')};
+    return {
+        faultAt(m_table.cells.front().front(), translated("This mechanism has no %1.", {described(kind)}))};
   }
 
   [[nodiscard]] static std::string described(PaperMatrix kind) {
     const std::string equation(paperMatrixEquation(kind));
-    return "the " + lowered(std::string(paperMatrixTitle(kind))) + ' ' +
-           std::string(paperMatrixSymbol(kind)) + (equation.empty() ? "" : ' ' + equation);
+    const std::string title = isEnglish() ? "the " + lowered(std::string(paperMatrixTitle(kind)))
+                                          : translated(paperMatrixTitle(kind));
+    return title + ' ' + std::string(paperMatrixSymbol(kind)) + (equation.empty() ? "" : ' ' + equation);
   }
   [[nodiscard]] static std::string lowered(std::string text) {
     text.front() = static_cast<char>(text.front() - 'A' + 'a');
@@ -233,7 +241,7 @@ Expected<MatrixVerdict> checkTable(const ExerciseSource& source, const WrittenTa
     const bool isValid = driven.matroid() != nullptr && driven.inputs() == *inputs;
     if (!isValid)
       return faultAt(table.columnLabels.front(),
-                     "These inputs depend on each other, so there is no solution for them.");
+                     translated("These inputs depend on each other, so there is no solution for them."));
     const Vocabulary words(driven);
     return TableCheck(words, table, stop).run(PaperMatrix::solution);
   }

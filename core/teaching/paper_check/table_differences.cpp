@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/teaching/paper_check/table_mistakes.h"
 
@@ -95,26 +96,24 @@ class TableDifferences {
       if (columnReads(column, m_alignment.columns[column], false)) continue;
       const Heading& heading = columnHeading(column);
       if (isIncidence && columnReads(column, m_alignment.columns[column], true)) {
-        addColumn(column, "arrow-reversed",
-                  "You turn the arrow of edge " + heading.text +
-                      " round: " + arrow(m_alignment.columns[column]) + '.',
+        addColumn(column, "arrow-reversed", arrowText(heading.text, m_alignment.columns[column]),
                   {heading.element});
       }
       for (int other = 0; other < m_right.width() && isPath; ++other) {
         const Heading& of = m_right.columns[static_cast<std::size_t>(other)];
         if (other == m_alignment.columns[column] || !columnReads(column, other, false)) continue;
         addColumn(column, "another-link",
-                  "This is the walk of link " + of.text + ", not of link " + heading.text + '.',
+                  translated("This is the walk of link %1, not of link %2.", {of.text, heading.text}),
                   {heading.element, of.element});
         break;
       }
     }
   }
 
-  [[nodiscard]] std::string arrow(int edge) const {
+  [[nodiscard]] std::string arrowText(const std::string& name, int edge) const {
     const DigraphEdge& ends = m_source.graph().edge(edge);
-    return "it points from link " + m_source.linkLabel(ends.tail) + " to link " +
-           m_source.linkLabel(ends.head);
+    return translated("You turn the arrow of edge %1 round: it points from link %2 to link %3.",
+                      {name, m_source.linkLabel(ends.tail), m_source.linkLabel(ends.head)});
   }
 
   void addRow(std::size_t row) {
@@ -127,11 +126,11 @@ class TableDifferences {
       return m_agreements[row][static_cast<std::size_t>(place.column)] == Agreement::none;
     });
     if (!isWrong) {
-      m_all.push_back(
-          {"another-ratio-symbol", places,
-           elementsOf(m_right, m_alignment.rows[row],
-                      m_alignment.columns[static_cast<std::size_t>(places.front().column)]),
-           "The number is right for these teeth and the formula is not: it holds another mesh's ratio."});
+      m_all.push_back({"another-ratio-symbol", places,
+                       elementsOf(m_right, m_alignment.rows[row],
+                                  m_alignment.columns[static_cast<std::size_t>(places.front().column)]),
+                       translated("The number is right for these teeth and the formula is not: it holds "
+                                  "another mesh's ratio.")});
       return;
     }
     for (MistakenRow& mistaken : mistakenRows(row)) {
@@ -168,26 +167,28 @@ class TableDifferences {
     for (int other = 0; other < m_right.height(); ++other) {
       if (other == own) continue;
       const Heading& of = m_right.rows[static_cast<std::size_t>(other)];
-      rows.push_back({name,
-                      "This is the row of " + rowName(of) + ", not of " + rowName(rowHeading(row)) + '.',
-                      m_right.entries[static_cast<std::size_t>(other)],
-                      {of.element, rowHeading(row).element}});
+      rows.push_back(
+          {name,
+           translated("This is the row of %1, not of %2.", {rowName(of), rowName(rowHeading(row))}),
+           m_right.entries[static_cast<std::size_t>(other)],
+           {of.element, rowHeading(row).element}});
     }
     return rows;
   }
 
   [[nodiscard]] std::string rowName(const Heading& heading) const {
-    return heading.text.starts_with('C') ? heading.text : "joint " + heading.text;
+    return heading.text.starts_with('C') ? heading.text : translated("joint %1", {heading.text});
   }
 
   void addCutsetRow(int own, std::vector<MistakenRow>& rows) const {
     std::vector<DerivedEntry> entries = m_right.entries[static_cast<std::size_t>(own)];
     for (auto column = static_cast<std::size_t>(m_source.graph().t()); column < entries.size(); ++column)
       entries[column] = entries[column].negated();
-    rows.push_back({"cutset-as-cycle",
-                    "You take the signs of the cycles: Q holds \u2212T transposed beside the unit matrix.",
-                    entries,
-                    {m_right.rows[static_cast<std::size_t>(own)].element}});
+    rows.push_back(
+        {"cutset-as-cycle",
+         translated("You take the signs of the cycles: Q holds −T transposed beside the unit matrix."),
+         entries,
+         {m_right.rows[static_cast<std::size_t>(own)].element}});
   }
 
   /// An entry of a row of P: the gear's ratio or 1, with a sign.
@@ -218,29 +219,35 @@ class TableDifferences {
     const MeshKind kind = m_source.meshKind(mesh);
     const bool isBevel = kind == MeshKind::bevel;
     const bool isInternal = kind == MeshKind::internal;
-    rows.push_back({"ratio-upside-down",
-                    "You exchange the gears of mesh " + label + ": i" + label +
-                        " belongs to the joints on the tail's axis.",
-                    inverse, elements});
+    rows.push_back(
+        {"ratio-upside-down",
+         translated("You exchange the gears of mesh %1: i%1 belongs to the joints on the tail's axis.",
+                    {label}),
+         inverse, elements});
     rows.push_back(
         {isBevel      ? "bevel-sign"
          : isInternal ? "internal-as-external"
                       : "external-as-internal",
-         isBevel ? "The sign of bevel mesh " + label + " follows from its pitch point, seen from both axes."
+         isBevel ? translated("The sign of bevel mesh %1 follows from its pitch point, seen from both axes.",
+                              {label})
          : isInternal
-             ? "Mesh " + label + " is internal: its gears turn the same way, seen from the carrier."
-             : "Mesh " + label + " is external: its gears turn opposite ways, seen from the carrier.",
+             ? translated("Mesh %1 is internal: its gears turn the same way, seen from the carrier.", {label})
+             : translated("Mesh %1 is external: its gears turn opposite ways, seen from the carrier.",
+                          {label}),
          headTurned, elements});
-    rows.push_back({"sign-and-ratio", "The ratio of mesh " + label + " is upside down and its sign is wrong.",
-                    both, elements});
+    rows.push_back({"sign-and-ratio",
+                    translated("The ratio of mesh %1 is upside down and its sign is wrong.", {label}), both,
+                    elements});
     rows.push_back(
         {"coefficients-left-out",
-         "This is the row of the cycle: in P its signs are multiplied by the coefficients of mesh " + label +
-             '.',
+         translated(
+             "This is the row of the cycle: in P its signs are multiplied by the coefficients of mesh %1.",
+             {label}),
          cycle, elements});
     rows.push_back(
         {"arrow-sense-lost",
-         "You leave out the signs of the cycle of mesh " + label + ", which walks against some arrows.",
+         translated("You leave out the signs of the cycle of mesh %1, which walks against some arrows.",
+                    {label}),
          senseless, elements});
   }
 
@@ -256,16 +263,17 @@ class TableDifferences {
       if (right[k].value.isZero()) continue;
       inverse[k] = inverseOf(right[k]);
     }
-    rows.push_back(
-        {"mesh-sign",
-         "Joint " + heading.text + " turns the other way: the sign of one mesh of its chain is wrong.",
-         negative,
-         {heading.element}});
+    rows.push_back({"mesh-sign",
+                    translated("Joint %1 turns the other way: the sign of one mesh of its chain is wrong.",
+                               {heading.text}),
+                    negative,
+                    {heading.element}});
     if (hasInverse)
-      rows.push_back({"speed-inverted",
-                      "The row of joint " + heading.text + " is upside down: it is output over input.",
-                      inverse,
-                      {heading.element}});
+      rows.push_back(
+          {"speed-inverted",
+           translated("The row of joint %1 is upside down: it is output over input.", {heading.text}),
+           inverse,
+           {heading.element}});
   }
 
   [[nodiscard]] DerivedEntry inverseOf(const DerivedEntry& entry) const {
@@ -293,11 +301,14 @@ class TableDifferences {
                       m_alignment.rows[row], m_alignment.columns[column]);
       const bool isTurned =
           !(expected.value == derivedRow(row)[static_cast<std::size_t>(m_alignment.columns[column])].value);
-      difference.reason = cell.text.substr(0, cell.text.rfind(" Eq. ")) +
-                          (isTurned ? " In the sense that you walk it, the entry is " : " So the entry is ") +
-                          printed(expected) + '.';
+      const int number = matrixEquation(static_cast<MatrixKind>(m_right.kind));
+      const std::string equation = ' ' + translated("Eq. (%1)", {std::to_string(number)});
+      difference.reason =
+          cell.text.substr(0, cell.text.rfind(equation)) + ' ' +
+          (isTurned ? translated("In the sense that you walk it, the entry is %1.", {printed(expected)})
+                    : translated("So the entry is %1.", {printed(expected)}));
       if (difference.name == "entry-not-a-sign")
-        difference.reason = "Entries of this matrix are \u22121, 0 or 1. " + difference.reason;
+        difference.reason = translated("Entries of this matrix are −1, 0 or 1.") + ' ' + difference.reason;
     }
     m_all.push_back(std::move(difference));
   }
@@ -321,15 +332,16 @@ class TableDifferences {
     const std::string joint = columnHeading(column).text;
     const std::string value = printed(expected);
     if (m_right.kind == PaperMatrix::coefficients) {
-      return expected.value.isZero() ? "Joint " + joint + " is not on cycle " + rowHeading(row).text +
-                                           ", so its coefficient is 0."
-                                     : "In the multiple of row " + rowHeading(row).text +
-                                           " that you write, joint " + joint + " has " + value + '.';
+      const std::string cycle = rowHeading(row).text;
+      return expected.value.isZero()
+                 ? translated("Joint %1 is not on cycle %2, so its coefficient is 0.", {joint, cycle})
+                 : translated("In the multiple of row %1 that you write, joint %2 has %3.",
+                              {cycle, joint, value});
     }
     const std::string output = rowHeading(row).text;
-    return expected.value.isZero() ? "Joint " + output + " does not feel input " + joint + ": 0."
-                                   : "With input " + joint + " alone, joint " + output + " turns at " +
-                                         value + " times its speed.";
+    return expected.value.isZero() ? translated("Joint %1 does not feel input %2: 0.", {output, joint})
+                                   : translated("With input %1 alone, joint %2 turns at %3 times its speed.",
+                                                {joint, output, value});
   }
 
   /// Names of wrong entries of matrices of -1, 0 and 1; row and column are derived ones.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline paper_check {
 namespace {
@@ -69,7 +70,8 @@ bool TableTrial::isRight() {
     if (!isMistaken && !isOneEntry) return true;
     m_verdict.outcome = PaperOutcome::ambiguous;
     m_verdict.differences = isMistaken ? std::vector{*m_mistake} : natural;
-    m_verdict.notes.emplace_back("Without labels it may be either: write the labels of rows and columns.");
+    m_verdict.notes.push_back(
+        translated("Without labels it may be either: write the labels of rows and columns."));
     return true;
   }
   return false;
@@ -137,32 +139,33 @@ bool TableTrial::accept(const DerivedTable& table, FreeOrder order) {
 
 void TableTrial::addNotes(const DerivedTable& table, const Alignment& alignment) {
   m_verdict.notes.clear();
-  const auto note = [&](const char* what, const std::vector<int>& order,
+  const auto note = [&](const char* sentence, const std::vector<int>& order,
                         const std::vector<Heading>& headings) {
     if (std::is_sorted(order.begin(), order.end())) return;
     std::vector<std::string> names;
     for (const int place : order) names.push_back(headings[static_cast<std::size_t>(place)].text);
-    m_verdict.notes.push_back(std::string("Your ") + what +
-                              " are in another order: " + listed(names, kMostListed) + '.');
+    m_verdict.notes.push_back(filled(translated(sentence), {listed(names, kMostListed)}));
   };
-  note("rows", alignment.rows, table.rows);
-  note("columns", alignment.columns, table.columns);
+  note(toTranslate("Your rows are in another order: %1."), alignment.rows, table.rows);
+  note(toTranslate("Your columns are in another order: %1."), alignment.columns, table.columns);
   std::vector<std::string> turned;
   for (std::size_t i = 0; i < alignment.turned.size(); ++i) {
     if (alignment.turned[i] != 0 && rowFreedom(table.kind) == RowFreedom::sign)
       turned.push_back(table.rows[static_cast<std::size_t>(alignment.rows[i])].text);
   }
   if (turned.empty()) return;
-  m_verdict.notes.push_back("You walk " + listed(turned, kMostListed) +
-                            " the other way, which is as good: all signs of the row change.");
+  m_verdict.notes.push_back(
+      translated("You walk %1 the other way, which is as good: all signs of the row change.",
+                 {listed(turned, kMostListed)}));
 }
 
 void TableTrial::acceptTree(const std::vector<int>& tree) {
   m_verdict.outcome = PaperOutcome::right;
   std::vector<std::string> names;
   for (const int label : tree) names.push_back(std::to_string(label));
-  m_verdict.notes = {"You take another spanning tree, of the edges " + listed(names, kAllNames) +
-                     ": for it the matrix is right."};
+  m_verdict.notes = {
+      translated("You take another spanning tree, of the edges %1: for it the matrix is right.",
+                 {listed(names, kAllNames)})};
 }
 
 bool TableTrial::findMistake(FreeOrder order) {

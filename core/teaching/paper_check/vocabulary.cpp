@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/matroid/symbolic_solution.h"
@@ -75,7 +76,7 @@ std::optional<NamedValue> Vocabulary::value(const WrittenName& name, std::string
   const auto found =
       m_ratios.find(name.base + links + std::string(static_cast<std::size_t>(name.primes), '\''));
   if (found == m_ratios.end()) {
-    fault = "This mechanism has no ratio " + shown(name) + '.';
+    fault = translated("This mechanism has no ratio %1.", {shown(name)});
     return std::nullopt;
   }
   const auto [mesh, isInverse] = found->second;
@@ -112,14 +113,15 @@ std::optional<NamedValue> Vocabulary::wheel(const WrittenName& name, std::string
   const bool isOne = !gears.empty() && std::all_of(gears.begin(), gears.end(), same);
   const auto place = static_cast<std::size_t>(std::max(name.primes, 1)) - 1;
   if (place >= gears.size() || (name.primes == 0 && !isOne)) {
-    fault = gears.empty() ? "Link " + name.subscript + " has no gear, so " + shown(name) + " has no value."
-                          : "Link " + name.subscript + " has several gears: write " + shown(name) + "' or " +
-                                shown(name) + "'', in the order of its meshes.";
+    fault = gears.empty()
+                ? translated("Link %1 has no gear, so %2 has no value.", {name.subscript, shown(name)})
+                : translated("Link %1 has several gears: write %2' or %2'', in the order of its meshes.",
+                             {name.subscript, shown(name)});
     return std::nullopt;
   }
   if (isTeeth) return NamedValue{constant(gears[place].teeth), false};
   if (gears[place].diameter) return NamedValue{constant(*gears[place].diameter), false};
-  fault = "The diameter " + shown(name) + " is no fraction: use numbers of teeth.";
+  fault = translated("The diameter %1 is no fraction: use numbers of teeth.", {shown(name)});
   return std::nullopt;
 }
 
@@ -151,12 +153,13 @@ std::optional<RateSum> Vocabulary::rate(const WrittenName& name, std::string& fa
     const auto label = numberOf(name.subscript);
     const int joint = label.value_or(0) - graph.edgeLabel(0);
     if (label && joint >= 0 && joint < graph.t()) return RateSum{{joint, 1}};
-    fault = "This mechanism has no turning joint " + name.subscript + ", so no " + shown(name) + '.';
+    fault = translated("This mechanism has no turning joint %1, so no %2.", {name.subscript, shown(name)});
     return std::nullopt;
   }
   const auto links = linksOf(name.subscript);
   if (!links) {
-    fault = shown(name) + " names no links of this mechanism: write \u03c9 with two labels, as \u03c95_1.";
+    fault =
+        translated("%1 names no links of this mechanism: write ω with two labels, as ω5_1.", {shown(name)});
     return std::nullopt;
   }
   return between(links->second, links->first, fault);
@@ -166,7 +169,7 @@ std::optional<RateSum> Vocabulary::rate(const WrittenName& name, std::string& fa
 std::optional<RateSum> Vocabulary::between(int from, int to, std::string& fault) const {
   const SpanningTree* const tree = m_source.tree();
   if (tree == nullptr || !m_source.snapshot()->kinematics) {
-    fault = "The turning joints are no spanning tree, so no velocity follows from them.";
+    fault = translated("The turning joints are no spanning tree, so no velocity follows from them.");
     return std::nullopt;
   }
   const Placement& placement = m_source.snapshot()->kinematics->placement();
@@ -183,8 +186,10 @@ std::optional<RateSum> Vocabulary::between(int from, int to, std::string& fault)
     const PathStep& last = steps.back();
     const int sense = directionSign(placement, classOf(step), classOf(last)) * senseOf(step) * senseOf(last);
     if (sense == 0) {
-      fault = "The velocity of link " + std::to_string(to) + " relative to link " + std::to_string(from) +
-              " has several directions: write one equation for each level.";
+      fault = translated(
+          "The velocity of link %1 relative to link %2 has several directions: write one equation for each "
+          "level.",
+          {std::to_string(to), std::to_string(from)});
       return std::nullopt;
     }
     sum[step.joint] = sense * step.direction;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/grading/number_text.h"
 
 namespace geargraph::inline paper_check {
@@ -86,8 +87,9 @@ class FormulaReader {
       : m_vocabulary(vocabulary), m_cell(cell), m_text(plainNotation(cell.text)) {}
 
   Expected<WrittenFormula> read() {
-    if (m_text.find_first_not_of(' ') == std::string::npos) return fault("An entry is missing here.");
-    if (m_text.size() > kLongest) return fault("This formula is too long.");
+    if (m_text.find_first_not_of(' ') == std::string::npos)
+      return fault(translated("An entry is missing here."));
+    if (m_text.size() > kLongest) return fault(translated("This formula is too long."));
     WrittenFormula whole = sum(0);
     if (m_fault.empty() && peek() != '\0') fail(unexpected());
     if (!m_fault.empty()) return fault(m_fault);
@@ -102,9 +104,10 @@ class FormulaReader {
     return fault;
   }
   [[nodiscard]] std::string unexpected() const {
-    return "\u201c" + m_cell.text +
-           "\u201d cannot be read: write a number, a fraction or names such as i15, n41, N4, "
-           "\u03b88 or \u03c951.";
+    return translated(
+        "“%1” cannot be read: write a number, a fraction or names such as i15, n41, N4, θ8 or "
+        "ω51.",
+        {m_cell.text});
   }
   void fail(std::string message) {
     if (m_fault.empty()) m_fault = std::move(message);
@@ -139,7 +142,7 @@ class FormulaReader {
     };
     join(whole.amount, part.amount);
     if (whole.terms.size() + part.terms.size() > kMostTerms || whole.amount.value.size() > kLargestFunction)
-      return fail("This formula is too long.");
+      return fail(translated("This formula is too long."));
     for (const WrittenFormula::Term& term : part.terms) {
       whole.terms.push_back(term);
       if (isNegative) whole.terms.back().coefficient.value = -term.coefficient.value;
@@ -158,23 +161,23 @@ class FormulaReader {
   WrittenFormula times(WrittenFormula a, const WrittenFormula& b) {
     if (!b.terms.empty()) {
       if (!a.terms.empty()) {
-        fail("A velocity is multiplied by a velocity here.");
+        fail(translated("A velocity is multiplied by a velocity here."));
         return a;
       }
       return times(b, a);
     }
     for (WrittenFormula::Term& term : a.terms) term.coefficient = times(term.coefficient, b.amount);
     a.amount = times(a.amount, b.amount);
-    if (a.amount.value.size() > kLargestFunction) fail("This formula is too long.");
+    if (a.amount.value.size() > kLargestFunction) fail(translated("This formula is too long."));
     return a;
   }
   WrittenFormula inverse(WrittenFormula formula) {
     if (!formula.terms.empty()) {
-      fail("Something is divided by a velocity here.");
+      fail(translated("Something is divided by a velocity here."));
       return formula;
     }
     if (formula.amount.value.isZero()) {
-      fail("Something is divided by 0 here.");
+      fail(translated("Something is divided by 0 here."));
       return formula;
     }
     const Rational size = m_vocabulary.atTeeth(formula.amount.value);
@@ -203,7 +206,7 @@ class FormulaReader {
   }
 
   WrittenFormula factor(int depth) {
-    if (depth > kDeepest) fail("This formula has too many parentheses inside each other.");
+    if (depth > kDeepest) fail(translated("This formula has too many parentheses inside each other."));
     if (!m_fault.empty()) return {};
     const char c = peek();
     if (c == '-' || c == '+') {
@@ -239,7 +242,7 @@ class FormulaReader {
     const char* const begin = m_text.data() + m_at;
     const auto [end, error] = std::from_chars(begin, m_text.data() + m_text.size(), exponent);
     if (error != std::errc() || exponent > kHighestPower) {
-      fail("A power needs a whole number of at most " + std::to_string(kHighestPower) + '.');
+      fail(translated("A power needs a whole number of at most %1.", {std::to_string(kHighestPower)}));
       return {};
     }
     m_at += static_cast<std::size_t>(end - begin);
@@ -256,10 +259,10 @@ class FormulaReader {
     const std::string digits = m_text.substr(begin, m_at - begin);
     const WrittenNumber read = readNumber(digits);
     if (read.fault == NumberFault::ambiguous) {
-      fail("\u201c" + digits +
-           "\u201d can be read as a thousand or as a decimal: write it without the comma.");
+      fail(translated("“%1” can be read as a thousand or as a decimal: write it without the comma.",
+                      {digits}));
     } else if (read.fault == NumberFault::notANumber) {
-      fail("\u201c" + digits + "\u201d is not a number.");
+      fail(translated("“%1” is not a number.", {digits}));
     } else {
       return number(read.value, read.slack, !(read.value.isZero() || read.value == Rational(1)));
     }
@@ -401,7 +404,7 @@ Expected<WrittenAmount> readAmount(const Vocabulary& vocabulary, const WrittenCe
   if (!formula) return formula.error();
   if (!formula->terms.empty()) {
     Diagnostic fault{Code::syntax,
-                     "\u201c" + cell.text + "\u201d holds a velocity, and an entry of a matrix is a number.",
+                     translated("“%1” holds a velocity, and an entry of a matrix is a number.", {cell.text}),
                      {},
                      {}};
     fault.line = cell.line;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/paper_check/paper_text.h"
 
 namespace geargraph::inline paper_check {
@@ -81,9 +82,9 @@ class PaperReader {
   Expected<WrittenPaper> read() {
     const std::string_view all = m_text.all();
     if (all.size() > kLargestPaper)
-      return m_text.fault(0, "The text has more than " + std::to_string(kLargestPaper) + " bytes.");
+      return m_text.fault(0, translated("The text has more than %1 bytes.", {std::to_string(kLargestPaper)}));
     if (m_text.piece({0, all.size()}).text.empty())
-      return m_text.fault(0, "There is no matrix and no equation.");
+      return m_text.fault(0, translated("There is no matrix and no equation."));
     if (auto fault = findGrids()) return *fault;
     if (!m_grids.empty()) return tableOfGrids();
     if (areEquations()) return equations();
@@ -100,13 +101,13 @@ class PaperReader {
       if (begin == std::string_view::npos) break;
       const std::size_t nameEnd = all.find('}', begin);
       if (nameEnd == std::string_view::npos)
-        return m_text.fault(begin, "This \\begin has no name in braces.");
+        return m_text.fault(begin, translated("This \\begin has no name in braces."));
       const std::string name(all.substr(begin + 7, nameEnd - begin - 7));
       at = nameEnd + 1;
       if (!isMatrixEnvironment(name)) continue;
       const std::size_t end = all.find("\\end{" + name + "}", at);
       if (end == std::string_view::npos)
-        return m_text.fault(begin, "\\begin{" + name + "} has no \\end{" + name + "}.");
+        return m_text.fault(begin, translated("\\begin{%1} has no \\end{%1}.", {name}));
       if (name == "array" || name == "tabular") at = afterArgument(at, end);
       m_grids.push_back({{begin, end}, latexRows(m_text, {at, end})});
       at = end;
@@ -160,7 +161,7 @@ class PaperReader {
         return std::nullopt;
       }
     }
-    return m_text.fault(open, "This bracket is not closed.");
+    return m_text.fault(open, translated("This bracket is not closed."));
   }
 
   /// The first bracket outside of comments.
@@ -205,13 +206,13 @@ class PaperReader {
       cells += row.size();
       if (cells > kMostCells)
         return m_text.fault(row.front().begin,
-                            "The matrix has more than " + std::to_string(kMostCells) + " entries.");
+                            translated("The matrix has more than %1 entries.", {std::to_string(kMostCells)}));
       for (const TextRange& cell : row) table.cells.back().push_back(m_text.piece(cell));
       // A separator at the end of every line begins no column.
       if (row.size() > 1 && table.cells.back().back().text.empty() && row.size() > rows.front().size())
         table.cells.back().pop_back();
     }
-    if (table.cells.empty()) return m_text.fault(0, "The matrix has no rows.");
+    if (table.cells.empty()) return m_text.fault(0, translated("The matrix has no rows."));
     splitLabels(table);
     if (!rowLabels.empty()) table.rowLabels = std::move(rowLabels);
     if (!columnLabels.empty()) table.columnLabels = std::move(columnLabels);
@@ -256,23 +257,29 @@ class PaperReader {
     return fault;
   }
 
+  static std::string raggedText(std::size_t row, std::size_t entries, std::size_t width) {
+    return entries == 1 ? translated("Row %1 has 1 entry, the first has %2.",
+                                     {std::to_string(row), std::to_string(width)})
+                        : translated("Row %1 has %2 entries, the first has %3.",
+                                     {std::to_string(row), std::to_string(entries), std::to_string(width)});
+  }
+
   static std::optional<Diagnostic> raggedRow(const WrittenTable& table) {
-    const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " entry" : " entries"); };
     const std::size_t width = table.cells.front().size();
     for (std::size_t i = 0; i < table.cells.size(); ++i) {
-      if (table.cells[i].empty()) return faultAt(table.rowLabels[i], "This row has a label and no entry.");
+      if (table.cells[i].empty())
+        return faultAt(table.rowLabels[i], translated("This row has a label and no entry."));
       if (table.cells[i].size() != width)
-        return faultAt(table.cells[i].front(), "Row " + std::to_string(i + 1) + " has " +
-                                                   count(table.cells[i].size()) + ", the first has " +
-                                                   std::to_string(width) + '.');
+        return faultAt(table.cells[i].front(), raggedText(i + 1, table.cells[i].size(), width));
     }
     if (!table.columnLabels.empty() && table.columnLabels.size() != width)
-      return faultAt(table.columnLabels.front(), "There are " + std::to_string(table.columnLabels.size()) +
-                                                     " labels for " + std::to_string(width) + " columns.");
+      return faultAt(table.columnLabels.front(),
+                     translated("There are %1 labels for %2 columns.",
+                                {std::to_string(table.columnLabels.size()), std::to_string(width)}));
     if (!table.rowLabels.empty() && table.rowLabels.size() != table.cells.size())
-      return faultAt(table.rowLabels.front(), "There are " + std::to_string(table.rowLabels.size()) +
-                                                  " labels for " + std::to_string(table.cells.size()) +
-                                                  " rows.");
+      return faultAt(table.rowLabels.front(),
+                     translated("There are %1 labels for %2 rows.", {std::to_string(table.rowLabels.size()),
+                                                                     std::to_string(table.cells.size())}));
     return std::nullopt;
   }
 
@@ -319,7 +326,7 @@ class PaperReader {
       if (auto fault = addEquation({begin, end}, equations)) return *fault;
       begin = end + (endsByMark ? 2 : 1);
     }
-    if (equations.empty()) return m_text.fault(0, "There is no equation.");
+    if (equations.empty()) return m_text.fault(0, translated("There is no equation."));
     return WrittenPaper(std::move(equations));
   }
 
@@ -329,14 +336,14 @@ class PaperReader {
     if (text.empty() || text.starts_with("\\begin{") || text.starts_with("\\end{") || text.starts_with('%'))
       return std::nullopt;
     if (text.find('=') == std::string_view::npos)
-      return m_text.fault(line.begin, "This line has no equals sign.");
+      return m_text.fault(line.begin, translated("This line has no equals sign."));
     WrittenEquation equation;
     for (std::size_t at = line.begin; at <= line.end;) {
       const std::size_t end = std::min(m_text.all().find('=', at), line.end);
       WrittenCell side = m_text.piece({at, end});
       std::erase(side.text, '&');
       if (side.text.find_first_not_of(" \t") == std::string::npos)
-        return m_text.fault(at, "A side of this equation is empty.");
+        return m_text.fault(at, translated("A side of this equation is empty."));
       equation.sides.push_back(std::move(side));
       at = end + 1;
     }
