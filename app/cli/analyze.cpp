@@ -11,6 +11,7 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/analysis_json.h"
 
 namespace geargraph::cli {
@@ -28,9 +29,9 @@ std::variant<SnapshotPtr, UsageError> analysed(const Mechanism& document, const 
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kAnalyze, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kAnalyze, translated("One file is needed."));
   if (arguments.has("--symbolic") && arguments.has("--no-symbolic")) {
-    return wrongUsage(kAnalyze, "Give --symbolic or --no-symbolic.");
+    return wrongUsage(kAnalyze, translated("Give --symbolic or --no-symbolic."));
   }
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
@@ -41,7 +42,7 @@ int run(const Arguments& arguments) {
     const auto result = analysed(*document, arguments);
     if (const auto* error = std::get_if<UsageError>(&result)) return wrongUsage(kAnalyze, error->message);
     snapshot = std::get<SnapshotPtr>(result);
-    if (!snapshot) return outOfTime(arguments, "the analysis");
+    if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   }
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
@@ -52,18 +53,19 @@ int run(const Arguments& arguments) {
   }
   StandardOutput out;
   writeAnalysisJson(out, snapshot.get(), diagnostics, {.dense = arguments.has("--dense")});
-  return out.failed() ? fileFailure("Standard output could not be written.") : status;
+  return out.failed() ? fileFailure(translated("Standard output could not be written.")) : status;
 }
 
 constexpr std::array kOptions = {
-    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
-    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated"},
+    Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
+    Option{"--speed", "8=1/2", toTranslate("the speed of an input in rad/s; may be repeated")},
     kStateOption,
     kEngageOption,
-    Option{"--symbolic", "", "with the solution in gear ratios (the default)"},
-    Option{"--no-symbolic", "", "without it"},
-    Option{"--json", "", "as JSON"},
-    Option{"--dense", "", "with --json: all entries of matrices, also above 250,000 (else triplets)"},
+    Option{"--symbolic", "", toTranslate("with the solution in gear ratios (the default)")},
+    Option{"--no-symbolic", "", toTranslate("without it")},
+    Option{"--json", "", toTranslate("as JSON")},
+    Option{"--dense", "",
+           toTranslate("with --json: all entries of matrices, also above 250,000 (else triplets)")},
 };
 
 }  // namespace
@@ -72,6 +74,6 @@ const Command kAnalyze = {
     "analyze",
     "FILE [--inputs 8,9,11] [--speed 8=1 ...] [--state NAME | --engage A,B] [--no-symbolic] "
     "[--json] [--dense]",
-    "Analyses a mechanism, for people or as JSON.", kOptions, run};
+    toTranslate("Analyses a mechanism, for people or as JSON."), kOptions, run};
 
 }  // namespace geargraph::cli

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "app/cli/solution_text.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 namespace {
@@ -16,15 +17,16 @@ std::string rightAligned(std::string_view text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + std::string(text);
 }
 
-std::string counted(int count, std::string_view one, std::string_view many) {
-  return std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+/// In one of two texts that are marked by toTranslate(), by their number, which is %1.
+std::string counted(int count, const char* one, const char* many) {
+  return filled(translated(count == 1 ? one : many), {std::to_string(count)});
 }
 
 std::string heading(const Mechanism& m) {
-  return (m.name.empty() ? std::string("Untitled mechanism") : m.name) +
-         "\nn = " + counted(m.n(), "moving link", "moving links") +
-         ", t = " + counted(m.t(), "turning joint", "turning joints") +
-         ", c = " + counted(m.c(), "gear mesh", "gear meshes") + '\n';
+  return (m.name.empty() ? translated("Untitled mechanism") : m.name) +
+         "\nn = " + counted(m.n(), toTranslate("%1 moving link"), toTranslate("%1 moving links")) +
+         ", t = " + counted(m.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints")) +
+         ", c = " + counted(m.c(), toTranslate("%1 gear mesh"), toTranslate("%1 gear meshes")) + '\n';
 }
 
 /// The labels of the links, so that joints and meshes are listed with numbers.
@@ -38,34 +40,34 @@ std::string elements(const Mechanism& m) {
   if (m.n() + m.t() + m.c() > kMostElements) return {};
   auto labels = labelsOfLinks(m);
   const auto arrow = [&](LinkId tail, LinkId head) { return labels[tail] + " -> " + labels[head]; };
-  std::string text = "\nLinks\n";
+  std::string text = '\n' + translated("Links") + '\n';
   for (int i = 0; i <= m.n(); ++i) {
     const Link& link = m.links[static_cast<std::size_t>(i)];
     const std::string label = std::to_string(m.linkLabel(i));
     text += rightAligned(label, 5) + (link.id.text() == label ? "" : "  " + link.id.text()) +
             (link.name.empty() ? "" : "  " + link.name) + '\n';
   }
-  text += "\nTurning joints\n";
+  text += '\n' + translated("Turning joints") + '\n';
   for (int i = 0; i < m.t(); ++i) {
     const TurningJoint& joint = m.turningJoints[static_cast<std::size_t>(i)];
-    text += rightAligned(std::to_string(m.jointLabel(i)), 5) + "  " + arrow(joint.tail, joint.head) +
-            "  axis " + joint.axis.text() + '\n';
+    text += rightAligned(std::to_string(m.jointLabel(i)), 5) + "  " + arrow(joint.tail, joint.head) + "  " +
+            translated("axis %1", {joint.axis.text()}) + '\n';
   }
-  text += "\nGear meshes\n";
+  text += '\n' + translated("Gear meshes") + '\n';
   for (int i = 0; i < m.c(); ++i) {
     const GearMesh& mesh = m.gearMeshes[static_cast<std::size_t>(i)];
-    text += rightAligned(std::to_string(m.meshLabel(i)), 5) + "  " + arrow(mesh.tail, mesh.head) +
-            "  teeth " + std::to_string(mesh.tailTeeth) + " : " + std::to_string(mesh.headTeeth) +
-            (mesh.kind ? "  " + std::string(meshKindName(*mesh.kind)) : "") + '\n';
+    text += rightAligned(std::to_string(m.meshLabel(i)), 5) + "  " + arrow(mesh.tail, mesh.head) + "  " +
+            translated("teeth %1 : %2", {std::to_string(mesh.tailTeeth), std::to_string(mesh.headTeeth)}) +
+            (mesh.kind ? "  " + translated(meshKindName(*mesh.kind)) : "") + '\n';
   }
   return text;
 }
 
 std::string title(const IntegerMatrix& matrix) {
   std::string text =
-      '\n' + std::string(matrixSymbol(matrix.kind())) + "   " + std::string(matrixTitle(matrix.kind()));
+      '\n' + std::string(matrixSymbol(matrix.kind())) + "   " + translated(matrixTitle(matrix.kind()));
   if (const int equation = matrixEquation(matrix.kind()); equation > 0)
-    text += ", Eq. (" + std::to_string(equation) + ')';
+    text += ", " + translated("Eq. (%1)", {std::to_string(equation)});
   return text + '\n';
 }
 
@@ -97,12 +99,14 @@ std::string grid(const IntegerMatrix& matrix) {
 }
 
 std::string matrixText(const IntegerMatrix& matrix) {
-  const std::string shape =
-      counted(matrix.rows(), "row", "rows") + ", " + counted(matrix.columns(), "column", "columns");
+  const std::string shape = counted(matrix.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
+                            counted(matrix.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
   if (matrix.rows() == 0 || matrix.columns() == 0) return title(matrix) + "  " + shape + '\n';
   if (matrix.rows() > kMostRows || matrix.columns() > kMostColumns) {
-    return title(matrix) + "  " + shape + ": too large to print; see \"export --to csv --matrix " +
-           std::string(matrixCommandName(matrix.kind())) + "\"\n";
+    return title(matrix) + "  " +
+           translated("%1: too large to print; see \"export --to csv --matrix %2\"",
+                      {shape, matrixCommandName(matrix.kind())}) +
+           '\n';
   }
   return title(matrix) + grid(matrix);
 }

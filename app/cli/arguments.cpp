@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::cli {
 namespace {
 
@@ -26,11 +28,11 @@ UsageError mismatch(std::span<const std::string> words, std::span<const Option> 
     const std::string name(option.name);
     const auto hasValue = [&](const std::string& word) { return word.starts_with(name + '='); };
     if (option.value.empty() && std::any_of(words.begin(), words.end(), hasValue))
-      return {"The option " + name + " takes no value."};
+      return {translated("The option %1 takes no value.", {name})};
     if (!option.value.empty() && words.back() == name)
-      return {"The option " + name + " needs a value: " + name + ' ' + std::string(option.value) + '.'};
+      return {translated("The option %1 needs a value: %1 %2.", {name, option.value})};
   }
-  return {"The options cannot be read."};
+  return {translated("The options cannot be read.")};
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ std::variant<Arguments, UsageError> parseArguments(std::span<const std::string> 
     } else if (word == "--") {
       onlyFiles = true;
     } else {
-      return UsageError{"There is no option \"" + word.substr(0, word.find('=')) + "\" here."};
+      return UsageError{translated("There is no option \"%1\" here.", {word.substr(0, word.find('='))})};
     }
   }
   for (std::size_t i = 0; i < known.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/teaching/paper_check/paper_check.h"
 
@@ -25,25 +26,26 @@ std::string placesText(const PaperDifference& difference) {
     columns.insert(place.column + 1);
   }
   if (rows.empty()) return {};
-  const auto numbered = [](const char* what, const std::set<int>& numbers) {
+  const auto numbered = [](const char* one, const char* many, const std::set<int>& numbers) {
     std::vector<std::string> names;
     for (const int number : numbers) names.push_back(std::to_string(number));
-    return what + std::string(names.size() > 1 ? "s " : " ") + listed(names, 8);
+    return filled(translated(names.size() > 1 ? many : one), {listed(names, 8)});
   };
-  return " (" + numbered("row", rows) + ", " + numbered("column", columns) + ')';
+  return " (" + numbered(toTranslate("row %1"), toTranslate("rows %1"), rows) + ", " +
+         numbered(toTranslate("column %1"), toTranslate("columns %1"), columns) + ')';
 }
 
 std::string differenceText(const PaperDifference& difference) {
-  return "  " + std::string(paperMistakeTitle(difference.name)) + placesText(difference) + ": " +
+  return "  " + translated(paperMistakeTitle(difference.name)) + placesText(difference) + ": " +
          difference.reason + " [" + difference.name + "]\n";
 }
 
 std::string asText(const MatrixVerdict& verdict) {
-  std::string text(paperMatrixTitle(verdict.kind));
+  std::string text = translated(paperMatrixTitle(verdict.kind));
   text += ' ' + std::string(paperMatrixSymbol(verdict.kind));
   if (!paperMatrixEquation(verdict.kind).empty())
     text += ' ' + std::string(paperMatrixEquation(verdict.kind));
-  text += ": " + std::string(outcomeName(verdict.outcome)) + '\n';
+  text += ": " + translated(outcomeName(verdict.outcome)) + '\n';
   for (const std::string& note : verdict.notes) text += "  " + note + '\n';
   for (const PaperDifference& difference : verdict.differences) text += differenceText(difference);
   return text;
@@ -52,8 +54,8 @@ std::string asText(const MatrixVerdict& verdict) {
 std::string asText(const std::vector<EquationVerdict>& verdicts) {
   std::string text;
   for (const EquationVerdict& verdict : verdicts) {
-    text +=
-        std::to_string(verdict.line) + ": " + verdict.text + ": " + (verdict.isRight ? "right\n" : "wrong\n");
+    text += std::to_string(verdict.line) + ": " + verdict.text + ": " +
+            (verdict.isRight ? translated("right") : translated("wrong")) + '\n';
     if (verdict.difference) text += differenceText(*verdict.difference);
   }
   return text;
@@ -72,12 +74,13 @@ std::variant<std::optional<PaperMatrix>, UsageError> matrixFrom(const Arguments&
   if (const auto kind = paperMatrixFromName(*name)) return kind;
   std::vector<std::string> names;
   for (const PaperMatrix kind : allPaperMatrices()) names.emplace_back(paperMatrixName(kind));
-  return UsageError{"There is no matrix \"" + *name + "\": " + listed(names, kAllNames, "or") + '.'};
+  return UsageError{
+      translated("There is no matrix \"%1\": %2.", {*name, listed(names, kAllNames, toTranslate("or"))})};
 }
 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 2)
-    return wrongUsage(kCheck, "A mechanism and a file with a matrix or equations are needed.");
+    return wrongUsage(kCheck, translated("A mechanism and a file with a matrix or equations are needed."));
   const auto kind = matrixFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&kind)) return wrongUsage(kCheck, error->message);
   const auto loaded = loadOrSay(arguments.files.front());
@@ -89,7 +92,7 @@ int run(const Arguments& arguments) {
   if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(mechanism);
   const auto verdict = checkPaper(source, std::get<std::string>(text), std::get<0>(kind), arguments.stop);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the check");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the check"));
   if (!verdict) {
     const bool isOfPaper = verdict.error().front().line > 0;
     std::cerr << diagnosticLines(isOfPaper ? path : arguments.files.front(), verdict.error());
@@ -101,10 +104,12 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--matrix", "NAME",
-           "which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p "
-           "or solution (recognised)"},
-    Option{"--json", "", "as JSON"},
+    Option{
+        "--matrix", "NAME",
+        toTranslate(
+            "which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p "
+            "or solution (recognised)")},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
@@ -112,7 +117,7 @@ constexpr std::array kOptions = {
 const Command kCheck = {
     "check",
     "FILE PAPER [--matrix NAME] [--json]",
-    "Compares a matrix or equations of yours with the derived ones; status 1 where they differ.",
+    toTranslate("Compares a matrix or equations of yours with the derived ones; status 1 where they differ."),
     kOptions,
     run,
     false,

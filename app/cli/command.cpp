@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 
 namespace geargraph::cli {
@@ -48,9 +49,9 @@ int runCommand(const Command& command, const std::vector<std::string>& words, st
 }
 
 int wrongUsage(const Command& command, std::string_view message) {
-  std::cerr << "geargraph-cli " << command.name << ": " << message << "\nUsage: geargraph-cli "
-            << command.name << ' ' << command.usage << "\nMore: geargraph-cli " << command.name
-            << " --help\n";
+  std::cerr << "geargraph-cli " << command.name << ": " << message << '\n'
+            << translated("Usage: geargraph-cli %1 %2", {command.name, command.usage}) << '\n'
+            << translated("More: geargraph-cli %1 --help", {command.name}) << '\n';
   return kUsageOrFile;
 }
 
@@ -62,7 +63,7 @@ int fileFailure(std::string_view message) {
 int print(std::string_view text, int fine) {
   StandardOutput out;
   out.write(text);
-  return out.failed() ? fileFailure("Standard output could not be written.") : fine;
+  return out.failed() ? fileFailure(translated("Standard output could not be written.")) : fine;
 }
 
 }  // namespace geargraph::cli

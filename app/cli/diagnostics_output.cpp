@@ -1,5 +1,7 @@
 #include "app/cli/diagnostics_output.h"
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::cli {
 namespace {
 
@@ -47,13 +49,22 @@ void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& repor
 std::string motionCheckLine(std::string_view file, const std::optional<MotionReport>& report) {
   std::string text(file);
   if (!report)
-    return text + ": motion not checked: nothing moves, the mechanism has errors, or it has more than " +
-           std::to_string(kMostCheckedLinks) + " links\n";
+    return text + ": " +
+           translated(
+               "motion not checked: nothing moves, the mechanism has errors, or it has more than %1 links",
+               {std::to_string(kMostCheckedLinks)}) +
+           '\n';
   const MotionCheck& check = report->check;
   if (!check.isComplete)
-    return text + ": motion checked in part only: too many parts come close to each other\n";
-  text += ": motion checked from " + secondsText(check.from) + " to " + secondsText(check.to);
-  return text + (check.coversAll ? ", all of it\n" : "; it does not repeat sooner\n");
+    return text + ": " + translated("motion checked in part only: too many parts come close to each other") +
+           '\n';
+  const std::string from = secondsText(check.from);
+  const std::string to = secondsText(check.to);
+  return text + ": " +
+         (check.coversAll
+              ? translated("motion checked from %1 to %2, all of it", {from, to})
+              : translated("motion checked from %1 to %2; it does not repeat sooner", {from, to})) +
+         '\n';
 }
 
 }  // namespace geargraph::cli

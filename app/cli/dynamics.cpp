@@ -13,6 +13,7 @@
 #include "app/cli/mass_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
@@ -51,15 +52,15 @@ std::optional<UsageError> setByInput(const DynamicsResult& result, std::string_v
   const std::string_view label = word.substr(0, equals);
   const auto number = read(word.substr(std::min(equals + 1, word.size())));
   if (!number) {
-    return UsageError{std::string(option) + " names an input and its number, like " + std::string(example) +
-                      ", not \"" + std::string(word) + "\"."};
+    return UsageError{
+        translated("%1 names an input and its number, like %2, not \"%3\".", {option, example, word})};
   }
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     if (std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[i])) != label) continue;
     set(i, *number);
     return std::nullopt;
   }
-  return UsageError{"Joint \"" + std::string(label) + "\" is not an input; see --inputs."};
+  return UsageError{translated("Joint %1 is not an input; see --inputs.", {'"' + std::string(label) + '"'})};
 }
 
 /// Motors, start and length of the motion.
@@ -84,7 +85,7 @@ std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arg
             }))
       return error;
   }
-  if (isNegative) return UsageError{"--damping is at least 0, in N m s."};
+  if (isNegative) return UsageError{translated("--damping is at least 0, in N m s.")};
   for (const std::string& word : arguments.values("--angle")) {
     if (const auto error = setByInput(result, "--angle", word, "8=30deg", angleNumber,
                                       [&](std::size_t i, double angle) { start.angles[at(i)] = angle; }))
@@ -103,7 +104,7 @@ std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arg
   if (const auto* error = std::get_if<UsageError>(&interval)) return *error;
   start.interval = std::get<double>(interval);
   if (start.seconds / start.interval >= static_cast<double>(kMostSamples))
-    return UsageError{"--seconds over --interval are at most a million samples."};
+    return UsageError{translated("--seconds over --interval are at most a million samples.")};
   start.limits = angleLimits(*result.snapshot->mechanism);
   return std::nullopt;
 }
@@ -136,7 +137,7 @@ int writeCsv(const std::string& path, const DynamicsResult& result) {
   if (path == "-") {
     StandardOutput out;
     writeMotionCsv(out, result, {});
-    return out.failed() ? fileFailure("Standard output could not be written.") : kFine;
+    return out.failed() ? fileFailure(translated("Standard output could not be written.")) : kFine;
   }
   AtomicFile file(path);
   writeMotionCsv(file, result, {});
@@ -145,7 +146,7 @@ int writeCsv(const std::string& path, const DynamicsResult& result) {
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kDynamics, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kDynamics, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kDynamics, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
@@ -156,7 +157,7 @@ int run(const Arguments& arguments) {
   DynamicsResult result;
   result.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))),
                                 0, arguments.stop);
-  if (!result.snapshot) return outOfTime(arguments, "the analysis");
+  if (!result.snapshot) return outOfTime(arguments, translated("the analysis"));
   const AnalysisSnapshot& snapshot = *result.snapshot;
   std::cerr << diagnosticLines(file, snapshot.diagnostics);
   const MatroidAnalysis* const matroid = snapshot.matroid();
@@ -167,15 +168,18 @@ int run(const Arguments& arguments) {
   const bool isTooLarge =
       matroid->solution->inputs.size() * matroid->solution->outputs.size() > LiveSolution::kMostLiveEntries;
   if (isTooLarge) {
-    std::cerr << "geargraph-cli: Dynamics is computed for up to " << LiveSolution::kMostLiveEntries
-              << " entries of the solution (inputs times other joints).\n";
+    std::cerr << "geargraph-cli: "
+              << translated(
+                     "Dynamics is computed for up to %1 entries of the solution (inputs times other joints).",
+                     {std::to_string(LiveSolution::kMostLiveEntries)})
+              << '\n';
     return kResourceLimit;
   }
   const auto train = snapshot.geometry->train(arguments.stop);
-  if (!train) return outOfTime(arguments, "the gear train");
+  if (!train) return outOfTime(arguments, translated("the gear train"));
   auto dynamics = dynamicsOf(*snapshot.mechanism, *snapshot.kinematics->model,
                              snapshot.kinematics->placement(), *matroid, *train, arguments.stop);
-  if (!dynamics) return outOfTime(arguments, "the masses");
+  if (!dynamics) return outOfTime(arguments, translated("the masses"));
   if (!*dynamics) {
     std::cerr << diagnosticLines(file, dynamics->error());
     return arguments.has("--json") ? print(asJson(nullptr, dynamics->error()), kMechanismErrors)
@@ -184,10 +188,11 @@ int run(const Arguments& arguments) {
   result.dynamics = **std::move(dynamics);
   if (const auto error = readStart(result, arguments)) return wrongUsage(kDynamics, error->message);
   solve(result, arguments);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the motion"));
   if (const auto path = arguments.value("-o")) {
     if (result.simulation->samples.empty()) {
-      std::cerr << "geargraph-cli: A motion of the inputs moves no mass: there is no motion to write.\n";
+      std::cerr << "geargraph-cli: "
+                << translated("A motion of the inputs moves no mass: there is no motion to write.") << '\n';
       return kMechanismErrors;
     }
     const int status = writeCsv(*path, result);
@@ -197,27 +202,30 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--torque", "8=1.5Nm", "the torque of an input's motor (without it 0); may be given again"},
-    Option{"--damping", "8=0.01", "less this for each rad/s, N m s; may be given again"},
-    Option{"--angle", "8=30deg", "the angle of an input at the start; may be given again"},
-    Option{"--start-speed", "8=1", "its speed at the start, rad/s (without it 0); may be given again"},
-    Option{"--seconds", "10", "follow the motion for so long"},
-    Option{"--interval", "0.01", "seconds between samples (without it a hundredth of the motion)"},
-    Option{"-o", "OUT.csv", "write the samples of the motion as CSV"},
+    Option{"--torque", "8=1.5Nm",
+           toTranslate("the torque of an input's motor (without it 0); may be given again")},
+    Option{"--damping", "8=0.01", toTranslate("less this for each rad/s, N m s; may be given again")},
+    Option{"--angle", "8=30deg", toTranslate("the angle of an input at the start; may be given again")},
+    Option{"--start-speed", "8=1",
+           toTranslate("its speed at the start, rad/s (without it 0); may be given again")},
+    Option{"--seconds", "10", toTranslate("follow the motion for so long")},
+    Option{"--interval", "0.01",
+           toTranslate("seconds between samples (without it a hundredth of the motion)")},
+    Option{"-o", "OUT.csv", toTranslate("write the samples of the motion as CSV")},
     kGravityOption,
     kDensityOption,
-    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
     kStateOption,
     kEngageOption,
-    Option{"--json", "", "as JSON"},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
 
-const Command kDynamics = {"dynamics",
-                           "FILE [--torque 8=1.5Nm ...] [--gravity 0,0,-9.81] [--seconds 10 [-o OUT.csv]] "
-                           "[--state NAME | --engage A,B] [--json]",
-                           "Masses, the inertia that motors feel, and the motion that torques cause.",
-                           kOptions, run};
+const Command kDynamics = {
+    "dynamics",
+    "FILE [--torque 8=1.5Nm ...] [--gravity 0,0,-9.81] [--seconds 10 [-o OUT.csv]] "
+    "[--state NAME | --engage A,B] [--json]",
+    toTranslate("Masses, the inertia that motors feel, and the motion that torques cause."), kOptions, run};
 
 }  // namespace geargraph::cli

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/cli/text_table.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/diagnostics_json.h"
 #include "core/theory/dynamics/motion_table.h"
 
@@ -83,17 +84,20 @@ std::string endOf(const DynamicsResult& result) {
 /// The last row of the motion: what it has come to.
 std::string motionText(const DynamicsResult& result) {
   const Simulation& simulation = *result.simulation;
-  if (simulation.samples.empty()) return "\nMotion\n  " + endOf(result) + '\n';
+  if (simulation.samples.empty()) return '\n' + translated("Motion") + "\n  " + endOf(result) + '\n';
   const MotionSample& last = simulation.samples.back();
-  TextRows rows{{"input", "angle, rad", "speed, rad/s", "torque, N m"}};
+  TextRows rows{
+      {translated("input"), translated("angle, rad"), translated("speed, rad/s"), translated("torque, N m")}};
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     rows.push_back({labelOfInput(result, i), decimal(last.angles[at]), decimal(last.speeds[at]),
                     decimal(last.torques[at])});
   }
-  std::string text = '\n' + aligned("Motion, after " + decimal(last.time) + " s", rows);
-  text += "  kinetic energy " + decimal(last.kinetic) + " J, potential " + decimal(last.potential) +
-          " J, work of motors and loads " + decimal(last.work) + " J\n";
+  std::string text = '\n' + aligned(translated("Motion, after %1 s", {decimal(last.time)}), rows);
+  text += "  " +
+          translated("kinetic energy %1 J, potential %2 J, work of motors and loads %3 J",
+                     {decimal(last.kinetic), decimal(last.potential), decimal(last.work)}) +
+          '\n';
   const std::string end = endOf(result);
   return end.empty() ? text : text + "  " + end + '\n';
 }
@@ -101,9 +105,9 @@ std::string motionText(const DynamicsResult& result) {
 }  // namespace
 
 std::string dynamicsText(const DynamicsResult& result) {
-  TextRows links{{"link", "mass, kg", "from"}};
+  TextRows links{{translated("link"), translated("mass, kg"), translated("from")}};
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
-    links.front().push_back("at motor " + labelOfInput(result, i) + ", kg m²");
+    links.front().push_back(translated("at motor %1, kg m²", {labelOfInput(result, i)}));
   for (std::size_t link = 1; link < result.dynamics.links.size(); ++link) {
     const LinkInertia& inertia = result.dynamics.links[link];
     std::vector<std::string> cells{std::to_string(link), decimal(inertia.body.mass),
@@ -112,16 +116,17 @@ std::string dynamicsText(const DynamicsResult& result) {
       cells.push_back(decimal(reflected));
     links.push_back(std::move(cells));
   }
-  TextRows motors{{"input", "inertia, kg m²", "holding torque, N m", "torque, N m", "acceleration, rad/s²"}};
+  TextRows motors{{translated("input"), translated("inertia, kg m²"), translated("holding torque, N m"),
+                   translated("torque, N m"), translated("acceleration, rad/s²")}};
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    motors.push_back({labelOfInput(result, i), decimal(result.equation.inertia(at, at)),
-                      decimal(result.equation.bias[at] - result.equation.load[at]),
-                      decimal(result.torques[at]),
-                      result.accelerations ? decimal((*result.accelerations)[at]) : "moves no mass"});
+    motors.push_back(
+        {labelOfInput(result, i), decimal(result.equation.inertia(at, at)),
+         decimal(result.equation.bias[at] - result.equation.load[at]), decimal(result.torques[at]),
+         result.accelerations ? decimal((*result.accelerations)[at]) : translated("moves no mass")});
   }
-  std::string text = aligned("Links, and the inertia that each has at the motors", links) + '\n' +
-                     aligned("Inputs, at the start", motors);
+  std::string text = aligned(translated("Links, and the inertia that each has at the motors"), links) + '\n' +
+                     aligned(translated("Inputs, at the start"), motors);
   if (result.dynamics.inputs.size() > 1) {
     TextRows rows{{""}};
     for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
@@ -131,7 +136,7 @@ std::string dynamicsText(const DynamicsResult& result) {
       for (const double entry : result.equation.inertia.row(static_cast<Eigen::Index>(i)))
         rows.back().push_back(decimal(entry));
     }
-    text += '\n' + aligned("Generalised inertia M, kg m²", rows);
+    text += '\n' + aligned(translated("Generalised inertia M, kg m²"), rows);
   }
   return result.simulation ? text + motionText(result) : text;
 }

@@ -6,18 +6,12 @@
 
 #include "app/cli/load.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
 
 namespace geargraph::cli {
 namespace {
-
-template <class Names>
-std::string known(const std::string& what, const Names& names) {
-  if (names.empty()) return " The document has no " + what + ".";
-  return " " + std::string(1, static_cast<char>(std::toupper(what.front()))) + what.substr(1) + ": " +
-         listed(names, kAllNames) + ".";
-}
 
 std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::string& name) {
   const auto found = std::find_if(mechanism.states.begin(), mechanism.states.end(),
@@ -25,7 +19,10 @@ std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::stri
   if (found == mechanism.states.end()) {
     std::vector<std::string> names;
     for (const ShiftState& state : mechanism.states) names.push_back(state.name);
-    return UsageError{"There is no state \"" + name + "\"." + known("states", names)};
+    return UsageError{
+        names.empty()
+            ? translated("There is no state \"%1\". The document has no states.", {name})
+            : translated("There is no state \"%1\". States: %2.", {name, listed(names, kAllNames)})};
   }
   std::vector<CouplingId> engaged = found->engaged;
   Expected<Mechanism> next = withStateEngaged(mechanism, static_cast<int>(found - mechanism.states.begin()));
@@ -42,7 +39,11 @@ std::variant<Mechanism, UsageError> withList(Mechanism mechanism, std::string_vi
     if (mechanism.find(id) == nullptr) {
       std::vector<std::string> names;
       for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
-      return UsageError{"There is no coupling \"" + id.text() + "\"." + known("couplings", names)};
+      return UsageError{
+          names.empty()
+              ? translated("There is no coupling \"%1\". The document has no couplings.", {id.text()})
+              : translated("There is no coupling \"%1\". Couplings: %2.",
+                           {id.text(), listed(names, kAllNames)})};
     }
     engaged.push_back(id);
     list.remove_prefix(std::min(comma + 1, list.size()));
@@ -58,7 +59,7 @@ std::variant<Mechanism, UsageError> withList(Mechanism mechanism, std::string_vi
 std::variant<Mechanism, UsageError> withEngagementOptions(Mechanism mechanism, const Arguments& arguments) {
   const auto state = arguments.value("--state");
   const auto list = arguments.value("--engage");
-  if (state && list) return UsageError{"Give --state NAME or --engage A,B."};
+  if (state && list) return UsageError{translated("Give --state NAME or --engage A,B.")};
   if (state) return inState(std::move(mechanism), *state);
   if (list) return withList(std::move(mechanism), *list);
   return mechanism;
@@ -77,8 +78,10 @@ std::string engagementText(const Mechanism& mechanism) {
   for (const CouplingId id : mechanism.engaged) names.push_back(id.text());
   if (names.empty()) return {};
   const int state = engagedState(mechanism);
-  return listed(names, kAllNames) +
-         (state < 0 ? "" : " (state " + mechanism.states[static_cast<std::size_t>(state)].name + ")");
+  const std::string all = listed(names, kAllNames);
+  return state < 0
+             ? all
+             : translated("%1 (state %2)", {all, mechanism.states[static_cast<std::size_t>(state)].name});
 }
 
 }  // namespace geargraph::cli

@@ -4,6 +4,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::cli {
@@ -17,10 +18,12 @@ namespace geargraph::cli {
 /// why, and the result is the exit status.
 [[nodiscard]] std::variant<Mechanism, int> loadEngaged(const Command& command, const Arguments& arguments);
 
-inline constexpr Option kStateOption{"--state", "NAME", "with the couplings of this state engaged"};
-inline constexpr Option kEngageOption{"--engage", "A,B",
-                                      "with these couplings engaged, \"none\" for no coupling, instead of "
-                                      "those that the document engages"};
+inline constexpr Option kStateOption{"--state", "NAME",
+                                     toTranslate("with the couplings of this state engaged")};
+inline constexpr Option kEngageOption{
+    "--engage", "A,B",
+    toTranslate("with these couplings engaged, \"none\" for no coupling, instead of "
+                "those that the document engages")};
 
 /// "A, B (state 3)": what is engaged, as a sentence names it; empty for nothing.
 [[nodiscard]] std::string engagementText(const Mechanism& mechanism);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/command.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 
@@ -27,29 +28,31 @@ std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& a
   for (const std::string& name : wordsOf(*given, ',')) {
     const auto kind = kindFromName(name);
     if (!kind)
-      return UsageError{"There is no kind of question \"" + name +
-                        "\"; geargraph-cli exercises kinds FILE lists them."};
+      return UsageError{
+          translated("There is no kind of question \"%1\"; geargraph-cli exercises kinds FILE lists "
+                     "them.",
+                     {name})};
     if (const auto reason = reasonAgainst(source, *kind))
-      return UsageError{"The mechanism gives no question \"" + name + "\": " + *reason + '.'};
+      return UsageError{translated("The mechanism gives no question \"%1\": %2.", {name, *reason})};
     kinds.push_back(*kind);
   }
   if (kinds.empty() || static_cast<int>(kinds.size()) > kMostQuestions)
-    return UsageError{"--kinds names 1 to 100 questions."};
+    return UsageError{translated("--kinds names 1 to 100 questions.")};
   return kinds;
 }
 
 std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
   SheetPlan plan;
-  plan.title = arguments.value("--title").value_or("Exercises");
+  plan.title = arguments.value("--title").value_or(translated("Exercises"));
   if (const auto word = arguments.value("--seed")) {
     const auto seed = numberFrom<std::uint64_t>(*word);
-    if (!seed) return UsageError{"--seed is a whole number from 0 on."};
+    if (!seed) return UsageError{translated("--seed is a whole number from 0 on.")};
     plan.seed = *seed;
   }
   if (const auto word = arguments.value("--variants")) {
     const auto variants = numberFrom<int>(*word);
     if (!variants || *variants < 1 || *variants > kMostVariants)
-      return UsageError{"--variants is a whole number from 1 to 1000."};
+      return UsageError{translated("--variants is a whole number from 1 to 1000.")};
     plan.variants = *variants;
   }
   return plan;

@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
+#include "core/foundations/base/words.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 
 namespace geargraph::cli {
@@ -29,14 +30,15 @@ int run(const Arguments& arguments) {
   const auto action = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) {
     return !arguments.files.empty() && arguments.files.front() == a.name;
   });
-  if (action == kActions.end()) return wrongUsage(kExercises, "The first word is kinds, make or grade.");
+  if (action == kActions.end())
+    return wrongUsage(kExercises, translated("The first word is kinds, make or grade."));
   for (const auto& [option, values] : arguments.options) {
     const bool isKnown =
         option == "--limit-seconds" ||
         std::find(action->options.begin(), action->options.end(), option) != action->options.end();
     if (!isKnown)
       return wrongUsage(kExercises,
-                        option + " has no meaning for exercises " + std::string(action->name) + '.');
+                        translated("%1 has no meaning for exercises %2.", {option, action->name}));
   }
   Arguments rest = arguments;
   rest.files.erase(rest.files.begin());
@@ -44,14 +46,15 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--kinds", "LIST", "kinds of questions, with commas; a kind may occur again (all)", "make"},
-    Option{"--seed", "N", "the same number makes the same sheets everywhere (1)", "make"},
-    Option{"--variants", "N", "how many different sheets, at most 1,000 (1)", "make"},
-    Option{"--names", "FILE", "a variant for each line of this text file", "make"},
-    Option{"--title", "TEXT", "the heading of the sheets (\"Exercises\")", "make"},
-    Option{"--to", "LIST", "forms: html,latex,pdf,json (html,latex,pdf)", "make"},
-    Option{"--force", "", "overwrites files in the folder", "make"},
-    Option{"-o", "OUT", "make: the folder; grade: the CSV file (standard output)"},
+    Option{"--kinds", "LIST", toTranslate("kinds of questions, with commas; a kind may occur again (all)"),
+           "make"},
+    Option{"--seed", "N", toTranslate("the same number makes the same sheets everywhere (1)"), "make"},
+    Option{"--variants", "N", toTranslate("how many different sheets, at most 1,000 (1)"), "make"},
+    Option{"--names", "FILE", toTranslate("a variant for each line of this text file"), "make"},
+    Option{"--title", "TEXT", toTranslate("the heading of the sheets (\"Exercises\")"), "make"},
+    Option{"--to", "LIST", toTranslate("forms: html,latex,pdf,json (html,latex,pdf)"), "make"},
+    Option{"--force", "", toTranslate("overwrites files in the folder"), "make"},
+    Option{"-o", "OUT", toTranslate("make: the folder; grade: the CSV file (standard output)")},
 };
 
 }  // namespace
@@ -59,14 +62,14 @@ constexpr std::array kOptions = {
 const Command kExercises = {
     "exercises",
     "kinds FILE | make FILE [--seed N] ... -o FOLDER | grade SHEET ANSWERS... [-o CSV]",
-    "Makes exercise sheets from a mechanism and grades the answers.",
+    toTranslate("Makes exercise sheets from a mechanism and grades the answers."),
     kOptions,
     run,
     false,
     false};
 
 int listExerciseKinds(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kExercises, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kExercises, translated("One file is needed."));
   const auto mechanism = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&mechanism)) return *status;
   if (std::get<Mechanism>(mechanism).n() > kMostExerciseLinks) return tooLargeForExercises();
@@ -76,15 +79,18 @@ int listExerciseKinds(const Arguments& arguments) {
     std::string line = "  " + std::string(kindName(kind));
     line.resize(std::max<std::size_t>(line.size() + 1, 22), ' ');
     text += line + std::string(kindTitle(kind));
-    if (const auto reason = reasonAgainst(source, kind)) text += " (not offered: " + *reason + ')';
+    if (const auto reason = reasonAgainst(source, kind))
+      text += ' ' + translated("(not offered: %1)", {*reason});
     text += '\n';
   }
   return print(text);
 }
 
 int tooLargeForExercises() {
-  std::cerr << "geargraph-cli: Exercises are made of mechanisms of at most " << kMostExerciseLinks
-            << " moving links.\n";
+  std::cerr << "geargraph-cli: "
+            << translated("Exercises are made of mechanisms of at most %1 moving links.",
+                          {std::to_string(kMostExerciseLinks)})
+            << '\n';
   return kResourceLimit;
 }
 

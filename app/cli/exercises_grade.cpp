@@ -9,6 +9,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/exercise_forms.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
@@ -36,7 +37,8 @@ std::variant<std::vector<std::pair<fs::path, bool>>, FileError> filesOf(std::spa
     for (fs::directory_iterator entry(word, error), end; !error && entry != end; entry.increment(error)) {
       if (entry->path().extension() == ".json") inside.push_back(entry->path());
     }
-    if (error) return FileError{"The folder \"" + word + "\" could not be read: " + error.message() + '.'};
+    if (error)
+      return FileError{translated("The folder \"%1\" could not be read: %2.", {word, error.message()})};
     std::sort(inside.begin(), inside.end());
     for (fs::path& path : inside) files.emplace_back(std::move(path), true);
   }
@@ -54,9 +56,9 @@ class AnswerGrader {
 
   /// What is wrong with the answers as a whole; then nothing is graded.
   [[nodiscard]] std::optional<std::string> fault(const AnswerSheet& answers) const {
-    if (answers.sheet != m_mark) return "These are answers to another sheet.";
+    if (answers.sheet != m_mark) return translated("These are answers to another sheet.");
     if (answers.variant < 1 || answers.variant > m_plan.variants)
-      return "The sheet has no variant " + std::to_string(answers.variant) + '.';
+      return translated("The sheet has no variant %1.", {std::to_string(answers.variant)});
     return std::nullopt;
   }
 
@@ -76,7 +78,10 @@ class AnswerGrader {
         used += isGiven ? 1 : 0;
       }
       if (given != answers.answers.end() && used != given->second.size()) {
-        std::cerr << file << ": Question " << i + 1 << " has no such field as some that are answered.\n";
+        std::cerr << file << ": "
+                  << translated("Question %1 has no such field as some that are answered.",
+                                {std::to_string(i + 1)})
+                  << '\n';
       }
       const bool isBlank =
           std::all_of(texts.begin(), texts.end(), [](const std::string& t) { return t.empty(); });
@@ -94,13 +99,16 @@ class AnswerGrader {
                               : "",
             fields,
             verdict.isRight ? ""
-            : isBlank       ? "The question is not answered."
+            : isBlank       ? translated("The question is not answered.")
                             : verdict.reason});
       sum += verdict.points;
       of += question.points;
     }
     if (!answers.answers.empty() && answers.answers.rbegin()->first > static_cast<int>(questions.size()))
-      std::cerr << file << ": The sheet has no question " << answers.answers.rbegin()->first << ".\n";
+      std::cerr << file << ": "
+                << translated("The sheet has no question %1.",
+                              {std::to_string(answers.answers.rbegin()->first)})
+                << '\n';
     line({file, answers.student, std::to_string(answers.variant), "total", "", std::to_string(sum),
           std::to_string(of), "", "", "", ""});
   }
@@ -128,7 +136,8 @@ class AnswerGrader {
 }  // namespace
 
 int gradeExercises(const Arguments& arguments) {
-  if (arguments.files.size() < 2) return wrongUsage(kExercises, "grade needs a sheet and answers.");
+  if (arguments.files.size() < 2)
+    return wrongUsage(kExercises, translated("grade needs a sheet and answers."));
   const std::string& sheetPath = arguments.files.front();
   const auto bytes = readFile(sheetPath, kLargestFile);
   if (const auto* error = std::get_if<FileError>(&bytes)) return fileFailure(error->message);
@@ -142,7 +151,7 @@ int gradeExercises(const Arguments& arguments) {
   AnswerGrader grader(*sheet);
   int status = kFine;
   for (const auto& [path, isOfFolder] : std::get<0>(files)) {
-    if (arguments.stop.stop_requested()) return outOfTime(arguments, "the grading");
+    if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the grading"));
     const auto text = readFile(path, kLargestAnswers);
     if (const auto* error = std::get_if<FileError>(&text)) {
       status = fileFailure(error->message);

@@ -10,6 +10,7 @@
 #include "app/cli/exercise_plan.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/sheet_files/sheet_files.h"
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 std::variant<SheetWish, UsageError, FileError> wishFrom(const Arguments& arguments) {
   SheetWish wish;
   if (arguments.has("--variants") && arguments.has("--names"))
-    return UsageError{"Give --variants or --names: a name is a variant."};
+    return UsageError{translated("Give --variants or --names: a name is a variant.")};
   auto plan = planFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&plan)) return *error;
   wish.plan = std::get<SheetPlan>(std::move(plan));
@@ -32,12 +33,13 @@ std::variant<SheetWish, UsageError, FileError> wishFrom(const Arguments& argumen
     if (const auto* error = std::get_if<FileError>(&bytes)) return *error;
     wish.students = wordsOf(std::get<std::string>(bytes), '\n');
     if (wish.students.empty() || wish.students.size() > kMostVariants)
-      return UsageError{"--names is a text file of 1 to 1000 lines."};
+      return UsageError{translated("--names is a text file of 1 to 1000 lines.")};
     wish.plan.variants = static_cast<int>(wish.students.size());
   }
   for (const std::string& name : wordsOf(arguments.value("--to").value_or("html,latex,pdf"), ',')) {
     const auto form = sheetFileForm(name);
-    if (!form) return UsageError{"--to lists forms out of html, latex, pdf and json, not \"" + name + "\"."};
+    if (!form)
+      return UsageError{translated("--to lists forms out of html, latex, pdf and json, not \"%1\".", {name})};
     wish.forms.push_back(*form);
   }
   return wish;
@@ -55,14 +57,15 @@ int writeSheets(const Arguments& arguments, const ExerciseSource& source, const 
   const fs::path folder = *arguments.value("-o");
   const bool overwrites = arguments.has("--force");
   if (const auto taken = overwrites ? std::nullopt : fileInTheWay(folder, wish)) {
-    return fileFailure("\"" + taken->string() +
-                       "\" is there already; nothing was written (--force overwrites).");
+    return fileFailure(
+        translated("\"%1\" is there already; nothing was written (--force overwrites).", {taken->string()}));
   }
   int made = 0;
   const auto files = sheetFiles(
       source, wish, [&](int variants) { made = variants; }, arguments.stop);
   if (arguments.stop.stop_requested())
-    return outOfTime(arguments, "variant " + std::to_string(std::min(made + 1, wish.plan.variants)));
+    return outOfTime(arguments,
+                     translated("variant %1", {std::to_string(std::min(made + 1, wish.plan.variants))}));
   if (!files) return fileFailure(files.error().front().message);
   const auto failure = writeFolder(folder, *files, {overwrites, {}, {}});
   return failure ? fileFailure(failure->message) : kFine;
@@ -71,8 +74,8 @@ int writeSheets(const Arguments& arguments, const ExerciseSource& source, const 
 }  // namespace
 
 int makeExercises(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kExercises, "make needs one file.");
-  if (!arguments.has("-o")) return wrongUsage(kExercises, "make needs a folder: -o FOLDER.");
+  if (arguments.files.size() != 1) return wrongUsage(kExercises, translated("make needs one file."));
+  if (!arguments.has("-o")) return wrongUsage(kExercises, translated("make needs a folder: -o FOLDER."));
   auto read = wishFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&read)) return wrongUsage(kExercises, error->message);
   if (const auto* error = std::get_if<FileError>(&read)) return fileFailure(error->message);
@@ -89,7 +92,8 @@ int makeExercises(const Arguments& arguments) {
   wish.plan.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (wish.plan.kinds.empty()) {
-    std::cerr << "geargraph-cli: Nothing can be asked about this mechanism; no sheet was written.\n";
+    std::cerr << "geargraph-cli: "
+              << translated("Nothing can be asked about this mechanism; no sheet was written.") << '\n';
     return status == kFine ? kUsageOrFile : status;
   }
   const int written = writeSheets(arguments, source, wish);

@@ -11,6 +11,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
 #include "core/presentation/results/csv_tables.h"
@@ -30,7 +31,7 @@ std::variant<char, UsageError> choice(const Arguments& arguments, std::string_vi
     if (*given == name) return value;
     names += (names.empty() ? "" : ", ") + std::string(name);
   }
-  return UsageError{std::string(option) + " is one of " + names + "."};
+  return UsageError{translated("%1 is one of %2.", {option, names})};
 }
 
 std::variant<CsvOptions, UsageError> csvOptions(const Arguments& arguments) {
@@ -52,7 +53,7 @@ int writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& op
   if (path == "-") {  // what has begun is written to its end
     StandardOutput out;
     table.write(out, options);
-    return out.failed() ? fileFailure("Standard output could not be written.") : fine;
+    return out.failed() ? fileFailure(translated("Standard output could not be written.")) : fine;
   }
   AtomicFile file(path);
   StoppableSink sink(file, arguments.stop);
@@ -74,11 +75,14 @@ int exportOne(const std::vector<CsvTable>& tables, const Arguments& arguments, c
   const auto table =
       std::find_if(tables.begin(), tables.end(), [&](const CsvTable& t) { return t.name == name; });
   if (table == tables.end()) {
-    return wrongUsage(kExport, "There is no matrix \"" + name + "\"; there are " + tableNames(tables) + ".");
+    return wrongUsage(kExport,
+                      translated("There is no matrix \"%1\"; there are %2.", {name, tableNames(tables)}));
   }
   if (!table->write) {
-    std::cerr << "geargraph-cli: The matrix \"" << name << "\" needs " << table->needs
-              << "; nothing was written.\n";
+    std::cerr << "geargraph-cli: "
+              << translated("The matrix \"%1\" needs %2; nothing was written.",
+                            {name, translated(table->needs)})
+              << '\n';
     return status == kFine ? kResourceLimit : status;
   }
   return writeTable(*arguments.value("-o"), *table, options, arguments, status);
@@ -90,18 +94,19 @@ int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, c
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
-    return fileFailure("The folder \"" + folder.string() + "\" could not be made.");
+    return fileFailure(translated("The folder \"%1\" could not be made.", {folder.string()}));
   std::vector<std::pair<fs::path, const CsvTable*>> files;
   for (const CsvTable& table : tables) {
     if (!table.write && table.ofLoads) continue;
     if (!table.write) {
-      std::cerr << "geargraph-cli: Left out: " << table.name << ", which needs " << table.needs << ".\n";
+      std::cerr << "geargraph-cli: "
+                << translated("Left out: %1, which needs %2.", {table.name, translated(table.needs)}) << '\n';
       continue;
     }
     files.emplace_back(folder / (std::string(table.name) + ".csv"), &table);
     if (fs::exists(files.back().first) && !arguments.has("--force")) {
-      return fileFailure("\"" + files.back().first.string() +
-                         "\" is there already; nothing was written (--force overwrites).");
+      return fileFailure(translated("\"%1\" is there already; nothing was written (--force overwrites).",
+                                    {files.back().first.string()}));
     }
   }
   std::vector<std::unique_ptr<AtomicFile>> written;  // they take their names together
@@ -120,7 +125,7 @@ int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, c
 
 int exportCsv(const Arguments& arguments) {
   if (arguments.has("--matrix") == arguments.has("--all"))
-    return wrongUsage(kExport, "Give --matrix NAME or --all.");
+    return wrongUsage(kExport, translated("Give --matrix NAME or --all."));
   const auto options = csvOptions(arguments);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
 
@@ -129,18 +134,18 @@ int exportCsv(const Arguments& arguments) {
   if (const int* status = std::get_if<int>(&document)) return *status;
   SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   const int status = hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--all") || arguments.value("--matrix") == "solution") {
     snapshot = analyzeFully(snapshot, SolveOptions{false}, arguments.stop);
-    if (!snapshot) return outOfTime(arguments, "the solution");
+    if (!snapshot) return outOfTime(arguments, translated("the solution"));
   }
   SolvedStaticsPtr statics;
   if (arguments.has("--all") || isOfStatics(*arguments.value("--matrix"))) {
     const bool allStates = arguments.has("--all") || isOfAllStates(*arguments.value("--matrix"));
     statics = solvedStatics(snapshot, arguments.value("--state"), allStates, arguments.stop);
-    if (!statics) return outOfTime(arguments, "the torques");
+    if (!statics) return outOfTime(arguments, translated("the torques"));
   }
   const auto write = arguments.has("--all") ? exportAll : exportOne;
   return write(csvTables(snapshot, statics), arguments, std::get<CsvOptions>(options), status);

@@ -7,6 +7,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/results/solved_statics.h"
@@ -39,15 +40,17 @@ std::optional<int> observerOf(const Mechanism& mechanism, const std::string& wor
 std::string whyNoPower(const std::string& file, const std::optional<StaticsReport>& report) {
   const auto all = [&](const char* sentence) {
     const std::string findings = report ? diagnosticLines(file, report->diagnostics) : std::string();
-    return findings + "geargraph-cli: " + sentence + " Nothing was written.\n";
+    return findings + "geargraph-cli: " + translated(sentence) + ' ' + translated("Nothing was written.") +
+           '\n';
   };
-  if (!report) return all("--power needs a mechanism without errors.");
+  if (!report) return all(toTranslate("--power needs a mechanism without errors."));
   if (report->loads.empty())
-    return all("--power needs loads: this document has none, so that no power flows. Add \"loads\" to it.");
+    return all(toTranslate(
+        "--power needs loads: this document has none, so that no power flows. Add \"loads\" to it."));
   if (!report->isSolved || !report->lossless.isBalanced())
-    return all("--power needs balances that hold the loads.");
-  if (!report->motion) return all("--power needs a motion: the speeds are not determined.");
-  return all("No power flows: the loads and what holds them do no work in this motion.");
+    return all(toTranslate("--power needs balances that hold the loads."));
+  if (!report->motion) return all(toTranslate("--power needs a motion: the speeds are not determined."));
+  return all(toTranslate("No power flows: the loads and what holds them do no work in this motion."));
 }
 
 /// The power of the document's loads, of no drawing without --power; the exit status where there is none.
@@ -57,9 +60,9 @@ std::variant<std::optional<DrawnPower>, int> powerOf(const SnapshotPtr& snapshot
   if (!word) return std::optional<DrawnPower>();
   const auto observer = observerOf(*snapshot->mechanism, *word);
   if (!observer)
-    return wrongUsage(kExport, "--power is ground or the label of a link, not \"" + *word + "\".");
+    return wrongUsage(kExport, translated("--power is ground or the label of a link, not \"%1\".", {*word}));
   const SolvedStaticsPtr solved = solvedStatics(snapshot, arguments.value("--state"), false, arguments.stop);
-  if (!solved) return outOfTime(arguments, "the torques");
+  if (!solved) return outOfTime(arguments, translated("the torques"));
   const SolvedStatics& statics = *solved;
   DrawnPower power;
   if (statics.report) {
@@ -80,9 +83,11 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   const std::string name(pictureFormName(form));
   const NamedDrawing* drawing = drawingNamed(view);
   if (drawing == nullptr) {
-    if (view == "3d") return wrongUsage(kExport, "--view 3d is made of pixels: it needs --to png.");
+    if (view == "3d")
+      return wrongUsage(kExport, translated("--view 3d is made of pixels: it needs --to png."));
     const std::string solid = form == PictureForm::png ? ", 3d" : "";
-    return wrongUsage(kExport, "--to " + name + " needs --view: one of " + drawingNames() + solid + ".");
+    return wrongUsage(kExport,
+                      translated("%1 needs --view: one of %2.", {"--to " + name, drawingNames() + solid}));
   }
   auto options = drawingOptions(arguments, form);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
@@ -92,18 +97,18 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   picture.title = snapshot->mechanism->name;
   if (arguments.has("--power") && !drawing->showsPower)
-    return wrongUsage(kExport, "--power is drawn in the digraph and in the schematic.");
+    return wrongUsage(kExport, translated("--power is drawn in the digraph and in the schematic."));
   const auto power = powerOf(snapshot, arguments);
   if (const int* status = std::get_if<int>(&power)) return *status;
   const auto& bands = std::get<std::optional<DrawnPower>>(power);
   const DisplayList drawn = drawing->draw(*snapshot, bands ? &*bands : nullptr, arguments.stop);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the drawing");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the drawing"));
   const Expected<std::string> bytes = pictureOf(drawn, picture);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the picture");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the picture"));
   if (!bytes) {
     std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
     return kResourceLimit;

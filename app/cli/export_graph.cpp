@@ -7,24 +7,29 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 
 int exportGraph(const Arguments& arguments, GraphForm form) {
   const std::string view = arguments.value("--view").value_or("digraph");
   if (view != "digraph" && view != "ttgraph")
-    return wrongUsage(kExport, "A graph is the digraph or the ttgraph, not \"" + view + "\".");
+    return wrongUsage(kExport, translated("A graph is the digraph or the ttgraph, not \"%1\".", {view}));
   auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(arguments.files.front(), snapshot->diagnostics);
   const auto text = view == "digraph" ? std::optional(digraphFile(*snapshot->mechanism, form))
                                       : ttGraphFile(*snapshot, form);
   if (!text) {
-    std::cerr << "geargraph-cli: There is no T-T graph: the turning joints are no spanning tree, or a mesh "
-                 "has no carrier; nothing was written.\n";
+    std::cerr
+        << "geargraph-cli: "
+        << translated(
+               "There is no T-T graph: the turning joints are no spanning tree, or a mesh has no carrier; "
+               "nothing was written.")
+        << '\n';
     return kMechanismErrors;
   }
   const int written = writePicture(*text, *arguments.value("-o"));

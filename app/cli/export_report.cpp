@@ -15,6 +15,7 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/handout/handout.h"
 #include "core/presentation/pages/report_pdf.h"
@@ -44,16 +45,20 @@ int exportDerivation(const Arguments& arguments,
   auto mechanism = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kExport, error->message);
   if (std::get<Mechanism>(mechanism).n() > kMostReportLinks) {
-    std::cerr << "geargraph-cli: A derivation of more than " << kMostReportLinks
-              << " links is not written: it would be too long to read. The matrices are exported as CSV.\n";
+    std::cerr << "geargraph-cli: "
+              << translated(
+                     "A derivation of more than %1 links is not written: it would be too long to read. The "
+                     "matrices are exported as CSV.",
+                     {std::to_string(kMostReportLinks)})
+              << '\n';
     return kResourceLimit;
   }
   const SnapshotPtr snapshot = analyze(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   const Expected<std::string> bytes = bytesOf(snapshot);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the derivation");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the derivation"));
   if (!bytes) {
     std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
     return kResourceLimit;
@@ -67,23 +72,24 @@ int exportDerivation(const Arguments& arguments,
 std::variant<std::optional<HandoutExercises>, UsageError, int> exercisesFrom(const Arguments& arguments) {
   if (!arguments.has("--exercises")) {
     for (const char* option : {"--kinds", "--seed", "--title", "--variants", "--variant"}) {
-      if (arguments.has(option)) return UsageError{std::string(option) + " needs --exercises."};
+      if (arguments.has(option)) return UsageError{translated("%1 needs --exercises.", {option})};
     }
     return std::optional<HandoutExercises>();
   }
   // By its mark a sheet is that of a document as it is in its file.
   for (const char* option : {"--inputs", "--speed", "--state", "--engage"}) {
     if (arguments.has(option))
-      return UsageError{std::string(option) +
-                        " has no meaning with --exercises, which ask about the document."};
+      return UsageError{
+          translated("%1 has no meaning with --exercises, which ask about the document.", {option})};
   }
-  if (arguments.files.front() == "-") return UsageError{"--exercises needs a file, not standard input."};
+  if (arguments.files.front() == "-")
+    return UsageError{translated("--exercises needs a file, not standard input.")};
   auto plan = planFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&plan)) return *error;
   auto& sheet = std::get<SheetPlan>(plan);
   const auto variant = numberFrom<int>(arguments.value("--variant").value_or("1"));
   if (!variant || *variant < 1 || *variant > sheet.variants)
-    return UsageError{"--variant is a whole number from 1 to that of --variants."};
+    return UsageError{translated("--variant is a whole number from 1 to that of --variants.")};
   const auto loaded = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const auto& mechanism = std::get<Mechanism>(loaded);
@@ -92,7 +98,7 @@ std::variant<std::optional<HandoutExercises>, UsageError, int> exercisesFrom(con
   auto kinds = kindsFrom(arguments, source);
   if (const auto* error = std::get_if<UsageError>(&kinds)) return *error;
   sheet.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
-  if (sheet.kinds.empty()) return UsageError{"Nothing can be asked about this mechanism."};
+  if (sheet.kinds.empty()) return UsageError{translated("Nothing can be asked about this mechanism.")};
   return std::optional(handoutExercises(source, sheet, *variant));
 }
 

@@ -9,6 +9,8 @@
 #include "app/cli/mass_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/folder.h"
 #include "core/presentation/simulators/simulator_model.h"
 
@@ -34,13 +36,13 @@ std::variant<SimulatorOptions, UsageError> simulatorOptions(const Arguments& arg
   } else if (motor == "none") {
     options.motor = SimulatorMotor::none;
   } else {
-    return UsageError{"--motor is one of speed, torque, none."};
+    return UsageError{translated("--motor is one of speed, torque, none.")};
   }
   return options;
 }
 
 int failureOf(const SimulatorError& error, const Arguments& arguments) {
-  if (error.kind == SimulatorError::Kind::stopped) return outOfTime(arguments, "the model");
+  if (error.kind == SimulatorError::Kind::stopped) return outOfTime(arguments, translated("the model"));
   std::cerr << "geargraph-cli: " << error.message << '\n';
   return error.kind == SimulatorError::Kind::limit ? kResourceLimit : kMechanismErrors;
 }
@@ -49,18 +51,17 @@ int failureOf(const SimulatorError& error, const Arguments& arguments) {
 void tellFreedom(const ExportTrain& loaded, const Arguments& arguments) {
   const std::vector<int>& inputs = loaded.snapshot->matroid()->choice.joints;
   if (inputs.empty()) {
-    std::cerr << "geargraph-cli: Nothing can move; the model holds still.\n";
+    std::cerr << "geargraph-cli: " << translated("Nothing can move; the model holds still.") << '\n';
     return;
   }
   const auto state = arguments.value("--state");
   if (!state || inputs.size() < 2) return;
-  std::string driven;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    driven += i == 0 ? "" : i + 1 == inputs.size() ? " and " : ", ";
-    driven += std::to_string(loaded.snapshot->graph->edgeLabel(inputs[i]));
-  }
-  std::cerr << "geargraph-cli: State " << *state << " leaves " << inputs.size() << " freedoms; joints "
-            << driven << " are driven.\n";
+  std::vector<std::string> driven;
+  for (const int input : inputs) driven.push_back(std::to_string(loaded.snapshot->graph->edgeLabel(input)));
+  std::cerr << "geargraph-cli: "
+            << translated("State %1 leaves %2 freedoms; joints %3 are driven.",
+                          {*state, std::to_string(inputs.size()), listed(driven, kAllNames)})
+            << '\n';
 }
 
 }  // namespace
@@ -69,20 +70,26 @@ int exportSimulator(const Arguments& arguments, SimulatorForm form) {
   const auto options = simulatorOptions(arguments);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
   const std::filesystem::path folder = *arguments.value("-o");
-  if (folder == "-") return wrongUsage(kExport, "A model for simulators is a folder; \"-\" is none.");
+  if (folder == "-")
+    return wrongUsage(kExport, translated("A model for simulators is a folder; \"-\" is none."));
   const auto loaded = loadTrain(
       arguments, [&](Mechanism mechanism) { return withMassOptions(std::move(mechanism), arguments); });
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const ExportTrain& train = std::get<ExportTrain>(loaded);
   const MatroidAnalysis* const matroid = train.snapshot->matroid();
   if (matroid == nullptr || !matroid->solution) {
-    std::cerr << "geargraph-cli: There is no solution to drive the model by; nothing was written.\n";
+    std::cerr << "geargraph-cli: "
+              << translated("There is no solution to drive the model by; nothing was written.") << '\n';
     return kMechanismErrors;
   }
   if (matroid->solution->inputs.size() * matroid->solution->outputs.size() >
       ExactSolution::kMostExactEntries) {
-    std::cerr << "geargraph-cli: Models for simulators have at most " << ExactSolution::kMostExactEntries
-              << " entries of the solution (inputs times other joints).\n";
+    std::cerr
+        << "geargraph-cli: "
+        << translated(
+               "Models for simulators have at most %1 entries of the solution (inputs times other joints).",
+               {std::to_string(ExactSolution::kMostExactEntries)})
+        << '\n';
     return kResourceLimit;
   }
   auto made =
@@ -100,7 +107,8 @@ int exportSimulator(const Arguments& arguments, SimulatorForm form) {
   files.emplace_back(stem + (form == SimulatorForm::mjcf ? ".xml" : ".urdf"),
                      std::get<std::string>(std::move(text)));
   const auto error = writeFolder(folder, files, {arguments.has("--force"), arguments.stop, {}});
-  if (error) return error->isStopped ? outOfTime(arguments, "the folder") : fileFailure(error->message);
+  if (error)
+    return error->isStopped ? outOfTime(arguments, translated("the folder")) : fileFailure(error->message);
   for (const std::string& note : model.notes) std::cerr << "geargraph-cli: " << note << '\n';
   tellFreedom(train, arguments);
   return kFine;

@@ -6,7 +6,9 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/load_train.h"
 #include "app/cli/number_options.h"
+#include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/results/train_export.h"
@@ -15,7 +17,7 @@ namespace geargraph::cli {
 namespace {
 
 int failure(const Arguments& arguments, const MeshFileError& error) {
-  if (error.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, "the file");
+  if (error.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, translated("the file"));
   std::cerr << "geargraph-cli: " << error.message << '\n';
   return error.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
@@ -33,14 +35,19 @@ std::variant<MeshScene, int> trainScene(const ExportTrain& train, const Argument
   if (const auto* why = std::get_if<ExportFailure>(&made)) return exportFailure(arguments, *why);
   auto& solids = std::get<TrainSolids>(made);
   if (solids.tolerance != tolerance) {
-    std::cerr << "geargraph-cli: The train is so large that its chords are within " << solids.tolerance
-              << " modules instead of " << tolerance << " (--tolerance).\n";
+    std::cerr
+        << "geargraph-cli: "
+        << translated(
+               "The train is so large that its chords are within %1 modules instead of %2 (--tolerance).",
+               {decimal(solids.tolerance), decimal(tolerance)})
+        << '\n';
   }
   if (!solids.left.empty()) {
     status = kMechanismErrors;
-    std::cerr << diagnosticLines(arguments.files.front(), solids.left)
-              << "geargraph-cli: Left out: " << solids.left.size() << " of " << train.train.gears.size()
-              << " gears, which cannot be made.\n";
+    std::cerr << diagnosticLines(arguments.files.front(), solids.left) << "geargraph-cli: "
+              << translated("Left out: %1 of %2 gears, which cannot be made.",
+                            {std::to_string(solids.left.size()), std::to_string(train.train.gears.size())})
+              << '\n';
   }
   if (!solids.shows.empty()) std::cerr << "geargraph-cli: " << solids.shows << '\n';
   return std::move(solids.scene);
@@ -63,10 +70,10 @@ int exportSolids(const Arguments& arguments, MeshFormat format) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }
   if (arguments.has("--animate") && (!carriesAnimation(format) || arguments.has("--gear"))) {
-    return wrongUsage(kExport, "Only --to glb of a train or a link carries an animation.");
+    return wrongUsage(kExport, translated("Only --to glb of a train or a link carries an animation."));
   }
   if (arguments.has("--gear") && arguments.has("--link")) {
-    return wrongUsage(kExport, "Give --gear or --link, not both.");
+    return wrongUsage(kExport, translated("Give --gear or --link, not both."));
   }
   const auto loaded = loadTrain(arguments);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
@@ -92,7 +99,7 @@ int exportAssembly(const Arguments& arguments) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }
   if (*arguments.value("-o") == "-")
-    return wrongUsage(kExport, "--to assembly writes a folder; \"-\" is none.");
+    return wrongUsage(kExport, translated("--to assembly writes a folder; \"-\" is none."));
   const auto loaded = loadTrain(arguments);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   auto made = trainAssembly(std::get<ExportTrain>(loaded), std::get<double>(tolerance),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
@@ -14,12 +15,10 @@ std::variant<int, UsageError> jointOf(const Mechanism& mechanism, std::string_vi
     const int position = *label - mechanism.jointLabel(0);
     if (position >= 0 && position < mechanism.t()) return position;
   }
-  std::string message = "There is no turning joint \"" + std::string(word) + "\"";
-  if (mechanism.t() > 0) {
-    message += "; they are labelled " + std::to_string(mechanism.jointLabel(0)) + " to " +
-               std::to_string(mechanism.jointLabel(mechanism.t() - 1));
-  }
-  return UsageError{message + "."};
+  if (mechanism.t() == 0) return UsageError{translated("There is no turning joint \"%1\".", {word})};
+  return UsageError{translated("There is no turning joint \"%1\"; they are labelled %2 to %3.",
+                               {word, std::to_string(mechanism.jointLabel(0)),
+                                std::to_string(mechanism.jointLabel(mechanism.t() - 1))})};
 }
 
 std::optional<Number> speedOf(const Mechanism& mechanism, JointId joint) {
@@ -38,7 +37,7 @@ std::variant<std::vector<Input>, UsageError> inputsNamed(const Mechanism& mechan
     if (const auto* error = std::get_if<UsageError>(&position)) return *error;
     const JointId joint = mechanism.turningJoints[static_cast<std::size_t>(std::get<int>(position))].id;
     if (std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) { return input.joint == joint; })) {
-      return UsageError{"--inputs names joint " + std::string(list.substr(0, comma)) + " twice."};
+      return UsageError{translated("--inputs names joint %1 twice.", {list.substr(0, comma)})};
     }
     inputs.push_back({joint, speedOf(mechanism, joint).value_or(Number(1)), {}});
     list.remove_prefix(std::min(comma + 1, list.size()));
@@ -62,19 +61,18 @@ std::vector<Input> chosenInputs(const Mechanism& mechanism) {
 std::optional<UsageError> setSpeed(Mechanism& mechanism, std::string_view word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string_view::npos)
-    return UsageError{"--speed is like 8=1/2: a joint's label and rad/s."};
+    return UsageError{translated("--speed is like 8=1/2: a joint's label and rad/s.")};
   const auto position = jointOf(mechanism, word.substr(0, equals));
   if (const auto* error = std::get_if<UsageError>(&position)) return *error;
   const auto speed = Number::fromText(word.substr(equals + 1));
-  if (!speed)
-    return UsageError{"\"" + std::string(word.substr(equals + 1)) + "\" is no speed; 1/2 or 0.5 is."};
+  if (!speed) return UsageError{translated("\"%1\" is no speed; 1/2 or 0.5 is.", {word.substr(equals + 1)})};
   const JointId joint = mechanism.turningJoints[static_cast<std::size_t>(std::get<int>(position))].id;
   for (Input& input : *mechanism.inputs) {
     if (input.joint != joint) continue;
     input.speed = *speed;
     return std::nullopt;
   }
-  return UsageError{"Joint " + std::string(word.substr(0, equals)) + " is not an input; see --inputs."};
+  return UsageError{translated("Joint %1 is not an input; see --inputs.", {word.substr(0, equals)})};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/matroid/input_sets.h"
 
@@ -62,29 +63,32 @@ std::string asJson(const Sets& sets) {
 }
 
 std::string asText(const Sets& sets) {
-  std::string text = sets.count ? sets.count->toString() : "Too many to count";
-  text += sets.count && *sets.count == 1 ? " valid set of inputs" : " valid sets of inputs";
+  const std::string count = sets.count ? sets.count->toString() : translated("Too many to count");
+  std::string text = sets.count && *sets.count == 1 ? translated("%1 valid set of inputs", {count})
+                                                    : translated("%1 valid sets of inputs", {count});
   const bool isAll = sets.count && *sets.count == static_cast<std::int64_t>(sets.labels.size());
-  text += isAll ? "\n" : "; the first " + std::to_string(sets.labels.size()) + ":\n";
+  text += isAll ? "\n" : translated("; the first %1:", {std::to_string(sets.labels.size())}) + '\n';
   for (const std::vector<int>& set : sets.labels) {
     std::string line;
     for (const int label : set) line += (line.empty() ? "" : ", ") + std::to_string(label);
-    text += "  " + (line.empty() ? std::string("(none: nothing can move)") : line) + '\n';
+    text += "  " + (line.empty() ? translated("(none: nothing can move)") : line) + '\n';
   }
   return text;
 }
 
 int tooMany() {
-  std::cerr << "geargraph-cli: There are over 20 million rates of joints over inputs; no sets are listed.\n";
+  std::cerr << "geargraph-cli: "
+            << translated("There are over 20 million rates of joints over inputs; no sets are listed.")
+            << '\n';
   return kResourceLimit;
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kInputs, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kInputs, translated("One file is needed."));
   std::size_t limit = kUsualLimit;
   if (const auto word = arguments.value("--limit")) {
     const auto given = numberFrom<std::size_t>(*word);
-    if (!given) return wrongUsage(kInputs, "--limit is a whole number.");
+    if (!given) return wrongUsage(kInputs, translated("--limit is a whole number."));
     limit = *given;
   }
   const std::string& file = arguments.files.front();
@@ -98,12 +102,12 @@ int run(const Arguments& arguments) {
     snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(engaged))), 0,
                            arguments.stop);
   }
-  if (document && !snapshot) return outOfTime(arguments, "the analysis");
+  if (document && !snapshot) return outOfTime(arguments, translated("the analysis"));
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   std::cerr << diagnosticLines(file, diagnostics);
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   const auto sets = snapshot ? setsOf(*snapshot, limit, arguments.stop) : std::nullopt;
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the list of input sets");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the list of input sets"));
   if (arguments.has("--json"))
     return print(asJson(sets.value_or(Sets{})), sets || status != kFine ? status : tooMany());
   if (sets) return print(asText(*sets), status);
@@ -111,15 +115,15 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--limit", "N", "how many sets are listed (1,000)"},
+    Option{"--limit", "N", toTranslate("how many sets are listed (1,000)")},
     kStateOption,
     kEngageOption,
-    Option{"--json", "", "as JSON"},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
 
 const Command kInputs = {"inputs", "FILE [--limit N] [--state NAME | --engage A,B] [--json]",
-                         "Counts and lists the valid sets of inputs.", kOptions, run};
+                         toTranslate("Counts and lists the valid sets of inputs."), kOptions, run};
 
 }  // namespace geargraph::cli

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_checker.h"
@@ -28,7 +29,10 @@ CheckedLesson checked(const std::string& file, const std::string& text, const st
   const Diagnostics findings = checkLesson(*lesson, bundledExample, stop);
   if (!findings.empty()) return {file, placedInText(text, findings), {}};
   const std::size_t steps = lesson->steps.size();
-  return {file, {}, std::to_string(steps) + (steps == 1 ? " step" : " steps") + ", no faults"};
+  return {file,
+          {},
+          steps == 1 ? translated("1 step, no faults")
+                     : translated("%1 steps, no faults", {std::to_string(steps)})};
 }
 
 std::string asJson(const std::vector<CheckedLesson>& lessons) {
@@ -54,13 +58,13 @@ std::string asJson(const std::vector<CheckedLesson>& lessons) {
 }
 
 int check(const Arguments& arguments) {
-  if (arguments.files.size() < 2) return wrongUsage(kLesson, "check needs a file.");
+  if (arguments.files.size() < 2) return wrongUsage(kLesson, translated("check needs a file."));
   std::vector<CheckedLesson> lessons;
   for (const std::string& file : std::span(arguments.files).subspan(1)) {
     const auto bytes = readFile(file, kLargestLesson);
     if (const auto* error = std::get_if<FileError>(&bytes)) return fileFailure(error->message);
     lessons.push_back(checked(file, std::get<std::string>(bytes), arguments.stop));
-    if (arguments.stop.stop_requested()) return outOfTime(arguments, "the check");
+    if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the check"));
   }
   const bool isFine = std::all_of(lessons.begin(), lessons.end(),
                                   [](const CheckedLesson& lesson) { return lesson.findings.empty(); });
@@ -76,34 +80,37 @@ int check(const Arguments& arguments) {
 
 int list(const Arguments& arguments) {
   if (arguments.files.size() > 1 || arguments.has("--json"))
-    return wrongUsage(kLesson, "list has no options.");
+    return wrongUsage(kLesson, translated("list has no options."));
   std::string text;
   int minutes = 0;
   for (const Lesson& lesson : course()) {
     constexpr std::size_t kTitleColumn = 25;
     std::string line = lesson.id;
     line.resize(std::max(line.size() + 1, kTitleColumn), ' ');
-    text += line + lesson.title + " (" + std::to_string(lesson.minutes) + " min): " + lesson.goal + '\n';
+    text += line + lesson.title + " (" + translated("%1 min", {std::to_string(lesson.minutes)}) +
+            "): " + lesson.goal + '\n';
     minutes += lesson.minutes;
   }
-  return print(text + std::to_string(course().size()) + " lessons, " + std::to_string(minutes) + " min\n");
+  return print(text +
+               translated("%1 lessons, %2 min", {std::to_string(course().size()), std::to_string(minutes)}) +
+               '\n');
 }
 
 int run(const Arguments& arguments) {
   const std::string action = arguments.files.empty() ? std::string() : arguments.files.front();
   if (action == "check") return check(arguments);
   if (action == "list") return list(arguments);
-  return wrongUsage(kLesson, "The first word is check or list.");
+  return wrongUsage(kLesson, translated("The first word is check or list."));
 }
 
-constexpr std::array kOptions = {Option{"--json", "", "the findings as JSON", "check"}};
+constexpr std::array kOptions = {Option{"--json", "", toTranslate("the findings as JSON"), "check"}};
 
 }  // namespace
 
 const Command kLesson = {
     .name = "lesson",
     .usage = "check FILE... [--json] | list",
-    .summary = "Checks lessons: their form, answers and reasons; lists those of the program.",
+    .summary = toTranslate("Checks lessons: their form, answers and reasons; lists those of the program."),
     .options = kOptions,
     .run = run,
     .isServed = false};

@@ -6,6 +6,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph::cli {
@@ -21,22 +22,30 @@ std::variant<ExportTrain, int> loadTrain(const Arguments& arguments, const Adapt
   }
   const int links = std::get<Mechanism>(document).n();
   if (links > kMostStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
-    std::cerr << "geargraph-cli: A train of " << links << " links has no 3D, which is made of up to "
-              << kMostStageLinks << " links; --gear and --link export a part of it. Nothing was written.\n";
+    std::cerr << "geargraph-cli: "
+              << translated(
+                     "A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link "
+                     "export a part of it. Nothing was written.",
+                     {std::to_string(links), std::to_string(kMostStageLinks)})
+              << '\n';
     return static_cast<int>(kResourceLimit);
   }
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   auto made = exportTrain(snapshot, arguments.stop);
   if (const auto* why = std::get_if<ExportFailure>(&made)) return exportFailure(arguments, *why);
   auto& loaded = std::get<ExportTrain>(made);
   std::cerr << diagnosticLines(file, loaded.diagnostics);
   if (loaded.train.hasSimpleBodies) {
-    std::cerr << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over "
-              << kMostRoutedGears
-              << "): wheels are plain discs, shafts and arms are straight and pass through other parts.\n";
+    std::cerr
+        << "geargraph-cli: "
+        << translated(
+               "A train of %1 gears (over %2): wheels are plain discs, shafts and arms are straight and "
+               "pass through other parts.",
+               {std::to_string(loaded.train.gears.size()), std::to_string(kMostRoutedGears)})
+        << '\n';
   }
   return std::move(loaded);
 }
@@ -47,9 +56,9 @@ int exportFailure(const Arguments& arguments, const ExportFailure& why) {
   if (why.kind == Kind::choice) return wrongUsage(kExport, why.message + ".");
   std::cerr << diagnosticLines(arguments.files.front(), why.diagnostics);
   if (why.kind == Kind::mechanism && !why.message.empty())
-    std::cerr << "geargraph-cli: " << why.message << "; nothing was written.\n";
+    std::cerr << "geargraph-cli: " << translated("%1; nothing was written.", {why.message}) << '\n';
   if (why.kind == Kind::triangles)
-    std::cerr << "geargraph-cli: " << why.message << "; choose a coarser --tolerance.\n";
+    std::cerr << "geargraph-cli: " << translated("%1; choose a coarser --tolerance.", {why.message}) << '\n';
   if (why.kind == Kind::limit) std::cerr << "geargraph-cli: " << why.message << ".\n";
   return why.kind == Kind::mechanism ? kMechanismErrors : kResourceLimit;
 }

@@ -7,25 +7,29 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/language.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 namespace {
 
-constexpr std::string_view kExitStatus =
+constexpr const char* kExitStatus = toTranslate(
     "Exit status: 0 fine (warnings allowed), 1 the mechanism has errors, 2 wrong usage or a file that could "
-    "not be "
-    "read or\nwritten, 3 out of a stated resource limit. \"-\" is standard input or output.\n";
+    "not be read or\nwritten, 3 out of a stated resource limit. \"-\" is standard input or output.");
 
 std::string programHelp() {
-  std::string text =
-      "geargraph-cli: the analysis of geared mechanisms, without a window.\n\nUsage: geargraph-cli COMMAND "
-      "FILE "
-      "[OPTIONS]\n\nCommands:\n";
+  std::string text = translated("geargraph-cli: the analysis of geared mechanisms, without a window.") +
+                     "\n\n" + translated("Usage: geargraph-cli %1 %2", {"COMMAND", "FILE [OPTIONS]"}) +
+                     "\n\n" + translated("Commands:") + '\n';
   for (const Command* command : commands()) {
     text += "  " + std::string(command->name) + std::string(12 - command->name.size(), ' ');
-    text += std::string(command->summary) + '\n';
+    text += translated(command->summary) + '\n';
   }
-  return text + "\n--help and --version work on every command.\n" + std::string(kExitStatus);
+  return text + '\n' +
+         translated(
+             "--help, --version and --language en|de|tr|es (that of the environment) work on every "
+             "command.") +
+         '\n' + translated(kExitStatus) + '\n';
 }
 
 std::string optionLine(const Option& option) {
@@ -33,24 +37,24 @@ std::string optionLine(const Option& option) {
   std::string line = "  " + std::string(option.name);
   if (!option.value.empty()) line += ' ' + std::string(option.value);
   line.resize(std::max(line.size() + 1, kIndent), ' ');
-  return line + std::string(option.help) + '\n';
+  return line + translated(option.help) + '\n';
 }
 
 std::string commandHelp(const Command& command) {
-  std::string text = "Usage: geargraph-cli " + std::string(command.name) + ' ' + std::string(command.usage) +
-                     "\n\n" + std::string(command.summary) + "\n";
+  std::string text = translated("Usage: geargraph-cli %1 %2", {command.name, command.usage}) + "\n\n" +
+                     translated(command.summary) + '\n';
   const std::vector<Option> options = optionsOf(command);
   std::vector<std::string_view> groups{""};
   for (const Option& option : options) {
     if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
   }
   for (const std::string_view group : groups) {
-    text += '\n' + std::string(group.empty() ? "Options" : group) + ":\n";
+    text += '\n' + (group.empty() ? translated("Options") : translated(group)) + ":\n";
     for (const Option& option : options) {
       if (option.group == group) text += optionLine(option);
     }
   }
-  return text + '\n' + std::string(kExitStatus);
+  return text + '\n' + translated(kExitStatus) + '\n';
 }
 
 bool contains(const std::vector<std::string>& words, std::string_view wanted) {
@@ -58,7 +62,13 @@ bool contains(const std::vector<std::string>& words, std::string_view wanted) {
   return std::find(words.begin(), end, wanted) != end;
 }
 
-int run(const std::vector<std::string>& words) {
+int run(std::vector<std::string> words) {
+  const auto chosen = takeLanguage(words);
+  if (const auto* error = std::get_if<UsageError>(&chosen)) {
+    std::cerr << "geargraph-cli: " << error->message << '\n';
+    return kUsageOrFile;
+  }
+  speakLanguage(std::get<std::optional<std::string>>(chosen), words);
   const std::string version = "geargraph-cli " GEARGRAPH_VERSION "\n";
   const std::string name = words.empty() ? "" : words.front();
   const auto command =
@@ -66,7 +76,8 @@ int run(const std::vector<std::string>& words) {
   if (command == commands().end()) {
     if (contains(words, "--version")) return print(version);
     if (contains(words, "--help")) return print(programHelp());
-    if (!name.empty()) std::cerr << "geargraph-cli: There is no command \"" << name << "\".\n\n";
+    if (!name.empty())
+      std::cerr << "geargraph-cli: " << translated("There is no command \"%1\".", {name}) << "\n\n";
     std::cerr << programHelp();
     return kUsageOrFile;
   }
@@ -83,7 +94,8 @@ int main(int count, char** words) {
   try {
     return geargraph::cli::run({words + 1, words + std::max(count, 1)});
   } catch (const std::bad_alloc&) {
-    std::cerr << "geargraph-cli: The memory does not suffice for this mechanism.\n";
+    std::cerr << "geargraph-cli: " << geargraph::translated("The memory does not suffice for this mechanism.")
+              << '\n';
     return geargraph::cli::kResourceLimit;
   }
 }

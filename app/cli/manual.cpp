@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/cli/command.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/manual/manual_site.h"
 
@@ -30,36 +31,38 @@ std::set<std::string> windowPicturesIn(const fs::path& folder) {
 
 int run(const Arguments& arguments) {
   const auto path = arguments.value("-o");
-  if (!path || *path == "-") return wrongUsage(kManual, "It needs -o with a folder.");
-  if (!arguments.files.empty()) return wrongUsage(kManual, "It reads no file.");
+  if (!path || *path == "-") return wrongUsage(kManual, translated("It needs -o with a folder."));
+  if (!arguments.files.empty()) return wrongUsage(kManual, translated("It reads no file."));
   const fs::path folder = *path;
   std::error_code error;
   fs::create_directories(folder / "pictures", error);
   if (!fs::is_directory(folder / "pictures"))
-    return fileFailure("The folder \"" + (folder / "pictures").string() + "\" could not be made.");
+    return fileFailure(translated("The folder \"%1\" could not be made.", {(folder / "pictures").string()}));
   const std::vector<ManualFile> files = manualSite(windowPicturesIn(folder));
   if (!arguments.has("--force")) {
     for (const ManualFile& file : files) {
       if (fs::exists(folder / file.name, error))
-        return fileFailure("\"" + (folder / file.name).string() +
-                           "\" is there already; --force overwrites it.");
+        return fileFailure(
+            translated("\"%1\" is there already; --force overwrites it.", {(folder / file.name).string()}));
     }
   }
   for (const ManualFile& file : files)
     if (const auto why = writeFile(folder / file.name, file.bytes)) return fileFailure(why->message);
-  return print(std::to_string(files.size()) + " files in " + folder.string() + "\n");
+  return print(translated("%1 files in %2", {std::to_string(files.size()), folder.string()}) + '\n');
 }
 
-constexpr std::array kOptions = {Option{"-o", "FOLDER", "the folder that the pages are written to"},
-                                 Option{"--force", "", "overwrite files that are there"}};
+constexpr std::array kOptions = {
+    Option{"-o", "FOLDER", toTranslate("the folder that the pages are written to")},
+    Option{"--force", "", toTranslate("overwrite files that are there")}};
 
 }  // namespace
 
-const Command kManual = {.name = "manual",
-                         .usage = "-o FOLDER [--force]",
-                         .summary = "Writes the manual of the program as web pages, with its pictures.",
-                         .options = kOptions,
-                         .run = run,
-                         .isServed = false};
+const Command kManual = {
+    .name = "manual",
+    .usage = "-o FOLDER [--force]",
+    .summary = toTranslate("Writes the manual of the program as web pages, with its pictures."),
+    .options = kOptions,
+    .run = run,
+    .isServed = false};
 
 }  // namespace geargraph::cli

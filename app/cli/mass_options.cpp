@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/mass_edits.h"
 
 namespace geargraph::cli {
@@ -10,7 +11,7 @@ std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const A
   if (const auto word = arguments.value("--density")) {
     const auto density = Number::fromText(*word);
     auto next = density ? withDensity(mechanism, *density) : Expected<Mechanism>(Diagnostic{});
-    if (!next) return UsageError{"--density is above 0, in kg/m³, not \"" + *word + "\"."};
+    if (!next) return UsageError{translated("--density is above 0, in kg/m³, not \"%1\".", {*word})};
     mechanism = *std::move(next);
   }
   const auto word = arguments.value("--gravity");
@@ -21,7 +22,7 @@ std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const A
     const std::size_t comma = i + 1 < gravity.size() ? rest.find(',') : rest.size();
     const auto number =
         comma == std::string_view::npos ? std::nullopt : Number::fromText(rest.substr(0, comma));
-    if (!number) return UsageError{"--gravity is like 0,0,-9.81, in m/s², not \"" + *word + "\"."};
+    if (!number) return UsageError{translated("--gravity is like 0,0,-9.81, in m/s², not \"%1\".", {*word})};
     gravity.at(i) = *number;
     rest.remove_prefix(std::min(comma + 1, rest.size()));
   }

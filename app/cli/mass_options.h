@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/cli/arguments.h"
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::cli {
@@ -11,9 +12,9 @@ namespace geargraph::cli {
 [[nodiscard]] std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism,
                                                                   const Arguments& arguments);
 
-inline constexpr Option kGravityOption{"--gravity", "0,0,-9.81",
-                                       "acceleration of free fall, m/s², instead of the document's"};
+inline constexpr Option kGravityOption{
+    "--gravity", "0,0,-9.81", toTranslate("acceleration of free fall, m/s², instead of the document's")};
 inline constexpr Option kDensityOption{"--density", "7850",
-                                       "of all solids, kg/m³, instead of the document's"};
+                                       toTranslate("of all solids, kg/m³, instead of the document's")};
 
 }  // namespace geargraph::cli

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::cli {
 
 std::variant<double, UsageError> numberWithin(const Arguments& arguments, std::string_view option,
@@ -15,8 +17,8 @@ std::variant<double, UsageError> numberWithin(const Arguments& arguments, std::s
     digits.erase(digits.find_last_not_of('0') + 1);
     return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
   };
-  return UsageError{std::string(option) + " takes a number from " + shown(least) + " to " + shown(most) +
-                    ", not \"" + *text + "\"."};
+  return UsageError{
+      translated("%1 takes a number from %2 to %3, not \"%4\".", {option, shown(least), shown(most), *text})};
 }
 
 }  // namespace geargraph::cli

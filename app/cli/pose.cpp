@@ -15,6 +15,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/input_pose.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/joint_limits.h"
@@ -32,11 +33,13 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
   const bool isDegrees = value.ends_with("deg");
   if (isDegrees || value.ends_with("rad")) value.remove_suffix(3);
   const auto angle = Rational::fromText(value);
-  if (!angle) return UsageError{"--angle is like 8=30deg or 8=1/2rad: an input's label and its angle."};
+  if (!angle)
+    return UsageError{translated("--angle is like 8=30deg or 8=1/2rad: an input's label and its angle.")};
   if (!std::isfinite(angle->toDouble())) {
-    return UsageError{"The angle " + std::string(word) +
-                      " is too large: no program could represent it, the largest number is 1.79e308. Leave "
-                      "out whole turns."};
+    return UsageError{
+        translated("The angle %1 is too large: no program could represent it, the largest number is "
+                   "1.79e308. Leave out whole turns.",
+                   {word})};
   }
   const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -44,15 +47,15 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
     (isDegrees ? angles.degrees : angles.radians)[i] = *angle;
     return std::nullopt;
   }
-  return UsageError{"Joint \"" + label + "\" is not an input; see --inputs."};
+  return UsageError{translated("Joint %1 is not an input; see --inputs.", {'"' + label + '"'})};
 }
 
 /// "170 deg", "-133.33333 deg", or "none" for an open end.
 std::string limitText(double angle) {
-  if (!std::isfinite(angle)) return "none";
+  if (!std::isfinite(angle)) return translated("none");
   std::ostringstream text;
-  text << std::setprecision(8) << angle / kDegree << " deg";
-  return text.str();
+  text << std::setprecision(8) << angle / kDegree;
+  return translated("%1 deg", {text.str()});
 }
 
 /// One line a joint that is turned beyond its limits.
@@ -62,9 +65,11 @@ std::string warningsBeyondLimits(const std::string& file, const AnalysisSnapshot
   std::string text;
   for (const int joint : pose.beyondLimits) {
     const auto j = static_cast<std::size_t>(joint);
-    text += file + ": warning: joint " + std::to_string(snapshot.graph->edgeLabel(joint)) + " at " +
-            limitText(pose.wholeAngles[j]) + " is beyond its limits (" + limitText(limits[j].low) + ", " +
-            limitText(limits[j].high) + ")\n";
+    text += file + ": warning: " +
+            translated("joint %1 at %2 is beyond its limits (%3, %4)",
+                       {std::to_string(snapshot.graph->edgeLabel(joint)), limitText(pose.wholeAngles[j]),
+                        limitText(limits[j].low), limitText(limits[j].high)}) +
+            '\n';
   }
   return text;
 }
@@ -125,23 +130,32 @@ std::string asText(const AnalysisSnapshot& snapshot, const InputPose& pose) {
   const auto triple = [](const Eigen::Vector3d& v) {
     return "(" + rounded(v.x()) + ", " + rounded(v.y()) + ", " + rounded(v.z()) + ")";
   };
-  std::string text = "Joints\n";
+  std::string text = translated("Joints") + '\n';
   for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
-    text += "  " + std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))) + " turned by " +
-            rounded(pose.angles[joint] / kDegree) + " deg\n";
+    text +=
+        "  " +
+        translated("%1 turned by %2 deg", {std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))),
+                                           rounded(pose.angles[joint] / kDegree)}) +
+        '\n';
   }
-  text += "\nLinks, against the reference pose: turned, and where the point went that was at the origin\n";
+  text += '\n' +
+          translated(
+              "Links, against the reference pose: turned, and where the point went that was at the origin") +
+          '\n';
   for (std::size_t node = 1; node < pose.links.size(); ++node) {
     const Eigen::AngleAxisd turn(pose.links[node].linear());
-    text += "  " + std::to_string(snapshot.graph->nodeLabel(static_cast<int>(node))) + " by " +
-            rounded(turn.angle() / kDegree) + " deg about " + triple(turn.axis()) + " to " +
-            triple(pose.links[node].translation()) + '\n';
+    text += "  " +
+            translated("%1 by %2 deg about %3 to %4",
+                       {std::to_string(snapshot.graph->nodeLabel(static_cast<int>(node))),
+                        rounded(turn.angle() / kDegree), triple(turn.axis()),
+                        triple(pose.links[node].translation())}) +
+            '\n';
   }
   return text;
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kPose, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kPose, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kPose, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
@@ -149,7 +163,7 @@ int run(const Arguments& arguments) {
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, "the analysis");
+  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   if (hasErrors(snapshot->diagnostics) || snapshot->matroid() == nullptr) return kMechanismErrors;
 
@@ -158,23 +172,24 @@ int run(const Arguments& arguments) {
     if (const auto error = setAngle(*snapshot, word, inputs)) return wrongUsage(kPose, error->message);
   }
   const auto pose = poseOfInputs(*snapshot, inputs, arguments.stop);
-  if (!pose) return outOfTime(arguments, "the pose");
+  if (!pose) return outOfTime(arguments, translated("the pose"));
   std::cerr << warningsBeyondLimits(file, *snapshot, *pose);
   return print(arguments.has("--json") ? asJson(*snapshot, *pose) : asText(*snapshot, *pose));
 }
 
 constexpr std::array kOptions = {
-    Option{"--angle", "8=30deg", "the angle of an input (deg or rad; without it 0); may be repeated"},
-    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    Option{"--angle", "8=30deg",
+           toTranslate("the angle of an input (deg or rad; without it 0); may be repeated")},
+    Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
     kStateOption,
     kEngageOption,
-    Option{"--json", "", "as JSON"},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
 
-const Command kPose = {"pose",
-                       "FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
-                       "Says where every link is for given angles of the inputs.", kOptions, run};
+const Command kPose = {
+    "pose", "FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
+    toTranslate("Says where every link is for given angles of the inputs."), kOptions, run};
 
 }  // namespace geargraph::cli

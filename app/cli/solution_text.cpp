@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "app/cli/engagement_options.h"
+#include "core/foundations/base/words.h"
+#include "core/foundations/files/utf8.h"
 
 namespace geargraph::cli {
 namespace {
@@ -13,35 +15,40 @@ constexpr std::size_t kMostColumns = 8;
 constexpr std::size_t kLongestCell = 48;
 
 std::string padded(const std::string& text, std::size_t width) {
-  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+  const std::size_t length = utf8Count(text);
+  return std::string(width > length ? width - length : 0, ' ') + text;
 }
 
 std::string freedom(const Mechanism& mechanism, const MatroidAnalysis& matroid) {
   const std::string engaged = engagementText(mechanism);
-  const std::string parts =
-      engaged.empty() ? std::string()
-                      : " (" + std::to_string(matroid.independentMeshes.size()) + " of the meshes + " +
-                            std::to_string(matroid.independentHeld.size()) + " of the couplings)";
-  std::string text = (engaged.empty() ? "" : "\nEngaged: " + engaged) +
-                     "\nrank r = " + std::to_string(matroid.rank) + parts +
-                     ", degrees of freedom E = t - r = " + std::to_string(matroid.dof);
+  const std::string rank = std::to_string(matroid.rank);
+  const std::string dof = std::to_string(matroid.dof);
+  std::string text = engaged.empty() ? "\n" : '\n' + translated("Engaged: %1", {engaged}) + '\n';
+  text += engaged.empty()
+              ? translated("rank r = %1, degrees of freedom E = t - r = %2", {rank, dof})
+              : translated(
+                    "rank r = %1 (%3 of the meshes + %4 of the couplings), degrees of freedom E = t - r = %2",
+                    {rank, dof, std::to_string(matroid.independentMeshes.size()),
+                     std::to_string(matroid.independentHeld.size())});
   if (matroid.kutzbachDof != matroid.dof)
-    text += " (Kutzbach counts " + std::to_string(matroid.kutzbachDof) + ')';
+    text += ' ' + translated("(Kutzbach counts %1)", {std::to_string(matroid.kutzbachDof)});
   return text + '\n';
 }
 
 std::string carriers(const TtGraph& graph) {
   const Digraph& digraph = graph.graph();
   if (digraph.c() == 0 || static_cast<std::size_t>(digraph.c()) > kMostRows) return {};
-  std::string text = "\nCarriers of the gear pairs, by their transfer vertices\n";
+  std::string text = '\n' + translated("Carriers of the gear pairs, by their transfer vertices") + '\n';
   for (int mesh = 0; mesh < digraph.c(); ++mesh) {
     const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
     if (!vertex) continue;
     const DigraphEdge& edge = digraph.meshEdge(mesh);
     text += padded(std::to_string(digraph.edgeLabel(digraph.t() + mesh)), 5) + "  (" +
             std::to_string(edge.tail) + ',' + std::to_string(edge.head) + ")(" +
-            std::to_string(vertex->carrier) + ")  axes " + graph.levels().name(vertex->tailLevel) + ", " +
-            graph.levels().name(vertex->headLevel) + '\n';
+            std::to_string(vertex->carrier) + ")  " +
+            translated("axes %1, %2",
+                       {graph.levels().name(vertex->tailLevel), graph.levels().name(vertex->headLevel)}) +
+            '\n';
   }
   return text;
 }
@@ -61,7 +68,7 @@ std::string cell(const SolvedKinematics& solved, std::size_t row, std::size_t co
 Table tableOf(const AnalysisSnapshot& snapshot) {
   const SolvedKinematics& solved = *snapshot.solved;
   const Digraph& graph = *snapshot.graph;
-  Table table(1, {"joint"});
+  Table table(1, {translated("joint")});
   for (const int input : solved.exact->inputs) table[0].push_back(std::to_string(graph.edgeLabel(input)));
   table[0].emplace_back("rad/s");
   for (std::size_t row = 0; row < solved.exact->outputs.size(); ++row) {
@@ -79,7 +86,7 @@ Table tableOf(const AnalysisSnapshot& snapshot) {
 std::string printed(const Table& table) {
   std::vector<std::size_t> widths(table[0].size(), 0);
   for (const auto& row : table) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], utf8Count(row[i]));
   }
   std::string text;
   for (const auto& row : table) {
@@ -92,16 +99,18 @@ std::string printed(const Table& table) {
 std::string solution(const AnalysisSnapshot& snapshot) {
   const SolvedKinematics& solved = *snapshot.solved;
   const ExactSolution& exact = *solved.exact;
-  std::string text = "\nRates of the outputs over those of the inputs, Eq. (23)\n";
-  text += snapshot.matroid()->inputsGiven ? "inputs" : "inputs, chosen because the file names none:";
+  std::string text = '\n' + translated("Rates of the outputs over those of the inputs, Eq. (23)") + '\n';
+  text += snapshot.matroid()->inputsGiven ? translated("inputs")
+                                          : translated("inputs, chosen because the file names none:");
   for (std::size_t i = 0; i < exact.inputs.size(); ++i) {
     const auto joint = static_cast<std::size_t>(exact.inputs[i]);
-    text += (i > 0 ? ", " : " ") + std::to_string(snapshot.graph->edgeLabel(exact.inputs[i])) + " at " +
-            exact.rates[joint].toString() + " rad/s";
+    text += (i > 0 ? ", " : " ") +
+            translated("%1 at %2 rad/s", {std::to_string(snapshot.graph->edgeLabel(exact.inputs[i])),
+                                          exact.rates[joint].toString()});
   }
-  text += exact.inputs.empty() ? " none\n" : "\n";
+  text += exact.inputs.empty() ? ' ' + translated("none") + '\n' : "\n";
   if (const std::vector<int>& follow = snapshot.matroid()->choice.rejected; !follow.empty()) {
-    text += "not driven, because engaged couplings decide:";
+    text += translated("not driven, because engaged couplings decide:");
     for (const int joint : follow) text += ' ' + std::to_string(snapshot.graph->edgeLabel(joint));
     text += '\n';
   }
@@ -109,13 +118,17 @@ std::string solution(const AnalysisSnapshot& snapshot) {
   if (isSmall && exact.matrix.size() == exact.outputs.size() * exact.inputs.size()) {
     text += printed(tableOf(snapshot));
   } else {
-    text += "  " + std::to_string(exact.outputs.size()) + " outputs over " +
-            std::to_string(exact.inputs.size()) + " inputs: too large to print; see --json\n";
+    text += "  " +
+            translated("%1 outputs over %2 inputs: too large to print; see --json",
+                       {std::to_string(exact.outputs.size()), std::to_string(exact.inputs.size())}) +
+            '\n';
   }
   if (!solved.agreement) return text;
-  return text + (solved.agreement->equal ? "The matroid method and the T-T graph method agree exactly.\n"
-                                         : "The two methods differ by up to " +
-                                               solved.agreement->largestDifference.toString() + ".\n");
+  return text +
+         (solved.agreement->equal ? translated("The matroid method and the T-T graph method agree exactly.")
+                                  : translated("The two methods differ by up to %1.",
+                                               {solved.agreement->largestDifference.toString()})) +
+         '\n';
 }
 
 }  // namespace

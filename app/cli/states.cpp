@@ -11,6 +11,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/states_json.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -28,10 +29,11 @@ std::string decimal(const Rational& value) {
 /// The shift table: a row a state, cells as text.
 std::vector<std::vector<std::string>> tableOf(const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  std::vector<std::vector<std::string>> rows{{"state"}};
+  std::vector<std::vector<std::string>> rows{{translated("state")}};
   for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
-  for (const char* heading : {"ratio", "decimal", "step", "in the gear ratios"})
-    rows[0].emplace_back(heading);
+  for (const char* heading :
+       {toTranslate("ratio"), toTranslate("decimal"), toTranslate("step"), toTranslate("in the gear ratios")})
+    rows[0].push_back(translated(heading));
   const StateSolution* before = nullptr;
   for (const StateSolution& solution : *snapshot.states) {
     std::vector<std::string> row{mechanism.states[static_cast<std::size_t>(solution.state)].name};
@@ -81,27 +83,32 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
   for (const StateSolution& solution : *snapshot.states) {
     const ShiftState& state = snapshot.mechanism->states[static_cast<std::size_t>(solution.state)];
     if (solution.ratio || !solution.diagnostics.empty()) continue;
-    text += "State " + state.name + ": ";
     if (!state.drive || !state.driven) {
-      text += "it names no drive and driven link, so it has no ratio.\n";
+      text += translated("State %1: it names no drive and driven link, so it has no ratio.", {state.name});
     } else {
-      text += solution.drivenStands ? "the driven link does not move.\n"
-                                    : "the driven link turns about several directions at once.\n";
+      text +=
+          solution.drivenStands
+              ? translated("State %1: the driven link does not move.", {state.name})
+              : translated("State %1: the driven link turns about several directions at once.", {state.name});
     }
+    text += '\n';
   }
   return text.empty() ? text : '\n' + text;
 }
 
 std::string asText(const AnalysisSnapshot& snapshot) {
-  const std::string name = snapshot.mechanism->name.empty() ? "Mechanism" : snapshot.mechanism->name;
+  const std::string name =
+      snapshot.mechanism->name.empty() ? translated("Mechanism") : snapshot.mechanism->name;
   const std::size_t count = snapshot.mechanism->states.size();
-  if (count == 0) return name + ": no states\n";
-  std::string text = name + ": " + std::to_string(count) + (count == 1 ? " state\n\n" : " states\n\n");
+  if (count == 0) return translated("%1: no states", {name}) + '\n';
+  std::string text = (count == 1 ? translated("%1: 1 state", {name})
+                                 : translated("%1: %2 states", {name, std::to_string(count)})) +
+                     "\n\n";
   return text + aligned(tableOf(snapshot)) + remarks(snapshot);
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kStates, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kStates, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
@@ -110,7 +117,7 @@ int run(const Arguments& arguments) {
   if (document) {
     snapshot = analyzeLive(std::make_shared<const Mechanism>(*document), 0, arguments.stop);
     if (snapshot) snapshot = analyzeStates(snapshot, {}, arguments.stop);
-    if (!snapshot) return outOfTime(arguments, "the shift table");
+    if (!snapshot) return outOfTime(arguments, translated("the shift table"));
   }
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   std::cerr << diagnosticLines(file, diagnostics);
@@ -120,11 +127,12 @@ int run(const Arguments& arguments) {
   return isThere ? print(asText(*snapshot), status) : status;
 }
 
-constexpr std::array kOptions = {Option{"--json", "", "as JSON"}};
+constexpr std::array kOptions = {Option{"--json", "", toTranslate("as JSON")}};
 
 }  // namespace
 
 const Command kStates = {"states", "FILE [--json]",
-                         "The shift table: what each state of the brakes and clutches does.", kOptions, run};
+                         toTranslate("The shift table: what each state of the brakes and clutches does."),
+                         kOptions, run};
 
 }  // namespace geargraph::cli

@@ -13,6 +13,7 @@
 #include "app/cli/statics_options.h"
 #include "app/cli/statics_text.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/statics_json.h"
 
 namespace geargraph::cli {
@@ -89,7 +90,7 @@ int solveAll(Solved& solved, const Arguments& arguments) {
     auto report =
         analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
                        *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, arguments.stop);
-    if (!report) return outOfTime(arguments, "the torques");
+    if (!report) return outOfTime(arguments, translated("the torques"));
     solved.reports.push_back(std::move(*report));
   }
   return kFine;
@@ -99,13 +100,14 @@ int solveAll(Solved& solved, const Arguments& arguments) {
 std::variant<Mechanism, UsageError> engagedForStatics(Mechanism mechanism, const Arguments& arguments) {
   if (!arguments.has("--state") && !arguments.has("--all-states"))
     return withEngagementOptions(std::move(mechanism), arguments);
-  if (arguments.has("--engage")) return UsageError{"Give --state NAME, --all-states or --engage A,B."};
+  if (arguments.has("--engage"))
+    return UsageError{translated("Give --state NAME, --all-states or --engage A,B.")};
   mechanism.engaged.clear();
   return mechanism;
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kStatics, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kStatics, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
@@ -127,7 +129,7 @@ int run(const Arguments& arguments) {
   solved.states = std::get<std::vector<int>>(std::move(states));
   solved.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))),
                                 0, arguments.stop);
-  if (!solved.snapshot) return outOfTime(arguments, "the analysis");
+  if (!solved.snapshot) return outOfTime(arguments, translated("the analysis"));
   if (const int status = solveAll(solved, arguments); status != kFine) return status;
   bool isWrong = false;
   for (std::size_t i = 0; i < solved.states.size(); ++i) {
@@ -147,18 +149,21 @@ int run(const Arguments& arguments) {
 
 constexpr std::array kOptions = {
     kStateOption,
-    Option{"--all-states", "", "of every state"},
+    Option{"--all-states", "", toTranslate("of every state")},
     kEngageOption,
-    Option{"--load", "PLACE=SIZE", "joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added"},
-    Option{"--no-loads", "", "without the loads of the document"},
-    Option{"--balance", "PLACE", "joint:8 or link:7@a: find the torque there; may be given again"},
-    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
-    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be given again"},
-    Option{"--efficiency", "", "with the losses of the meshes"},
-    Option{"--eta", "0.98", "efficiency of meshes that state none; implies --efficiency"},
-    Option{"--share", "none|stiffness", "loads that several meshes share: left open, or by equal stiffness"},
-    Option{"--no-symbolic", "", "without the solution in gear ratios"},
-    Option{"--json", "", "as JSON"},
+    Option{"--load", "PLACE=SIZE",
+           toTranslate("joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added")},
+    Option{"--no-loads", "", toTranslate("without the loads of the document")},
+    Option{"--balance", "PLACE",
+           toTranslate("joint:8 or link:7@a: find the torque there; may be given again")},
+    Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
+    Option{"--speed", "8=1/2", toTranslate("the speed of an input in rad/s; may be given again")},
+    Option{"--efficiency", "", toTranslate("with the losses of the meshes")},
+    Option{"--eta", "0.98", toTranslate("efficiency of meshes that state none; implies --efficiency")},
+    Option{"--share", "none|stiffness",
+           toTranslate("loads that several meshes share: left open, or by equal stiffness")},
+    Option{"--no-symbolic", "", toTranslate("without the solution in gear ratios")},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
@@ -167,7 +172,7 @@ const Command kStatics = {"statics",
                           "FILE [--state NAME | --all-states | --engage A,B] [--load joint:14=10Nm ...] "
                           "[--balance joint:8 ...] [--efficiency] "
                           "[--eta 0.98] [--json]",
-                          "Torques, tooth forces, bearing reactions and efficiency under loads.", kOptions,
-                          run};
+                          toTranslate("Torques, tooth forces, bearing reactions and efficiency under loads."),
+                          kOptions, run};
 
 }  // namespace geargraph::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/mechanism/model/torque_text.h"
 
 namespace geargraph::cli {
@@ -11,8 +12,8 @@ namespace {
 using Place = std::variant<JointId, Balance::OnLink>;
 
 UsageError noPlace(std::string_view option, std::string_view word) {
-  return UsageError{std::string(option) + " is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not \"" +
-                    std::string(word) + "\"."};
+  return UsageError{
+      translated("%1 is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not \"%2\".", {option, word})};
 }
 
 std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::string_view option,
@@ -23,7 +24,7 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
     const auto label = numberFrom<int>(word.substr(kJoint.size()));
     const int position = label ? *label - mechanism.jointLabel(0) : -1;
     if (position < 0 || position >= mechanism.t())
-      return UsageError{"There is no turning joint \"" + std::string(word.substr(kJoint.size())) + "\"."};
+      return UsageError{translated("There is no turning joint \"%1\".", {word.substr(kJoint.size())})};
     return Place(mechanism.turningJoints[static_cast<std::size_t>(position)].id);
   }
   if (!word.starts_with(kLink)) return noPlace(option, word);
@@ -31,13 +32,13 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
   const std::size_t at = std::min(word.find('@'), word.size());
   const auto label = numberFrom<int>(word.substr(0, at));
   if (!label || *label < 0 || *label > mechanism.n())
-    return UsageError{"There is no link \"" + std::string(word.substr(0, at)) + "\"."};
-  if (*label == 0) return UsageError{"The ground takes any load: name a moving link."};
+    return UsageError{translated("There is no link \"%1\".", {word.substr(0, at)})};
+  if (*label == 0) return UsageError{translated("The ground takes any load: name a moving link.")};
   Balance::OnLink place{mechanism.links[static_cast<std::size_t>(*label)].id, {}};
   if (at < word.size()) {
     place.axis = AxisId(word.substr(at + 1));
     if (mechanism.find(*place.axis) == nullptr)
-      return UsageError{"There is no axis \"" + std::string(word.substr(at + 1)) + "\"."};
+      return UsageError{translated("There is no axis \"%1\".", {word.substr(at + 1)})};
   }
   return Place(place);
 }
@@ -79,10 +80,10 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
   if (link != nullptr && !link->axis) {
     if (const auto force = forceFrom(link->link, size)) return Load{{}, *force};
   }
-  return UsageError{
-      "\"" + std::string(size) +
-      "\" is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force "
-      "on a link at a point."};
+  return UsageError{translated(
+      "\"%1\" is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on "
+      "a link at a point.",
+      {size})};
 }
 
 }  // namespace
@@ -102,18 +103,19 @@ std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechani
     Balance balance;
     std::visit([&](const auto& where) { balance.at = where; }, std::get<Place>(place));
     if (std::find(options.balances.begin(), options.balances.end(), balance) != options.balances.end())
-      return UsageError{"--balance names \"" + word + "\" twice."};
+      return UsageError{translated("--balance names \"%1\" twice.", {word})};
     options.balances.push_back(std::move(balance));
   }
   options.losses = arguments.has("--efficiency") || arguments.has("--eta");
   if (const auto word = arguments.value("--eta")) {
     const auto efficiency = Rational::fromText(*word);
     if (!efficiency || efficiency->sign() <= 0 || *efficiency > Rational(1))
-      return UsageError{"--eta is an efficiency, above 0 and at most 1."};
+      return UsageError{translated("--eta is an efficiency, above 0 and at most 1.")};
     options.efficiency = *efficiency;
   }
   const std::string share = arguments.value("--share").value_or("none");
-  if (share != "none" && share != "stiffness") return UsageError{"--share is one of none, stiffness."};
+  if (share != "none" && share != "stiffness")
+    return UsageError{translated("--share is one of none, stiffness.")};
   options.stiffness = share == "stiffness";
   options.symbolic = !arguments.has("--no-symbolic");
   return options;
@@ -122,13 +124,14 @@ std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechani
 std::variant<std::vector<int>, UsageError> statesAsked(const Mechanism& mechanism,
                                                        const Arguments& arguments) {
   const auto name = arguments.value("--state");
-  if (name && arguments.has("--all-states")) return UsageError{"Give --state NAME or --all-states."};
+  if (name && arguments.has("--all-states"))
+    return UsageError{translated("Give --state NAME or --all-states.")};
   std::vector<int> states;
   for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
     const bool isAsked = arguments.has("--all-states") || (name && mechanism.states[i].name == *name);
     if (isAsked) states.push_back(static_cast<int>(i));
   }
-  if (name && states.empty()) return UsageError{"There is no state \"" + *name + "\"."};
+  if (name && states.empty()) return UsageError{translated("There is no state \"%1\".", {*name})};
   if (!name && !arguments.has("--all-states")) states.push_back(-1);
   return states;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/cli/text_table.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 namespace {
@@ -29,25 +30,27 @@ class StaticsText {
         m_solution(report.solution()) {}
 
   std::string held() const {
-    Rows rows{{"", "torque, N m", "power, W"}};
+    Rows rows{{"", translated("torque, N m"), translated("power, W")}};
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const int unknown = m_model.c() + static_cast<int>(part);
       const bool isKnown = m_solution.isDetermined(unknown);
-      rows.push_back({nameOf(m_report.held[part]),
-                      isKnown ? text(m_solution.values[static_cast<std::size_t>(unknown)]) : "shared",
-                      m_report.motion && isKnown ? text(m_report.powers.held[part]) : ""});
+      rows.push_back(
+          {nameOf(m_report.held[part]),
+           isKnown ? text(m_solution.values[static_cast<std::size_t>(unknown)]) : translated("shared"),
+           m_report.motion && isKnown ? text(m_report.powers.held[part]) : ""});
     }
-    return aligned("Balances and couplings", rows);
+    return aligned(translated("Balances and couplings"), rows);
   }
 
   std::string meshes() const {
-    Rows rows{{"mesh", "torque on tail, N m", "on head, N m", "F, N", "force on head, N", "power, W"}};
+    Rows rows{{translated("mesh"), translated("torque on tail, N m"), translated("on head, N m"), "F, N",
+               translated("force on head, N"), translated("power, W")}};
     const std::span<const MeshLoss> losses = m_report.losses();
     for (int mesh = 0; mesh < m_model.c(); ++mesh) {
       const auto at = static_cast<std::size_t>(mesh);
       std::vector<std::string> cells{std::to_string(m_mechanism.meshLabel(mesh))};
       if (!m_solution.isDetermined(mesh)) {
-        cells.emplace_back("shared");
+        cells.push_back(translated("shared"));
       } else {
         const PortTorques ports = portTorques(m_model, m_solution, losses, mesh);
         cells.push_back(text(ports.tail));
@@ -59,58 +62,66 @@ class StaticsText {
       }
       rows.push_back(std::move(cells));
     }
-    return aligned("Meshes (torques about the axes from the carrier)", rows);
+    return aligned(translated("Meshes (torques about the axes from the carrier)"), rows);
   }
 
   std::string bearings() const {
-    Rows rows{{"joint", "force, N", "moment, N m", "at"}};
+    Rows rows{{translated("joint"), translated("force, N"), translated("moment, N m"), translated("at")}};
     for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
       const BearingReaction& bearing = m_report.forces.bearings[joint];
       rows.push_back({std::to_string(m_mechanism.jointLabel(static_cast<int>(joint))),
-                      bearing.isDetermined ? text(bearing.force) : "shared",
+                      bearing.isDetermined ? text(bearing.force) : translated("shared"),
                       bearing.isDetermined ? text(bearing.moment) : "", text(bearing.point)});
     }
-    return aligned("Bearings (tail on head, base frame)", rows);
+    return aligned(translated("Bearings (tail on head, base frame)"), rows);
   }
 
   std::string power() const {
     if (!m_report.sums) return {};
     const PowerSums& sums = *m_report.sums;
-    std::string line = "Power fed " + text(sums.fed) + " W, taken " + text(sums.taken) + " W, lost " +
-                       text(sums.lost) + " W\n";
+    std::string line = translated("Power fed %1 W, taken %2 W, lost %3 W",
+                                  {text(sums.fed), text(sums.taken), text(sums.lost)}) +
+                       '\n';
     if (m_report.latentRatio)
-      line += "Passed by the meshes, seen from their carriers, over the power fed: " +
-              text(*m_report.latentRatio) + '\n';
+      line += translated("Passed by the meshes, seen from their carriers, over the power fed: %1",
+                         {text(*m_report.latentRatio)}) +
+              '\n';
     if (!m_report.lossy) return line;
     if (m_report.lossy->outcome == LossySolution::Outcome::solved) {
-      if (const auto efficiency = sums.efficiency()) line += "Efficiency " + text(*efficiency) + '\n';
+      if (const auto efficiency = sums.efficiency())
+        line += translated("Efficiency %1", {text(*efficiency)}) + '\n';
     }
     if (m_report.backward) {
       const auto backward = m_report.backwardSums ? m_report.backwardSums->efficiency() : std::nullopt;
-      if (backward) line += "Efficiency backward " + text(*backward) + '\n';
+      if (backward) line += translated("Efficiency backward %1", {text(*backward)}) + '\n';
       if (m_report.backward->outcome == LossySolution::Outcome::selfLocking)
-        line += "The output cannot drive it back: it locks itself.\n";
+        line += translated("The output cannot drive it back: it locks itself.") + '\n';
     }
     return line;
   }
 
   std::string agreement() const {
     if (!m_report.agreement) return {};
-    return m_report.agreement->equal ? "Both methods agree.\n" : "The methods do NOT agree.\n";
+    return (m_report.agreement->equal ? translated("Both methods agree.")
+                                      : translated("The methods do NOT agree.")) +
+           '\n';
   }
 
  private:
   [[nodiscard]] std::string nameOf(const HeldPart& part) const {
     if (part.coupling >= 0) {
       const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
-      const std::string about = " about " + m_mechanism.axes[static_cast<std::size_t>(part.axis)].id.text();
-      return (coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text() +
-             (part.isMain ? "" : about);
+      const std::string name = coupling.kind == CouplingKind::brake
+                                   ? translated("brake %1", {coupling.id.text()})
+                                   : translated("clutch %1", {coupling.id.text()});
+      return part.isMain ? name : about(name, part.axis);
     }
     const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(part.balance)];
-    if (place.inJoint()) return "joint " + std::to_string(m_mechanism.jointLabel(place.joint));
-    return "link " + std::to_string(m_mechanism.linkLabel(place.link)) + " about " +
-           m_mechanism.axes[static_cast<std::size_t>(place.axis)].id.text();
+    if (place.inJoint()) return translated("joint %1", {std::to_string(m_mechanism.jointLabel(place.joint))});
+    return about(translated("link %1", {std::to_string(m_mechanism.linkLabel(place.link))}), place.axis);
+  }
+  [[nodiscard]] std::string about(const std::string& element, int axis) const {
+    return translated("%1 about %2", {element, m_mechanism.axes[static_cast<std::size_t>(axis)].id.text()});
   }
 
   const Mechanism& m_mechanism;
@@ -123,10 +134,12 @@ class StaticsText {
 
 std::string staticsText(const AnalysisSnapshot& snapshot, const StaticsReport& report, int state) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  std::string heading = mechanism.name.empty() ? "Mechanism" : mechanism.name;
-  if (state >= 0) heading += ", state " + mechanism.states[static_cast<std::size_t>(state)].name;
+  std::string heading = mechanism.name.empty() ? translated("Mechanism") : mechanism.name;
+  if (state >= 0)
+    heading = translated("%1, state %2", {heading, mechanism.states[static_cast<std::size_t>(state)].name});
   heading += '\n';
-  if (!report.isSolved || !report.lossless.isBalanced()) return heading + "There is no equilibrium.\n";
+  if (!report.isSolved || !report.lossless.isBalanced())
+    return heading + translated("There is no equilibrium.") + '\n';
   const StaticsText parts(snapshot, report);
   std::string result = heading;
   for (const std::string& part :

@@ -12,6 +12,7 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -121,18 +122,18 @@ std::vector<Row> rowsOf(const std::vector<std::string>& files, int jobs, const s
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.empty()) return wrongUsage(kSummary, "Files or folders are needed.");
+  if (arguments.files.empty()) return wrongUsage(kSummary, translated("Files or folders are needed."));
   int jobs = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostJobs);
   if (const auto word = arguments.value("--jobs")) {
     const auto given = numberFrom<int>(*word);
     if (!given || *given < 1 || *given > kMostJobs)
-      return wrongUsage(kSummary, "--jobs is a whole number from 1 to 256.");
+      return wrongUsage(kSummary, translated("--jobs is a whole number from 1 to 256."));
     jobs = *given;
   }
   const std::vector<std::string> files = filesOf(arguments.files);
   const std::vector<Row> rows =
       rowsOf(files, std::min(jobs, std::max(1, static_cast<int>(files.size()))), arguments.stop);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the summary");
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the summary"));
   const int written = writePicture(asCsv(files, rows), arguments.value("-o").value_or("-"));
   if (written != kFine) return written;
   const auto is = [&](std::string_view status) {
@@ -143,15 +144,16 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--jobs", "N", "how many files are analysed at once (as many as there are processors)"},
-    Option{"-o", "OUT", "the file (standard output without it)"},
+    Option{"--jobs", "N",
+           toTranslate("how many files are analysed at once (as many as there are processors)")},
+    Option{"-o", "OUT", toTranslate("the file (standard output without it)")},
 };
 
 }  // namespace
 
 const Command kSummary = {"summary",
                           "FILE... [--jobs N] [-o OUT]",
-                          "A row for each file, or for each document in a folder, as CSV.",
+                          toTranslate("A row for each file, or for each document in a folder, as CSV."),
                           kOptions,
                           run,
                           false,

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
 namespace {
@@ -14,15 +15,15 @@ constexpr double kLongest = 1e6;  // s
 }  // namespace
 
 const Option kLimitOption{"--limit-seconds", "S",
-                          "give up after this time (exit status 3); nothing is written then"};
+                          toTranslate("give up after this time (exit status 3); nothing is written then")};
 
 std::variant<std::optional<double>, UsageError> limitFrom(const Arguments& arguments) {
   const auto text = arguments.value(kLimitOption.name);
   if (!text) return std::optional<double>();
   const auto seconds = numberFrom<double>(*text);
   if (seconds && *seconds > 0 && *seconds <= kLongest) return seconds;
-  return UsageError{"--limit-seconds takes a number of seconds above 0, up to 1000000, not \"" + *text +
-                    "\"."};
+  return UsageError{
+      translated("--limit-seconds takes a number of seconds above 0, up to 1000000, not \"%1\".", {*text})};
 }
 
 TimeLimit::TimeLimit(std::optional<double> seconds) {
@@ -37,8 +38,10 @@ TimeLimit::TimeLimit(std::optional<double> seconds) {
 }
 
 int outOfTime(const Arguments& arguments, const std::string& what) {
-  std::cerr << "geargraph-cli: The limit of " << *arguments.value(kLimitOption.name) << " s was over before "
-            << what << " was finished; nothing was written.\n";
+  std::cerr << "geargraph-cli: "
+            << translated("The limit of %1 s was over before %2 was finished; nothing was written.",
+                          {*arguments.value(kLimitOption.name), what})
+            << '\n';
   return kResourceLimit;
 }
 

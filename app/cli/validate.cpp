@@ -10,6 +10,7 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/design/collision/motion_findings.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
@@ -50,7 +51,7 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::option
 }
 
 int run(const Arguments& arguments) {
-  if (arguments.files.size() != 1) return wrongUsage(kValidate, "One file is needed.");
+  if (arguments.files.size() != 1) return wrongUsage(kValidate, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
@@ -63,25 +64,27 @@ int run(const Arguments& arguments) {
     if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(kValidate, error->message);
     found = diagnosticsOf(std::get<Mechanism>(engaged), motion, arguments.stop);
   }
-  if (!found) return outOfTime(arguments, "the validation");
+  if (!found) return outOfTime(arguments, translated("the validation"));
   const Diagnostics& diagnostics = *found;
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(diagnostics, motion), status);
-  std::string text = diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics);
+  std::string text =
+      diagnostics.empty() ? translated("%1: no problems", {file}) + '\n' : diagnosticLines(file, diagnostics);
   if (motion != nullptr) text += motionCheckLine(file, report);
   return print(text, status);
 }
 
 constexpr std::array kOptions = {
-    Option{"--motion", "", "also look for links that collide while the inputs run at their speeds"},
+    Option{"--motion", "",
+           toTranslate("also look for links that collide while the inputs run at their speeds")},
     kStateOption,
     kEngageOption,
-    Option{"--json", "", "as JSON"},
+    Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
 
 const Command kValidate = {"validate", "FILE [--motion] [--state NAME | --engage A,B] [--json]",
-                           "Says what is wrong with a file.", kOptions, run};
+                           toTranslate("Says what is wrong with a file."), kOptions, run};
 
 }  // namespace geargraph::cli

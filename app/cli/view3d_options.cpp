@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/export_forms.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/results/shot_names.h"
 
 namespace geargraph::cli {
@@ -60,10 +61,10 @@ class ShotReader {
 
   void readCamera() {
     if (m_arguments.has("--from") && m_arguments.has("--camera"))
-      return wrong("Give --from or --camera, not both.");
+      return wrong(translated("Give --from or --camera, not both."));
     if (const auto text = m_arguments.value("--from")) {
       const auto view = standardViewNamed(*text);
-      if (!view) return wrong("--from is one of front, back, left, right, top, bottom, iso.");
+      if (!view) return wrong(translated("--from is one of front, back, left, right, top, bottom, iso."));
       m_shot.view.camera = Camera::looking(*view);
     }
     if (const auto text = m_arguments.value("--camera")) {
@@ -71,7 +72,8 @@ class ShotReader {
       const auto azimuth = numberIn(angles.front(), -360, 360);
       const auto elevation = angles.size() == 2 ? numberIn(angles[1], -90, 90) : std::nullopt;
       if (!azimuth || !elevation) {
-        return wrong("--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not \"" + *text + "\".");
+        return wrong(translated("--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not \"%1\".",
+                                {*text}));
       }
       m_shot.view.camera = Camera::from(*azimuth * kDegree, *elevation * kDegree);
     }
@@ -80,12 +82,12 @@ class ShotReader {
   void readMoment() {
     if (const auto text = m_arguments.value("--time")) {
       const auto time = numberIn(*text, -kLongestTime, kLongestTime);
-      if (!time) return wrong("--time takes seconds, not \"" + *text + "\".");
+      if (!time) return wrong(translated("--time takes seconds, not \"%1\".", {*text}));
       m_shot.view.time = *time;
     }
     if (const auto text = m_arguments.value("--explode")) {
       const auto part = numberIn(*text, 0, 1);
-      if (!part) return wrong("--explode takes a part from 0 to 1, not \"" + *text + "\".");
+      if (!part) return wrong(translated("--explode takes a part from 0 to 1, not \"%1\".", {*text}));
       m_shot.view.pulledApart = *part;
     }
     if (const auto text = m_arguments.value("--section")) readSection(*text);
@@ -96,7 +98,8 @@ class ShotReader {
     const std::size_t axis = std::string_view("xyz").find(cut.front());
     const auto place = cut.size() == 2 ? numberIn(cut[1], 0, 1) : std::optional(0.5);
     if (cut.front().size() != 1 || axis == std::string_view::npos || cut.size() > 2 || !place)
-      return wrong("--section takes x, y or z, and how far along from 0 to 1: y:0.5, not \"" + text + "\".");
+      return wrong(
+          translated("--section takes x, y or z, and how far along from 0 to 1: y:0.5, not \"%1\".", {text}));
     m_shot.view.section = SectionChoice{static_cast<int>(axis), *place, false};
   }
 
@@ -105,36 +108,37 @@ class ShotReader {
     m_shot.view.look = pictureLook(theme, m_arguments.has("--transparent"));
     if (const auto text = m_arguments.value("--faces")) {
       const auto faces = facesNamed(*text);
-      if (!faces) return wrong("--faces is one of shaded, lines, edges.");
+      if (!faces) return wrong(translated("--faces is one of shaded, lines, edges."));
       m_shot.view.look.faces = *faces;
     }
     for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
       OverlayChoice overlay;
       const bool isKnown = showMark(m_shot.view.marks, name) || showOverlay(overlay, name);
       if (m_arguments.has("--show") && !isKnown) {
-        wrong(
+        wrong(translated(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
-            "instant-axes, velocities, forces, with commas.");
+            "instant-axes, velocities, forces, with commas."));
       }
     }
   }
 
   void readFilm() {
     const bool turns = m_arguments.has("--turntable"), moves = m_arguments.has("--motion");
-    if (turns && moves) return wrong("Give --turntable or --motion, not both.");
+    if (turns && moves) return wrong(translated("Give --turntable or --motion, not both."));
     if (!turns && !moves) return;
     Film film;
     film.kind = turns ? FilmKind::turntable : FilmKind::motion;
     const std::string frames = m_arguments.value("--frames").value_or(std::to_string(film.frames));
     const auto count = numberIn(frames, 2, kMostFilmFrames);
     if (!count || *count != std::floor(*count)) {
-      return wrong("--frames takes a whole number from 2 to " + std::to_string(kMostFilmFrames) + ", not \"" +
-                   frames + "\".");
+      return wrong(translated("--frames takes a whole number from 2 to %1, not \"%2\".",
+                              {std::to_string(kMostFilmFrames), frames}));
     }
     film.frames = static_cast<int>(*count);
     if (const auto text = m_arguments.value("--fps")) {
       const auto rate = numberIn(*text, 0.1, 100);
-      if (!rate) return wrong("--fps takes pictures a second from 0.1 to 100, not \"" + *text + "\".");
+      if (!rate)
+        return wrong(translated("--fps takes pictures a second from 0.1 to 100, not \"%1\".", {*text}));
       film.framesPerSecond = *rate;
     }
     m_shot.film = film;
@@ -176,7 +180,7 @@ std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const Sta
   shot->stage = stage;
   const Mechanism& mechanism = *snapshot.mechanism;
   const auto unknown = [](const std::string& label) {
-    return UsageError{"There is no link \"" + label + "\"."};
+    return UsageError{translated("There is no link \"%1\".", {label})};
   };
   if (const auto label = arguments.value("--ride")) {
     shot->view.ridden = linkLabelled(mechanism, *label);

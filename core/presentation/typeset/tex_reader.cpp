@@ -150,6 +150,19 @@ class TexReader {
     return inside;
   }
 
+  /// "12{,}5": digits, a comma that is no sign of a list, and the digits after it.
+  FormulaNode decimalComma(std::size_t before) {
+    constexpr std::size_t kComma = 3;
+    std::size_t length = before + kComma;
+    while (length < m_rest.size() && isDigit(m_rest[length])) ++length;
+    FormulaNode result;
+    result.kind = FormulaKind::number;
+    result.text = std::string(m_rest.substr(0, before)) + ',' +
+                  std::string(m_rest.substr(before + kComma, length - before - kComma));
+    m_rest.remove_prefix(length);
+    return result;
+  }
+
   FormulaNode atom() {
     skipBlanks();
     const char c = front();
@@ -160,6 +173,7 @@ class TexReader {
     if (isDigit(c)) {
       result.kind = FormulaKind::number;
       while (length < m_rest.size() && (isDigit(m_rest[length]) || m_rest[length] == '.')) ++length;
+      if (m_rest.substr(length).starts_with("{,}")) return decimalComma(length);
     } else if (isLetter(c)) {
       result.kind = FormulaKind::letter;
     } else if (c != '\0' && kSigns.find(c) != std::string_view::npos) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/mechanism/model/mechanism.h"
@@ -14,7 +15,9 @@ enum class TrainFamily {
           ///< ground
   wrist,  ///< nested arms about axes that meet at right angles, each driven by bevel gears from the ground
 };
-[[nodiscard]] const char* familyName(TrainFamily family);
+[[nodiscard]] std::string familyName(TrainFamily family);
+/// "8 gears in a row"
+[[nodiscard]] std::string familyText(TrainFamily family, int size);
 
 /// A train with this number of gears, sets or arms, at least 2, 1 and 1. Its inputs are chosen by the
 /// program.

@@ -30,7 +30,12 @@ struct ComparedStep {
   StepRelation relation = StepRelation::same;
 };
 /// The steps, with the numbers of the paper's equations.
-[[nodiscard]] const std::vector<ComparedStep>& comparedSteps();
+[[nodiscard]] std::vector<ComparedStep> comparedSteps();
+
+/// "1 product", "12 products", translated.
+[[nodiscard]] std::string productsText(const Operations& operations);
+/// "1 sum", "12 sums"
+[[nodiscard]] std::string sumsText(const Operations& operations);
 
 /// One mesh by both methods: a term for each joint of its cycle.
 struct ComparedMesh {

@@ -107,8 +107,9 @@ class TestMethodComparison : public QObject {
     }
     for (const TrainFamily family : {TrainFamily::chain, TrainFamily::stack, TrainFamily::wrist}) {
       const SnapshotPtr snapshot = analyzed(familyTrain(family, 4));
-      QVERIFY2(!hasErrors(snapshot->diagnostics), familyName(family));
-      checkAgreement(*compareMethods(*snapshot), familyName(family));
+      const std::string name = familyName(family);
+      QVERIFY2(!hasErrors(snapshot->diagnostics), name.c_str());
+      checkAgreement(*compareMethods(*snapshot), name.c_str());
     }
   }
 
