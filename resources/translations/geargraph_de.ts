@@ -4,86 +4,6 @@
 <context>
     <name>GearGraph</name>
     <message>
-        <source>at</source>
-        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
-        <translation>bei</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <comment>The link beyond the joint, seen from the ground.</comment>
-        <translation>dreht</translation>
-    </message>
-    <message>
-        <source>carried by</source>
-        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
-        <translation>getragen von</translation>
-    </message>
-    <message>
-        <source>coupling</source>
-        <comment>A brake or clutch that is engaged.</comment>
-        <translation>Schaltelement</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
-        <translation>hält</translation>
-    </message>
-    <message>
-        <source>about</source>
-        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
-        <translation>um</translation>
-    </message>
-    <message>
-        <source>mesh</source>
-        <comment>The gear mesh, by its label.</comment>
-        <translation>Zahneingriff</translation>
-    </message>
-    <message>
-        <source>tail</source>
-        <comment>The link of the tail&apos;s gear.</comment>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>head</source>
-        <comment>The link of the head&apos;s gear.</comment>
-        <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>carrier</source>
-        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
-        <translation>Steg</translation>
-    </message>
-    <message>
-        <source>drives</source>
-        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
-        <translation>treibt</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
-        <translation>Gelenk</translation>
-    </message>
-    <message>
-        <source>element</source>
-        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
-        <translation>Element</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <comment>The link that it acts on.</comment>
-        <translation>Glied</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <comment>The shafts of the loop.</comment>
-        <translation>Glieder</translation>
-    </message>
-    <message>
-        <source>meshes</source>
-        <comment>The meshes of the gear sets of the loop.</comment>
-        <translation>greift ein in</translation>
-    </message>
-    <message>
         <source>the ground does not move</source>
         <translation>das Gestell bewegt sich nicht</translation>
     </message>
@@ -1423,10 +1343,6 @@
         <translation>Die Zwischenablage enthält keine Glieder: %1</translation>
     </message>
     <message>
-        <source>Select links to copy; the ground stays where it is.</source>
-        <translation>Wählen Sie Glieder zum Kopieren aus; das Gestell bleibt, wo es ist.</translation>
-    </message>
-    <message>
         <source>Copied %1</source>
         <translation>%1 kopiert</translation>
     </message>
@@ -1917,10 +1833,6 @@
     <message>
         <source>Alt</source>
         <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Rename in place</source>
-        <translation>An Ort und Stelle umbenennen</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -2701,10 +2613,6 @@
     <message>
         <source>The ground cannot be deleted.</source>
         <translation>Das Gestell kann nicht gelöscht werden.</translation>
-    </message>
-    <message>
-        <source>Select one link to rename it.</source>
-        <translation>Wählen Sie ein Glied aus, um es umzubenennen.</translation>
     </message>
     <message>
         <source>Select a joint or a mesh to turn its arrow round.</source>
@@ -4379,10 +4287,6 @@
         <translation>Alt platziert frei. Esc setzt zurück</translation>
     </message>
     <message>
-        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
-        <translation>Klicken wählt aus, eine Achse ziehen verschiebt sie. Das Programm ordnet die Zeichnung an</translation>
-    </message>
-    <message>
         <source>Gear mesh: drag from a gear to the gear it drives</source>
         <translation>Zahneingriff: von einem Rad zu dem ziehen, das es treibt</translation>
     </message>
@@ -5763,10 +5667,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Efficiency</source>
         <translation>Wirkungsgrad</translation>
-    </message>
-    <message>
-        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
-        <translation>Wo ein Getriebe sich selbst hemmt, bewegt kein Moment dessen, was die Lasten hält, diese, so groß es auch sei. Der Wirkungsgrad gilt als in allen Zahneingriffen gleich.</translation>
     </message>
     <message>
         <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
@@ -7843,6 +7743,6292 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Held</source>
         <translation>Festgehalten</translation>
+    </message>
+    <message>
+        <source>One file is needed.</source>
+        <translation>Eine Datei wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Give --symbolic or --no-symbolic.</source>
+        <translation>Geben Sie --symbolic oder --no-symbolic an.</translation>
+    </message>
+    <message>
+        <source>the analysis</source>
+        <translation>die Analyse</translation>
+    </message>
+    <message>
+        <source>Standard output could not be written.</source>
+        <translation>Die Standardausgabe konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>drive these joints (by label) instead of the document&apos;s</source>
+        <translation>diese Gelenke (nach Bezeichnung) antreiben statt der des Dokuments</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be repeated</source>
+        <translation>die Drehgeschwindigkeit eines Antriebs in rad/s; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>with the solution in gear ratios (the default)</source>
+        <translation>mit der Lösung in Übersetzungen (Voreinstellung)</translation>
+    </message>
+    <message>
+        <source>without it</source>
+        <translation>ohne sie</translation>
+    </message>
+    <message>
+        <source>as JSON</source>
+        <translation>als JSON</translation>
+    </message>
+    <message>
+        <source>with --json: all entries of matrices, also above 250,000 (else triplets)</source>
+        <translation>mit --json: alle Einträge der Matrizen, auch über 250.000 (sonst Tripel)</translation>
+    </message>
+    <message>
+        <source>Analyses a mechanism, for people or as JSON.</source>
+        <translation>Analysiert einen Mechanismus, für Menschen oder als JSON.</translation>
+    </message>
+    <message>
+        <source>Untitled mechanism</source>
+        <translation>Mechanismus ohne Titel</translation>
+    </message>
+    <message>
+        <source>%1 moving link</source>
+        <translation>%1 bewegtes Glied</translation>
+    </message>
+    <message>
+        <source>%1 moving links</source>
+        <translation>%1 bewegte Glieder</translation>
+    </message>
+    <message>
+        <source>%1 turning joint</source>
+        <translation>%1 Drehgelenk</translation>
+    </message>
+    <message>
+        <source>%1 gear mesh</source>
+        <translation>%1 Zahneingriff</translation>
+    </message>
+    <message>
+        <source>teeth %1 : %2</source>
+        <translation>Zähne %1 : %2</translation>
+    </message>
+    <message>
+        <source>Eq. (%1)</source>
+        <translation>Gl. (%1)</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <translation>%1 Zeile</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 column</source>
+        <translation>%1 Spalte</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>%1 Spalten</translation>
+    </message>
+    <message>
+        <source>%1: too large to print; see &quot;export --to csv --matrix %2&quot;</source>
+        <translation>%1: zu groß zum Drucken; siehe „export --to csv --matrix %2“</translation>
+    </message>
+    <message>
+        <source>The option %1 takes no value.</source>
+        <translation>Die Option %1 nimmt keinen Wert.</translation>
+    </message>
+    <message>
+        <source>The option %1 needs a value: %1 %2.</source>
+        <translation>Die Option %1 braucht einen Wert: %1 %2.</translation>
+    </message>
+    <message>
+        <source>The options cannot be read.</source>
+        <translation>Die Optionen sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>There is no option &quot;%1&quot; here.</source>
+        <translation>Eine Option „%1“ gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>rows %1</source>
+        <translation>Zeilen %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>columns %1</source>
+        <translation>Spalten %1</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;: %2.</source>
+        <translation>Eine Matrix „%1“ gibt es nicht: %2.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a matrix or equations are needed.</source>
+        <translation>Ein Mechanismus und eine Datei mit einer Matrix oder Gleichungen werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>the check</source>
+        <translation>die Prüfung</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
+        <translation>welche Matrix es ist: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p oder solution (wird erkannt)</translation>
+    </message>
+    <message>
+        <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
+        <translation>Vergleicht eine Matrix oder Gleichungen von Ihnen mit den hergeleiteten; Status 1, wo sie abweichen.</translation>
+    </message>
+    <message>
+        <source>Usage: geargraph-cli %1 %2</source>
+        <translation>Aufruf: geargraph-cli %1 %2</translation>
+    </message>
+    <message>
+        <source>More: geargraph-cli %1 --help</source>
+        <translation>Mehr: geargraph-cli %1 --help</translation>
+    </message>
+    <message>
+        <source>Not in the table: %1.</source>
+        <translation>Nicht in der Tabelle: %1.</translation>
+    </message>
+    <message>
+        <source>Not in the graph: %1.</source>
+        <translation>Nicht im Graphen: %1.</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, geargraph, dot, graphml, node-link.</source>
+        <translation>--to ist eines von csv, geargraph, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>--separator is one of comma, semicolon, tab.</source>
+        <translation>--separator ist eines von comma, semicolon, tab.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with %2; it is an option of %3.</source>
+        <translation>%1 hat mit %2 keine Bedeutung; es ist eine Option von %3.</translation>
+    </message>
+    <message>
+        <source>the conversion</source>
+        <translation>die Umwandlung</translation>
+    </message>
+    <message>
+        <source>csv: a table with a row for each link, axis, turning joint, gear mesh, ...; geargraph: a document; dot, graphml, node-link: the digraph; each is read back, graphs of other programs, too, where edges have kind, axis and tooth counts</source>
+        <translation>csv: eine Tabelle mit einer Zeile für jedes Glied, jede Achse, jedes Drehgelenk, jeden Zahneingriff, ...; geargraph: ein Dokument; dot, graphml, node-link: der Digraph; jedes wird wieder gelesen, auch Graphen anderer Programme, wenn Kanten Art, Achse und Zähnezahlen haben</translation>
+    </message>
+    <message>
+        <source>the file (standard output)</source>
+        <translation>die Datei (Standardausgabe)</translation>
+    </message>
+    <message>
+        <source>of a table that is written (comma); reading recognises it</source>
+        <translation>einer Tabelle, die geschrieben wird (comma); beim Lesen wird es erkannt</translation>
+    </message>
+    <message>
+        <source>begin a table with a byte order mark, for spreadsheet programs</source>
+        <translation>eine Tabelle mit einer Byte-Reihenfolge-Marke beginnen, für Tabellenprogramme</translation>
+    </message>
+    <message>
+        <source>Converts documents to tables (CSV) and graphs, and back; FILE is any of them.</source>
+        <translation>Wandelt Dokumente in Tabellen (CSV) und Graphen um, und zurück; FILE ist eines davon.</translation>
+    </message>
+    <message>
+        <source>motion not checked: nothing moves, the mechanism has errors, or it has more than %1 links</source>
+        <translation>Bewegung nicht geprüft: Nichts bewegt sich, der Mechanismus hat Fehler, oder er hat mehr als %1 Glieder</translation>
+    </message>
+    <message>
+        <source>motion checked in part only: too many parts come close to each other</source>
+        <translation>Bewegung nur zum Teil geprüft: Zu viele Teile kommen einander nahe</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, all of it</source>
+        <translation>Bewegung von %1 bis %2 geprüft, vollständig</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2; it does not repeat sooner</source>
+        <translation>Bewegung von %1 bis %2 geprüft; sie wiederholt sich nicht früher</translation>
+    </message>
+    <message>
+        <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
+        <translation>%1 nennt einen Antrieb und seine Zahl, wie %2, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not an input; see --inputs.</source>
+        <translation>Gelenk %1 ist kein Antrieb; siehe --inputs.</translation>
+    </message>
+    <message>
+        <source>--damping is at least 0, in N m s.</source>
+        <translation>--damping ist mindestens 0, in N m s.</translation>
+    </message>
+    <message>
+        <source>--seconds over --interval are at most a million samples.</source>
+        <translation>--seconds durch --interval sind höchstens eine Million Abtastungen.</translation>
+    </message>
+    <message>
+        <source>Dynamics is computed for up to %1 entries of the solution (inputs times other joints).</source>
+        <translation>Dynamik wird für bis zu %1 Einträge der Lösung berechnet (Antriebe mal andere Gelenke).</translation>
+    </message>
+    <message>
+        <source>the gear train</source>
+        <translation>das Getriebe</translation>
+    </message>
+    <message>
+        <source>the masses</source>
+        <translation>die Massen</translation>
+    </message>
+    <message>
+        <source>the motion</source>
+        <translation>die Bewegung</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: there is no motion to write.</source>
+        <translation>Eine Bewegung der Antriebe bewegt keine Masse: Es gibt keine Bewegung zu schreiben.</translation>
+    </message>
+    <message>
+        <source>the torque of an input&apos;s motor (without it 0); may be given again</source>
+        <translation>das Moment des Motors eines Antriebs (sonst 0); darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>less this for each rad/s, N m s; may be given again</source>
+        <translation>um so viel weniger für jedes rad/s, N m s; darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>the angle of an input at the start; may be given again</source>
+        <translation>der Winkel eines Antriebs am Anfang; darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>its speed at the start, rad/s (without it 0); may be given again</source>
+        <translation>seine Drehgeschwindigkeit am Anfang, rad/s (sonst 0); darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>follow the motion for so long</source>
+        <translation>die Bewegung so lange verfolgen</translation>
+    </message>
+    <message>
+        <source>seconds between samples (without it a hundredth of the motion)</source>
+        <translation>Sekunden zwischen Abtastungen (sonst ein Hundertstel der Bewegung)</translation>
+    </message>
+    <message>
+        <source>write the samples of the motion as CSV</source>
+        <translation>die Abtastungen der Bewegung als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia that motors feel, and the motion that torques cause.</source>
+        <translation>Massen, die Trägheit, die Motoren spüren, und die Bewegung, die Momente bewirken.</translation>
+    </message>
+    <message>
+        <source>angle, rad</source>
+        <translation>Winkel, rad</translation>
+    </message>
+    <message>
+        <source>speed, rad/s</source>
+        <translation>Drehgeschwindigkeit, rad/s</translation>
+    </message>
+    <message>
+        <source>Motion, after %1 s</source>
+        <translation>Bewegung, nach %1 s</translation>
+    </message>
+    <message>
+        <source>kinetic energy %1 J, potential %2 J, work of motors and loads %3 J</source>
+        <translation>kinetische Energie %1 J, potentielle %2 J, Arbeit von Motoren und Lasten %3 J</translation>
+    </message>
+    <message>
+        <source>mass, kg</source>
+        <translation>Masse, kg</translation>
+    </message>
+    <message>
+        <source>at motor %1, kg m²</source>
+        <translation>am Motor %1, kg m²</translation>
+    </message>
+    <message>
+        <source>inertia, kg m²</source>
+        <translation>Trägheit, kg m²</translation>
+    </message>
+    <message>
+        <source>holding torque, N m</source>
+        <translation>Haltemoment, N m</translation>
+    </message>
+    <message>
+        <source>acceleration, rad/s²</source>
+        <translation>Beschleunigung, rad/s²</translation>
+    </message>
+    <message>
+        <source>Links, and the inertia that each has at the motors</source>
+        <translation>Glieder und die Trägheit, die jedes an den Motoren hat</translation>
+    </message>
+    <message>
+        <source>Inputs, at the start</source>
+        <translation>Antriebe, am Anfang</translation>
+    </message>
+    <message>
+        <source>Generalised inertia M, kg m²</source>
+        <translation>Verallgemeinerte Trägheit M, kg m²</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. The document has no states.</source>
+        <translation>Einen Zustand „%1“ gibt es nicht. Das Dokument hat keine Zustände.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. States: %2.</source>
+        <translation>Einen Zustand „%1“ gibt es nicht. Zustände: %2.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. The document has no couplings.</source>
+        <translation>Ein Schaltelement „%1“ gibt es nicht. Das Dokument hat keine.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. Couplings: %2.</source>
+        <translation>Ein Schaltelement „%1“ gibt es nicht. Schaltelemente: %2.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --engage A,B.</source>
+        <translation>Geben Sie --state NAME oder --engage A,B an.</translation>
+    </message>
+    <message>
+        <source>%1 (state %2)</source>
+        <translation>%1 (Zustand %2)</translation>
+    </message>
+    <message>
+        <source>with the couplings of this state engaged</source>
+        <translation>mit den Schaltelementen dieses Zustands geschlossen</translation>
+    </message>
+    <message>
+        <source>with these couplings engaged, &quot;none&quot; for no coupling, instead of those that the document engages</source>
+        <translation>mit diesen Schaltelementen geschlossen, „none“ für keines, statt derer, die das Dokument schließt</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;; geargraph-cli exercises kinds FILE lists them.</source>
+        <translation>Eine Frageart „%1“ gibt es nicht; geargraph-cli exercises kinds FILE zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no question &quot;%1&quot;: %2.</source>
+        <translation>Der Mechanismus gibt keine Frage „%1“ her: %2.</translation>
+    </message>
+    <message>
+        <source>--kinds names 1 to 100 questions.</source>
+        <translation>--kinds nennt 1 bis 100 Fragen.</translation>
+    </message>
+    <message>
+        <source>--seed is a whole number from 0 on.</source>
+        <translation>--seed ist eine ganze Zahl ab 0.</translation>
+    </message>
+    <message>
+        <source>--variants is a whole number from 1 to 1000.</source>
+        <translation>--variants ist eine ganze Zahl von 1 bis 1000.</translation>
+    </message>
+    <message>
+        <source>The first word is kinds, make or grade.</source>
+        <translation>Das erste Wort ist kinds, make oder grade.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for exercises %2.</source>
+        <translation>%1 hat für exercises %2 keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>kinds of questions, with commas; a kind may occur again (all)</source>
+        <translation>Fragearten, durch Kommas getrennt; eine darf wiederkehren (alle)</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (1)</source>
+        <translation>dieselbe Zahl ergibt überall dieselben Blätter (1)</translation>
+    </message>
+    <message>
+        <source>how many different sheets, at most 1,000 (1)</source>
+        <translation>wie viele verschiedene Blätter, höchstens 1.000 (1)</translation>
+    </message>
+    <message>
+        <source>a variant for each line of this text file</source>
+        <translation>eine Variante für jede Zeile dieser Textdatei</translation>
+    </message>
+    <message>
+        <source>the heading of the sheets (&quot;Exercises&quot;)</source>
+        <translation>die Überschrift der Blätter („Exercises“)</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
+        <translation>Formen: html,latex,pdf,json (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>overwrites files in the folder</source>
+        <translation>überschreibt Dateien im Ordner</translation>
+    </message>
+    <message>
+        <source>make: the folder; grade: the CSV file (standard output)</source>
+        <translation>make: der Ordner; grade: die CSV-Datei (Standardausgabe)</translation>
+    </message>
+    <message>
+        <source>Makes exercise sheets from a mechanism and grades the answers.</source>
+        <translation>Macht Aufgabenblätter aus einem Mechanismus und bewertet die Antworten.</translation>
+    </message>
+    <message>
+        <source>(not offered: %1)</source>
+        <translation>(nicht angeboten: %1)</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be read: %2.</source>
+        <translation>Der Ordner „%1“ konnte nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>These are answers to another sheet.</source>
+        <translation>Das sind Antworten zu einem anderen Blatt.</translation>
+    </message>
+    <message>
+        <source>The sheet has no variant %1.</source>
+        <translation>Das Blatt hat keine Variante %1.</translation>
+    </message>
+    <message>
+        <source>Question %1 has no such field as some that are answered.</source>
+        <translation>Frage %1 hat keine solchen Felder wie einige der beantworteten.</translation>
+    </message>
+    <message>
+        <source>The question is not answered.</source>
+        <translation>Die Frage ist nicht beantwortet.</translation>
+    </message>
+    <message>
+        <source>The sheet has no question %1.</source>
+        <translation>Das Blatt hat keine Frage %1.</translation>
+    </message>
+    <message>
+        <source>grade needs a sheet and answers.</source>
+        <translation>grade braucht ein Blatt und Antworten.</translation>
+    </message>
+    <message>
+        <source>the grading</source>
+        <translation>die Bewertung</translation>
+    </message>
+    <message>
+        <source>Give --variants or --names: a name is a variant.</source>
+        <translation>Geben Sie --variants oder --names an: Ein Name ist eine Variante.</translation>
+    </message>
+    <message>
+        <source>--names is a text file of 1 to 1000 lines.</source>
+        <translation>--names ist eine Textdatei mit 1 bis 1000 Zeilen.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
+        <translation>--to zählt Formen aus html, latex, pdf und json auf, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
+        <translation>„%1“ gibt es schon; es wurde nichts geschrieben (--force überschreibt).</translation>
+    </message>
+    <message>
+        <source>variant %1</source>
+        <translation>Variante %1</translation>
+    </message>
+    <message>
+        <source>make needs one file.</source>
+        <translation>make braucht eine Datei.</translation>
+    </message>
+    <message>
+        <source>make needs a folder: -o FOLDER.</source>
+        <translation>make braucht einen Ordner: -o FOLDER.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism; no sheet was written.</source>
+        <translation>Zu diesem Mechanismus lässt sich nichts fragen; es wurde kein Blatt geschrieben.</translation>
+    </message>
+    <message>
+        <source>Matrices (--to csv)</source>
+        <translation>Matrizen (--to csv)</translation>
+    </message>
+    <message>
+        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
+        <translation>Herleitungen (--to html, latex, md, pdf, handout oder scorm)</translation>
+    </message>
+    <message>
+        <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
+        <translation>Zeichnungen und 3D-Bilder (--to svg, pdf oder png --view NAME)</translation>
+    </message>
+    <message>
+        <source>3D pictures (--to png --view 3d)</source>
+        <translation>3D-Bilder (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Animations (--to png --view 3d)</source>
+        <translation>Animationen (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
+        <translation>Körper (--to stl, obj, ply, glb oder 3mf)</translation>
+    </message>
+    <message>
+        <source>Handouts (--to handout or scorm)</source>
+        <translation>Handouts (--to handout oder scorm)</translation>
+    </message>
+    <message>
+        <source>Simulators (--to mjcf or urdf)</source>
+        <translation>Simulatoren (--to mjcf oder urdf)</translation>
+    </message>
+    <message>
+        <source>derivations (--to html, latex, md, pdf)</source>
+        <translation>Herleitungen (--to html, latex, md, pdf)</translation>
+    </message>
+    <message>
+        <source>drawings (--view digraph, ttgraph, schematic)</source>
+        <translation>Zeichnungen (--view digraph, ttgraph, schematic)</translation>
+    </message>
+    <message>
+        <source>animations (--turntable, --motion)</source>
+        <translation>Animationen (--turntable, --motion)</translation>
+    </message>
+    <message>
+        <source>graphs (--to dot, graphml, node-link)</source>
+        <translation>Graphen (--to dot, graphml, node-link)</translation>
+    </message>
+    <message>
+        <source>handouts (--to handout, scorm)</source>
+        <translation>Handouts (--to handout, scorm)</translation>
+    </message>
+    <message>
+        <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
+        <translation>die Datei („-“ ist die Standardausgabe), oder mit --all der Ordner</translation>
+    </message>
+    <message>
+        <source>every matrix, or every picture of an animation, into the folder that -o names</source>
+        <translation>jede Matrix, oder jedes Bild einer Animation, in den Ordner, den -o nennt</translation>
+    </message>
+    <message>
+        <source>with a folder: overwrite files that are there</source>
+        <translation>mit einem Ordner: vorhandene Dateien überschreiben</translation>
+    </message>
+    <message>
+        <source>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; of statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations, and shift-torques of all states</source>
+        <translation>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; zur Statik: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations, und shift-torques aller Zustände</translation>
+    </message>
+    <message>
+        <source>without the header row and the first column</source>
+        <translation>ohne die Kopfzeile und die erste Spalte</translation>
+    </message>
+    <message>
+        <source>comma (the default), semicolon or tab</source>
+        <translation>comma (Voreinstellung), semicolon oder tab</translation>
+    </message>
+    <message>
+        <source>point (the default) or comma</source>
+        <translation>point (Voreinstellung) oder comma</translation>
+    </message>
+    <message>
+        <source>begin with a byte order mark, for spreadsheet programs</source>
+        <translation>mit einer Byte-Reihenfolge-Marke beginnen, für Tabellenprogramme</translation>
+    </message>
+    <message>
+        <source>with an exercise sheet that tells where an answer is wrong, and why. Saved answers are graded by exercises grade with the sheet.json of exercises make with the same options</source>
+        <translation>mit einem Aufgabenblatt, das sagt, wo eine Antwort falsch ist und warum. Gespeicherte Antworten bewertet exercises grade mit der sheet.json von exercises make mit denselben Optionen</translation>
+    </message>
+    <message>
+        <source>kinds of questions, as for exercises make (all)</source>
+        <translation>Fragearten, wie bei exercises make (alle)</translation>
+    </message>
+    <message>
+        <source>the heading of the sheet (&quot;Exercises&quot;)</source>
+        <translation>die Überschrift des Blatts („Exercises“)</translation>
+    </message>
+    <message>
+        <source>how many different sheets there are (1)</source>
+        <translation>wie viele verschiedene Blätter es gibt (1)</translation>
+    </message>
+    <message>
+        <source>which of them this is (1)</source>
+        <translation>welches davon dieses ist (1)</translation>
+    </message>
+    <message>
+        <source>digraph, ttgraph or schematic; with png and glb also 3d, the train as seen; of graphs digraph or ttgraph</source>
+        <translation>digraph, ttgraph oder schematic; mit png und glb auch 3d, das Getriebe, wie man es sieht; von Graphen digraph oder ttgraph</translation>
+    </message>
+    <message>
+        <source>pixels (as large as the drawing is; 3d: 1600x1000)</source>
+        <translation>Pixel (so groß, wie die Zeichnung ist; 3d: 1600x1000)</translation>
+    </message>
+    <message>
+        <source>on a dark ground</source>
+        <translation>auf dunklem Grund</translation>
+    </message>
+    <message>
+        <source>on no ground</source>
+        <translation>ohne Grund</translation>
+    </message>
+    <message>
+        <source>under a digraph or schematic: where the power of the loads goes, seen from &quot;ground&quot; or the link with this label</source>
+        <translation>unter einem Digraphen oder Schema: wohin die Leistung der Lasten geht, gesehen von „ground“ oder dem Glied mit dieser Bezeichnung</translation>
+    </message>
+    <message>
+        <source>front, back, left, right, top, bottom or iso</source>
+        <translation>front, back, left, right, top, bottom oder iso</translation>
+    </message>
+    <message>
+        <source>from this azimuth and elevation, degrees (-26,20)</source>
+        <translation>aus diesem Azimut und dieser Höhe, Grad (-26,20)</translation>
+    </message>
+    <message>
+        <source>how far the inputs have turned (0); also with glb</source>
+        <translation>wie weit sich die Antriebe gedreht haben (0); auch mit glb</translation>
+    </message>
+    <message>
+        <source>section perpendicular to x, y or z at this fraction of the length (y:0.5)</source>
+        <translation>Schnitt senkrecht zu x, y oder z bei diesem Bruchteil der Länge (y:0.5)</translation>
+    </message>
+    <message>
+        <source>exploded view along the axes, 0 to 1; also with glb</source>
+        <translation>Explosionsansicht entlang der Achsen, 0 bis 1; auch mit glb</translation>
+    </message>
+    <message>
+        <source>shaded, lines (hidden ones left out) or edges (all of them)</source>
+        <translation>shaded, lines (verdeckte weggelassen) oder edges (alle)</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
+    </message>
+    <message>
+        <source>links that are left out: 2,5; also with glb</source>
+        <translation>Glieder, die weggelassen werden: 2,5; auch mit glb</translation>
+    </message>
+    <message>
+        <source>the link that the reference frame is fixed to; also with glb</source>
+        <translation>das Glied, an dem das Bezugssystem fest ist; auch mit glb</translation>
+    </message>
+    <message>
+        <source>once round the train, as an animated PNG (or --all)</source>
+        <translation>einmal um das Getriebe herum, als animiertes PNG (oder --all)</translation>
+    </message>
+    <message>
+        <source>one period of the motion (a minute without one)</source>
+        <translation>eine Periode der Bewegung (eine Minute, wo keine ist)</translation>
+    </message>
+    <message>
+        <source>pictures a second (24)</source>
+        <translation>Bilder je Sekunde (24)</translation>
+    </message>
+    <message>
+        <source>pictures (72); with assembly: poses of every gear (24)</source>
+        <translation>Bilder (72); mit assembly: Lagen jedes Rads (24)</translation>
+    </message>
+    <message>
+        <source>one gear in its own frame: 15:tail or 15:head</source>
+        <translation>ein Rad in seinem eigenen Koordinatensystem: 15:tail oder 15:head</translation>
+    </message>
+    <message>
+        <source>the solids of one link</source>
+        <translation>die Körper eines Glieds</translation>
+    </message>
+    <message>
+        <source>with glb: how long one period plays (without: as long as it takes; of a period too long for a file, so many seconds of the motion, 60)</source>
+        <translation>mit glb: wie lange eine Periode spielt (sonst: so lange sie dauert; bei einer für eine Datei zu langen so viele Sekunden der Bewegung, 60)</translation>
+    </message>
+    <message>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
+        <translation>größte Sehnenabweichung von der exakten Form (0.002; bei großen Getrieben so fein, wie 10 Millionen Dreiecke erlauben); auch mit assembly, mjcf und urdf (0.01)</translation>
+    </message>
+    <message>
+        <source>mjcf: speed (servos with rotors, the default), torque or none</source>
+        <translation>mjcf: speed (Servos mit Rotoren, Voreinstellung), torque oder none</translation>
+    </message>
+    <message>
+        <source>mjcf: inertia of the rotors, kg m² (100 times what the input feels)</source>
+        <translation>mjcf: Trägheit der Rotoren, kg m² (das Hundertfache dessen, was der Antrieb spürt)</translation>
+    </message>
+    <message>
+        <source>mjcf: seconds (0.001)</source>
+        <translation>mjcf: Sekunden (0.001)</translation>
+    </message>
+    <message>
+        <source>SDF is not written: no current Gazebo runs its gear joints. --to urdf is read by Gazebo.</source>
+        <translation>SDF wird nicht geschrieben: Kein aktuelles Gazebo führt seine Zahnradgelenke aus. --to urdf liest Gazebo.</translation>
+    </message>
+    <message>
+        <source>-o says where to write.</source>
+        <translation>-o sagt, wohin geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Writes matrices as CSV, the worked derivation, pictures and animations, gears as 3D files, models for simulators, and graphs.</source>
+        <translation>Schreibt Matrizen als CSV, die ausgearbeitete Herleitung, Bilder und Animationen, Räder als 3D-Dateien, Modelle für Simulatoren und Graphen.</translation>
+    </message>
+    <message>
+        <source>%1 is one of %2.</source>
+        <translation>%1 ist eines von %2.</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;; there are %2.</source>
+        <translation>Eine Matrix „%1“ gibt es nicht; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>The matrix &quot;%1&quot; needs %2; nothing was written.</source>
+        <translation>Die Matrix „%1“ braucht %2; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made.</source>
+        <translation>Der Ordner „%1“ konnte nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Left out: %1, which needs %2.</source>
+        <translation>Weggelassen: %1, was %2 braucht.</translation>
+    </message>
+    <message>
+        <source>Give --matrix NAME or --all.</source>
+        <translation>Geben Sie --matrix NAME oder --all an.</translation>
+    </message>
+    <message>
+        <source>the solution</source>
+        <translation>die Lösung</translation>
+    </message>
+    <message>
+        <source>the torques</source>
+        <translation>die Momente</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>--power needs a mechanism without errors.</source>
+        <translation>--power braucht einen Mechanismus ohne Fehler.</translation>
+    </message>
+    <message>
+        <source>--power needs loads: this document has none, so that no power flows. Add &quot;loads&quot; to it.</source>
+        <translation>--power braucht Lasten: Dieses Dokument hat keine, also fließt keine Leistung. Fügen Sie „loads“ hinzu.</translation>
+    </message>
+    <message>
+        <source>--power needs balances that hold the loads.</source>
+        <translation>--power braucht Ausgleichsmomente, die die Lasten halten.</translation>
+    </message>
+    <message>
+        <source>--power needs a motion: the speeds are not determined.</source>
+        <translation>--power braucht eine Bewegung: Die Drehgeschwindigkeiten sind nicht bestimmt.</translation>
+    </message>
+    <message>
+        <source>No power flows: the loads and what holds them do no work in this motion.</source>
+        <translation>Es fließt keine Leistung: Die Lasten und was sie hält leisten in dieser Bewegung keine Arbeit.</translation>
+    </message>
+    <message>
+        <source>--power is ground or the label of a link, not &quot;%1&quot;.</source>
+        <translation>--power ist ground oder die Bezeichnung eines Glieds, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--view 3d is made of pixels: it needs --to png.</source>
+        <translation>--view 3d besteht aus Pixeln: Es braucht --to png.</translation>
+    </message>
+    <message>
+        <source>%1 needs --view: one of %2.</source>
+        <translation>%1 braucht --view: eines von %2.</translation>
+    </message>
+    <message>
+        <source>--power is drawn in the digraph and in the schematic.</source>
+        <translation>--power wird im Digraphen und im Schema gezeichnet.</translation>
+    </message>
+    <message>
+        <source>the drawing</source>
+        <translation>die Zeichnung</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+    <message>
+        <source>A graph is the digraph or the ttgraph, not &quot;%1&quot;.</source>
+        <translation>Ein Graph ist der digraph oder der ttgraph, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no T-T graph: the turning joints are no spanning tree, or a mesh has no carrier; nothing was written.</source>
+        <translation>Es gibt keinen T-T-Graphen: Die Drehgelenke sind kein Spannbaum, oder ein Eingriff hat keinen Steg; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>the 3D view</source>
+        <translation>die 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links.</source>
+        <translation>Ein Getriebe mit %1 Gliedern hat kein 3D, das für bis zu %2 Glieder gemacht wird.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show: the turning joints are no spanning tree.</source>
+        <translation>Es gibt nichts zu zeigen: Die Drehgelenke sind kein Spannbaum.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>--size takes WIDTHxHEIGHT, each from %1 to %2, not &quot;%3&quot;.</source>
+        <translation>--size nimmt BREITExHÖHE, beide von %1 bis %2, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>--all writes a folder; &quot;-&quot; is none.</source>
+        <translation>--all schreibt einen Ordner; „-“ ist keiner.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read. The matrices are exported as CSV.</source>
+        <translation>Eine Herleitung für mehr als %1 Glieder wird nicht geschrieben: Sie wäre zu lang zum Lesen. Die Matrizen lassen sich als CSV exportieren.</translation>
+    </message>
+    <message>
+        <source>the derivation</source>
+        <translation>die Herleitung</translation>
+    </message>
+    <message>
+        <source>%1 needs --exercises.</source>
+        <translation>%1 braucht --exercises.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with --exercises, which ask about the document.</source>
+        <translation>%1 hat mit --exercises keine Bedeutung, das nach dem Dokument fragt.</translation>
+    </message>
+    <message>
+        <source>--exercises needs a file, not standard input.</source>
+        <translation>--exercises braucht eine Datei, nicht die Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>--variant is a whole number from 1 to that of --variants.</source>
+        <translation>--variant ist eine ganze Zahl von 1 bis zu der von --variants.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism.</source>
+        <translation>Zu diesem Mechanismus lässt sich nichts fragen.</translation>
+    </message>
+    <message>
+        <source>--motor is one of speed, torque, none.</source>
+        <translation>--motor ist eines von speed, torque, none.</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>Nothing can move; the model holds still.</source>
+        <translation>Nichts kann sich bewegen; das Modell steht still.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 freedoms; joints %3 are driven.</source>
+        <translation>Zustand %1 lässt %2 Freiheitsgrade; die Gelenke %3 werden angetrieben.</translation>
+    </message>
+    <message>
+        <source>A model for simulators is a folder; &quot;-&quot; is none.</source>
+        <translation>Ein Modell für Simulatoren ist ein Ordner; „-“ ist keiner.</translation>
+    </message>
+    <message>
+        <source>There is no solution to drive the model by; nothing was written.</source>
+        <translation>Es gibt keine Lösung, mit der das Modell angetrieben würde; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Models for simulators have at most %1 entries of the solution (inputs times other joints).</source>
+        <translation>Modelle für Simulatoren haben höchstens %1 Einträge der Lösung (Antriebe mal andere Gelenke).</translation>
+    </message>
+    <message>
+        <source>the folder</source>
+        <translation>der Ordner</translation>
+    </message>
+    <message>
+        <source>The train is so large that its chords are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>Das Getriebe ist so groß, dass seine Sehnen auf %1 Moduln genau sind statt auf %2 (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Left out: %1 of %2 gears, which cannot be made.</source>
+        <translation>Weggelassen: %1 von %2 Rädern, die sich nicht herstellen lassen.</translation>
+    </message>
+    <message>
+        <source>Only --to glb of a train or a link carries an animation.</source>
+        <translation>Nur --to glb eines Getriebes oder Glieds enthält eine Animation.</translation>
+    </message>
+    <message>
+        <source>Give --gear or --link, not both.</source>
+        <translation>Geben Sie --gear oder --link an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>--to assembly writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to assembly schreibt einen Ordner; „-“ ist keiner.</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;.</source>
+        <translation>Ein Drehgelenk „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;; they are labelled %2 to %3.</source>
+        <translation>Ein Drehgelenk „%1“ gibt es nicht; ihre Bezeichnungen sind %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>--inputs names joint %1 twice.</source>
+        <translation>--inputs nennt Gelenk %1 zweimal.</translation>
+    </message>
+    <message>
+        <source>--speed is like 8=1/2: a joint&apos;s label and rad/s.</source>
+        <translation>--speed ist wie 8=1/2: Bezeichnung eines Gelenks und rad/s.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
+        <translation>„%1“ ist keine Drehgeschwindigkeit; 1/2 oder 0.5 ist eine.</translation>
+    </message>
+    <message>
+        <source>Too many to count</source>
+        <translation>Unzählbar viele</translation>
+    </message>
+    <message>
+        <source>%1 valid set of inputs</source>
+        <translation>%1 zulässiger Satz von Antrieben</translation>
+    </message>
+    <message>
+        <source>%1 valid sets of inputs</source>
+        <translation>%1 zulässige Sätze von Antrieben</translation>
+    </message>
+    <message>
+        <source>; the first %1:</source>
+        <translation>; die ersten %1:</translation>
+    </message>
+    <message>
+        <source>(none: nothing can move)</source>
+        <translation>(keine: Nichts kann sich bewegen)</translation>
+    </message>
+    <message>
+        <source>There are over 20 million rates of joints over inputs; no sets are listed.</source>
+        <translation>Es gibt über 20 Millionen Übersetzungen von Gelenken zu Antrieben; es werden keine Sätze aufgeführt.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number.</source>
+        <translation>--limit ist eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>the list of input sets</source>
+        <translation>die Liste der Antriebssätze</translation>
+    </message>
+    <message>
+        <source>how many sets are listed (1,000)</source>
+        <translation>wie viele Sätze aufgeführt werden (1.000)</translation>
+    </message>
+    <message>
+        <source>Counts and lists the valid sets of inputs.</source>
+        <translation>Zählt die zulässigen Sätze von Antrieben und führt sie auf.</translation>
+    </message>
+    <message>
+        <source>1 step, no faults</source>
+        <translation>1 Schritt, keine Fehler</translation>
+    </message>
+    <message>
+        <source>%1 steps, no faults</source>
+        <translation>%1 Schritte, keine Fehler</translation>
+    </message>
+    <message>
+        <source>check needs a file.</source>
+        <translation>check braucht eine Datei.</translation>
+    </message>
+    <message>
+        <source>list has no options.</source>
+        <translation>list hat keine Optionen.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min</source>
+        <translation>%1 Lektionen, %2 min</translation>
+    </message>
+    <message>
+        <source>The first word is check or list.</source>
+        <translation>Das erste Wort ist check oder list.</translation>
+    </message>
+    <message>
+        <source>the findings as JSON</source>
+        <translation>die Befunde als JSON</translation>
+    </message>
+    <message>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
+        <translation>Prüft Lektionen: Form, Antworten und Gründe; führt die des Programms auf.</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
+        <translation>Ein Getriebe mit %1 Gliedern hat kein 3D, das für bis zu %2 Glieder gemacht wird; --gear und --link exportieren einen Teil. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears (over %2): wheels are plain discs, shafts and arms are straight and pass through other parts.</source>
+        <translation>Ein Getriebe mit %1 Rädern (über %2): Räder sind glatte Scheiben, Wellen und Arme sind gerade und gehen durch andere Teile hindurch.</translation>
+    </message>
+    <message>
+        <source>%1; nothing was written.</source>
+        <translation>%1; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1; choose a coarser --tolerance.</source>
+        <translation>%1; wählen Sie eine gröbere --tolerance.</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 fine (warnings allowed), 1 the mechanism has errors, 2 wrong usage or a file that could not be read or
+written, 3 out of a stated resource limit. &quot;-&quot; is standard input or output.</source>
+        <translation>Exit-Status: 0 in Ordnung (Warnungen erlaubt), 1 der Mechanismus hat Fehler, 2 falscher Aufruf oder eine Datei, die nicht gelesen oder
+geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist die Standardein- oder -ausgabe.</translation>
+    </message>
+    <message>
+        <source>geargraph-cli: the analysis of geared mechanisms, without a window.</source>
+        <translation>geargraph-cli: die Analyse von Getriebemechanismen, ohne Fenster.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Befehle:</translation>
+    </message>
+    <message>
+        <source>--help, --version and --language en|de|tr|es (that of the environment) work on every command.</source>
+        <translation>--help, --version und --language en|de|tr|es (die der Umgebung) gehen bei jedem Befehl.</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;.</source>
+        <translation>Einen Befehl „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for this mechanism.</source>
+        <translation>Der Speicher reicht für diesen Mechanismus nicht aus.</translation>
+    </message>
+    <message>
+        <source>It needs -o with a folder.</source>
+        <translation>Es braucht -o mit einem Ordner.</translation>
+    </message>
+    <message>
+        <source>It reads no file.</source>
+        <translation>Es liest keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; --force overwrites it.</source>
+        <translation>„%1“ gibt es schon; --force überschreibt es.</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <translation>%1 Dateien in %2</translation>
+    </message>
+    <message>
+        <source>the folder that the pages are written to</source>
+        <translation>der Ordner, in den die Seiten geschrieben werden</translation>
+    </message>
+    <message>
+        <source>overwrite files that are there</source>
+        <translation>vorhandene Dateien überschreiben</translation>
+    </message>
+    <message>
+        <source>Writes the manual of the program as web pages, with its pictures.</source>
+        <translation>Schreibt das Handbuch des Programms als Webseiten, mit seinen Bildern.</translation>
+    </message>
+    <message>
+        <source>--density is above 0, in kg/m³, not &quot;%1&quot;.</source>
+        <translation>--density ist größer als 0, in kg/m³, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--gravity is like 0,0,-9.81, in m/s², not &quot;%1&quot;.</source>
+        <translation>--gravity ist wie 0,0,-9.81, in m/s², nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, m/s², instead of the document&apos;s</source>
+        <translation>Fallbeschleunigung, m/s², statt der des Dokuments</translation>
+    </message>
+    <message>
+        <source>of all solids, kg/m³, instead of the document&apos;s</source>
+        <translation>aller Körper, kg/m³, statt der des Dokuments</translation>
+    </message>
+    <message>
+        <source>%1 takes a number from %2 to %3, not &quot;%4&quot;.</source>
+        <translation>%1 nimmt eine Zahl von %2 bis %3, nicht „%4“.</translation>
+    </message>
+    <message>
+        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
+        <translation>--angle ist wie 8=30deg oder 8=1/2rad: Bezeichnung eines Antriebs und sein Winkel.</translation>
+    </message>
+    <message>
+        <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
+        <translation>Der Winkel %1 ist zu groß: Kein Programm könnte ihn darstellen, die größte Zahl ist 1.79e308. Lassen Sie ganze Umdrehungen weg.</translation>
+    </message>
+    <message>
+        <source>%1 deg</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 is beyond its limits (%3, %4)</source>
+        <translation>Gelenk %1 liegt bei %2 jenseits seiner Anschläge (%3, %4)</translation>
+    </message>
+    <message>
+        <source>%1 turned by %2 deg</source>
+        <translation>%1 um %2 Grad gedreht</translation>
+    </message>
+    <message>
+        <source>Links, against the reference pose: turned, and where the point went that was at the origin</source>
+        <translation>Glieder gegen die Bezugslage: gedreht, und wohin der Punkt ging, der im Ursprung war</translation>
+    </message>
+    <message>
+        <source>%1 by %2 deg about %3 to %4</source>
+        <translation>%1 um %2 Grad um %3 nach %4</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>die Lage</translation>
+    </message>
+    <message>
+        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
+        <translation>der Winkel eines Antriebs (deg oder rad; sonst 0); darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Says where every link is for given angles of the inputs.</source>
+        <translation>Sagt, wo jedes Glied bei gegebenen Winkeln der Antriebe ist.</translation>
+    </message>
+    <message>
+        <source>requests on standard input, answers on standard output</source>
+        <translation>Anfragen auf der Standardeingabe, Antworten auf der Standardausgabe</translation>
+    </message>
+    <message>
+        <source>of address space, for each command</source>
+        <translation>Adressraum, für jeden Befehl</translation>
+    </message>
+    <message>
+        <source>Answers requests, a JSON object a line: open, edit, analyze, export, ...</source>
+        <translation>Beantwortet Anfragen, ein JSON-Objekt je Zeile: open, edit, analyze, export, ...</translation>
+    </message>
+    <message>
+        <source>rank r = %1, degrees of freedom E = t - r = %2</source>
+        <translation>Rang r = %1, Freiheitsgrade E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>rank r = %1 (%3 of the meshes + %4 of the couplings), degrees of freedom E = t - r = %2</source>
+        <translation>Rang r = %1 (%3 der Eingriffe + %4 der Schaltelemente), Freiheitsgrade E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>(Kutzbach counts %1)</source>
+        <translation>(Kutzbach zählt %1)</translation>
+    </message>
+    <message>
+        <source>Carriers of the gear pairs, by their transfer vertices</source>
+        <translation>Stege der Räderpaare, nach ihren Transferknoten</translation>
+    </message>
+    <message>
+        <source>axes %1, %2</source>
+        <translation>Achsen %1, %2</translation>
+    </message>
+    <message>
+        <source>Rates of the outputs over those of the inputs, Eq. (23)</source>
+        <translation>Drehgeschwindigkeiten der Abtriebe über denen der Antriebe, Gl. (23)</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>inputs, chosen because the file names none:</source>
+        <translation>Antriebe, gewählt, weil die Datei keine nennt:</translation>
+    </message>
+    <message>
+        <source>%1 at %2 rad/s</source>
+        <translation>%1 mit %2 rad/s</translation>
+    </message>
+    <message>
+        <source>not driven, because engaged couplings decide:</source>
+        <translation>nicht angetrieben, weil geschlossene Schaltelemente bestimmen:</translation>
+    </message>
+    <message>
+        <source>%1 outputs over %2 inputs: too large to print; see --json</source>
+        <translation>%1 Abtriebe über %2 Antrieben: zu groß zum Drucken; siehe --json</translation>
+    </message>
+    <message>
+        <source>The matroid method and the T-T graph method agree exactly.</source>
+        <translation>Die Matroid-Methode und die T-T-Graph-Methode stimmen exakt überein.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1.</source>
+        <translation>Die beiden Methoden unterscheiden sich um bis zu %1.</translation>
+    </message>
+    <message>
+        <source>in the gear ratios</source>
+        <translation>in den Übersetzungen</translation>
+    </message>
+    <message>
+        <source>State %1: it names no drive and driven link, so it has no ratio.</source>
+        <translation>Zustand %1: Er nennt weder Antrieb noch Abtrieb, also hat er keine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link does not move.</source>
+        <translation>Zustand %1: Der Abtrieb bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link turns about several directions at once.</source>
+        <translation>Zustand %1: Der Abtrieb dreht sich um mehrere Richtungen zugleich.</translation>
+    </message>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mechanismus</translation>
+    </message>
+    <message>
+        <source>%1: no states</source>
+        <translation>%1: keine Zustände</translation>
+    </message>
+    <message>
+        <source>%1: 1 state</source>
+        <translation>%1: 1 Zustand</translation>
+    </message>
+    <message>
+        <source>%1: %2 states</source>
+        <translation>%1: %2 Zustände</translation>
+    </message>
+    <message>
+        <source>the shift table</source>
+        <translation>die Schalttabelle</translation>
+    </message>
+    <message>
+        <source>The shift table: what each state of the brakes and clutches does.</source>
+        <translation>Die Schalttabelle: was jeder Zustand der Bremsen und Kupplungen bewirkt.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME, --all-states or --engage A,B.</source>
+        <translation>Geben Sie --state NAME, --all-states oder --engage A,B an.</translation>
+    </message>
+    <message>
+        <source>of every state</source>
+        <translation>jedes Zustands</translation>
+    </message>
+    <message>
+        <source>joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added</source>
+        <translation>joint:14=10Nm, link:3@e=10Nm oder link:3=10,-20,-50N@30,-60,130, zusätzlich</translation>
+    </message>
+    <message>
+        <source>without the loads of the document</source>
+        <translation>ohne die Lasten des Dokuments</translation>
+    </message>
+    <message>
+        <source>joint:8 or link:7@a: find the torque there; may be given again</source>
+        <translation>joint:8 oder link:7@a: das Moment dort bestimmen; darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be given again</source>
+        <translation>die Drehgeschwindigkeit eines Antriebs in rad/s; darf mehrmals stehen</translation>
+    </message>
+    <message>
+        <source>with the losses of the meshes</source>
+        <translation>mit den Verlusten der Eingriffe</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none; implies --efficiency</source>
+        <translation>Wirkungsgrad von Eingriffen, die keinen angeben; schließt --efficiency ein</translation>
+    </message>
+    <message>
+        <source>loads that several meshes share: left open, or by equal stiffness</source>
+        <translation>Lasten, die mehrere Eingriffe teilen: offen gelassen, oder nach gleicher Steifigkeit</translation>
+    </message>
+    <message>
+        <source>without the solution in gear ratios</source>
+        <translation>ohne die Lösung in Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Torques, tooth forces, bearing reactions and efficiency under loads.</source>
+        <translation>Momente, Zahnkräfte, Lagerreaktionen und Wirkungsgrad unter Lasten.</translation>
+    </message>
+    <message>
+        <source>%1 is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not &quot;%2&quot;.</source>
+        <translation>%1 steht in joint:LABEL, link:LABEL oder link:LABEL@AXIS, nicht „%2“.</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot;.</source>
+        <translation>Ein Glied „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: name a moving link.</source>
+        <translation>Das Gestell nimmt jede Last auf: Nennen Sie ein bewegtes Glied.</translation>
+    </message>
+    <message>
+        <source>There is no axis &quot;%1&quot;.</source>
+        <translation>Eine Achse „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>„%1“ ist keine Last: 10Nm, 1/2kNm und 500Nmm sind Momente, und 10,-20,-50N@30,-60,130 ist eine Kraft auf ein Glied in einem Punkt.</translation>
+    </message>
+    <message>
+        <source>--balance names &quot;%1&quot; twice.</source>
+        <translation>--balance nennt „%1“ zweimal.</translation>
+    </message>
+    <message>
+        <source>--eta is an efficiency, above 0 and at most 1.</source>
+        <translation>--eta ist ein Wirkungsgrad, größer als 0 und höchstens 1.</translation>
+    </message>
+    <message>
+        <source>--share is one of none, stiffness.</source>
+        <translation>--share ist eines von none, stiffness.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --all-states.</source>
+        <translation>Geben Sie --state NAME oder --all-states an.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;.</source>
+        <translation>Einen Zustand „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>power, W</source>
+        <translation>Leistung, W</translation>
+    </message>
+    <message>
+        <source>shared</source>
+        <translation>geteilt</translation>
+    </message>
+    <message>
+        <source>Balances and couplings</source>
+        <translation>Ausgleichsmomente und Schaltelemente</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>torque on tail, N m</source>
+        <translation>Moment auf Fuß, N m</translation>
+    </message>
+    <message>
+        <source>on head, N m</source>
+        <translation>auf Spitze, N m</translation>
+    </message>
+    <message>
+        <source>force on head, N</source>
+        <translation>Kraft auf Spitze, N</translation>
+    </message>
+    <message>
+        <source>Meshes (torques about the axes from the carrier)</source>
+        <translation>Eingriffe (Momente um die Achsen, vom Steg aus)</translation>
+    </message>
+    <message>
+        <source>force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>moment, N m</source>
+        <translation>Moment, N m</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Bearings (tail on head, base frame)</source>
+        <translation>Lager (Fuß auf Spitze, Basissystem)</translation>
+    </message>
+    <message>
+        <source>Power fed %1 W, taken %2 W, lost %3 W</source>
+        <translation>Leistung zugeführt %1 W, entnommen %2 W, verloren %3 W</translation>
+    </message>
+    <message>
+        <source>Passed by the meshes, seen from their carriers, over the power fed: %1</source>
+        <translation>Von den Eingriffen übertragen, von ihren Stegen aus gesehen, durch die zugeführte Leistung: %1</translation>
+    </message>
+    <message>
+        <source>Efficiency %1</source>
+        <translation>Wirkungsgrad %1</translation>
+    </message>
+    <message>
+        <source>Efficiency backward %1</source>
+        <translation>Wirkungsgrad rückwärts %1</translation>
+    </message>
+    <message>
+        <source>The output cannot drive it back: it locks itself.</source>
+        <translation>Der Abtrieb kann es nicht zurücktreiben: Es ist selbsthemmend.</translation>
+    </message>
+    <message>
+        <source>Both methods agree.</source>
+        <translation>Beide Methoden stimmen überein.</translation>
+    </message>
+    <message>
+        <source>The methods do NOT agree.</source>
+        <translation>Die Methoden stimmen NICHT überein.</translation>
+    </message>
+    <message>
+        <source>%1, state %2</source>
+        <translation>%1, Zustand %2</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium.</source>
+        <translation>Es gibt kein Gleichgewicht.</translation>
+    </message>
+    <message>
+        <source>Files or folders are needed.</source>
+        <translation>Dateien oder Ordner werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>--jobs is a whole number from 1 to 256.</source>
+        <translation>--jobs ist eine ganze Zahl von 1 bis 256.</translation>
+    </message>
+    <message>
+        <source>the summary</source>
+        <translation>die Übersicht</translation>
+    </message>
+    <message>
+        <source>how many files are analysed at once (as many as there are processors)</source>
+        <translation>wie viele Dateien zugleich analysiert werden (so viele, wie es Prozessoren gibt)</translation>
+    </message>
+    <message>
+        <source>the file (standard output without it)</source>
+        <translation>die Datei (sonst die Standardausgabe)</translation>
+    </message>
+    <message>
+        <source>A row for each file, or for each document in a folder, as CSV.</source>
+        <translation>Eine Zeile für jede Datei, oder für jedes Dokument in einem Ordner, als CSV.</translation>
+    </message>
+    <message>
+        <source>give up after this time (exit status 3); nothing is written then</source>
+        <translation>nach dieser Zeit aufgeben (Exit-Status 3); dann wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>--limit-seconds takes a number of seconds above 0, up to 1000000, not &quot;%1&quot;.</source>
+        <translation>--limit-seconds nimmt eine Zahl von Sekunden über 0, bis 1000000, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>The limit of %1 s was over before %2 was finished; nothing was written.</source>
+        <translation>Die Grenze von %1 s war erreicht, bevor dies fertig war: %2; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>the validation</source>
+        <translation>die Prüfung der Datei</translation>
+    </message>
+    <message>
+        <source>%1: no problems</source>
+        <translation>%1: keine Probleme</translation>
+    </message>
+    <message>
+        <source>also look for links that collide while the inputs run at their speeds</source>
+        <translation>auch nach Gliedern suchen, die zusammenstoßen, während die Antriebe mit ihren Drehgeschwindigkeiten laufen</translation>
+    </message>
+    <message>
+        <source>Says what is wrong with a file.</source>
+        <translation>Sagt, was an einer Datei falsch ist.</translation>
+    </message>
+    <message>
+        <source>Give --from or --camera, not both.</source>
+        <translation>Geben Sie --from oder --camera an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>--from is one of front, back, left, right, top, bottom, iso.</source>
+        <translation>--from ist eines von front, back, left, right, top, bottom, iso.</translation>
+    </message>
+    <message>
+        <source>--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not &quot;%1&quot;.</source>
+        <translation>--camera nimmt AZIMUT,HÖHE in Grad, bis 360 und 90, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--time takes seconds, not &quot;%1&quot;.</source>
+        <translation>--time nimmt Sekunden, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--explode takes a part from 0 to 1, not &quot;%1&quot;.</source>
+        <translation>--explode nimmt einen Anteil von 0 bis 1, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--section takes x, y or z, and how far along from 0 to 1: y:0.5, not &quot;%1&quot;.</source>
+        <translation>--section nimmt x, y oder z, und wie weit entlang von 0 bis 1: y:0.5, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--faces is one of shaded, lines, edges.</source>
+        <translation>--faces ist eines von shaded, lines, edges.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
+        <translation>--show nennt labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Give --turntable or --motion, not both.</source>
+        <translation>Geben Sie --turntable oder --motion an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>--frames takes a whole number from 2 to %1, not &quot;%2&quot;.</source>
+        <translation>--frames nimmt eine ganze Zahl von 2 bis %1, nicht „%2“.</translation>
+    </message>
+    <message>
+        <source>--fps takes pictures a second from 0.1 to 100, not &quot;%1&quot;.</source>
+        <translation>--fps nimmt Bilder je Sekunde von 0.1 bis 100, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 overlap in the reference pose: give them clearance.</source>
+        <translation>Glieder %1 und %2 überschneiden sich in der Bezugslage: Geben Sie ihnen Abstand.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 collide %3, with %4. Give them clearance, or limit joints.</source>
+        <translation>Glieder %1 und %2 stoßen %3 zusammen, mit %4. Geben Sie ihnen Abstand, oder begrenzen Sie Gelenke.</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion backwards</source>
+        <translation>nach %1 der Bewegung rückwärts</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion</source>
+        <translation>nach %1 der Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 at %2 deg</source>
+        <translation>%1 bei %2 Grad</translation>
+    </message>
+    <message>
+        <source>joints %1</source>
+        <translation>Gelenken %1</translation>
+    </message>
+    <message>
+        <source>(Only part of the motion was checked.)</source>
+        <translation>(Nur ein Teil der Bewegung wurde geprüft.)</translation>
+    </message>
+    <message>
+        <source>(Checked for the first %1: the motion does not repeat sooner.)</source>
+        <translation>(Geprüft über die ersten %1: Die Bewegung wiederholt sich nicht früher.)</translation>
+    </message>
+    <message>
+        <source>(Checked until the motion repeats.)</source>
+        <translation>(Geprüft, bis die Bewegung sich wiederholt.)</translation>
+    </message>
+    <message>
+        <source>(Checked between the limits of the joints, from %1 to %2.)</source>
+        <translation>(Geprüft zwischen den Anschlägen der Gelenke, von %1 bis %2.)</translation>
+    </message>
+    <message>
+        <source>(1 more pair of links collides later.)</source>
+        <translation>(1 weiteres Gliederpaar stößt später zusammen.)</translation>
+    </message>
+    <message>
+        <source>(%1 more pairs of links collide later.)</source>
+        <translation>(%1 weitere Gliederpaare stoßen später zusammen.)</translation>
+    </message>
+    <message>
+        <source>The motion of more than %1 links is not checked for collisions.</source>
+        <translation>Die Bewegung von mehr als %1 Gliedern wird nicht auf Zusammenstöße geprüft.</translation>
+    </message>
+    <message>
+        <source>Only part of the motion was checked for collisions: too many parts come close to each other.</source>
+        <translation>Nur ein Teil der Bewegung wurde auf Zusammenstöße geprüft: Zu viele Teile kommen einander nahe.</translation>
+    </message>
+    <message>
+        <source>The motion was checked for collisions for its first %1: it does not repeat sooner.</source>
+        <translation>Die Bewegung wurde über ihre ersten %1 auf Zusammenstöße geprüft: Sie wiederholt sich nicht früher.</translation>
+    </message>
+    <message>
+        <source>Stop driving %1</source>
+        <translation>%1 nicht mehr antreiben</translation>
+    </message>
+    <message>
+        <source>Drive %1 too</source>
+        <translation>Auch %1 antreiben</translation>
+    </message>
+    <message>
+        <source>Exchange input %1 for %2</source>
+        <translation>Antrieb %1 gegen %2 tauschen</translation>
+    </message>
+    <message>
+        <source>Choose the inputs for me</source>
+        <translation>Antriebe für mich wählen</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2</source>
+        <translation>%1 Zähne an Rad %2 verwenden</translation>
+    </message>
+    <message>
+        <source>Make %1 external</source>
+        <translation>%1 außenverzahnt machen</translation>
+    </message>
+    <message>
+        <source>Make %1 internal</source>
+        <translation>%1 innenverzahnt machen</translation>
+    </message>
+    <message>
+        <source>Make %1 bevel</source>
+        <translation>%1 zu Kegelrädern machen</translation>
+    </message>
+    <message>
+        <source>Let the pitch point follow from axes and teeth</source>
+        <translation>Wälzpunkt aus Achsen und Zähnezahlen folgen lassen</translation>
+    </message>
+    <message>
+        <source>Let pitch point and kind follow from the axes</source>
+        <translation>Wälzpunkt und Art aus den Achsen folgen lassen</translation>
+    </message>
+    <message>
+        <source>Give each its own axis</source>
+        <translation>Jedem seine eigene Achse geben</translation>
+    </message>
+    <message>
+        <source>Move %1 along its axis to %2 %3</source>
+        <translation>%1 auf der Achse nach %2 %3 schieben</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the ring and %2 on the planets</source>
+        <translation>%1 Zähne am Hohlrad und %2 an den Planeten verwenden</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the sun and %2 on the planets</source>
+        <translation>%1 Zähne an der Sonne und %2 an den Planeten verwenden</translation>
+    </message>
+    <message>
+        <source>Use twice the teeth everywhere</source>
+        <translation>Überall doppelt so viele Zähne verwenden</translation>
+    </message>
+    <message>
+        <source>Use three times the teeth everywhere</source>
+        <translation>Überall dreimal so viele Zähne verwenden</translation>
+    </message>
+    <message>
+        <source>Use four times the teeth everywhere</source>
+        <translation>Überall viermal so viele Zähne verwenden</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2 of %3</source>
+        <translation>%1 Zähne an Rad %2 von %3 verwenden</translation>
+    </message>
+    <message>
+        <source>Tie link %1 to the ground</source>
+        <translation>Glied %1 mit dem Gestell verbinden</translation>
+    </message>
+    <message>
+        <source>Tie links %1 to the ground</source>
+        <translation>Glieder %1 mit dem Gestell verbinden</translation>
+    </message>
+    <message>
+        <source>Delete the loose links</source>
+        <translation>Die losen Glieder löschen</translation>
+    </message>
+    <message>
+        <source>, a second bearing on axis %1</source>
+        <translation>, ein zweites Lager auf Achse %1</translation>
+    </message>
+    <message>
+        <source>The pinions do not go in evenly: twice the side wheels&apos; teeth, %1, has to be a multiple of %2.</source>
+        <translation>Die Ausgleichsräder lassen sich nicht gleichmäßig einsetzen: Die doppelte Zähnezahl der Achswellenräder, %1, muss ein Vielfaches von %2 sein.</translation>
+    </message>
+    <message>
+        <source>There is no such link.</source>
+        <translation>Ein solches Glied gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: a planet turns on its carrier and carries nothing.</source>
+        <translation>Glied %1 ist kein Planet: Ein Planet dreht sich auf seinem Steg und trägt nichts.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: one of its meshes does not fit its axes.</source>
+        <translation>Glied %1 ist kein Planet: Einer seiner Eingriffe passt nicht zu seinen Achsen.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: its meshes are with wheels on several axes.</source>
+        <translation>Glied %1 ist kein Planet: Seine Eingriffe sind mit Rädern auf mehreren Achsen.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: what it turns on does not carry the axis of what it meshes with.</source>
+        <translation>Glied %1 ist kein Planet: Worauf es sich dreht, trägt nicht die Achse dessen, womit es kämmt.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: it meshes with nothing.</source>
+        <translation>Glied %1 ist kein Planet: Es kämmt mit nichts.</translation>
+    </message>
+    <message>
+        <source>%1 planets cannot be put in evenly.</source>
+        <translation>%1 Planeten lassen sich nicht gleichmäßig einsetzen.</translation>
+    </message>
+    <message>
+        <source>Short and long planet cannot touch each other: small sun + short planet and large sun + long planet differ by more than short + long planet. What fits: sums that are nearer.</source>
+        <translation>Kurzer und langer Planet können einander nicht berühren: Kleine Sonne + kurzer Planet und große Sonne + langer Planet unterscheiden sich um mehr als kurzer + langer Planet. Es passen Summen, die näher beieinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The long planets, which extend through both planes, interfere with the small sun. What fits: a large sun with at least 4 teeth more than the small one.</source>
+        <translation>Die langen Planeten, die durch beide Ebenen reichen, überschneiden die kleine Sonne. Es passt eine große Sonne mit mindestens 4 Zähnen mehr als die kleine.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer pairs, smaller planets, or a larger ring.</source>
+        <translation>Die Planeten stoßen aneinander. Es passen weniger Paare, kleinere Planeten oder ein größeres Hohlrad.</translation>
+    </message>
+    <message>
+        <source>The pairs do not go in evenly: ring + large sun = %1 and ring - small sun = %2 have to be multiples of %3.</source>
+        <translation>Die Paare lassen sich nicht gleichmäßig einsetzen: Hohlrad + große Sonne = %1 und Hohlrad - kleine Sonne = %2 müssen Vielfache von %3 sein.</translation>
+    </message>
+    <message>
+        <source>The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.</source>
+        <translation>Die Planeten lassen sich nicht gleichmäßig einsetzen: Sonne + Hohlrad = %1 muss ein Vielfaches von %2 sein.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer or smaller planets, or a larger sun.</source>
+        <translation>Die Planeten stoßen aneinander. Es passen weniger oder kleinere Planeten oder eine größere Sonne.</translation>
+    </message>
+    <message>
+        <source>The quote that begins here is never closed.</source>
+        <translation>Das Anführungszeichen, das hier beginnt, wird nie geschlossen.</translation>
+    </message>
+    <message>
+        <source>A field ends with its closing quote; a quote inside a field is written twice.</source>
+        <translation>Ein Feld endet mit seinem schließenden Anführungszeichen; eines im Feld wird doppelt geschrieben.</translation>
+    </message>
+    <message>
+        <source>A field with a quote in it is quoted as a whole, and the quote written twice.</source>
+        <translation>Ein Feld mit einem Anführungszeichen steht als Ganzes in Anführungszeichen, und das innere doppelt.</translation>
+    </message>
+    <message>
+        <source>These bytes are not UTF-8.</source>
+        <translation>Diese Bytes sind kein UTF-8.</translation>
+    </message>
+    <message>
+        <source>Standard input could not be read: %1.</source>
+        <translation>Die Standardeingabe konnte nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read: %2.</source>
+        <translation>%1 konnte nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: it is a folder.</source>
+        <translation>%1 konnte nicht geschrieben werden: Es ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>%1 konnte nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>; what should be in it is kept in %1</source>
+        <translation>; was darin stehen sollte, ist in %1 aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made: %2.</source>
+        <translation>Der Ordner „%1“ konnte nicht angelegt werden: %2.</translation>
+    </message>
+    <message>
+        <source>Stopped; the folder is not complete.</source>
+        <translation>Angehalten; der Ordner ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>there is a file of that name</source>
+        <translation>es gibt eine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written.</source>
+        <translation>„%1“ gibt es schon; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The file is far too large.</source>
+        <translation>Die Datei ist viel zu groß.</translation>
+    </message>
+    <message>
+        <source>expected the end of the file after the outermost value</source>
+        <translation>erwartet: das Ende der Datei nach dem äußersten Wert</translation>
+    </message>
+    <message>
+        <source>expected a value</source>
+        <translation>erwartet: ein Wert</translation>
+    </message>
+    <message>
+        <source>lists and objects are nested deeper than %1</source>
+        <translation>Listen und Objekte sind tiefer als %1 verschachtelt</translation>
+    </message>
+    <message>
+        <source>expected a digit of a number</source>
+        <translation>erwartet: eine Ziffer einer Zahl</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;]&apos; in a list</source>
+        <translation>erwartet: „,“ oder „]“ in einer Liste</translation>
+    </message>
+    <message>
+        <source>expected a member name in double quotes</source>
+        <translation>erwartet: ein Mitgliedsname in doppelten Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos; after a member name</source>
+        <translation>erwartet: „:“ nach einem Mitgliedsnamen</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;}&apos; in an object</source>
+        <translation>erwartet: „,“ oder „}“ in einem Objekt</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string</source>
+        <translation>erwartet: das schließende Anführungszeichen einer Zeichenkette</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string, or an escape such as \n</source>
+        <translation>erwartet: das schließende Anführungszeichen einer Zeichenkette oder eine Escape-Folge wie \n</translation>
+    </message>
+    <message>
+        <source>expected a character in UTF-8</source>
+        <translation>erwartet: ein Zeichen in UTF-8</translation>
+    </message>
+    <message>
+        <source>expected an escape that JSON knows (\&quot; \\ \/ \b \f \n \r \t \u)</source>
+        <translation>erwartet: eine Escape-Folge, die JSON kennt (\&quot; \\ \/ \b \f \n \r \t \u)</translation>
+    </message>
+    <message>
+        <source>expected four hexadecimal digits after \u</source>
+        <translation>erwartet: vier Hexadezimalziffern nach \u</translation>
+    </message>
+    <message>
+        <source>expected no second half of a surrogate pair here</source>
+        <translation>erwartet: hier keine zweite Hälfte eines Surrogatpaars</translation>
+    </message>
+    <message>
+        <source>expected both halves of a surrogate pair</source>
+        <translation>erwartet: beide Hälften eines Surrogatpaars</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>das Ende der Datei</translation>
+    </message>
+    <message>
+        <source>the byte 0x%1</source>
+        <translation>das Byte 0x%1</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3, found %4.</source>
+        <translation>Zeile %1, Spalte %2: %3, gefunden: %4.</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3.</source>
+        <translation>Zeile %1, Spalte %2: %3.</translation>
+    </message>
+    <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the tooth counts.</source>
+        <translation>Glieder %1 überschneiden sich in 3D: Verschieben Sie ihre Gelenke entlang der Achsen, lassen Sie Wälzpunkte offen oder ändern Sie die Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
+        <translation>Der Kranz von %1 reicht nicht über die Zahnfüße der %2 Zähne des Hohlrads hinaus: Machen Sie ihn größer als %3.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the roots of %2 teeth: make it smaller than %3.</source>
+        <translation>Die Bohrung von %1 lässt unter den Zahnfüßen von %2 Zähnen keinen Körper übrig: Machen Sie sie kleiner als %3.</translation>
+    </message>
+    <message>
+        <source>A gear of %1 teeth has a measure that no tooth can have; module and face width must be positive, the pressure angle between 5 and 35 degrees, shift and heights at most 3 modules.</source>
+        <translation>Ein Rad mit %1 Zähnen hat ein Maß, das kein Zahn haben kann; Modul und Zahnbreite müssen positiv sein, der Eingriffswinkel zwischen 5 und 35 Grad, Profilverschiebung und Zahnhöhen höchstens 3 Moduln.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a ring that a rack can generate; use at least %2.</source>
+        <translation>%1 Zähne sind zu wenige für ein Hohlrad, das eine Zahnstange erzeugen kann; verwenden Sie mindestens %2.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a gear that a rack can generate; use at least %2.</source>
+        <translation>%1 Zähne sind zu wenige für ein Rad, das eine Zahnstange erzeugen kann; verwenden Sie mindestens %2.</translation>
+    </message>
+    <message>
+        <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
+        <translation>Der Teilkegelwinkel eines Kegelrads muss zwischen %1 und 163 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>The face of %1 runs into the apex: make it shorter than %2, a third of the cone distance.</source>
+        <translation>Die Zahnbreite von %1 läuft in die Kegelspitze: Machen Sie sie kürzer als %2, ein Drittel der Teilkegellänge.</translation>
+    </message>
+    <message>
+        <source>%1 teeth leave no body below the roots; use more, or a larger profile shift.</source>
+        <translation>%1 Zähne lassen unter den Zahnfüßen keinen Körper übrig; verwenden Sie mehr oder eine größere Profilverschiebung.</translation>
+    </message>
+    <message>
+        <source>, or give the ring %1 teeth and the planets %2 (then %3 at equal distances fit)</source>
+        <translation>, oder geben Sie dem Hohlrad %1 Zähne und den Planeten %2 (dann passen %3 in gleichen Abständen)</translation>
+    </message>
+    <message>
+        <source>, or use %1 planets at equal distances</source>
+        <translation>, oder verwenden Sie %1 Planeten in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
+        <translation>Planeten passen bei Vielfachen von 360/%1 = %2 Grad: Verschieben Sie den von Glied %3 um %4 Grad</translation>
+    </message>
+    <message>
+        <source>It fits with %1 instead of %2 teeth on gear %3</source>
+        <translation>Es passt mit %1 statt %2 Zähnen an Rad %3</translation>
+    </message>
+    <message>
+        <source>, or with %1 instead of %2 teeth on gear %3</source>
+        <translation>, oder mit %1 statt %2 Zähnen an Rad %3</translation>
+    </message>
+    <message>
+        <source>Change tooth counts of the loop, or move one of its axes</source>
+        <translation>Ändern Sie Zähnezahlen der Schleife, oder verschieben Sie eine ihrer Achsen</translation>
+    </message>
+    <message>
+        <source>The loop of meshes %1 cannot be assembled as drawn: at mesh %2 the teeth miss each other by %3 of a pitch.</source>
+        <translation>Die Schleife der Eingriffe %1 lässt sich so, wie sie gezeichnet ist, nicht montieren: Bei Eingriff %2 verfehlen die Zähne einander um %3 einer Teilung.</translation>
+    </message>
+    <message>
+        <source>The wheels of links %1 and %2 beside gear %3 interfere: their tips overlap by %4 modules.</source>
+        <translation>Die Räder der Glieder %1 und %2 neben Rad %3 überschneiden sich: Ihre Zahnköpfe überlappen um %4 Moduln.</translation>
+    </message>
+    <message>
+        <source>At most %1 of them fit round it, at equal distances.</source>
+        <translation>Höchstens %1 davon passen in gleichen Abständen darum.</translation>
+    </message>
+    <message>
+        <source>Move one of them, or give it fewer teeth.</source>
+        <translation>Verschieben Sie eines davon, oder geben Sie ihm weniger Zähne.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) has no solid: %3</source>
+        <translation>Rad %1 (%2 Zähne) hat keinen Körper: %3</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is undercut: at a profile shift of %3 a rack needs %4 teeth or more. Use more teeth, or a shift of at least %5.</source>
+        <translation>Rad %1 (%2 Zähne) hat Unterschnitt: Bei einer Profilverschiebung von %3 braucht eine Zahnstange %4 Zähne oder mehr. Verwenden Sie mehr Zähne oder eine Profilverschiebung von mindestens %5.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) would have pointed teeth: its tips were lowered to keep a land of %3 modules. Use a smaller profile shift than %4.</source>
+        <translation>Rad %1 (%2 Zähne) hätte spitze Zähne: Die Köpfe wurden gekürzt, damit eine Zahnkopfdicke von %3 Moduln bleibt. Verwenden Sie eine kleinere Profilverschiebung als %4.</translation>
+    </message>
+    <message>
+        <source>Mesh %1, %2 and %3 teeth</source>
+        <translation>Eingriff %1, %2 und %3 Zähne</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, one pair of teeth lets go before the next takes over. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: Die Profilüberdeckung ist %2, ein Zahnpaar löst sich, bevor das nächste übernimmt. Verwenden Sie mehr Zähne oder Profilverschiebungen, die längere Flanken lassen, für %3 oder mehr.</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, that leaves nothing for errors of the teeth. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: Die Profilüberdeckung ist %2, das lässt nichts für Fehler der Zähne übrig. Verwenden Sie mehr Zähne oder Profilverschiebungen, die längere Flanken lassen, für %3 oder mehr.</translation>
+    </message>
+    <message>
+        <source>%1: a face width of %2 is more than a third of the cone distance, so that the small ends of the teeth are too weak to bear load. Use %3 or less.</source>
+        <translation>%1: Die Zahnbreite von %2 ist mehr als ein Drittel der Teilkegellänge, sodass die kleinen Enden der Zähne zu schwach zum Tragen sind. Verwenden Sie %3 oder weniger.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: their tips collide outside of the mesh, by %3 modules. Use a difference of more teeth, or a larger profile shift of the ring.</source>
+        <translation>%1 Zähne in einem Hohlrad mit %2: Ihre Köpfe stoßen außerhalb des Eingriffs zusammen, um %3 Moduln. Verwenden Sie einen größeren Zähnezahlunterschied oder eine größere Profilverschiebung des Hohlrads.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: the ring&apos;s tips would interfere with the pinion&apos;s fillets and were lowered by %3 modules. Use a pinion of more teeth, or with a larger profile shift.</source>
+        <translation>%1 Zähne in einem Hohlrad mit %2: Die Köpfe des Hohlrads würden in die Fußrundungen des Ritzels eindringen und wurden um %3 Moduln gekürzt. Verwenden Sie ein Ritzel mit mehr Zähnen oder größerer Profilverschiebung.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>Räder %1 und %2 überschneiden sich und kämmen nicht. Verwenden Sie kleinere Zahnbreiten, oder lassen Sie diese oder einen Wälzpunkt offen.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>Räder %1 und %2 überschneiden sich und kämmen nicht. Verschieben Sie den Wälzpunkt von einem entlang seiner Achse, oder lassen Sie ihn offen.</translation>
+    </message>
+    <message>
+        <source>The number is too large; its double would be infinite.</source>
+        <translation>Die Zahl ist zu groß; als Gleitkommazahl wäre sie unendlich.</translation>
+    </message>
+    <message>
+        <source>A list has at most 100,000 elements; this one has %1.</source>
+        <translation>Eine Liste hat höchstens 100.000 Elemente; diese hat %1.</translation>
+    </message>
+    <message>
+        <source>The member occurs twice in its object; only one may stay.</source>
+        <translation>Das Mitglied steht zweimal in seinem Objekt; nur eines darf bleiben.</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>die Zahl %1</translation>
+    </message>
+    <message>
+        <source>the string %1</source>
+        <translation>die Zeichenkette %1</translation>
+    </message>
+    <message>
+        <source>a list of %1 elements</source>
+        <translation>eine Liste von %1 Elementen</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an id: a string of 1 to 1,000 characters or a whole number</source>
+        <translation>eine Kennung: eine Zeichenkette von 1 bis 1.000 Zeichen oder eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number, or a fraction as a string like &quot;22/7&quot;</source>
+        <translation>eine Zahl oder ein Bruch als Zeichenkette wie „22/7“</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>Erwartet: %1; gefunden: %2.</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; is missing; expected %2.</source>
+        <translation>Das Mitglied „%1“ fehlt; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>a list of ids</source>
+        <translation>eine Liste von Kennungen</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>eine Zeichenkette</translation>
+    </message>
+    <message>
+        <source>expected at most 1,000 characters, found %1.</source>
+        <translation>Erwartet: höchstens 1.000 Zeichen; gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>eine Liste von drei Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of six numbers, xx, yy, zz, xy, xz, yz</source>
+        <translation>eine Liste von sechs Zahlen, xx, yy, zz, xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a list of two, each a number or null</source>
+        <translation>eine Liste von zweien, jedes eine Zahl oder null</translation>
+    </message>
+    <message>
+        <source>the whole number %1</source>
+        <translation>die ganze Zahl %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>The file has version %1, but this program reads version %2: open it with a newer GearGraph.</source>
+        <translation>Die Datei hat Version %1, dieses Programm liest Version %2: Öffnen Sie sie mit einem neueren GearGraph.</translation>
+    </message>
+    <message>
+        <source>This is not a GearGraph document: the member &quot;format&quot; has to be &quot;geargraph&quot;.</source>
+        <translation>Das ist kein Dokument von GearGraph: Das Mitglied „format“ muss „geargraph“ sein.</translation>
+    </message>
+    <message>
+        <source>a list of links, the ground first</source>
+        <translation>eine Liste von Gliedern, das Gestell zuerst</translation>
+    </message>
+    <message>
+        <source>a list of turning joints that tie the links</source>
+        <translation>eine Liste von Drehgelenken, die die Glieder verbinden</translation>
+    </message>
+    <message>
+        <source>a list of the axes that the turning joints name</source>
+        <translation>eine Liste der Achsen, die die Drehgelenke nennen</translation>
+    </message>
+    <message>
+        <source>a list of 3D files</source>
+        <translation>eine Liste von 3D-Dateien</translation>
+    </message>
+    <message>
+        <source>a &quot;mass&quot; beside it</source>
+        <translation>ein „mass“ daneben</translation>
+    </message>
+    <message>
+        <source>&quot;external&quot;, &quot;internal&quot; or &quot;bevel&quot;</source>
+        <translation>„external“, „internal“ oder „bevel“</translation>
+    </message>
+    <message>
+        <source>a speed in rad/s</source>
+        <translation>eine Drehzahl in rad/s</translation>
+    </message>
+    <message>
+        <source>the name of the state</source>
+        <translation>der Name des Zustands</translation>
+    </message>
+    <message>
+        <source>a list of ids of couplings</source>
+        <translation>eine Liste von Kennungen von Schaltelementen</translation>
+    </message>
+    <message>
+        <source>&quot;brake&quot; or &quot;clutch&quot;</source>
+        <translation>„brake“ oder „clutch“</translation>
+    </message>
+    <message>
+        <source>a list of two ids of links</source>
+        <translation>eine Liste von zwei Kennungen von Gliedern</translation>
+    </message>
+    <message>
+        <source>a torque in N m</source>
+        <translation>ein Moment in N m</translation>
+    </message>
+    <message>
+        <source>a torque or a force, not both in one load</source>
+        <translation>ein Moment oder eine Kraft, nicht beides in einer Last</translation>
+    </message>
+    <message>
+        <source>the point of the link that the force acts at</source>
+        <translation>der Punkt des Glieds, an dem die Kraft angreift</translation>
+    </message>
+    <message>
+        <source>a joint or a link, not both</source>
+        <translation>ein Gelenk oder ein Glied, nicht beides</translation>
+    </message>
+    <message>
+        <source>expected a list.</source>
+        <translation>Erwartet: eine Liste.</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes; at most 64 MiB are read.</source>
+        <translation>Die Datei hat %1 Bytes; gelesen werden höchstens 64 MiB.</translation>
+    </message>
+    <message>
+        <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
+        <translation>Schwerpunkt und Trägheit brauchen ein „mass“ neben sich.</translation>
+    </message>
+    <message>
+        <source>This is no table of a mechanism: its first row has to name the columns, &quot;element&quot; among them.</source>
+        <translation>Das ist keine Tabelle eines Mechanismus: Ihre erste Zeile muss die Spalten nennen, darunter „element“.</translation>
+    </message>
+    <message>
+        <source>There are too many columns.</source>
+        <translation>Es sind zu viele Spalten.</translation>
+    </message>
+    <message>
+        <source>There is no column &quot;%1&quot;: %2.</source>
+        <translation>Eine Spalte „%1“ gibt es nicht: %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs twice.</source>
+        <translation>Die Spalte „%1“ kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>The column &quot;element&quot; is empty; it says what the row is about.</source>
+        <translation>Die Spalte „element“ ist leer; sie sagt, wovon die Zeile handelt.</translation>
+    </message>
+    <message>
+        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
+        <translation>Ein Element „%1“ gibt es nicht: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load oder balance.</translation>
+    </message>
+    <message>
+        <source>This cell is in a column without a name.</source>
+        <translation>Diese Zelle steht in einer Spalte ohne Namen.</translation>
+    </message>
+    <message>
+        <source>This row has more cells than there are columns.</source>
+        <translation>Diese Zeile hat mehr Zellen, als es Spalten gibt.</translation>
+    </message>
+    <message>
+        <source>There is one row &quot;document&quot; at most.</source>
+        <translation>Es gibt höchstens eine Zeile „document“.</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1.</source>
+        <translation>Ein Dokument hat höchstens 100.000 %1.</translation>
+    </message>
+    <message>
+        <source>The row names a &quot;joint&quot; or a &quot;link&quot;, one of them.</source>
+        <translation>Die Zeile nennt ein „joint“ oder ein „link“, eines von beiden.</translation>
+    </message>
+    <message>
+        <source>An &quot;axis&quot; is named beside a &quot;link&quot;; a joint has its own.</source>
+        <translation>Eine „axis“ steht neben einem „link“; ein Gelenk hat seine eigene.</translation>
+    </message>
+    <message>
+        <source>A load has a &quot;torque&quot;, or a force (dx, dy, dz) at a point (x, y, z).</source>
+        <translation>Eine Last hat ein „torque“, oder eine Kraft (dx, dy, dz) in einem Punkt (x, y, z).</translation>
+    </message>
+    <message>
+        <source>A force acts on a &quot;link&quot;: it has dx, dy, dz and a point x, y, z, and no axis.</source>
+        <translation>Eine Kraft wirkt auf ein „link“: Sie hat dx, dy, dz und einen Punkt x, y, z, aber keine Achse.</translation>
+    </message>
+    <message>
+        <source>More problems follow; only the first 100 are listed.</source>
+        <translation>Weitere Probleme folgen; nur die ersten 100 sind aufgeführt.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; is empty; expected %2.</source>
+        <translation>Die Spalte „%1“ ist leer; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has %2; expected %3.</source>
+        <translation>Die Spalte „%1“ hat %2; erwartet: %3.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has no meaning for the element &quot;%2&quot;.</source>
+        <translation>Die Spalte „%1“ hat für das Element „%2“ keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>an id of at most 1,000 characters</source>
+        <translation>eine Kennung von höchstens 1.000 Zeichen</translation>
+    </message>
+    <message>
+        <source>at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between</source>
+        <translation>höchstens 100.000 Kennungen von 1 bis 1.000 Zeichen, durch senkrechte Striche (|) getrennt</translation>
+    </message>
+    <message>
+        <source>a number, such as 12, -1.5, 1e-3 or 22/7</source>
+        <translation>eine Zahl, etwa 12, -1.5, 1e-3 oder 22/7</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number of teeth</source>
+        <translation>eine Zähnezahl</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 100,000</source>
+        <translation>eine ganze Zahl von 1 bis 100.000</translation>
+    </message>
+    <message>
+        <source>external, internal or bevel</source>
+        <translation>external, internal oder bevel</translation>
+    </message>
+    <message>
+        <source>yes, no or nothing</source>
+        <translation>yes, no oder nichts</translation>
+    </message>
+    <message>
+        <source>an id</source>
+        <translation>eine Kennung</translation>
+    </message>
+    <message>
+        <source>a number, as its neighbours have one</source>
+        <translation>eine Zahl, wie ihre Nachbarn eine haben</translation>
+    </message>
+    <message>
+        <source>an attached 3D file</source>
+        <translation>eine angehängte 3D-Datei</translation>
+    </message>
+    <message>
+        <source>%1 attached 3D files</source>
+        <translation>%1 angehängte 3D-Dateien</translation>
+    </message>
+    <message>
+        <source>the view (places in the drawings, camera of the 3D view)</source>
+        <translation>die Ansicht (Orte in den Zeichnungen, Kamera der 3D-Ansicht)</translation>
+    </message>
+    <message>
+        <source>members that this program does not know</source>
+        <translation>Mitglieder, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>the empty name of the unit, which becomes &quot;mm&quot;</source>
+        <translation>der leere Name der Einheit, der „mm“ wird</translation>
+    </message>
+    <message>
+        <source>a path that stays in the folder of this document</source>
+        <translation>ein Pfad, der im Ordner dieses Dokuments bleibt</translation>
+    </message>
+    <message>
+        <source>an object of points by the id of their link</source>
+        <translation>ein Objekt von Punkten nach der Kennung ihres Glieds</translation>
+    </message>
+    <message>
+        <source>expected the point of a node: a list of two numbers, x to the right and y down.</source>
+        <translation>Erwartet: der Punkt eines Knotens, eine Liste von zwei Zahlen, x nach rechts und y nach unten.</translation>
+    </message>
+    <message>
+        <source>a list of notes</source>
+        <translation>eine Liste von Notizen</translation>
+    </message>
+    <message>
+        <source>the text of the note</source>
+        <translation>der Text der Notiz</translation>
+    </message>
+    <message>
+        <source>the middle of the note</source>
+        <translation>die Mitte der Notiz</translation>
+    </message>
+    <message>
+        <source>a list of two numbers, x to the right and y down</source>
+        <translation>eine Liste von zwei Zahlen, x nach rechts und y nach unten</translation>
+    </message>
+    <message>
+        <source>the point that the camera looks at</source>
+        <translation>der Punkt, auf den die Kamera blickt</translation>
+    </message>
+    <message>
+        <source>an angle in degrees</source>
+        <translation>ein Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>The axis would coincide with the one that its wheels mesh with.</source>
+        <translation>Die Achse fiele mit der zusammen, mit deren Rädern ihre Räder kämmen.</translation>
+    </message>
+    <message>
+        <source>There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. What fits: a smaller change, or other teeth first.</source>
+        <translation>Es gibt keinen Ort für Achse %1, an dem die Räder der Eingriffe %2 sich bei diesen Zähnezahlen berühren. Es passt eine kleinere Änderung, oder zuerst andere Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is no bevel pair: only bevels have an apex with two sides.</source>
+        <translation>Eingriff %1 ist kein Kegelradpaar: Nur Kegelräder haben eine Spitze mit zwei Seiten.</translation>
+    </message>
+    <message>
+        <source>A module is more than 0: the pitch diameter over the teeth.</source>
+        <translation>Ein Modul ist größer als 0: der Teilkreisdurchmesser durch die Zähnezahl.</translation>
+    </message>
+    <message>
+        <source>Modules can be set where every mesh has its place, in trains of up to %1 meshes. Resolve the reported problems first.</source>
+        <translation>Moduln lassen sich setzen, wo jeder Eingriff seinen Ort hat, in Getrieben mit bis zu %1 Eingriffen. Lösen Sie zuerst die gemeldeten Probleme.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 is pinned. What fits: unpin it, or another change.</source>
+        <translation>Eingriff %1 kann nicht folgen: %2 ist fixiert. Lösen Sie die Fixierung, oder ändern Sie etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 are pinned. What fits: unpin one of them, or another change.</source>
+        <translation>Eingriff %1 kann nicht folgen: %2 sind fixiert. Lösen Sie eine der Fixierungen, oder ändern Sie etwas anderes.</translation>
+    </message>
+    <message>
+        <source>The module of mesh %1 is pinned, and would change. What fits: unpin it, or another change.</source>
+        <translation>Der Modul von Eingriff %1 ist fixiert und würde sich ändern. Lösen Sie die Fixierung, oder ändern Sie etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is pinned. What fits: unpin it to move it.</source>
+        <translation>Achse %1 ist fixiert. Lösen Sie die Fixierung, um sie zu verschieben.</translation>
+    </message>
+    <message>
+        <source>gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.</source>
+        <translation>Rad %1 bräuchte %2 Zähne, um koaxial zu bleiben. Es passt eine kleinere Änderung.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one.</source>
+        <translation>Ein Innenpaar braucht verschiedene Zähnezahlen, das Hohlrad die größere.</translation>
+    </message>
+    <message>
+        <source>The comment has no end.</source>
+        <translation>Der Kommentar hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>This character is no part of DOT.</source>
+        <translation>Dieses Zeichen gehört nicht zu DOT.</translation>
+    </message>
+    <message>
+        <source>The quote has no end.</source>
+        <translation>Das Anführungszeichen hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>The text in angle brackets has no end.</source>
+        <translation>Der Text in spitzen Klammern hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>This is no number.</source>
+        <translation>Das ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The text is not UTF-8.</source>
+        <translation>Der Text ist nicht UTF-8.</translation>
+    </message>
+    <message>
+        <source>Behind the graph is something else; a file with one graph is read.</source>
+        <translation>Hinter dem Graphen steht noch etwas; gelesen wird eine Datei mit einem Graphen.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found the end.</source>
+        <translation>Erwartet: %1, gefunden: das Ende.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found %2.</source>
+        <translation>Erwartet: %1, gefunden: %2.</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a quoted text</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Groups are nested deeper than 64.</source>
+        <translation>Gruppen sind tiefer als 64-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>An edge between groups is not read; write an edge for each joint and mesh.</source>
+        <translation>Eine Kante zwischen Gruppen wird nicht gelesen; schreiben Sie für jedes Gelenk und jeden Zahneingriff eine Kante.</translation>
+    </message>
+    <message>
+        <source>An edge of a directed graph is written -&gt;.</source>
+        <translation>Eine Kante eines gerichteten Graphen schreibt man -&gt;.</translation>
+    </message>
+    <message>
+        <source>The graph is strict, and a second edge leads from %1 to %2: it would be one with the first. Leave out &quot;strict&quot;.</source>
+        <translation>Der Graph ist „strict“, und eine zweite Kante führt von %1 nach %2: Sie fiele mit der ersten zusammen. Lassen Sie „strict“ weg.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 200,000 edges is read.</source>
+        <translation>Gelesen wird ein Graph mit höchstens 200.000 Kanten.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes is read.</source>
+        <translation>Gelesen wird ein Graph mit höchstens 100.000 Knoten.</translation>
+    </message>
+    <message>
+        <source>The graph is undirected, so that it does not say which link of a joint or mesh is tail and which is head: the signs and the teeth of each gear depend on it. Make it directed.</source>
+        <translation>Der Graph ist ungerichtet, sagt also nicht, welches Glied eines Gelenks oder Zahneingriffs Fuß und welches Spitze ist: Davon hängen die Vorzeichen und die Zähnezahl jedes Rads ab. Machen Sie ihn gerichtet.</translation>
+    </message>
+    <message>
+        <source>This is no XML: %1.</source>
+        <translation>Das ist kein XML: %1.</translation>
+    </message>
+    <message>
+        <source>There is no &lt;graph&gt; in the file.</source>
+        <translation>In der Datei gibt es kein &lt;graph&gt;.</translation>
+    </message>
+    <message>
+        <source>A file with a document type (&lt;!DOCTYPE&gt;) is not read; leave it out.</source>
+        <translation>Eine Datei mit Dokumenttyp (&lt;!DOCTYPE&gt;) wird nicht gelesen; lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; lacks the attribute &quot;%2&quot;.</source>
+        <translation>Dem Element &lt;%1&gt; fehlt das Attribut „%2“.</translation>
+    </message>
+    <message>
+        <source>Elements are nested deeper than 64.</source>
+        <translation>Elemente sind tiefer als 64-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>This is no GraphML: it begins with &lt;%1&gt;.</source>
+        <translation>Das ist kein GraphML: Es beginnt mit &lt;%1&gt;.</translation>
+    </message>
+    <message>
+        <source>A hyperedge is not read; a joint and a mesh are edges between two nodes.</source>
+        <translation>Eine Hyperkante wird nicht gelesen; Gelenk und Zahneingriff sind Kanten zwischen zwei Knoten.</translation>
+    </message>
+    <message>
+        <source>A file with one graph is read, without graphs inside its nodes.</source>
+        <translation>Gelesen wird eine Datei mit einem Graphen, ohne Graphen in seinen Knoten.</translation>
+    </message>
+    <message>
+        <source>The graph has no node; the first one is the ground.</source>
+        <translation>Der Graph hat keinen Knoten; der erste ist das Gestell.</translation>
+    </message>
+    <message>
+        <source>The graph has version %1, but this program reads version %2: read it with a newer GearGraph.</source>
+        <translation>Der Graph hat Version %1, dieses Programm liest aber Version %2: Lesen Sie ihn mit einem neueren GearGraph.</translation>
+    </message>
+    <message>
+        <source>The ground is the first node, %1.</source>
+        <translation>Das Gestell ist der erste Knoten, %1.</translation>
+    </message>
+    <message>
+        <source>The edge %1 (%2)</source>
+        <translation>Die Kante %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The edge %1</source>
+        <translation>Die Kante %1</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;kind&quot;; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: Das Attribut „kind“ fehlt; erwartet: „turning“ oder „mesh“.</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2, so this is a T-T graph; the digraph (--view digraph) is read back.</source>
+        <translation>%1: „kind“ ist %2, also ist dies ein T-T-Graph; zurückgelesen wird der Digraph (--view digraph).</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: „kind“ ist %2; erwartet: „turning“ oder „mesh“.</translation>
+    </message>
+    <message>
+        <source>As a document the graph has more than 64 MiB.</source>
+        <translation>Als Dokument hat der Graph mehr als 64 MiB.</translation>
+    </message>
+    <message>
+        <source>%1, %2: expected a list or an object as JSON, found %3.</source>
+        <translation>%1, %2: erwartet: eine Liste oder ein Objekt als JSON, gefunden: %3.</translation>
+    </message>
+    <message>
+        <source>The graph</source>
+        <translation>Der Graph</translation>
+    </message>
+    <message>
+        <source>The node %1</source>
+        <translation>Der Knoten %1</translation>
+    </message>
+    <message>
+        <source>%1 is in the graph twice.</source>
+        <translation>%1 steht zweimal im Graphen.</translation>
+    </message>
+    <message>
+        <source>The graph has no places of axes: %1 are placed from the tooth counts.</source>
+        <translation>Der Graph hat keine Lagen der Achsen: %1 werden aus den Zähnezahlen angeordnet.</translation>
+    </message>
+    <message>
+        <source>1 mesh has no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>1 Zahneingriff hat kein „meshKind“: zwischen parallelen Achsen außenverzahnt, zwischen sich schneidenden kegelig.</translation>
+    </message>
+    <message>
+        <source>%1 meshes have no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>%1 Zahneingriffe haben kein „meshKind“: zwischen parallelen Achsen außenverzahnt, zwischen sich schneidenden kegelig.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the name of the axis that the joint turns about, the same for joints on one axis.</source>
+        <translation>%1: Das Attribut „%2“ fehlt: der Name der Achse, um die sich das Gelenk dreht, gleich für Gelenke auf einer Achse.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its first node.</source>
+        <translation>%1: Das Attribut „%2“ fehlt: die Zähnezahl des Rads auf dem ersten Knoten.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its second node.</source>
+        <translation>%1: Das Attribut „%2“ fehlt: die Zähnezahl des Rads auf dem zweiten Knoten.</translation>
+    </message>
+    <message>
+        <source>%1: there is no node %2.</source>
+        <translation>%1: Einen Knoten %2 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Attributes without a meaning for the mechanism were not read: %1.</source>
+        <translation>Attribute ohne Bedeutung für den Mechanismus wurden nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes and 200,000 edges is read.</source>
+        <translation>Gelesen wird ein Graph mit höchstens 100.000 Knoten und 200.000 Kanten.</translation>
+    </message>
+    <message>
+        <source>This is no node-link graph: it is an object with the lists &quot;nodes&quot; and &quot;links&quot;.</source>
+        <translation>Das ist kein Node-Link-Graph: Der ist ein Objekt mit den Listen „nodes“ und „links“.</translation>
+    </message>
+    <message>
+        <source>Expected an object with &quot;%1&quot;, a text or a number that names a node.</source>
+        <translation>Erwartet: ein Objekt mit „%1“, einem Text oder einer Zahl, die einen Knoten nennt.</translation>
+    </message>
+    <message>
+        <source>%1 link</source>
+        <translation>%1 Glied</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 geändert</translation>
+    </message>
+    <message>
+        <source>axes changed</source>
+        <translation>Achsen geändert</translation>
+    </message>
+    <message>
+        <source>inputs changed</source>
+        <translation>Antriebe geändert</translation>
+    </message>
+    <message>
+        <source>links moved in the drawing</source>
+        <translation>Glieder in der Zeichnung verschoben</translation>
+    </message>
+    <message>
+        <source>other properties changed</source>
+        <translation>andere Eigenschaften geändert</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>There is no &quot;%1&quot; in %2.</source>
+        <translation>In %2 gibt es kein „%1“.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Ein Drehgelenk von Glied %1 zu Glied %2 würde eine Schleife schließen. Die Drehgelenke müssen ein Baum sein: Zeichnen Sie stattdessen einen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joint %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Ein Drehgelenk von Glied %1 zu Glied %2 würde mit Gelenk %3 eine Schleife schließen. Die Drehgelenke müssen ein Baum sein: Zeichnen Sie stattdessen einen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joints %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Ein Drehgelenk von Glied %1 zu Glied %2 würde mit den Gelenken %3 eine Schleife schließen. Die Drehgelenke müssen ein Baum sein: Zeichnen Sie stattdessen einen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>A turning joint needs two different links.</source>
+        <translation>Ein Drehgelenk braucht zwei verschiedene Glieder.</translation>
+    </message>
+    <message>
+        <source>A gear mesh needs two different links.</source>
+        <translation>Ein Zahneingriff braucht zwei verschiedene Glieder.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted; make another link the ground first.</source>
+        <translation>Das Gestell lässt sich nicht löschen; machen Sie zuerst ein anderes Glied zum Gestell.</translation>
+    </message>
+    <message>
+        <source>Only links and axes bear names; the others bear the paper&apos;s labels.</source>
+        <translation>Nur Glieder und Achsen tragen Namen; die anderen tragen die Bezeichnungen der Arbeit.</translation>
+    </message>
+    <message>
+        <source>An axis needs a name.</source>
+        <translation>Eine Achse braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is an axis &quot;%1&quot; already.</source>
+        <translation>Eine Achse „%1“ gibt es schon.</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth, not %1.</source>
+        <translation>Ein Rad hat 1 bis 100.000 Zähne, nicht %1.</translation>
+    </message>
+    <message>
+        <source>The direction of axis %1 has length 0.</source>
+        <translation>Die Richtung der Achse %1 hat die Länge 0.</translation>
+    </message>
+    <message>
+        <source>The joint is an input already.</source>
+        <translation>Das Gelenk ist schon ein Antrieb.</translation>
+    </message>
+    <message>
+        <source>Loads or balances act on this link, and the ground can have none: remove them first.</source>
+        <translation>Auf dieses Glied wirken Lasten oder Ausgleichsmomente, und das Gestell kann keine haben: Entfernen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>There is no link or note in what was copied.</source>
+        <translation>Im Kopierten ist kein Glied und keine Notiz.</translation>
+    </message>
+    <message>
+        <source>A name has at most 1,000 characters; this one has %1.</source>
+        <translation>Ein Name hat höchstens 1.000 Zeichen; dieser hat %1.</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1; this one has %2.</source>
+        <translation>Ein Dokument hat höchstens 100.000 %1; dieses hat %2.</translation>
+    </message>
+    <message>
+        <source>expected a coordinate from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Koordinate von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a number from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Zahl von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a component from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Komponente von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a length from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Länge von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a density from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Dichte von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a mass from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Masse von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a moment from -1e15 to 1e15.</source>
+        <translation>Erwartet: ein Trägheitsmoment von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a torque from -1e15 to 1e15.</source>
+        <translation>Erwartet: ein Moment von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a force from -1e15 to 1e15.</source>
+        <translation>Erwartet: eine Kraft von -1e15 bis 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a direction with a component of at least 1e-15.</source>
+        <translation>Erwartet: eine Richtung mit einer Komponente von mindestens 1e-15.</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0, in kg.</source>
+        <translation>Eine Masse ist mindestens 0, in kg.</translation>
+    </message>
+    <message>
+        <source>No body has this inertia: each principal moment is at least 0 and at most the sum of the other two. The numbers are xx, yy, zz, xy, xz, yz in kg m², about the centre of mass.</source>
+        <translation>Kein Körper hat diese Trägheit: Jedes Hauptmoment ist mindestens 0 und höchstens die Summe der beiden anderen. Die Zahlen sind xx, yy, zz, xy, xz, yz in kg m², um den Schwerpunkt.</translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, but %3 has no such id.</source>
+        <translation>%1 nennt „%2“, aber %3 hat keine solche Kennung.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: %1 are on moving links. Name one of those.</source>
+        <translation>Das Gestell nimmt jede Last auf: %1 wirken auf bewegte Glieder. Nennen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%1&quot; occurs twice in %2.</source>
+        <translation>Die Kennung „%1“ kommt in %2 zweimal vor.</translation>
+    </message>
+    <message>
+        <source>The joint &quot;%1&quot; occurs twice in %2.</source>
+        <translation>Das Gelenk „%1“ kommt in %2 zweimal vor.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; occurs twice in %2.</source>
+        <translation>Das Glied „%1“ kommt in %2 zweimal vor.</translation>
+    </message>
+    <message>
+        <source>A mesh has an efficiency or a coefficient of friction, not both.</source>
+        <translation>Ein Eingriff hat einen Wirkungsgrad oder eine Reibungszahl, nicht beides.</translation>
+    </message>
+    <message>
+        <source>A coefficient of friction is from 0 to 1.</source>
+        <translation>Eine Reibungszahl liegt zwischen 0 und 1.</translation>
+    </message>
+    <message>
+        <source>A density is above 0, in kg/m³.</source>
+        <translation>Eine Dichte ist größer als 0, in kg/m³.</translation>
+    </message>
+    <message>
+        <source>There is no note &quot;%1&quot;.</source>
+        <translation>Eine Notiz „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A document has at most 1,000 notes; this one has %1.</source>
+        <translation>Ein Dokument hat höchstens 1.000 Notizen; dieses hat %1.</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters; this one has %1.</source>
+        <translation>Eine Notiz hat höchstens 1.000 Zeichen; diese hat %1.</translation>
+    </message>
+    <message>
+        <source>A note needs a text.</source>
+        <translation>Eine Notiz braucht einen Text.</translation>
+    </message>
+    <message>
+        <source>A note is lines of text without control characters.</source>
+        <translation>Eine Notiz besteht aus Textzeilen ohne Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>There is no axis, link or mesh &quot;%1&quot; to pin.</source>
+        <translation>Es gibt keine Achse, kein Glied und keinen Eingriff „%1“ zu fixieren.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the folder of the document: save the document first, then copy the 3D file into its folder.</source>
+        <translation>„%1“ liegt nicht im Ordner des Dokuments: Speichern Sie zuerst das Dokument, und kopieren Sie dann die 3D-Datei in seinen Ordner.</translation>
+    </message>
+    <message>
+        <source>The scale of a 3D file has to be above 0.</source>
+        <translation>Der Maßstab einer 3D-Datei muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>There is a coupling &quot;%1&quot; already.</source>
+        <translation>Ein Schaltelement „%1“ gibt es schon.</translation>
+    </message>
+    <message>
+        <source>The ground does not move: a brake is for a moving link.</source>
+        <translation>Das Gestell bewegt sich nicht: Eine Bremse ist für ein bewegtes Glied.</translation>
+    </message>
+    <message>
+        <source>A clutch needs two different links.</source>
+        <translation>Eine Kupplung braucht zwei verschiedene Glieder.</translation>
+    </message>
+    <message>
+        <source>A coupling needs a name.</source>
+        <translation>Ein Schaltelement braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A state needs a name.</source>
+        <translation>Ein Zustand braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a state &quot;%1&quot; already.</source>
+        <translation>Einen Zustand „%1“ gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice.</source>
+        <translation>Schaltelement „%1“ ist zweimal aufgeführt.</translation>
+    </message>
+    <message>
+        <source>A mechanism needs at least the ground.</source>
+        <translation>Ein Mechanismus braucht mindestens das Gestell.</translation>
+    </message>
+    <message>
+        <source>An id may not be empty.</source>
+        <translation>Eine Kennung darf nicht leer sein.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; names &quot;%3&quot;, but %4 has no such id.</source>
+        <translation>%1 „%2“ nennt „%3“, aber %4 hat keine solche Kennung.</translation>
+    </message>
+    <message>
+        <source>The 3D file of a link is a path that stays in the folder of the document, not &quot;%1&quot;.</source>
+        <translation>Die 3D-Datei eines Glieds ist ein Pfad, der im Ordner des Dokuments bleibt, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Turning joint &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>Drehgelenk „%1“ verbindet Glied „%2“ mit sich selbst; es braucht zwei Glieder.</translation>
+    </message>
+    <message>
+        <source>Gear mesh &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>Zahneingriff „%1“ verbindet Glied „%2“ mit sich selbst; er braucht zwei Glieder.</translation>
+    </message>
+    <message>
+        <source>The face width of a gear mesh is above 0.</source>
+        <translation>Die Zahnbreite eines Eingriffs ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth; mesh &quot;%1&quot; says %2.</source>
+        <translation>Ein Rad hat 1 bis 100.000 Zähne; Eingriff „%1“ nennt %2.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; is on link &quot;%2&quot;, but its wheel &quot;%3&quot; is on link &quot;%4&quot;.</source>
+        <translation>Eingriff „%1“ ist an Glied „%2“, sein Rad „%3“ aber an Glied „%4“.</translation>
+    </message>
+    <message>
+        <source>A brake names one link, a clutch two.</source>
+        <translation>Eine Bremse nennt ein Glied, eine Kupplung zwei.</translation>
+    </message>
+    <message>
+        <source>Clutch &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
+        <translation>Kupplung „%1“ verbindet Glied „%2“ mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; occurs twice in %2.</source>
+        <translation>Der Name „%1“ kommt in %2 zweimal vor.</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice in %2.</source>
+        <translation>Schaltelement „%1“ ist in %2 zweimal aufgeführt.</translation>
+    </message>
+    <message>
+        <source>The distance of the camera has to be above 0.</source>
+        <translation>Der Abstand der Kamera muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the second at least 0, and not both 0.</source>
+        <translation>Die Anschläge eines Gelenks sind zwei Winkel ab der Bezugslage, in Grad: der erste höchstens 0, der zweite mindestens 0, und nicht beide 0.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis, with opposite directions.</source>
+        <translation>Achsen %1 und %2 sind eine Gerade, die ein gemeinsames Glied hält: Sie gelten als eine Achse, mit entgegengesetzten Richtungen.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis.</source>
+        <translation>Achsen %1 und %2 sind eine Gerade, die ein gemeinsames Glied hält: Sie gelten als eine Achse.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is named by joints that share no link on it (%2 ...): they coincide in the drawn pose only and are treated as different axes. Give each its own axis.</source>
+        <translation>Achse %1 wird von Gelenken genannt, die kein Glied darauf gemeinsam haben (%2 ...): Sie fallen nur in der gezeichneten Lage zusammen und gelten als verschiedene Achsen. Geben Sie jedem seine eigene Achse.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) joins two gears on the same axis %3: coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.</source>
+        <translation>Eingriff %1 (%2) verbindet zwei Räder auf derselben Achse %3: Koaxiale Räder können nicht kämmen. Versetzen Sie eines auf eine andere Achse, oder löschen Sie den Eingriff.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) has no carrier: the path between its gears changes axis more than once, %3. One link must carry both axes, so that their distance is constant.</source>
+        <translation>Eingriff %1 (%2) hat keinen Steg: Der Weg zwischen seinen Rädern wechselt mehr als einmal die Achse, %3. Ein Glied muss beide Achsen tragen, damit ihr Abstand gleich bleibt.</translation>
+    </message>
+    <message>
+        <source>the drawings</source>
+        <translation>die Zeichnungen</translation>
+    </message>
+    <message>
+        <source>the matrices</source>
+        <translation>die Matrizen</translation>
+    </message>
+    <message>
+        <source>the exercises</source>
+        <translation>die Aufgaben</translation>
+    </message>
+    <message>
+        <source>the key of the exercises</source>
+        <translation>die Lösungen der Aufgaben</translation>
+    </message>
+    <message>
+        <source>the mechanism&apos;s data</source>
+        <translation>die Daten des Mechanismus</translation>
+    </message>
+    <message>
+        <source>the still picture</source>
+        <translation>das Standbild</translation>
+    </message>
+    <message>
+        <source>the solids</source>
+        <translation>die Körper</translation>
+    </message>
+    <message>
+        <source>The handout would have %1 MB; a page has at most 3 MB. The largest part: %2.</source>
+        <translation>Das Handout hätte %1 MB; eine Seite hat höchstens 3 MB. Der größte Teil: %2.</translation>
+    </message>
+    <message>
+        <source>Reading it took longer than %1 s.</source>
+        <translation>Das Lesen dauerte länger als %1 s.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed, and was confined.</source>
+        <translation>Sie ist beschädigt oder soll Schaden anrichten: Das Programm, das sie liest, ist abgestürzt und war eingeschränkt.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed. This system does not confine it.</source>
+        <translation>Sie ist beschädigt oder in böser Absicht gemacht: Das Programm, das sie liest, stürzte ab. Dieses System schließt es nicht ein.</translation>
+    </message>
+    <message>
+        <source>Reading it was stopped.</source>
+        <translation>Das Lesen wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh cannot be run.</source>
+        <translation>Das Programm geargraph-mesh lässt sich nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>There are too many open files.</source>
+        <translation>Es sind zu viele Dateien offen.</translation>
+    </message>
+    <message>
+        <source>It is not there.</source>
+        <translation>Sie ist nicht da.</translation>
+    </message>
+    <message>
+        <source>It cannot be opened.</source>
+        <translation>Sie lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>It is no file.</source>
+        <translation>Es ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>It has %1 bytes, more than the limit of %2.</source>
+        <translation>Sie hat %1 Bytes, mehr als die Grenze von %2.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: what the program that reads it answers is no solid.</source>
+        <translation>Sie ist beschädigt oder soll Schaden anrichten: Was das Programm antwortet, das sie liest, ist kein Körper.</translation>
+    </message>
+    <message>
+        <source>It is none of STL, OBJ, PLY and GLB.</source>
+        <translation>Sie ist keine STL-, OBJ-, PLY- oder GLB-Datei.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh, which reads 3D files, is missing.</source>
+        <translation>Das Programm geargraph-mesh, das 3D-Dateien liest, fehlt.</translation>
+    </message>
+    <message>
+        <source>Too wide for this page; the web page and LaTeX hold it whole.</source>
+        <translation>Zu breit für diese Seite; die Webseite und LaTeX enthalten es ganz.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the pages.</source>
+        <translation>Der Speicher reicht für die Seiten nicht aus.</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. On Debian, the package libgl1-mesa-dri brings what is missing.</source>
+        <translation>Keine 3D-Bilder: %1. Unter Debian bringt das Paket libgl1-mesa-dri, was fehlt.</translation>
+    </message>
+    <message>
+        <source>EGL finds no device</source>
+        <translation>EGL findet kein Gerät</translation>
+    </message>
+    <message>
+        <source>EGL has no desktop OpenGL</source>
+        <translation>EGL hat kein Desktop-OpenGL</translation>
+    </message>
+    <message>
+        <source>EGL has no OpenGL configuration</source>
+        <translation>EGL hat keine OpenGL-Konfiguration</translation>
+    </message>
+    <message>
+        <source>there is no OpenGL 3.3 core</source>
+        <translation>es gibt keinen Kern von OpenGL 3.3</translation>
+    </message>
+    <message>
+        <source>the driver cannot paint without a window</source>
+        <translation>der Treiber kann ohne Fenster nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. Install a driver with OpenGL 3.3 or newer.</source>
+        <translation>Keine 3D-Bilder: %1. Installieren Sie einen Treiber mit OpenGL 3.3 oder neuer.</translation>
+    </message>
+    <message>
+        <source>the driver has no %1</source>
+        <translation>dem Treiber fehlt %1</translation>
+    </message>
+    <message>
+        <source>the driver offers OpenGL %1</source>
+        <translation>der Treiber bietet OpenGL %1</translation>
+    </message>
+    <message>
+        <source>the driver rejects a shader: %1</source>
+        <translation>der Treiber weist einen Shader ab: %1</translation>
+    </message>
+    <message>
+        <source>The picture would be more than %1 pixels wide or high: give it a smaller size, or write SVG or PDF.</source>
+        <translation>Das Bild wäre mehr als %1 Pixel breit oder hoch: Geben Sie eine kleinere Größe an, oder schreiben Sie SVG oder PDF.</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 Verlust</translation>
+    </message>
+    <message>
+        <source>* shared by equal stiffness: an assumption</source>
+        <translation>* nach gleicher Steifigkeit geteilt: eine Annahme</translation>
+    </message>
+    <message>
+        <source>? W: shared in unknown parts, not determined</source>
+        <translation>? W: zu unbekannten Teilen geteilt, nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>circulates: links %1, meshes %2</source>
+        <translation>Blindleistung: Glieder %1, Eingriffe %2</translation>
+    </message>
+    <message>
+        <source>seen from the ground</source>
+        <translation>vom Gestell aus gesehen</translation>
+    </message>
+    <message>
+        <source>seen from link %1</source>
+        <translation>von Glied %1 aus gesehen</translation>
+    </message>
+    <message>
+        <source>Balance in joint %1</source>
+        <translation>Ausgleich in Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Balance on link %1</source>
+        <translation>Ausgleich an Glied %1</translation>
+    </message>
+    <message>
+        <source>%1: not determined, it shares the loads in unknown parts.</source>
+        <translation>%1: nicht bestimmt, die Lasten sind zu unbekannten Teilen geteilt.</translation>
+    </message>
+    <message>
+        <source>%1: found, it holds the loads with %2 N m.</source>
+        <translation>%1: gefunden, hält die Lasten mit %2 N m.</translation>
+    </message>
+    <message>
+        <source>It feeds %1 into the train.</source>
+        <translation>Führt dem Getriebe %1 zu.</translation>
+    </message>
+    <message>
+        <source>It takes %1 out of the train.</source>
+        <translation>Entnimmt dem Getriebe %1.</translation>
+    </message>
+    <message>
+        <source>T shared</source>
+        <translation>Gemeinsames T</translation>
+    </message>
+    <message>
+        <source>Both methods give the same fractions: all %1 entries agree.</source>
+        <translation>Beide Methoden ergeben dieselben Brüche: Alle %1 Einträge stimmen überein.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Matroid method</source>
+        <translation>Matroid-Methode</translation>
+    </message>
+    <message>
+        <source>T-T graph method</source>
+        <translation>T-T-Graph-Methode</translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation>Beziehung</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh</source>
+        <translation>Eingriff für Eingriff</translation>
+    </message>
+    <message>
+        <source>For each mesh, above: its row of $P$, divided by the radius of the head&apos;s gear. Below: its terminal equation with both circuits put in, times $N_{tail} / N_{head}$.</source>
+        <translation>Für jeden Eingriff oben seine Zeile von $P$, geteilt durch den Radius des Rads an der Spitze, unten seine Klemmengleichung mit beiden Kreisen eingesetzt, mal $N_{tail} / N_{head}$.</translation>
+    </message>
+    <message>
+        <source>too long to write</source>
+        <translation>zu lang zum Ausschreiben</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Gezählt</translation>
+    </message>
+    <message>
+        <source>Products and quotients, sums and differences of the calculation by hand for this mechanism; those with $0$ and $\pm 1$ cost nothing.</source>
+        <translation>Produkte und Quotienten, Summen und Differenzen der Rechnung von Hand für diesen Mechanismus; die mit $0$ und $\pm 1$ kosten nichts.</translation>
+    </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>Equations</source>
+        <translation>Gleichungen</translation>
+    </message>
+    <message>
+        <source>Matrix of the equations</source>
+        <translation>Matrix der Gleichungen</translation>
+    </message>
+    <message>
+        <source>Entries that are not 0</source>
+        <translation>Einträge ungleich 0</translation>
+    </message>
+    <message>
+        <source>From the drawing to the equations</source>
+        <translation>Von der Zeichnung zu den Gleichungen</translation>
+    </message>
+    <message>
+        <source>From the equations to the solution</source>
+        <translation>Von den Gleichungen zur Lösung</translation>
+    </message>
+    <message>
+        <source>The same in gear ratios</source>
+        <translation>Dasselbe in Übersetzungen</translation>
+    </message>
+    <message>
+        <source>With more links</source>
+        <translation>Mit mehr Gliedern</translation>
+    </message>
+    <message>
+        <source>The same counted on larger trains. The chain of substitutions grows with the number of meshes times that of the inputs; the inverse of $P_r$ holds all products along the way and grows with its square.</source>
+        <translation>Dasselbe, an größeren Getrieben gezählt. Die Substitutionskette wächst mit der Zahl der Eingriffe mal der der Antriebe; die Inverse von $P_r$ enthält alle Produkte entlang des Wegs und wächst mit deren Quadrat.</translation>
+    </message>
+    <message>
+        <source>Train</source>
+        <translation>Getriebe</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Eingriffe</translation>
+    </message>
+    <message>
+        <source>Inverse and product</source>
+        <translation>Inverse und Produkt</translation>
+    </message>
+    <message>
+        <source>Substitution</source>
+        <translation>Substitution</translation>
+    </message>
+    <message>
+        <source>Multiplications and additions from the equations to the solution</source>
+        <translation>Multiplikationen und Additionen von den Gleichungen zur Lösung</translation>
+    </message>
+    <message>
+        <source>moving links</source>
+        <translation>bewegte Glieder</translation>
+    </message>
+    <message>
+        <source>What the paper concludes</source>
+        <translation>Was die Arbeit folgert</translation>
+    </message>
+    <message>
+        <source>For it: %1</source>
+        <translation>Dafür: %1</translation>
+    </message>
+    <message>
+        <source>Against it: %1</source>
+        <translation>Dagegen: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism</source>
+        <translation>Der Mechanismus</translation>
+    </message>
+    <message>
+        <source>It has %1, %2 and %3, $k = t + c = %4$ joints in all. The ground is link 0; the other links, the turning joints and the meshes are numbered on from there.</source>
+        <translation>Er hat %1, %2 und %3, insgesamt $k = t + c = %4$ Gelenke. Das Gestell ist Glied 0; die anderen Glieder, die Drehgelenke und die Eingriffe sind von da an fortlaufend nummeriert.</translation>
+    </message>
+    <message>
+        <source>$%1$ moving link ($n = %1$)</source>
+        <translation>$%1$ bewegtes Glied ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ moving links ($n = %1$)</source>
+        <translation>$%1$ bewegte Glieder ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joint ($t = %1$)</source>
+        <translation>$%1$ Drehgelenk ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joints ($t = %1$)</source>
+        <translation>$%1$ Drehgelenke ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear mesh ($c = %1$)</source>
+        <translation>$%1$ Zahneingriff ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear meshes ($c = %1$)</source>
+        <translation>$%1$ Zahneingriffe ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>Digraph and matrices</source>
+        <translation>Digraph und Matrizen</translation>
+    </message>
+    <message>
+        <source>Each link becomes a node, each turning joint a solid arrow from its tail to its head, each gear mesh a dashed one.</source>
+        <translation>Jedes Glied wird ein Knoten, jedes Drehgelenk ein durchgezogener Pfeil von seinem Fuß zu seiner Spitze, jeder Zahneingriff ein gestrichelter.</translation>
+    </message>
+    <message>
+        <source>In the incidence matrix an edge&apos;s column holds $-1$ in the row of the link that it leaves and $1$ in the row of the link that it reaches.</source>
+        <translation>In der Inzidenzmatrix enthält die Spalte einer Kante $-1$ in der Zeile des Glieds, das sie verlässt, und $1$ in der Zeile des Glieds, das sie erreicht.</translation>
+    </message>
+    <message>
+        <source>Without the row of the ground its rows are independent: $G$ for the turning joints, $G^*$ for the meshes.</source>
+        <translation>Ohne die Zeile des Gestells sind ihre Zeilen unabhängig: $G$ für die Drehgelenke, $G^*$ für die Eingriffe.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree of this digraph, so there is nothing more to derive: see the findings above.</source>
+        <translation>Die Drehgelenke sind kein Spannbaum dieses Digraphen, sodass nichts weiter herzuleiten ist: siehe die Meldungen oben.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it.</source>
+        <translation>Die Drehgelenke sind ein Spannbaum. Die Wegmatrix enthält für jedes Glied die Gelenke auf seinem Weg zum Gestell: $1$, wo der Weg dem Pfeil folgt, $-1$, wo er gegen ihn läuft.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes a fundamental cycle with the joints between its two links. They follow from both matrices.</source>
+        <translation>Jeder Eingriff schließt mit den Gelenken zwischen seinen beiden Gliedern einen Fundamentalzyklus. Sie folgen aus beiden Matrizen.</translation>
+    </message>
+    <message>
+        <source>With the meshes themselves, each once, this is the cycle-basis matrix.</source>
+        <translation>Mit den Eingriffen selbst, jeder einmal, ist dies die Zyklenbasismatrix.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Schrauben</translation>
+    </message>
+    <message>
+        <source>The screw of joint $k$ about the pitch point of mesh $c$ is the unit vector along the joint&apos;s axis, $u_k$, with its moment about that point, $r_{c,k} = l_{c,k} \times u_k$, where $l_{c,k}$ leads from the pitch point to the axis:</source>
+        <translation>Die Schraube von Gelenk $k$ um den Wälzpunkt von Eingriff $c$ ist der Einheitsvektor entlang der Gelenkachse, $u_k$, mit seinem Moment um diesen Punkt, $r_{c,k} = l_{c,k} \times u_k$, wobei $l_{c,k}$ vom Wälzpunkt zur Achse führt:</translation>
+    </message>
+    <message>
+        <source>For the joints of each cycle, lengths in %1:</source>
+        <translation>Für die Gelenke jedes Zyklus, Längen in %1:</translation>
+    </message>
+    <message>
+        <source>Equations of the meshes</source>
+        <translation>Gleichungen der Eingriffe</translation>
+    </message>
+    <message>
+        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
+        <translation>Die Bewegungsschrauben $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ der Gelenke eines Zyklus ergeben in der Summe null. Der Eingriff hat um seinen eigenen Wälzpunkt kein Moment, also ergeben die Momente der Drehgelenke allein null, jedes mit seinem Vorzeichen in $T$:</translation>
+    </message>
+    <message>
+        <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
+        <translation>Alle liegen auf einer Geraden: der Normalen der Ebene, die beide Achsen des Eingriffs enthält. Von jedem genügt eine Zahl, seine Komponente $P_{c,t}$ entlang dieser Normalen, und jeder Eingriff ergibt eine Gleichung:</translation>
+    </message>
+    <message>
+        <source>With lengths in %1,</source>
+        <translation>Mit Längen in %1,</translation>
+    </message>
+    <message>
+        <source>The entries of a row are the radii of its two gears. Divided by the radius of the head&apos;s gear, the ratios are left:</source>
+        <translation>Die Einträge einer Zeile sind die Radien ihrer beiden Räder. Geteilt durch den Radius des Rads an der Spitze bleiben die Übersetzungen:</translation>
+    </message>
+    <message>
+        <source>Engaged couplings</source>
+        <translation>Geschlossene Schaltelemente</translation>
+    </message>
+    <message>
+        <source>An engaged brake holds its link against the ground, an engaged clutch makes two links turn as one. The rates of the joints between them add up to zero, once for each direction of their axes: rows below those of the meshes, which stay as they are.</source>
+        <translation>Eine geschlossene Bremse hält ihr Glied am Gestell, eine geschlossene Kupplung lässt zwei Glieder gemeinsam drehen. Die Drehgeschwindigkeiten der Gelenke dazwischen ergeben in der Summe null, einmal für jede Richtung ihrer Achsen: Zeilen unter denen der Eingriffe, die bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Schaltelement</translation>
+    </message>
+    <message>
+        <source>Equation</source>
+        <translation>Gleichung</translation>
+    </message>
+    <message>
+        <source>The input is joint %1.</source>
+        <translation>Der Antrieb ist Gelenk %1.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1.</source>
+        <translation>Die Antriebe sind die Gelenke %1.</translation>
+    </message>
+    <message>
+        <source>The input is joint %1, chosen by the program because the document names none.</source>
+        <translation>Der Antrieb ist Gelenk %1, vom Programm gewählt, weil das Dokument keinen nennt.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1, chosen by the program because the document names none.</source>
+        <translation>Die Antriebe sind die Gelenke %1, vom Programm gewählt, weil das Dokument keine nennt.</translation>
+    </message>
+    <message>
+        <source>Freedom and inputs</source>
+        <translation>Freiheitsgrad und Antriebe</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>Der Rang von $P$ mit den Zeilen der Schaltelemente ist, exakt gerechnet, $r = %1$. Der Mechanismus hat daher</translation>
+    </message>
+    <message>
+        <source>The rank of $P$, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>Der Rang von $P$ ist, exakt gerechnet, $r = %1$. Der Mechanismus hat daher</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c - h = %1$, with the $h$ rows of couplings, differs, because %2 of the equations follow from the others.</source>
+        <translation>Freiheitsgrade. Die Zählung nach Kutzbach, $n - c - h = %1$ mit den $h$ Zeilen der Schaltelemente, weicht ab, weil %2 der Gleichungen aus den anderen folgen.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c = %1$ differs, because the equations of %2 of the meshes follow from the others.</source>
+        <translation>Freiheitsgrade. Die Zählung nach Kutzbach, $n - c = %1$, weicht ab, weil die Gleichungen von %2 der Eingriffe aus den anderen folgen.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom: as many inputs have to be given.</source>
+        <translation>Freiheitsgrade: Ebenso viele Antriebe müssen gegeben sein.</translation>
+    </message>
+    <message>
+        <source>With the inputs first, and in gear ratios, the equations are</source>
+        <translation>Mit den Antrieben zuerst und in Übersetzungen lauten die Gleichungen</translation>
+    </message>
+    <message>
+        <source>Solved for the outputs,</source>
+        <translation>Nach den Abtrieben aufgelöst,</translation>
+    </message>
+    <message>
+        <source>there is nothing that turns: without a freedom all rates are $0$.</source>
+        <translation>dreht sich nichts: Ohne Freiheitsgrad sind alle Drehgeschwindigkeiten $0$.</translation>
+    </message>
+    <message>
+        <source>With the teeth of this mechanism:</source>
+        <translation>Mit den Zähnezahlen dieses Mechanismus:</translation>
+    </message>
+    <message>
+        <source>Written out, some entries are too long to read. One joint after the other they are</source>
+        <translation>Ausgeschrieben sind manche Einträge zu lang zum Lesen. Ein Gelenk nach dem anderen lauten sie</translation>
+    </message>
+    <message>
+        <source>At these speeds of the inputs, in rad/s,</source>
+        <translation>Bei diesen Drehgeschwindigkeiten der Antriebe, in rad/s,</translation>
+    </message>
+    <message>
+        <source>the outputs turn at</source>
+        <translation>drehen sich die Abtriebe mit</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Worked out by the Matroid and the T-T graph method</source>
+        <translation>Nach der Matroid- und der T-T-Graph-Methode ausgearbeitet</translation>
+    </message>
+    <message>
+        <source>Both methods compared</source>
+        <translation>Beide Methoden im Vergleich</translation>
+    </message>
+    <message>
+        <source>It has $%1 \times %2$ entries, too many to print: &quot;export --to csv --matrix %3&quot; writes them.</source>
+        <translation>Sie hat $%1 \times %2$ Einträge, zu viele zum Drucken: „export --to csv --matrix %3“ schreibt sie.</translation>
+    </message>
+    <message>
+        <source>Statics</source>
+        <translation>Statik</translation>
+    </message>
+    <message>
+        <source>What holds the loads follows from the same matrices, read down their columns. A starred number belongs to the equation of the kinematics beside it. A torque $\tau_e$ acts in joint $e$, by its tail on its head, about the direction of its axis; $\ell_e$ is the power of the loads on links beyond the joint for its rate $1$; $F_c$ is the tangential force of mesh $c$, by the tail&apos;s gear on the head&apos;s.</source>
+        <translation>Was die Lasten hält, folgt aus denselben Matrizen, spaltenweise gelesen. Eine Nummer mit Stern gehört zur Gleichung der Kinematik neben ihr. Ein Moment $\tau_e$ wirkt in Gelenk $e$, von dessen Fuß auf dessen Spitze, um die Richtung seiner Achse; $\ell_e$ ist die Leistung der Lasten auf Glieder jenseits des Gelenks für dessen Drehgeschwindigkeit $1$; $F_c$ ist die Umfangskraft von Eingriff $c$, vom Rad am Fuß auf das an der Spitze.</translation>
+    </message>
+    <message>
+        <source>Cutset equations</source>
+        <translation>Schnittgleichungen</translation>
+    </message>
+    <message>
+        <source>Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its fundamental cutset. It crosses each cycle as often along the cycle as against it:</source>
+        <translation>Ohne Gelenk $e$ zerfällt der Baum in zwei Teile. Die Kanten, die von einem zum anderen führen, sind seine fundamentale Schnittmenge. Sie kreuzt jeden Zyklus ebenso oft mit ihm wie gegen ihn:</translation>
+    </message>
+    <message>
+        <source>So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the forces of the meshes that cross the cutset. Their moments about the joint&apos;s axis are the entries of its column of $P$; forces along the line of centres or along an axis do no work and are in no equation:</source>
+        <translation>Der Teil jenseits eines Gelenks ist also im Gleichgewicht, wenn das Moment im Gelenk und die Lasten den Kräften der Eingriffe das Gleichgewicht halten, die die Schnittmenge kreuzen. Deren Momente um die Gelenkachse sind die Einträge seiner Spalte von $P$; Kräfte entlang der Mittenlinie oder einer Achse leisten keine Arbeit und stehen in keiner Gleichung:</translation>
+    </message>
+    <message>
+        <source>There are too many to print: &quot;export --to csv --matrix cutset-equations&quot; writes them.</source>
+        <translation>Es sind zu viele zum Drucken: „export --to csv --matrix cutset-equations“ schreibt sie.</translation>
+    </message>
+    <message>
+        <source>An engaged coupling is a further edge of the graph, with its torque $T$.</source>
+        <translation>Ein geschlossenes Schaltelement ist eine weitere Kante des Graphen, mit seinem Moment $T$.</translation>
+    </message>
+    <message>
+        <source>With lengths in %1, so that torques are in N %1, joint by joint,</source>
+        <translation>Mit Längen in %1, sodass Momente in N %1 sind, Gelenk für Gelenk,</translation>
+    </message>
+    <message>
+        <source>The transposed solution</source>
+        <translation>Die transponierte Lösung</translation>
+    </message>
+    <message>
+        <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
+        <translation>Die Momente in den Gelenken mit Ausgleichsmoment, $\tau_E$, halten die in den anderen, $\tau_r$. Mit den Spalten von $P$ in derselben Reihenfolge wie für die Drehgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>which in ratios is (25) transposed, with the opposite sign:</source>
+        <translation>was in Übersetzungen (25) transponiert ist, mit dem entgegengesetzten Vorzeichen:</translation>
+    </message>
+    <message>
+        <source>Torques under the loads</source>
+        <translation>Momente unter den Lasten</translation>
+    </message>
+    <message>
+        <source>The loads of the document are held by these torques, in N m, in a train without losses:</source>
+        <translation>Die Lasten des Dokuments werden in einem verlustfreien Getriebe von diesen Momenten gehalten, in N m:</translation>
+    </message>
+    <message>
+        <source>The tangential forces of the meshes, in N, are</source>
+        <translation>Die Umfangskräfte der Eingriffe, in N, sind</translation>
+    </message>
+    <message>
+        <source>The same by the T-T graph</source>
+        <translation>Dasselbe mit dem T-T-Graphen</translation>
+    </message>
+    <message>
+        <source>A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in the inverse ratio of their speeds:</source>
+        <translation>Ein Eingriff verliert an seinen beiden Toren keine Leistung, also stehen die Momente auf seine Räder, vom Steg aus gesehen, im umgekehrten Verhältnis ihrer Drehgeschwindigkeiten:</translation>
+    </message>
+    <message>
+        <source>Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that the branch belongs to:</source>
+        <translation>Jeder Zweig des Baums hat eine fundamentale Schnittmenge, mit den Koeffizienten der Kreise, zu denen der Zweig gehört:</translation>
+    </message>
+    <message>
+        <source>These cutsets as the rows of a matrix, the torques in the branches before the line, those of the chords after it; loads and engaged couplings come in addition:</source>
+        <translation>Diese Schnittmengen als Zeilen einer Matrix, die Momente in den Zweigen vor dem Strich, die der Sehnen dahinter; Lasten und geschlossene Schaltelemente kommen hinzu:</translation>
+    </message>
+    <message>
+        <source>The Matroid method&apos;s $Q$ has the same rows. A mesh is one edge there and has a chord to each gear here, so its column of $Q$ is that of the chord of the head&apos;s gear less that of the tail&apos;s:</source>
+        <translation>Das $Q$ der Matroid-Methode hat dieselben Zeilen. Ein Eingriff ist dort eine Kante und hat hier eine Sehne zu jedem Rad, also ist seine Spalte von $Q$ die der Sehne des Rads an der Spitze minus die der Sehne am Fuß:</translation>
+    </message>
+    <message>
+        <source>The chain runs from the loads back to the motors: a cutset with one unknown left gives it, the terminal equation of its mesh the other torque.</source>
+        <translation>Die Kette läuft von den Lasten zurück zu den Motoren: Eine Schnittmenge mit nur noch einer Unbekannten ergibt diese, die Klemmengleichung ihres Eingriffs das andere Moment.</translation>
+    </message>
+    <message>
+        <source>Torque by torque, both methods give the same fractions: all %1 entries agree.</source>
+        <translation>Moment für Moment ergeben beide Methoden dieselben Brüche: Alle %1 Einträge stimmen überein.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1 N m.</source>
+        <translation>Die beiden Methoden unterscheiden sich um bis zu %1 N m.</translation>
+    </message>
+    <message>
+        <source>In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give the torque matrix of (25) transposed, entry by entry.</source>
+        <translation>Auch in Symbolen: In den Übersetzungen eliminiert, ergeben die Schnittmengen des T-T-Graphen Eintrag für Eintrag die transponierte Momentenmatrix von (25).</translation>
+    </message>
+    <message>
+        <source>In symbols the two torque matrices differ.</source>
+        <translation>In Symbolen unterscheiden sich die beiden Momentenmatrizen.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>The turning joints are the branches of the graph&apos;s tree. Each carries the letter of its axis, its level.</source>
+        <translation>Die Drehgelenke sind die Zweige des Baums des Graphen. Jeder trägt den Buchstaben seiner Achse, seine Ebene.</translation>
+    </message>
+    <message>
+        <source>Carriers</source>
+        <translation>Stege</translation>
+    </message>
+    <message>
+        <source>From one gear of a mesh through the branches to the other, the level changes at one link: the transfer vertex, which carries both gears. A mesh is written as its gear pair and its carrier.</source>
+        <translation>Vom einen Rad eines Eingriffs durch die Zweige zum anderen wechselt die Ebene an einem Glied: dem Transferknoten, der beide Räder trägt. Ein Eingriff wird als sein Räderpaar und sein Steg geschrieben.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Pair and carrier</source>
+        <translation>Paar und Steg</translation>
+    </message>
+    <message>
+        <source>no transfer vertex</source>
+        <translation>kein Transferknoten</translation>
+    </message>
+    <message>
+        <source>Terminal equations</source>
+        <translation>Klemmengleichungen</translation>
+    </message>
+    <message>
+        <source>Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their teeth, with a plus sign where both turn the same way, each seen along its own axis:</source>
+        <translation>Von seinem Steg aus gesehen dreht sich ein Rad eines Paars so schnell wie das andere mal dem Verhältnis ihrer Zähnezahlen, mit einem Pluszeichen, wo sich beide, jedes entlang seiner eigenen Achse gesehen, gleichsinnig drehen:</translation>
+    </message>
+    <message>
+        <source>Fundamental circuits</source>
+        <translation>Fundamentalkreise</translation>
+    </message>
+    <message>
+        <source>Each of these velocities closes a circuit with branches of the tree, and is the sum along the branches:</source>
+        <translation>Jede dieser Geschwindigkeiten schließt mit Zweigen des Baums einen Kreis und ist die Summe entlang der Zweige:</translation>
+    </message>
+    <message>
+        <source>An engaged brake or clutch is one more edge of the graph, from the link that it holds to the ground or to the other link. Its velocity is zero, so the branches of its fundamental circuit add up to zero, once for each direction of their axes:</source>
+        <translation>Eine geschlossene Bremse oder Kupplung ist eine weitere Kante des Graphen, von dem Glied, das sie hält, zum Gestell oder zum anderen Glied. Ihre Geschwindigkeit ist null, also ergeben die Zweige ihres Fundamentalkreises in der Summe null, einmal für jede Richtung ihrer Achsen:</translation>
+    </message>
+    <message>
+        <source>Solution by substitution</source>
+        <translation>Lösung durch Einsetzen</translation>
+    </message>
+    <message>
+        <source>Given is %1.</source>
+        <translation>Gegeben ist %1.</translation>
+    </message>
+    <message>
+        <source>Given are %1.</source>
+        <translation>Gegeben sind %1.</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh, the equations give the others.</source>
+        <translation>Eingriff für Eingriff ergeben die Gleichungen die anderen.</translation>
+    </message>
+    <message>
+        <source>One after the other, the equations give the others.</source>
+        <translation>Eine nach der anderen ergeben die Gleichungen die anderen.</translation>
+    </message>
+    <message>
+        <source>Equations %1 give %2:</source>
+        <translation>Die Gleichungen %1 ergeben %2:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes and couplings, solved together, give %1:</source>
+        <translation>Die Gleichungen mehrerer Eingriffe und Schaltelemente ergeben, zusammen gelöst, %1:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes, solved together, give %1:</source>
+        <translation>Die Gleichungen mehrerer Eingriffe ergeben, zusammen gelöst, %1:</translation>
+    </message>
+    <message>
+        <source>Together:</source>
+        <translation>Zusammen:</translation>
+    </message>
+    <message>
+        <source>With the names of the ratios that the matroid method uses,</source>
+        <translation>Mit den Namen der Übersetzungen, die die Matroid-Methode verwendet,</translation>
+    </message>
+    <message>
+        <source>this is</source>
+        <translation>ist dies</translation>
+    </message>
+    <message>
+        <source>a mechanism without errors, and at most 250,000 entries</source>
+        <translation>ein Mechanismus ohne Fehler und höchstens 250.000 Einträge</translation>
+    </message>
+    <message>
+        <source>a carrier and a sign of every mesh</source>
+        <translation>ein Steg und ein Vorzeichen für jeden Zahneingriff</translation>
+    </message>
+    <message>
+        <source>a geometry of every mesh</source>
+        <translation>die Geometrie jedes Eingriffs</translation>
+    </message>
+    <message>
+        <source>balances in joints that hold all loads, and at most 250,000 entries</source>
+        <translation>Ausgleichsmomente in Gelenken, die alle Lasten halten, und höchstens 250.000 Einträge</translation>
+    </message>
+    <message>
+        <source>loads, and balances that hold them</source>
+        <translation>Lasten und Ausgleichsmomente, die sie halten</translation>
+    </message>
+    <message>
+        <source>states of a gearbox</source>
+        <translation>Schaltzustände</translation>
+    </message>
+    <message>
+        <source>a spanning tree</source>
+        <translation>einen Spannbaum</translation>
+    </message>
+    <message>
+        <source>The handout has no still picture: %1</source>
+        <translation>Das Handout hat kein Standbild: %1</translation>
+    </message>
+    <message>
+        <source>About %1 triangles are more than the limit of %2</source>
+        <translation>Etwa %1 Dreiecke sind mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
+        <translation>Die Datei zeigt die ersten %1 s davon, mit ihrer Geschwindigkeit; sie endet nicht, wo sie begann.</translation>
+    </message>
+    <message>
+        <source>A mechanism with errors has no gears</source>
+        <translation>Ein Mechanismus mit Fehlern hat keine Räder</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot; with solids</source>
+        <translation>Es gibt kein Glied „%1“ mit Körpern</translation>
+    </message>
+    <message>
+        <source>There is no gear &quot;%1&quot;; gears are named like 15:tail, 15:head</source>
+        <translation>Es gibt kein Rad „%1“; Räder heißen wie 15:tail, 15:head</translation>
+    </message>
+    <message>
+        <source>the assembly</source>
+        <translation>der Zusammenbau</translation>
+    </message>
+    <message>
+        <source>(pinned)</source>
+        <translation>(fixiert)</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 is like %3.</source>
+        <translation>Von %1 gleichen Planeten ist einer gezeichnet: %2 ist wie %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 are like %3.</source>
+        <translation>Von %1 gleichen Planeten ist einer gezeichnet: %2 sind wie %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 is like %3.</source>
+        <translation>Von %1 gleichen Planetensätzen ist einer gezeichnet: %2 ist wie %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 are like %3.</source>
+        <translation>Von %1 gleichen Planetensätzen ist einer gezeichnet: %2 sind wie %3.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. Radii are not to scale.</source>
+        <translation>Abgewickelt: Die Achsen liegen nicht in einer Ebene. Radien sind nicht maßstäblich.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 is turned into the sheet.</source>
+        <translation>Abgewickelt: Die Achsen liegen nicht in einer Ebene. %1 ist in die Zeichenebene gedreht.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 are turned into the sheet.</source>
+        <translation>Abgewickelt: Die Achsen liegen nicht in einer Ebene. %1 sind in die Zeichenebene gedreht.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 of them are turned into the sheet.</source>
+        <translation>Abgewickelt: Die Achsen liegen nicht in einer Ebene. %1 davon sind in die Zeichenebene gedreht.</translation>
+    </message>
+    <message>
+        <source>Wheels that a dashed line joins mesh, though they do not touch here.</source>
+        <translation>Räder, die eine gestrichelte Linie verbindet, kämmen miteinander, obwohl sie sich hier nicht berühren.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not drawn: no turning joint ties it to the ground.</source>
+        <translation>Glied %1 ist nicht gezeichnet: Kein Drehgelenk verbindet es mit dem Gestell.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not drawn: no turning joint ties them to the ground.</source>
+        <translation>Glieder %1 sind nicht gezeichnet: Kein Drehgelenk verbindet sie mit dem Gestell.</translation>
+    </message>
+    <message>
+        <source>Joint %1 closes a loop and is not drawn.</source>
+        <translation>Gelenk %1 schließt eine Schleife und ist nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Joints %1 close a loop and are not drawn.</source>
+        <translation>Gelenke %1 schließen eine Schleife und sind nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1, variant %2</source>
+        <translation>%1, Variante %2</translation>
+    </message>
+    <message>
+        <source>%1: solution</source>
+        <translation>%1: Lösung</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Name: %1</translation>
+    </message>
+    <message>
+        <source>%1 question</source>
+        <translation>%1 Frage</translation>
+    </message>
+    <message>
+        <source>%1 questions</source>
+        <translation>%1 Fragen</translation>
+    </message>
+    <message>
+        <source>Brake or clutch</source>
+        <translation>Bremse oder Kupplung</translation>
+    </message>
+    <message>
+        <source>Engaged, it holds</source>
+        <translation>Geschlossen hält sie</translation>
+    </message>
+    <message>
+        <source>link %1 against the ground</source>
+        <translation>Glied %1 am Gestell</translation>
+    </message>
+    <message>
+        <source>links %1 together</source>
+        <translation>Glieder %1 aneinander</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Traced points</source>
+        <translation>Verfolgte Punkte</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>point %1 of %2</source>
+        <translation>Punkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>link %1: %2</source>
+        <translation>Glied %1: %2</translation>
+    </message>
+    <message>
+        <source>Shared by equal stiffness of all teeth: an assumption.</source>
+        <translation>Nach gleicher Steifigkeit aller Zähne aufgeteilt: eine Annahme.</translation>
+    </message>
+    <message>
+        <source>Loads: %1.</source>
+        <translation>Lasten: %1.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2°</source>
+        <translation>Gelenk %1 bei %2°</translation>
+    </message>
+    <message>
+        <source>It is not in the folder of the document: copy it there.</source>
+        <translation>Sie liegt nicht im Ordner des Dokuments: Kopieren Sie sie dorthin.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the pictures.</source>
+        <translation>Der Speicher reicht für die Bilder nicht aus.</translation>
+    </message>
+    <message>
+        <source>The driver painted nothing.</source>
+        <translation>Der Treiber hat nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the labels.</source>
+        <translation>Der Speicher reicht für die Beschriftungen nicht aus.</translation>
+    </message>
+    <message>
+        <source>The file could not be written.</source>
+        <translation>Die Datei konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written.</source>
+        <translation>„%1“ konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder.</source>
+        <translation>„%1“ ist kein Ordner.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; is not empty; nothing was written.</source>
+        <translation>Der Ordner „%1“ ist nicht leer; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>No folder could be made beside &quot;%1&quot;.</source>
+        <translation>Neben „%1“ konnte kein Ordner angelegt werden.</translation>
+    </message>
+    <message>
+        <source>The driver paints pictures of up to %1 pixels a side; choose a smaller size.</source>
+        <translation>Der Treiber zeichnet Bilder mit bis zu %1 Pixeln je Seite; wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>Gear %1 has %2 teeth, too fine to be distinguished: it is shown without them.</source>
+        <translation>Rad %1 hat %2 Zähne, zu fein, um sie zu unterscheiden: Es wird ohne sie gezeigt.</translation>
+    </message>
+    <message>
+        <source>Link %1 wears &quot;%2&quot;, which is not shown: %3</source>
+        <translation>Glied %1 trägt „%2“, das nicht gezeigt wird: %3</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears: its wheels are plain discs, its shafts and arms are straight and pass through what they meet (up to %2 gears they are routed past it).</source>
+        <translation>Ein Getriebe mit %1 Rädern: Seine Räder sind glatte Scheiben, seine Wellen und Arme sind gerade und gehen durch das hindurch, was ihnen begegnet (bis zu %2 Rädern werden sie darum herumgeführt).</translation>
+    </message>
+    <message>
+        <source>gears in a row</source>
+        <translation>Räder in einer Reihe</translation>
+    </message>
+    <message>
+        <source>planetary sets in line</source>
+        <translation>Planetensätze hintereinander</translation>
+    </message>
+    <message>
+        <source>arms of a bevel-gear wrist</source>
+        <translation>Arme eines Kegelrad-Handgelenks</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 equation</source>
+        <translation>%1 Gleichung</translation>
+    </message>
+    <message>
+        <source>%1 equations</source>
+        <translation>%1 Gleichungen</translation>
+    </message>
+    <message>
+        <source>%1 unknown</source>
+        <translation>%1 Unbekannten</translation>
+    </message>
+    <message>
+        <source>%1 unknowns</source>
+        <translation>%1 Unbekannten</translation>
+    </message>
+    <message>
+        <source>%1 product</source>
+        <translation>%1 Produkt</translation>
+    </message>
+    <message>
+        <source>%1 products</source>
+        <translation>%1 Produkte</translation>
+    </message>
+    <message>
+        <source>%1 sum</source>
+        <translation>%1 Summe</translation>
+    </message>
+    <message>
+        <source>%1 sums</source>
+        <translation>%1 Summen</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Graph</translation>
+    </message>
+    <message>
+        <source>digraph: a node for each link, an oriented line for each joint and mesh (Figs. 2, 3)</source>
+        <translation>Digraph: ein Knoten für jedes Glied, eine gerichtete Linie für jedes Gelenk und jeden Eingriff (Bilder 2, 3)</translation>
+    </message>
+    <message>
+        <source>oriented graph: the same nodes and branches, and for each mesh two chords to its carrier (Figs. 4 to 6)</source>
+        <translation>gerichteter Graph: dieselben Knoten und Zweige, und für jeden Eingriff zwei Sehnen zu seinem Steg (Bilder 4 bis 6)</translation>
+    </message>
+    <message>
+        <source>The turning joints are the tree in both, the meshes close its cycles.</source>
+        <translation>Die Drehgelenke sind in beiden der Baum, die Eingriffe schließen seine Zyklen.</translation>
+    </message>
+    <message>
+        <source>Tree and cycles</source>
+        <translation>Baum und Zyklen</translation>
+    </message>
+    <message>
+        <source>incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)</source>
+        <translation>Inzidenzmatrix (1), (2), Wegmatrix $Z$ (3), Spannbaum (4), $C$ (5)</translation>
+    </message>
+    <message>
+        <source>levels of the branches; f-circuits of the chords (31)-(38)</source>
+        <translation>Ebenen der Zweige; f-Kreise der Sehnen (31)-(38)</translation>
+    </message>
+    <message>
+        <source>The cycle of a mesh is the circuit of its tail&apos;s chord less that of its head&apos;s chord.</source>
+        <translation>Der Zyklus eines Eingriffs ist der Kreis seiner Sehne am Fuß minus der seiner Sehne an der Spitze.</translation>
+    </message>
+    <message>
+        <source>Carrier</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>not named: it drops out of the moments about the pitch point</source>
+        <translation>nicht benannt: Er fällt aus den Momenten um den Wälzpunkt heraus</translation>
+    </message>
+    <message>
+        <source>transfer vertex: where the level changes on the walk between the gears</source>
+        <translation>Transferknoten: wo auf dem Weg zwischen den Rädern die Ebene wechselt</translation>
+    </message>
+    <message>
+        <source>The moments of a cycle&apos;s joints lie on one line because the carrier holds both axes.</source>
+        <translation>Die Momente der Gelenke eines Zyklus liegen auf einer Geraden, weil der Steg beide Achsen hält.</translation>
+    </message>
+    <message>
+        <source>screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail&apos;s axis, $\pm 1$ on the head&apos;s</source>
+        <translation>Schrauben um den Wälzpunkt (6)-(13), eine Zeile von $P$ (16)-(19): $i_c$ auf der Achse des Fußes, $\pm 1$ auf der der Spitze</translation>
+    </message>
+    <message>
+        <source>terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign</source>
+        <translation>Klemmengleichung (26)-(30): Geschwindigkeiten vom Steg aus gesehen, ein Verhältnis und ein Vorzeichen</translation>
+    </message>
+    <message>
+        <source>The terminal equation with its two circuits put in is the row of $P$.</source>
+        <translation>Die Klemmengleichung mit ihren beiden Kreisen eingesetzt ist die Zeile von $P$.</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Vorzeichen</translation>
+    </message>
+    <message>
+        <source>comes with the diameters in the reference frame</source>
+        <translation>kommt mit den Durchmessern im Bezugssystem</translation>
+    </message>
+    <message>
+        <source>from the turning senses of the two gears, seen along their axes</source>
+        <translation>aus den Drehsinnen der beiden Räder, entlang ihrer Achsen gesehen</translation>
+    </message>
+    <message>
+        <source>The signs agree: both are that of the product of the two moments.</source>
+        <translation>Die Vorzeichen stimmen überein: Beide sind das des Produkts der zwei Momente.</translation>
+    </message>
+    <message>
+        <source>rank of $P$, $E = t - r$ (21); bases of the dual matroid are the valid inputs</source>
+        <translation>Rang von $P$, $E = t - r$ (21); Basen des dualen Matroids sind die zulässigen Antriebe</translation>
+    </message>
+    <message>
+        <source>not asked: the inputs are taken as given</source>
+        <translation>nicht gefragt: Die Antriebe gelten als gegeben</translation>
+    </message>
+    <message>
+        <source>What can be driven is read from $P$.</source>
+        <translation>Was sich antreiben lässt, liest man aus $P$ ab.</translation>
+    </message>
+    <message>
+        <source>$-P_r^{-1} P_E$ (22)-(25)</source>
+        <translation>$-P_r^{-1} P_E$ (22)-(25)</translation>
+    </message>
+    <message>
+        <source>one mesh after the other, substituted (39)-(42), then (43)-(45)</source>
+        <translation>ein Eingriff nach dem anderen, eingesetzt (39)-(42), dann (43)-(45)</translation>
+    </message>
+    <message>
+        <source>The same matrix, by joint.</source>
+        <translation>Dieselbe Matrix, nach Gelenken.</translation>
+    </message>
+    <message>
+        <source>Relative velocities</source>
+        <translation>Relativgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>of the two gears of a mesh to each other (15), after the solution</source>
+        <translation>der beiden Räder eines Eingriffs zueinander (15), nach der Lösung</translation>
+    </message>
+    <message>
+        <source>of each gear to its carrier: the chords, on the way to the solution</source>
+        <translation>jedes Rads gegen seinen Steg: die Sehnen, auf dem Weg zur Lösung</translation>
+    </message>
+    <message>
+        <source>(15) is the difference of the two chords, as vectors.</source>
+        <translation>(15) ist die Differenz der beiden Sehnen, als Vektoren.</translation>
+    </message>
+    <message>
+        <source>columns of $P$ (not in the paper)</source>
+        <translation>Spalten von $P$ (nicht in der Arbeit)</translation>
+    </message>
+    <message>
+        <source>complementary terminal variables and f-cutsets (not worked out in the paper)</source>
+        <translation>komplementäre Klemmenvariable und f-Schnittmengen (in der Arbeit nicht ausgeführt)</translation>
+    </message>
+    <message>
+        <source>The cutset matrix $Q$ serves both.</source>
+        <translation>Die Schnittmatrix $Q$ dient beiden.</translation>
+    </message>
+    <message>
+        <source>&quot;The kinematic equations can be obtained more easily by the T-T graph method.&quot;</source>
+        <translation>„Die kinematischen Gleichungen lassen sich mit der T-T-Graph-Methode leichter gewinnen.“</translation>
+    </message>
+    <message>
+        <source>From its equations to the solution of this mechanism the chain of substitutions takes %1, the inverse of $P_r$ and its product %2.</source>
+        <translation>Von ihren Gleichungen zur Lösung dieses Mechanismus braucht die Substitutionskette %1, die Inverse von $P_r$ und ihr Produkt %2.</translation>
+    </message>
+    <message>
+        <source>It needs teeth and turning senses; the rows of $P$ need coordinates of axes and pitch points, and %1 from them.</source>
+        <translation>Sie braucht Zähnezahlen und Drehsinne; die Zeilen von $P$ brauchen Koordinaten von Achsen und Wälzpunkten und daraus %1.</translation>
+    </message>
+    <message>
+        <source>It writes %1 in %2, the Matroid method %3 in %4.</source>
+        <translation>Sie schreibt %1 mit %2, die Matroid-Methode %3 mit %4.</translation>
+    </message>
+    <message>
+        <source>Once a row of $P$ is divided by a radius it is the terminal equation with its circuits put in: solved in the same order, both take the same steps.</source>
+        <translation>Durch einen Radius geteilt ist eine Zeile von $P$ die Klemmengleichung mit ihren Kreisen eingesetzt: In derselben Reihenfolge gelöst, machen beide dieselben Schritte.</translation>
+    </message>
+    <message>
+        <source>&quot;The only advantage of the Matroid method is the derivation of the relative velocities of the gears with respect to the carrier arm.&quot;</source>
+        <translation>„Der einzige Vorteil der Matroid-Methode ist die Herleitung der Relativgeschwindigkeiten der Räder gegenüber dem Steg.“</translation>
+    </message>
+    <message>
+        <source>(15) gives them as vectors, for skew and meeting axes alike.</source>
+        <translation>(15) gibt sie als Vektoren, für windschiefe wie für sich schneidende Achsen.</translation>
+    </message>
+    <message>
+        <source>The chords of the T-T graph are velocities relative to the carrier, too.</source>
+        <translation>Auch die Sehnen des T-T-Graphen sind Geschwindigkeiten relativ zum Steg.</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ gives the degrees of freedom, redundant meshes and every valid set of inputs; the T-T graph takes the inputs as given.</source>
+        <translation>Der Rang von $P$ ergibt den Freiheitsgrad, redundante Eingriffe und jeden zulässigen Satz von Antrieben; der T-T-Graph nimmt die Antriebe als gegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;The sign of the gear ratio is obtained directly, without considering the turning direction.&quot;</source>
+        <translation>„Das Vorzeichen der Übersetzung ergibt sich unmittelbar, ohne Betrachtung des Drehsinns.“</translation>
+    </message>
+    <message>
+        <source>The sign of each entry of $P$ is that of a difference of coordinates.</source>
+        <translation>Das Vorzeichen jedes Eintrags von $P$ ist das einer Koordinatendifferenz.</translation>
+    </message>
+    <message>
+        <source>The senses have to be seen once a mesh: here %1 of %2 turn against each other, seen along their axes.</source>
+        <translation>Die Drehsinne müssen einmal je Eingriff gesehen werden: Hier drehen sich, entlang ihrer Achsen gesehen, %1 von %2 gegensinnig.</translation>
+    </message>
+    <message>
+        <source>%1 pair</source>
+        <translation>%1 Paar</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>Mesh %1</source>
+        <translation>Eingriff %1</translation>
+    </message>
+    <message>
+        <source>%1 points to link %2: its arrow ends there.</source>
+        <translation>%1 zeigt auf Glied %2: Sein Pfeil endet dort.</translation>
+    </message>
+    <message>
+        <source>%1 leaves link %2: its arrow begins there.</source>
+        <translation>%1 verlässt Glied %2: Sein Pfeil beginnt dort.</translation>
+    </message>
+    <message>
+        <source>%1 goes from link %2 to link %3 and does not touch link %4.</source>
+        <translation>%1 geht von Glied %2 zu Glied %3 und berührt Glied %4 nicht.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground does not use %2.</source>
+        <translation>Der Weg von Glied %1 zum Gestell benutzt %2 nicht.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs along %2 (from %3 to %4).</source>
+        <translation>Der Weg von Glied %1 zum Gestell läuft mit %2 (von %3 nach %4).</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs against %2 (from %3 to %4).</source>
+        <translation>Der Weg von Glied %1 zum Gestell läuft gegen %2 (von %3 nach %4).</translation>
+    </message>
+    <message>
+        <source>%1 is the cycle that %2 closes, walked along its arrow (from %3 to %4).</source>
+        <translation>%1 ist der Zyklus, den %2 schließt, entlang seines Pfeils durchlaufen (von %3 nach %4).</translation>
+    </message>
+    <message>
+        <source>A cycle of the basis holds one mesh, its own: %1 holds %2, not %3.</source>
+        <translation>Ein Zyklus der Basis enthält einen Eingriff, seinen eigenen: %1 enthält %2, nicht %3.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 does not use %5.</source>
+        <translation>Durchläuft man %1 entlang %2, so benutzt der Weg von %3 zurück nach %4 nicht %5.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs along %5 (from %6 to %7).</source>
+        <translation>Durchläuft man %1 entlang %2, so läuft der Weg von %3 zurück nach %4 mit %5 (von %6 nach %7).</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs against %5 (from %6 to %7).</source>
+        <translation>Durchläuft man %1 entlang %2, so läuft der Weg von %3 zurück nach %4 gegen %5 (von %6 nach %7).</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; its own arrow counts as 1.</source>
+        <translation>Ohne %1 zerfällt der Baum in zwei Hälften; der eigene Pfeil zählt als 1.</translation>
+    </message>
+    <message>
+        <source>A cutset holds one turning joint, its own: %1, not %2.</source>
+        <translation>Eine Schnittmenge enthält ein Drehgelenk, ihr eigenes: %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 stays in one of them.</source>
+        <translation>Ohne %1 zerfällt der Baum in zwei Hälften; %2 bleibt in einer davon.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over in the direction of %1.</source>
+        <translation>Ohne %1 zerfällt der Baum in zwei Hälften; %2 führt in Richtung von %1 hinüber.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over against %1.</source>
+        <translation>Ohne %1 zerfällt der Baum in zwei Hälften; %2 führt gegen %1 hinüber.</translation>
+    </message>
+    <message>
+        <source>Cutset of %1, %2</source>
+        <translation>Schnittmenge von %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, link %2</source>
+        <translation>%1, Glied %2</translation>
+    </message>
+    <message>
+        <source>Not in the paper.</source>
+        <translation>Nicht in der Arbeit.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the tail&apos;s gear, which leaves the ratio i%2 = %3.</source>
+        <translation>Die Zeile geteilt durch den Radius des Rads an der Spitze: %1 dreht um die Achse des Rads am Fuß, das lässt die Übersetzung i%2 = %3.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the head&apos;s gear, which leaves 1.</source>
+        <translation>Die Zeile geteilt durch den Radius des Rads an der Spitze: %1 dreht um die Achse des Rads an der Spitze, das lässt 1.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the tail&apos;s gear.</source>
+        <translation>T mal das Moment der Achse von %1 um den Wälzpunkt von Eingriff %2, entlang der Normalen des Eingriffs: der Radius des Rads am Fuß.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the head&apos;s gear.</source>
+        <translation>T mal das Moment der Achse von %1 um den Wälzpunkt von Eingriff %2, entlang der Normalen des Eingriffs: der Radius des Rads an der Spitze.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2, so it has no part in the equation of mesh %3.</source>
+        <translation>%1 benutzt %2 nicht, also kommt es in der Gleichung von Eingriff %3 nicht vor.</translation>
+    </message>
+    <message>
+        <source>f-circuit matrix of the T–T graph</source>
+        <translation>Fundamentalkreismatrix des T–T-Graphen</translation>
+    </message>
+    <message>
+        <source>A row for each f-circuit of the T–T graph: 1 for its own chord; a branch that counts with plus in the chord&apos;s velocity is −1, one that counts with minus is 1. Engaged couplings are chords, too. B ω = 0 holds for every motion.</source>
+        <translation>Eine Zeile je Fundamentalkreis des T–T-Graphen: 1 für die eigene Sehne; ein Zweig, der in der Drehzahl der Sehne mit Plus zählt, ist −1, einer mit Minus ist 1. Eingelegte Kupplungen sind auch Sehnen. B ω = 0 gilt für jede Bewegung.</translation>
+    </message>
+    <message>
+        <source>f-cutset matrix of the T–T graph</source>
+        <translation>Fundamentalschnittmatrix des T–T-Graphen</translation>
+    </message>
+    <message>
+        <source>A row for each branch of the T–T graph: 1 for its own torque, and the chords that cross the cut, with minus their entries in the f-circuits. Its rows are the equations of the T–T graph&apos;s statics, and B Q′ᵀ = 0.</source>
+        <translation>Eine Zeile je Zweig des T–T-Graphen: 1 für das eigene Moment, dazu die Sehnen, die den Schnitt queren, mit dem Negativen ihrer Einträge in den Fundamentalkreisen. Ihre Zeilen sind die Gleichungen der Statik des T–T-Graphen, und B Q′ᵀ = 0.</translation>
+    </message>
+    <message>
+        <source>T-T circuit matrix</source>
+        <translation>T-T-Kreismatrix</translation>
+    </message>
+    <message>
+        <source>T-T cutset matrix</source>
+        <translation>T-T-Schnittmatrix</translation>
+    </message>
+    <message>
+        <source>The %1 component of the unit vector u along the axis of %2. Eqs. (7)-(9)</source>
+        <translation>Die %1-Komponente des Einheitsvektors u entlang der Achse von %2. Gln. (7)-(9)</translation>
+    </message>
+    <message>
+        <source>The %1 component of the moment of %2&apos;s axis about the pitch point of %3: how fast that point moves for one unit of speed. Eqs. (10)-(12)</source>
+        <translation>Die %1-Komponente des Moments der Achse von %2 um den Wälzpunkt von %3: wie schnell sich dieser Punkt bei der Drehgeschwindigkeit 1 bewegt. Gln. (10)-(12)</translation>
+    </message>
+    <message>
+        <source>Joint %1 over joint %2: %3</source>
+        <translation>Gelenk %1 über Gelenk %2: %3</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2.</source>
+        <translation>Gelenk %1 spürt Antrieb %2 nicht.</translation>
+    </message>
+    <message>
+        <source>How fast joint %1 turns for one unit of speed at joint %2, the other inputs at rest.</source>
+        <translation>Wie schnell sich Gelenk %1 bei der Drehgeschwindigkeit 1 in Gelenk %2 dreht, die anderen Antriebe in Ruhe.</translation>
+    </message>
+    <message>
+        <source>With these teeth: %1.</source>
+        <translation>Mit diesen Zähnezahlen: %1.</translation>
+    </message>
+    <message>
+        <source>the chord of coupling %1</source>
+        <translation>die Sehne der Kupplung %1</translation>
+    </message>
+    <message>
+        <source>the chord %1 from gear %2 to carrier %3</source>
+        <translation>die Sehne %1 vom Rad %2 zum Steg %3</translation>
+    </message>
+    <message>
+        <source>f-circuit of %1, %2: %3</source>
+        <translation>Fundamentalkreis von %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Eqs. (31) to (38)</source>
+        <translation>Gln. (31) bis (38)</translation>
+    </message>
+    <message>
+        <source>The f-circuit that %1 closes: the chord itself counts as 1.</source>
+        <translation>Der Fundamentalkreis, den %1 schließt: Die Sehne selbst zählt als 1.</translation>
+    </message>
+    <message>
+        <source>An f-circuit holds one chord, its own: here %1.</source>
+        <translation>Ein Fundamentalkreis enthält eine Sehne, die eigene: hier %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not between the ends of %2.</source>
+        <translation>%1 liegt nicht zwischen den Enden dieser Sehne: %2.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with plus. On one side with the chord it is −1.</source>
+        <translation>Die Drehzahl (%1) ist eine Summe von Zweigen, in der %2 mit Plus zählt. Auf einer Seite mit der Sehne ist es −1.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with minus. On one side with the chord it is 1.</source>
+        <translation>Die Drehzahl (%1) ist eine Summe von Zweigen, in der %2 mit Minus zählt. Auf einer Seite mit der Sehne ist es 1.</translation>
+    </message>
+    <message>
+        <source>f-cutset of joint %1, %2: %3</source>
+        <translation>Fundamentalschnitt von Gelenk %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; the torque in the joint itself counts as 1.</source>
+        <translation>Ohne %1 zerfällt der Baum in zwei Hälften; das Moment im Gelenk selbst zählt als 1.</translation>
+    </message>
+    <message>
+        <source>An f-cutset holds one branch, its own: %1, not %2.</source>
+        <translation>Ein Fundamentalschnitt enthält einen Zweig, den eigenen: %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>Both ends of %1 are in the same half without %2: its torque is not in this equation.</source>
+        <translation>Beide Enden (%1) sind ohne %2 in derselben Hälfte: Ihr Moment steht nicht in dieser Gleichung.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, in the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>Das Moment (%1) wirkt über den Schnitt hinweg, im Sinn von %2: das Negative des Eintrags im Fundamentalkreis.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, against the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>Das Moment (%1) wirkt über den Schnitt hinweg, gegen den Sinn von %2: das Negative des Eintrags im Fundamentalkreis.</translation>
+    </message>
+    <message>
+        <source>The centre of mass in the reference pose, in the base frame.</source>
+        <translation>Der Schwerpunkt in der Bezugslage, im Basissystem.</translation>
+    </message>
+    <message>
+        <source>The moment of inertia about the centre of mass, about the direction of this axis of the base frame, in the reference pose.</source>
+        <translation>Das Trägheitsmoment um den Schwerpunkt, um die Richtung dieser Achse des Basissystems, in der Bezugslage.</translation>
+    </message>
+    <message>
+        <source>The link, by its number.</source>
+        <translation>Das Glied, nach seiner Nummer.</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>The mass: of the link&apos;s solids at the density, or as it is stated.</source>
+        <translation>Die Masse: der Körper des Glieds bei der Dichte, oder wie sie angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Where the mass comes from: the link&apos;s solids, or the document, which states it.</source>
+        <translation>Woher die Masse kommt: von den Körpern des Glieds oder aus dem Dokument, das sie angibt.</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>an %1</translation>
+    </message>
+    <message>
+        <source>The inertia that the link has at the motor of joint %1 while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>Die Trägheit, die das Glied am Motor von Gelenk %1 hat, während die anderen Antriebe stillstehen: bei einem Glied, das sich um eine Achse dreht, sein Trägheitsmoment mal dem Quadrat seiner Übersetzung.</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>The joint of the input, by its number.</source>
+        <translation>Das Gelenk des Antriebs, nach seiner Nummer.</translation>
+    </message>
+    <message>
+        <source>The generalised inertia: the torque in the row&apos;s joint for each rad/s² of joint %1.</source>
+        <translation>Die verallgemeinerte Trägheit: das Moment im Gelenk der Zeile für jedes rad/s² von Gelenk %1.</translation>
+    </message>
+    <message>
+        <source>What motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight.</source>
+        <translation>Was Motoren bei konstanten Drehgeschwindigkeiten aufbringen müssen, für Coriolis- und Fliehkräfte und für das Gewicht.</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>What the loads contribute, as a torque in the row&apos;s joint.</source>
+        <translation>Was die Lasten beitragen, als Moment im Gelenk der Zeile.</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>haltend</translation>
+    </message>
+    <message>
+        <source>The torque of the motor that keeps the speeds constant: h less the load.</source>
+        <translation>Das Moment des Motors, das die Drehgeschwindigkeiten konstant hält: h minus die Last.</translation>
+    </message>
+    <message>
+        <source>no solid: massless</source>
+        <translation>kein Körper: masselos</translation>
+    </message>
+    <message>
+        <source>solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>stated, spread as its solids</source>
+        <translation>angegeben, verteilt wie seine Körper</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 to 2^64 - 1, in quotes.</source>
+        <translation>Der Startwert ist eine ganze Zahl von 0 bis 2^64 - 1, in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The sheet was made by another version of the program, whose questions this one cannot make again.</source>
+        <translation>Das Blatt wurde mit einer anderen Version des Programms erstellt, deren Fragen diese nicht wieder erzeugen kann.</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 1,000 variants.</source>
+        <translation>Ein Blatt hat 1 bis 1.000 Varianten.</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;.</source>
+        <translation>Eine Frageart „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 100 questions.</source>
+        <translation>Ein Blatt hat 1 bis 100 Fragen.</translation>
+    </message>
+    <message>
+        <source>%1 = 0, shared in unknown parts</source>
+        <translation>%1 = 0, zu unbekannten Teilen geteilt</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: no mesh crosses.</source>
+        <translation>Gelenk %1 schneidet Glied %2 ab: Kein Eingriff kreuzt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: mesh %3 crosses.</source>
+        <translation>Gelenk %1 schneidet Glied %2 ab: Eingriff %3 kreuzt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: meshes %3 cross.</source>
+        <translation>Gelenk %1 schneidet Glied %2 ab: Eingriffe %3 kreuzen.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: no mesh crosses.</source>
+        <translation>Gelenk %1 schneidet Glieder %2 ab: Kein Eingriff kreuzt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: mesh %3 crosses.</source>
+        <translation>Gelenk %1 schneidet Glieder %2 ab: Eingriff %3 kreuzt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: meshes %3 cross.</source>
+        <translation>Gelenk %1 schneidet Glieder %2 ab: Eingriffe %3 kreuzen.</translation>
+    </message>
+    <message>
+        <source>T(link %1)</source>
+        <translation>T(Glied %1)</translation>
+    </message>
+    <message>
+        <source>loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Which gear drives in mesh %1 depends on how the load is shared.</source>
+        <translation>Welches Rad in Eingriff %1 treibt, hängt davon ab, wie die Last sich teilt.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it bears no load.</source>
+        <translation>In Eingriff %1 treibt kein Rad: Vom Gestell aus gesehen trägt er keine Last.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it bears no load.</source>
+        <translation>In Eingriff %1 treibt kein Rad: Vom Steg %2 aus gesehen trägt er keine Last.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it does not roll.</source>
+        <translation>In Eingriff %1 treibt kein Rad: Vom Gestell aus gesehen wälzt er nicht.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it does not roll.</source>
+        <translation>In Eingriff %1 treibt kein Rad: Vom Steg %2 aus gesehen wälzt er nicht.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from the ground, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>Rad %1 treibt Rad %2 in Eingriff %3: Vom Gestell aus gesehen dreht es sich gegen das Moment, das die Zähne auf es ausüben, und überträgt %4 W.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from carrier %5, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>Rad %1 treibt Rad %2 in Eingriff %3: Vom Steg %5 aus gesehen dreht es sich gegen das Moment, das die Zähne auf es ausüben, und überträgt %4 W.</translation>
+    </message>
+    <message>
+        <source>efficiency of every mesh</source>
+        <translation>Wirkungsgrad jedes Eingriffs</translation>
+    </message>
+    <message>
+        <source>speed of joint %1 / joint %2</source>
+        <translation>Drehgeschwindigkeit von Gelenk %1 / Gelenk %2</translation>
+    </message>
+    <message>
+        <source>What the efficiency is followed over.</source>
+        <translation>Worüber der Wirkungsgrad verfolgt wird.</translation>
+    </message>
+    <message>
+        <source>efficiency backward</source>
+        <translation>Wirkungsgrad rückwärts</translation>
+    </message>
+    <message>
+        <source>The same with every known torque reversed: the output drives.</source>
+        <translation>Dasselbe mit jedem bekannten Moment umgekehrt: Der Abtrieb treibt.</translation>
+    </message>
+    <message>
+        <source>torque at %1</source>
+        <translation>Moment: %1</translation>
+    </message>
+    <message>
+        <source>What holds the loads there.</source>
+        <translation>Was die Lasten dort hält.</translation>
+    </message>
+    <message>
+        <source>load and balance</source>
+        <translation>Last und Ausgleichsmoment</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <translation>Ausgleichsmoment</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>A turning joint, by its label, or a link on which a load or a balance acts from outside.</source>
+        <translation>Ein Drehgelenk, nach seiner Bezeichnung, oder ein Glied, auf das eine Last oder ein Ausgleichsmoment von außen wirkt.</translation>
+    </message>
+    <message>
+        <source>The link beyond the joint, seen from the ground.</source>
+        <translation>Das Glied jenseits des Gelenks, vom Gestell aus gesehen.</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <translation>getragen von</translation>
+    </message>
+    <message>
+        <source>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</source>
+        <translation>Was ein Moment einleitet: eine gegebene Last, ein gefundenes Ausgleichsmoment, oder nichts: ein freies Gelenk.</translation>
+    </message>
+    <message>
+        <source>lossless</source>
+        <translation>verlustfrei</translation>
+    </message>
+    <message>
+        <source>The torque that the joint&apos;s tail exerts on its head about the axis, of a train without losses.</source>
+        <translation>Das Moment, das der Fuß des Gelenks auf dessen Spitze um die Achse ausübt, in einem verlustfreien Getriebe.</translation>
+    </message>
+    <message>
+        <source>exact torque</source>
+        <translation>Moment exakt</translation>
+    </message>
+    <message>
+        <source>The same with the losses of the meshes, where they are given.</source>
+        <translation>Dasselbe mit den Verlusten der Eingriffe, wo sie angegeben sind.</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>The same as a decimal.</source>
+        <translation>Dasselbe als Dezimalzahl.</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Drehgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail.</source>
+        <translation>Wie schnell sich die Spitze gegen den Fuß dreht.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what load or balance feed into the train here; below 0: what they take.</source>
+        <translation>Moment mal Drehgeschwindigkeit: was Last oder Ausgleichsmoment hier dem Getriebe zuführen; unter 0: was sie entnehmen.</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>Schaltelement</translation>
+    </message>
+    <message>
+        <source>A brake or clutch that is engaged.</source>
+        <translation>Eine geschlossene Bremse oder Kupplung.</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</source>
+        <translation>Das Glied, das eine Bremse hält; die beiden Glieder, die eine Kupplung verbindet, das Moment wirkt auf das erste.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>The axis that the torque is about, the first one on the way to the ground.</source>
+        <translation>Die Achse, um die das Moment wirkt, die erste auf dem Weg zum Gestell.</translation>
+    </message>
+    <message>
+        <source>The torque on that link, with the losses where they are given.</source>
+        <translation>Das Moment auf dieses Glied, mit den Verlusten, wo sie angegeben sind.</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>übertragen</translation>
+    </message>
+    <message>
+        <source>The power that a clutch delivers to the first link; a brake passes none.</source>
+        <translation>Die Leistung, die eine Kupplung an das erste Glied abgibt; eine Bremse überträgt keine.</translation>
+    </message>
+    <message>
+        <source>The gear mesh, by its label.</source>
+        <translation>Der Zahneingriff, nach seiner Bezeichnung.</translation>
+    </message>
+    <message>
+        <source>The link of the tail&apos;s gear.</source>
+        <translation>Das Glied des Rads am Fuß.</translation>
+    </message>
+    <message>
+        <source>The link of the head&apos;s gear.</source>
+        <translation>Das Glied des Rads an der Spitze.</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>The link that holds both gears&apos; axes, from which the mesh is seen.</source>
+        <translation>Das Glied, das die Achsen beider Räder hält und von dem aus der Eingriff gesehen wird.</translation>
+    </message>
+    <message>
+        <source>on tail</source>
+        <translation>auf Fuß</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the tail&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>Das Moment des Eingriffs auf das Rad am Fuß um dessen eigene Achse, vom Steg aus gesehen.</translation>
+    </message>
+    <message>
+        <source>on head</source>
+        <translation>auf Spitze</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the head&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>Das Moment des Eingriffs auf das Rad an der Spitze um dessen eigene Achse, vom Steg aus gesehen.</translation>
+    </message>
+    <message>
+        <source>tangential</source>
+        <translation>Umfangskraft</translation>
+    </message>
+    <message>
+        <source>The force along the pitch circles&apos; tangent, of the tail&apos;s gear on the head&apos;s.</source>
+        <translation>Die Kraft entlang der Tangente der Teilkreise, vom Rad am Fuß auf das an der Spitze.</translation>
+    </message>
+    <message>
+        <source>separating</source>
+        <translation>Radialkraft</translation>
+    </message>
+    <message>
+        <source>The force that presses the gears apart: the tangential one times the tangent of the operating pressure angle.</source>
+        <translation>Die Kraft, die die Räder auseinanderdrückt: die Umfangskraft mal dem Tangens des Betriebseingriffswinkels.</translation>
+    </message>
+    <message>
+        <source>The whole tooth force on the head&apos;s gear, in the base frame.</source>
+        <translation>Die ganze Zahnkraft auf das Rad an der Spitze, im Basissystem.</translation>
+    </message>
+    <message>
+        <source>Power delivered over power taken, seen from the carrier.</source>
+        <translation>Abgegebene durch aufgenommene Leistung, vom Steg aus gesehen.</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>treibt</translation>
+    </message>
+    <message>
+        <source>The gear that delivers the power to the teeth, seen from the carrier.</source>
+        <translation>Das Rad, das den Zähnen die Leistung zuführt, vom Steg aus gesehen.</translation>
+    </message>
+    <message>
+        <source>rolling power</source>
+        <translation>Wälzleistung</translation>
+    </message>
+    <message>
+        <source>What the teeth pass from tail to head, seen from the carrier: the latent power.</source>
+        <translation>Was die Zähne vom Fuß zur Spitze übertragen, vom Steg aus gesehen: die Wälzleistung.</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>One minus the efficiency, times the rolling power.</source>
+        <translation>Eins minus der Wirkungsgrad, mal die Wälzleistung.</translation>
+    </message>
+    <message>
+        <source>to tail</source>
+        <translation>an Fuß</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the tail&apos;s gear, seen from the ground.</source>
+        <translation>Was der Eingriff an das Rad am Fuß abgibt, vom Gestell aus gesehen.</translation>
+    </message>
+    <message>
+        <source>to head</source>
+        <translation>an Spitze</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the head&apos;s gear, seen from the ground.</source>
+        <translation>Was der Eingriff an das Rad an der Spitze abgibt, vom Gestell aus gesehen.</translation>
+    </message>
+    <message>
+        <source>to carrier</source>
+        <translation>an Steg</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the carrier, seen from the ground.</source>
+        <translation>Was der Eingriff an den Steg abgibt, vom Gestell aus gesehen.</translation>
+    </message>
+    <message>
+        <source>The turning joint, whose bearing holds its head on its tail.</source>
+        <translation>Das Drehgelenk, dessen Lager seine Spitze auf seinem Fuß hält.</translation>
+    </message>
+    <message>
+        <source>The size of the force of the tail on the head.</source>
+        <translation>Der Betrag der Kraft des Fußes auf die Spitze.</translation>
+    </message>
+    <message>
+        <source>The force of the tail on the head, in the base frame.</source>
+        <translation>Die Kraft des Fußes auf die Spitze, im Basissystem.</translation>
+    </message>
+    <message>
+        <source>The moment of the tail on the head about the point, with the joint&apos;s own torque.</source>
+        <translation>Das Moment des Fußes auf die Spitze um den Punkt, mit dem eigenen Moment des Gelenks.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn: the point that the moment is about, in the document&apos;s unit.</source>
+        <translation>Wo das Gelenk gezeichnet ist: der Punkt, um den das Moment zählt, in der Einheit des Dokuments.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn, in the document&apos;s unit.</source>
+        <translation>Wo das Gelenk gezeichnet ist, in der Einheit des Dokuments.</translation>
+    </message>
+    <message>
+        <source>A mesh, a joint, an engaged coupling, a load or a balance.</source>
+        <translation>Ein Eingriff, ein Gelenk, ein geschlossenes Schaltelement, eine Last oder ein Ausgleichsmoment.</translation>
+    </message>
+    <message>
+        <source>The link that it acts on.</source>
+        <translation>Das Glied, auf das es wirkt.</translation>
+    </message>
+    <message>
+        <source>exact power</source>
+        <translation>Leistung exakt</translation>
+    </message>
+    <message>
+        <source>What the element delivers to the link, seen from the ground; below 0: what it takes from it. The sum at every link is 0.</source>
+        <translation>Was das Element an das Glied abgibt, vom Gestell aus gesehen; unter 0: was es ihm entnimmt. Die Summe an jedem Glied ist 0.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Of the power fed into the train.</source>
+        <translation>An der Leistung, die dem Getriebe zugeführt wird.</translation>
+    </message>
+    <message>
+        <source>load on link %1</source>
+        <translation>Last auf Glied %1</translation>
+    </message>
+    <message>
+        <source>balance on link %1</source>
+        <translation>Ausgleichsmoment auf Glied %1</translation>
+    </message>
+    <message>
+        <source>The least power on the loop: what goes round beside what goes through.</source>
+        <translation>Die kleinste Leistung in der Schleife: was neben dem Durchfließenden umläuft.</translation>
+    </message>
+    <message>
+        <source>The shafts of the loop.</source>
+        <translation>Die Wellen der Schleife.</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <translation>Eingriffe</translation>
+    </message>
+    <message>
+        <source>The meshes of the gear sets of the loop.</source>
+        <translation>Die Eingriffe der Radsätze der Schleife.</translation>
+    </message>
+    <message>
+        <source>Bearings</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Circulating power</source>
+        <translation>Blindleistung</translation>
+    </message>
+    <message>
+        <source>The state of the gearbox, by its name.</source>
+        <translation>Der Schaltzustand, nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>The torque that the brake exerts on its link while it is engaged.</source>
+        <translation>Das Moment, das die Bremse auf ihr Glied ausübt, während sie geschlossen ist.</translation>
+    </message>
+    <message>
+        <source>The torque that the clutch exerts on the first of its links while it is engaged; the second one has the reaction.</source>
+        <translation>Das Moment, das die Kupplung auf das erste ihrer Glieder ausübt, während sie geschlossen ist; das zweite hat die Reaktion.</translation>
+    </message>
+    <message>
+        <source>exact ratio</source>
+        <translation>Übersetzung exakt</translation>
+    </message>
+    <message>
+        <source>The speed of the drive over that of the driven link.</source>
+        <translation>Die Drehgeschwindigkeit des Antriebs durch die des Abtriebs.</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
+        <translation>Das Moment, das die Lasten hält, meist am Abtrieb; der Antrieb bekommt 1 N m, wo das Dokument dort keine Last hat.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving.</source>
+        <translation>Entnommene durch zugeführte Leistung, wenn der Antrieb treibt.</translation>
+    </message>
+    <message>
+        <source>The same with all known torques reversed: the output drives.</source>
+        <translation>Dasselbe mit allen bekannten Momenten umgekehrt: Der Abtrieb treibt.</translation>
+    </message>
+    <message>
+        <source>latent</source>
+        <translation>Wälzleistung</translation>
+    </message>
+    <message>
+        <source>The power that all meshes pass, seen from their carriers, over the power fed.</source>
+        <translation>Die Leistung aller Eingriffe, von ihren Stegen aus gesehen, durch die zugeführte.</translation>
+    </message>
+    <message>
+        <source>circulating</source>
+        <translation>Blindleistung</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed.</source>
+        <translation>Die größte Leistung, die in einer Schleife umläuft, für jedes zugeführte Watt.</translation>
+    </message>
+    <message>
+        <source>locks</source>
+        <translation>sperrt</translation>
+    </message>
+    <message>
+        <source>An object is needed here.</source>
+        <translation>Hier wird ein Objekt gebraucht.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is missing.</source>
+        <translation>Das Mitglied „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is of the wrong type.</source>
+        <translation>Das Mitglied „%1“ hat den falschen Typ.</translation>
+    </message>
+    <message>
+        <source>A whole number is needed here.</source>
+        <translation>Hier wird eine ganze Zahl gebraucht.</translation>
+    </message>
+    <message>
+        <source>An array is needed here.</source>
+        <translation>Hier wird eine Liste gebraucht.</translation>
+    </message>
+    <message>
+        <source>A text is needed here.</source>
+        <translation>Hier wird ein Text gebraucht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no list of the document with an id.</source>
+        <translation>„%1“ ist keine Liste des Dokuments mit Kennungen.</translation>
+    </message>
+    <message>
+        <source>This is no file of the format &quot;%1&quot;.</source>
+        <translation>Das ist keine Datei des Formats „%1“.</translation>
+    </message>
+    <message>
+        <source>Version %1 is not known to this program.</source>
+        <translation>Version %1 kennt dieses Programm nicht.</translation>
+    </message>
+    <message>
+        <source>field left empty</source>
+        <translation>Feld leer gelassen</translation>
+    </message>
+    <message>
+        <source>text that is no number</source>
+        <translation>Text, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>comma that may be a decimal or a thousand</source>
+        <translation>Komma, das Dezimal- oder Tausendertrennzeichen sein kann</translation>
+    </message>
+    <message>
+        <source>text that the question does not offer</source>
+        <translation>Text, den die Frage nicht anbietet</translation>
+    </message>
+    <message>
+        <source>incidence with + and − exchanged</source>
+        <translation>Inzidenz mit vertauschtem + und −</translation>
+    </message>
+    <message>
+        <source>tail and head of an arrow exchanged</source>
+        <translation>Fuß und Spitze eines Pfeils vertauscht</translation>
+    </message>
+    <message>
+        <source>signs left out</source>
+        <translation>Vorzeichen weggelassen</translation>
+    </message>
+    <message>
+        <source>an end of an arrow left out</source>
+        <translation>ein Ende eines Pfeils weggelassen</translation>
+    </message>
+    <message>
+        <source>a link that is no end of the arrow</source>
+        <translation>ein Glied, das kein Ende des Pfeils ist</translation>
+    </message>
+    <message>
+        <source>ground row left in</source>
+        <translation>Zeile des Gestells stehen gelassen</translation>
+    </message>
+    <message>
+        <source>ground row left out</source>
+        <translation>Zeile des Gestells weggelassen</translation>
+    </message>
+    <message>
+        <source>rows and columns exchanged</source>
+        <translation>Zeilen und Spalten vertauscht</translation>
+    </message>
+    <message>
+        <source>entry that is not −1, 0 or 1</source>
+        <translation>Eintrag, der nicht −1, 0 oder 1 ist</translation>
+    </message>
+    <message>
+        <source>arrow walked against its direction</source>
+        <translation>Pfeil gegen seine Richtung durchlaufen</translation>
+    </message>
+    <message>
+        <source>joint of the walk left out</source>
+        <translation>Gelenk des Wegs weggelassen</translation>
+    </message>
+    <message>
+        <source>joint that is not on the walk</source>
+        <translation>Gelenk, das nicht auf dem Weg liegt</translation>
+    </message>
+    <message>
+        <source>another cycle&apos;s row</source>
+        <translation>Zeile eines anderen Zyklus</translation>
+    </message>
+    <message>
+        <source>cycle walked against its mesh</source>
+        <translation>Zyklus gegen seinen Zahneingriff durchlaufen</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s own mesh left out</source>
+        <translation>den eigenen Zahneingriff des Zyklus weggelassen</translation>
+    </message>
+    <message>
+        <source>another mesh in the cycle</source>
+        <translation>anderer Zahneingriff im Zyklus</translation>
+    </message>
+    <message>
+        <source>walked from the ground instead of to it</source>
+        <translation>vom Gestell weg statt zu ihm gelaufen</translation>
+    </message>
+    <message>
+        <source>another link&apos;s walk</source>
+        <translation>Weg eines anderen Glieds</translation>
+    </message>
+    <message>
+        <source>another joint&apos;s cutset</source>
+        <translation>Schnittmenge eines anderen Gelenks</translation>
+    </message>
+    <message>
+        <source>signs of the cycle instead of the cutset</source>
+        <translation>Vorzeichen des Zyklus statt der Schnittmenge</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset does not cut</source>
+        <translation>Zahneingriff, den die Schnittmenge nicht schneidet</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset cuts left out</source>
+        <translation>Zahneingriff, den die Schnittmenge schneidet, weggelassen</translation>
+    </message>
+    <message>
+        <source>edge that crosses the cut the other way</source>
+        <translation>Kante, die den Schnitt in der anderen Richtung kreuzt</translation>
+    </message>
+    <message>
+        <source>another turning joint in the cutset</source>
+        <translation>anderes Drehgelenk in der Schnittmenge</translation>
+    </message>
+    <message>
+        <source>mesh listed among the turning joints</source>
+        <translation>Zahneingriff unter den Drehgelenken aufgeführt</translation>
+    </message>
+    <message>
+        <source>both paths followed to the ground</source>
+        <translation>beide Wege bis zum Gestell verfolgt</translation>
+    </message>
+    <message>
+        <source>path of one gear only</source>
+        <translation>nur der Weg eines Rads</translation>
+    </message>
+    <message>
+        <source>too few edges for a spanning tree</source>
+        <translation>zu wenige Kanten für einen Spannbaum</translation>
+    </message>
+    <message>
+        <source>too many edges for a spanning tree</source>
+        <translation>zu viele Kanten für einen Spannbaum</translation>
+    </message>
+    <message>
+        <source>edges that close a loop</source>
+        <translation>Kanten, die eine Schleife schließen</translation>
+    </message>
+    <message>
+        <source>the required edge is not in the tree</source>
+        <translation>die verlangte Kante ist nicht im Baum</translation>
+    </message>
+    <message>
+        <source>senses that do not follow one walk</source>
+        <translation>Richtungen, die keinem einheitlichen Umlauf folgen</translation>
+    </message>
+    <message>
+        <source>ratio upside down</source>
+        <translation>Übersetzung verkehrt herum</translation>
+    </message>
+    <message>
+        <source>internal mesh with an external sign</source>
+        <translation>innenverzahnter Eingriff mit dem Vorzeichen eines außenverzahnten</translation>
+    </message>
+    <message>
+        <source>external mesh with an internal sign</source>
+        <translation>außenverzahnter Eingriff mit dem Vorzeichen eines innenverzahnten</translation>
+    </message>
+    <message>
+        <source>sign of a bevel mesh</source>
+        <translation>Vorzeichen eines Kegeleingriffs</translation>
+    </message>
+    <message>
+        <source>sign wrong and ratio upside down</source>
+        <translation>Vorzeichen falsch und Übersetzung verkehrt herum</translation>
+    </message>
+    <message>
+        <source>row of C in place of P</source>
+        <translation>Zeile von C statt von P</translation>
+    </message>
+    <message>
+        <source>coefficients without the signs of the cycle</source>
+        <translation>Koeffizienten ohne die Vorzeichen des Zyklus</translation>
+    </message>
+    <message>
+        <source>teeth of another wheel on the same link</source>
+        <translation>Zähne eines anderen Rads desselben Glieds</translation>
+    </message>
+    <message>
+        <source>chord followed from the carrier to the gear</source>
+        <translation>Sehne vom Steg zum Rad verfolgt</translation>
+    </message>
+    <message>
+        <source>circuit of the other chord</source>
+        <translation>Kreis der anderen Sehne</translation>
+    </message>
+    <message>
+        <source>circuit followed to the ground instead of the carrier</source>
+        <translation>Kreis bis zum Gestell statt bis zum Steg verfolgt</translation>
+    </message>
+    <message>
+        <source>circuit of the whole walk between the gears</source>
+        <translation>Kreis über den ganzen Weg zwischen den Rädern</translation>
+    </message>
+    <message>
+        <source>levels of the two gears exchanged</source>
+        <translation>Ebenen der beiden Räder vertauscht</translation>
+    </message>
+    <message>
+        <source>transfer vertex where the level does not change</source>
+        <translation>Transferknoten, wo die Ebene nicht wechselt</translation>
+    </message>
+    <message>
+        <source>gear taken for the carrier</source>
+        <translation>Rad für den Steg gehalten</translation>
+    </message>
+    <message>
+        <source>ground taken for the carrier</source>
+        <translation>Gestell für den Steg gehalten</translation>
+    </message>
+    <message>
+        <source>carrier that is not on the path</source>
+        <translation>Steg, der nicht auf dem Weg liegt</translation>
+    </message>
+    <message>
+        <source>level that is not on the path</source>
+        <translation>Ebene, die nicht auf dem Weg liegt</translation>
+    </message>
+    <message>
+        <source>velocity relation used for torques</source>
+        <translation>Beziehung der Drehzahlen für Momente verwendet</translation>
+    </message>
+    <message>
+        <source>port torque with the wrong sign</source>
+        <translation>Moment an einem Anschluss mit falschem Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s count where a mesh is redundant</source>
+        <translation>Kutzbachs Abzählung, obwohl ein Zahneingriff redundant ist</translation>
+    </message>
+    <message>
+        <source>ground counted as a moving link</source>
+        <translation>Gestell als bewegtes Glied gezählt</translation>
+    </message>
+    <message>
+        <source>rank and degrees of freedom exchanged</source>
+        <translation>Rang und Freiheitsgrad vertauscht</translation>
+    </message>
+    <message>
+        <source>two freedoms taken by a mesh</source>
+        <translation>zwei Freiheiten durch einen Zahneingriff genommen</translation>
+    </message>
+    <message>
+        <source>meshes ignored</source>
+        <translation>Zahneingriffe nicht berücksichtigt</translation>
+    </message>
+    <message>
+        <source>degrees of freedom that are not t − r</source>
+        <translation>Freiheitsgrad, der nicht t − r ist</translation>
+    </message>
+    <message>
+        <source>too few inputs</source>
+        <translation>zu wenige Antriebe</translation>
+    </message>
+    <message>
+        <source>inputs that depend on each other</source>
+        <translation>Antriebe, die voneinander abhängen</translation>
+    </message>
+    <message>
+        <source>a joint that can never turn as input</source>
+        <translation>ein Gelenk als Antrieb, das sich nie drehen kann</translation>
+    </message>
+    <message>
+        <source>a joint that no mesh drives is not an input</source>
+        <translation>ein Gelenk, das kein Zahneingriff treibt, ist kein Antrieb</translation>
+    </message>
+    <message>
+        <source>mesh on which no other depends</source>
+        <translation>Zahneingriff, von dem kein anderer abhängt</translation>
+    </message>
+    <message>
+        <source>no mesh taken for redundant</source>
+        <translation>kein Zahneingriff für redundant gehalten</translation>
+    </message>
+    <message>
+        <source>number of redundant meshes</source>
+        <translation>Anzahl redundanter Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>sign of the speed lost</source>
+        <translation>Vorzeichen der Drehzahl verloren</translation>
+    </message>
+    <message>
+        <source>an input ignored</source>
+        <translation>einen Antrieb nicht berücksichtigt</translation>
+    </message>
+    <message>
+        <source>sign of one mesh in the chain</source>
+        <translation>Vorzeichen eines Zahneingriffs der Kette</translation>
+    </message>
+    <message>
+        <source>absolute speed in place of the joint&apos;s rate</source>
+        <translation>absolute Drehzahl statt der des Gelenks</translation>
+    </message>
+    <message>
+        <source>motion of the carrier ignored</source>
+        <translation>Bewegung des Stegs nicht berücksichtigt</translation>
+    </message>
+    <message>
+        <source>whole ratio upside down</source>
+        <translation>gesamte Übersetzung verkehrt herum</translation>
+    </message>
+    <message>
+        <source>number of teeth out of the range</source>
+        <translation>Zähnezahl außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>teeth that do not make the ratio</source>
+        <translation>Zähne, die die Übersetzung nicht ergeben</translation>
+    </message>
+    <message>
+        <source>teeth of the ring added</source>
+        <translation>Zähne des Hohlrads addiert</translation>
+    </message>
+    <message>
+        <source>planet counted once in the ring</source>
+        <translation>Planet im Hohlrad nur einmal gezählt</translation>
+    </message>
+    <message>
+        <source>couplings of another gear</source>
+        <translation>Schaltelemente eines anderen Gangs</translation>
+    </message>
+    <message>
+        <source>couplings that lock the drive</source>
+        <translation>Schaltelemente, die das Getriebe sperren</translation>
+    </message>
+    <message>
+        <source>too few couplings to leave one freedom</source>
+        <translation>zu wenige Schaltelemente, um einen Freiheitsgrad zu lassen</translation>
+    </message>
+    <message>
+        <source>couplings that make another ratio</source>
+        <translation>Schaltelemente, die eine andere Übersetzung ergeben</translation>
+    </message>
+    <message>
+        <source>brake or clutch that is released</source>
+        <translation>Bremse oder Kupplung, die gelöst ist</translation>
+    </message>
+    <message>
+        <source>a smaller torque taken for the largest</source>
+        <translation>ein kleineres Moment für das größte gehalten</translation>
+    </message>
+    <message>
+        <source>the fastest clutch instead of that of the largest torque</source>
+        <translation>die schnellste Kupplung statt der mit dem größten Moment</translation>
+    </message>
+    <message>
+        <source>the largest ratio instead of the largest torque</source>
+        <translation>die größte Übersetzung statt des größten Moments</translation>
+    </message>
+    <message>
+        <source>torques added without their signs</source>
+        <translation>Momente ohne ihre Vorzeichen addiert</translation>
+    </message>
+    <message>
+        <source>torque of another brake, clutch or state</source>
+        <translation>Moment einer anderen Bremse, Kupplung oder eines anderen Schaltzustands</translation>
+    </message>
+    <message>
+        <source>torque of the load in place of that of the brake</source>
+        <translation>Moment der Last statt dessen der Bremse</translation>
+    </message>
+    <message>
+        <source>torque of the drive in place of that of the brake</source>
+        <translation>Moment des Antriebs statt dessen der Bremse</translation>
+    </message>
+    <message>
+        <source>torque on the housing in place of that on the link</source>
+        <translation>Moment auf das Gehäuse statt auf das Glied</translation>
+    </message>
+    <message>
+        <source>brake that turns link and housing in the same sense</source>
+        <translation>Bremse, die Glied und Gehäuse im selben Sinn dreht</translation>
+    </message>
+    <message>
+        <source>efficiency forward in place of backward</source>
+        <translation>Wirkungsgrad vorwärts statt rückwärts</translation>
+    </message>
+    <message>
+        <source>losses left out</source>
+        <translation>Verluste weggelassen</translation>
+    </message>
+    <message>
+        <source>losses of a planetary train as of fixed axes</source>
+        <translation>Verluste eines Planetengetriebes wie bei festen Achsen</translation>
+    </message>
+    <message>
+        <source>efficiency upside down</source>
+        <translation>Wirkungsgrad verkehrt herum</translation>
+    </message>
+    <message>
+        <source>self-locking train taken for one that turns</source>
+        <translation>selbsthemmendes Getriebe für ein drehendes gehalten</translation>
+    </message>
+    <message>
+        <source>train that turns taken for a self-locking one</source>
+        <translation>drehendes Getriebe für ein selbsthemmendes gehalten</translation>
+    </message>
+    <message>
+        <source>efficiency of a train that locks itself</source>
+        <translation>Wirkungsgrad eines selbsthemmenden Getriebes</translation>
+    </message>
+    <message>
+        <source>right row, wrong column</source>
+        <translation>richtige Zeile, falsche Spalte</translation>
+    </message>
+    <message>
+        <source>right column, wrong row</source>
+        <translation>richtige Spalte, falsche Zeile</translation>
+    </message>
+    <message>
+        <source>an entry that is right</source>
+        <translation>ein Eintrag, der richtig ist</translation>
+    </message>
+    <message>
+        <source>right place, wrong correction</source>
+        <translation>richtige Stelle, falsche Korrektur</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known here.</source>
+        <translation>„%1“ ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its question.</source>
+        <translation>Dieser Teil passt nicht zu den Feldern seiner Frage.</translation>
+    </message>
+    <message>
+        <source>Answers are kept by the number of their question.</source>
+        <translation>Antworten werden unter der Nummer ihrer Frage geführt.</translation>
+    </message>
+    <message>
+        <source>An answer is a text or a number.</source>
+        <translation>Eine Antwort ist ein Text oder eine Zahl.</translation>
+    </message>
+    <message>
+        <source>There is no example &quot;%1&quot;.</source>
+        <translation>Ein Beispiel „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The glossary has no term &quot;%1&quot;.</source>
+        <translation>Das Glossar hat keinen Begriff „%1“.</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted.</source>
+        <translation>Die Lösung wird nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field.</source>
+        <translation>Eine Antwort hat für jedes Feld einen Text.</translation>
+    </message>
+    <message>
+        <source>This answer is accepted as right.</source>
+        <translation>Diese Antwort wird als richtig angenommen.</translation>
+    </message>
+    <message>
+        <source>This answer gets another reason: &quot;%1&quot;</source>
+        <translation>Diese Antwort bekommt eine andere Begründung: „%1“</translation>
+    </message>
+    <message>
+        <source>The document of the step fulfils them already: nothing is left to draw.</source>
+        <translation>Das Dokument des Schritts erfüllt sie schon: Es bleibt nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted: %1</source>
+        <translation>Die Lösung wird nicht angenommen: %1</translation>
+    </message>
+    <message>
+        <source>This drawing is accepted as right.</source>
+        <translation>Diese Zeichnung wird als richtig angenommen.</translation>
+    </message>
+    <message>
+        <source>The first condition that fails is %1.</source>
+        <translation>Die erste Bedingung, die nicht erfüllt ist, ist %1.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph or schematic.</source>
+        <translation>Eine Ansicht ist digraph, tt-graph oder schematic.</translation>
+    </message>
+    <message>
+        <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
+        <translation>Eine Kennung besteht aus Kleinbuchstaben, Ziffern und Bindestrichen, etwa „cycle-basis“.</translation>
+    </message>
+    <message>
+        <source>A lesson takes 1 to 60 minutes.</source>
+        <translation>Eine Lektion dauert 1 bis 60 Minuten.</translation>
+    </message>
+    <message>
+        <source>A lesson has 1 to %1 steps.</source>
+        <translation>Eine Lektion hat 1 bis %1 Schritte.</translation>
+    </message>
+    <message>
+        <source>Either an example is named or a document is given, not both.</source>
+        <translation>Entweder wird ein Beispiel genannt oder ein Dokument angegeben, nicht beides.</translation>
+    </message>
+    <message>
+        <source>A step explains in at most %1 words; these are %2.</source>
+        <translation>Ein Schritt erklärt mit höchstens %1 Wörtern; das sind %2.</translation>
+    </message>
+    <message>
+        <source>Neither the step nor its lesson names an example or gives a document.</source>
+        <translation>Weder der Schritt noch seine Lektion nennt ein Beispiel oder gibt ein Dokument an.</translation>
+    </message>
+    <message>
+        <source>A step gives at least one hint.</source>
+        <translation>Ein Schritt gibt mindestens einen Hinweis.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its task.</source>
+        <translation>Dieser Teil passt nicht zu den Feldern seiner Aufgabe.</translation>
+    </message>
+    <message>
+        <source>What the analysis gives here is no answer to this field.</source>
+        <translation>Was die Analyse hier liefert, ist keine Antwort auf dieses Feld.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field: %1, not %2.</source>
+        <translation>Eine Antwort hat für jedes Feld einen Text: %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>There is no such field.</source>
+        <translation>Ein solches Feld gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The field &quot;%1&quot; cannot hold &quot;%2&quot;.</source>
+        <translation>Das Feld „%1“ kann „%2“ nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>The document gives no exercise of this kind: %1.</source>
+        <translation>Das Dokument ergibt keine Übung dieser Art: %1.</translation>
+    </message>
+    <message>
+        <source>No exercise of this kind is about this element.</source>
+        <translation>Keine Übung dieser Art handelt von diesem Element.</translation>
+    </message>
+    <message>
+        <source>A mechanism is missing here.</source>
+        <translation>Hier fehlt ein Mechanismus.</translation>
+    </message>
+    <message>
+        <source>The document has no such element.</source>
+        <translation>Das Dokument hat kein solches Element.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Your task</source>
+        <translation>Ihre Aufgabe</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Pick in the drawing</source>
+        <translation>In der Zeichnung anklicken</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Vorhersagen</translation>
+    </message>
+    <message>
+        <source>Find the mistake</source>
+        <translation>Fehler finden</translation>
+    </message>
+    <message>
+        <source>The degrees of freedom are not defined yet: the document has errors.</source>
+        <translation>Der Freiheitsgrad ist noch nicht bestimmt: Das Dokument hat Fehler.</translation>
+    </message>
+    <message>
+        <source>This quantity is not known.</source>
+        <translation>Diese Größe ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The document has no turning joint &quot;%1&quot;.</source>
+        <translation>Das Dokument hat kein Drehgelenk „%1“.</translation>
+    </message>
+    <message>
+        <source>The speeds are not determined yet: see Problems.</source>
+        <translation>Die Drehzahlen sind noch nicht bestimmt: siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>The solution was cancelled.</source>
+        <translation>Die Lösung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The document has no state &quot;%1&quot;.</source>
+        <translation>Das Dokument hat keinen Schaltzustand „%1“.</translation>
+    </message>
+    <message>
+        <source>The document has errors: no state has a ratio.</source>
+        <translation>Das Dokument hat Fehler: Kein Schaltzustand hat eine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>State &quot;%1&quot; has no ratio.</source>
+        <translation>Schaltzustand „%1“ hat keine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>The document has errors: torques are not determined.</source>
+        <translation>Das Dokument hat Fehler: Die Momente sind nicht bestimmt.</translation>
+    </message>
+    <message>
+        <source>The loads are not held: torques are not determined.</source>
+        <translation>Die Lasten werden nicht gehalten: Die Momente sind nicht bestimmt.</translation>
+    </message>
+    <message>
+        <source>The torque of &quot;%1&quot; is not determined as a fraction.</source>
+        <translation>Das Moment von „%1“ ist nicht als Bruch bestimmt.</translation>
+    </message>
+    <message>
+        <source>The document has no balance or engaged coupling &quot;%1&quot;.</source>
+        <translation>Das Dokument hat kein Ausgleichsmoment oder geschlossenes Schaltelement „%1“.</translation>
+    </message>
+    <message>
+        <source>The document has no gear mesh &quot;%1&quot;.</source>
+        <translation>Das Dokument hat keinen Zahneingriff „%1“.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree: meshes close no cycles.</source>
+        <translation>Die Drehgelenke bilden keinen Spannbaum: Zahneingriffe schließen keine Zyklen.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; has no transfer vertex.</source>
+        <translation>Zahneingriff „%1“ hat keinen Transferknoten.</translation>
+    </message>
+    <message>
+        <source>A number or a fraction such as &quot;-2/3&quot; is needed here.</source>
+        <translation>Hier wird eine Zahl oder ein Bruch wie „-2/3“ gebraucht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no quantity that the analysis gives.</source>
+        <translation>„%1“ ist keine Größe, die die Analyse liefert.</translation>
+    </message>
+    <message>
+        <source>The quantity &quot;%1&quot; is of the whole document.</source>
+        <translation>Die Größe „%1“ gehört zum ganzen Dokument.</translation>
+    </message>
+    <message>
+        <source>What can be picked is links, turningJoints or gearMeshes.</source>
+        <translation>Angeklickt werden kann: links, turningJoints oder gearMeshes.</translation>
+    </message>
+    <message>
+        <source>What can be picked is named here.</source>
+        <translation>Hier wird genannt, was angeklickt werden kann.</translation>
+    </message>
+    <message>
+        <source>A field is an integer, a number, a choice or a set.</source>
+        <translation>Ein Feld ist eine ganze Zahl, eine Zahl, eine Auswahl oder eine Menge.</translation>
+    </message>
+    <message>
+        <source>A choice or a set has options, a number has none.</source>
+        <translation>Eine Auswahl oder Menge hat Optionen, eine Zahl hat keine.</translation>
+    </message>
+    <message>
+        <source>A mistake is told by answers or by conditions, not by both.</source>
+        <translation>Ein Fehler wird durch Antworten oder durch Bedingungen beschrieben, nicht durch beides.</translation>
+    </message>
+    <message>
+        <source>A reason is a sentence.</source>
+        <translation>Eine Begründung ist ein Satz.</translation>
+    </message>
+    <message>
+        <source>A mistake has at least one condition.</source>
+        <translation>Ein Fehler hat mindestens eine Bedingung.</translation>
+    </message>
+    <message>
+        <source>A mistake that conditions tell needs an example of an answer.</source>
+        <translation>Ein Fehler, den Bedingungen beschreiben, braucht ein Beispiel einer Antwort.</translation>
+    </message>
+    <message>
+        <source>A prediction names the quantity of the analysis that it is compared with.</source>
+        <translation>Eine Vorhersage nennt die Größe der Analyse, mit der sie verglichen wird.</translation>
+    </message>
+    <message>
+        <source>A choice needs two options or more.</source>
+        <translation>Eine Auswahl braucht mindestens zwei Optionen.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong answer.</source>
+        <translation>Eine Aufgabe gibt zu mindestens einer falschen Antwort den Grund an.</translation>
+    </message>
+    <message>
+        <source>What is right is told in one way: by &quot;accepted&quot;, by &quot;conditions&quot;, or by &quot;is&quot; of every field.</source>
+        <translation>Was richtig ist, wird auf eine Art gesagt: durch „accepted“, durch „conditions“ oder durch „is“ jedes Felds.</translation>
+    </message>
+    <message>
+        <source>Conditions need a solution that fulfils them.</source>
+        <translation>Bedingungen brauchen eine Lösung, die sie erfüllt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no kind of exercise; `geargraph-cli exercises kinds` lists them.</source>
+        <translation>„%1“ ist keine Übungsart; `geargraph-cli exercises kinds` listet sie auf.</translation>
+    </message>
+    <message>
+        <source>A drawing is judged by numbers.</source>
+        <translation>Eine Zeichnung wird nach Zahlen beurteilt.</translation>
+    </message>
+    <message>
+        <source>Either one value is given or bounds, not both.</source>
+        <translation>Entweder wird ein Wert angegeben oder Grenzen, nicht beides.</translation>
+    </message>
+    <message>
+        <source>A condition has &quot;equals&quot;, &quot;least&quot; or &quot;most&quot;.</source>
+        <translation>Eine Bedingung hat „equals“, „least“ oder „most“.</translation>
+    </message>
+    <message>
+        <source>A drawing has to fulfil something.</source>
+        <translation>Eine Zeichnung muss etwas erfüllen.</translation>
+    </message>
+    <message>
+        <source>This is the position of a condition, counted from 0.</source>
+        <translation>Das ist die Stelle einer Bedingung, ab 0 gezählt.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong drawing.</source>
+        <translation>Eine Aufgabe gibt zu mindestens einer falschen Zeichnung den Grund an.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is not known here.</source>
+        <translation>Das Mitglied „%1“ ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The document has a fault: %1</source>
+        <translation>Das Dokument hat einen Fehler: %1</translation>
+    </message>
+    <message>
+        <source>A task is one of type, choose, pick, predict, find, exercise and draw.</source>
+        <translation>Eine Aufgabe hat eine der Arten type, choose, pick, predict, find, exercise und draw.</translation>
+    </message>
+    <message>
+        <source>An equation between velocities has no number without one: write the input&apos;s velocity.</source>
+        <translation>Eine Gleichung zwischen Geschwindigkeiten hat ohne eine solche keine Zahl: Schreiben Sie die Geschwindigkeit des Antriebs.</translation>
+    </message>
+    <message>
+        <source>This equation has no velocity: write θ or ω with a label.</source>
+        <translation>Diese Gleichung hat keine Geschwindigkeit: Schreiben Sie θ oder ω mit einer Bezeichnung.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth and not for all: it holds another mesh&apos;s ratio.</source>
+        <translation>Die Gleichung gilt für diese Zähnezahlen, aber nicht allgemein: Sie enthält die Übersetzung eines anderen Zahneingriffs.</translation>
+    </message>
+    <message>
+        <source>The sign of the term with %1 is wrong: with the other one the equation holds.</source>
+        <translation>Das Vorzeichen des Terms mit %1 ist falsch: Mit dem anderen gilt die Gleichung.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down: it is N of the tail over N of the head.</source>
+        <translation>Die Übersetzung %1 steht verkehrt herum: Sie ist N des Fußes durch N der Spitze.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down, and a sign is wrong besides.</source>
+        <translation>Die Übersetzung %1 steht verkehrt herum, und außerdem ist ein Vorzeichen falsch.</translation>
+    </message>
+    <message>
+        <source>The number before %1 is upside down.</source>
+        <translation>Die Zahl vor %1 steht verkehrt herum.</translation>
+    </message>
+    <message>
+        <source>A term with θ%1 is left out.</source>
+        <translation>Ein Term mit θ%1 fehlt.</translation>
+    </message>
+    <message>
+        <source>In place of %1 there should be θ%2.</source>
+        <translation>Statt %1 muss hier θ%2 stehen.</translation>
+    </message>
+    <message>
+        <source>With θ%1 = 1 and the other inputs at rest the left side is greater than the right one by %2.</source>
+        <translation>Mit θ%1 = 1 und den anderen Antrieben in Ruhe ist die linke Seite um %2 größer als die rechte.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth only.</source>
+        <translation>Die Gleichung gilt nur für diese Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no motion to check an equation against.</source>
+        <translation>Dieser Mechanismus hat keine Bewegung, mit der sich eine Gleichung prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1.</source>
+        <translation>Sie vertauschen Zeilen und Spalten von %1.</translation>
+    </message>
+    <message>
+        <source>You leave out the minus of (23): what is on the other side of the equation changes its sign.</source>
+        <translation>Sie lassen das Minus von (23) weg: Was auf der anderen Seite der Gleichung steht, wechselt das Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>You write all entries without their signs: −1 where a walk runs against an arrow.</source>
+        <translation>Sie schreiben alle Einträge ohne Vorzeichen: −1, wo ein Weg gegen einen Pfeil läuft.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1, and + and − besides.</source>
+        <translation>Sie vertauschen Zeilen und Spalten von %1 und außerdem + und −.</translation>
+    </message>
+    <message>
+        <source>These are the rows of T: P multiplies each entry by the joint&apos;s coefficient.</source>
+        <translation>Das sind die Zeilen von T: P multipliziert jeden Eintrag mit dem Koeffizienten des Gelenks.</translation>
+    </message>
+    <message>
+        <source>These are the signs of P alone: each is to be multiplied by the ratio of its gear.</source>
+        <translation>Das sind nur die Vorzeichen von P: Jedes ist mit der Übersetzung seines Rads zu multiplizieren.</translation>
+    </message>
+    <message>
+        <source>Your ratios are upside down: a joint on the axis of the tail&apos;s gear has i, one on the head&apos;s has 1.</source>
+        <translation>Ihre Übersetzungen stehen verkehrt herum: Ein Gelenk auf der Achse des Rads am Fuß hat i, eines auf der des Rads an der Spitze 1.</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>mehrdeutig</translation>
+    </message>
+    <message>
+        <source>another matrix than the one asked for</source>
+        <translation>andere Matrix als die verlangte</translation>
+    </message>
+    <message>
+        <source>size that the matrix does not have</source>
+        <translation>Größe, die die Matrix nicht hat</translation>
+    </message>
+    <message>
+        <source>minus of the solution left out</source>
+        <translation>Minus der Lösung weggelassen</translation>
+    </message>
+    <message>
+        <source>row of another output</source>
+        <translation>Zeile eines anderen Abtriebs</translation>
+    </message>
+    <message>
+        <source>ratio of another mesh with the same value</source>
+        <translation>Übersetzung eines anderen Zahneingriffs mit demselben Wert</translation>
+    </message>
+    <message>
+        <source>input that the output does not feel</source>
+        <translation>Antrieb, von dem der Abtrieb nichts spürt</translation>
+    </message>
+    <message>
+        <source>entry that differs</source>
+        <translation>Eintrag, der abweicht</translation>
+    </message>
+    <message>
+        <source>velocity left out of the equation</source>
+        <translation>Geschwindigkeit in der Gleichung weggelassen</translation>
+    </message>
+    <message>
+        <source>velocity of another joint or link</source>
+        <translation>Geschwindigkeit eines anderen Gelenks oder Glieds</translation>
+    </message>
+    <message>
+        <source>equation that does not follow from the mechanism</source>
+        <translation>Gleichung, die nicht aus dem Mechanismus folgt</translation>
+    </message>
+    <message>
+        <source>This is %1, not %2.</source>
+        <translation>Das ist %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>%1 has the size %2 for this mechanism, and yours is %3.</source>
+        <translation>%1 hat für diesen Mechanismus die Größe %2, Ihre hat %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>No matrix of this mechanism has the size %1: %2.</source>
+        <translation>Keine Matrix dieses Mechanismus hat die Größe %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no label of %2, or occurs twice: its rows are %3, its columns %4.</source>
+        <translation>%1 ist keine Bezeichnung von %2 oder kommt zweimal vor: Die Zeilen sind %3, die Spalten %4.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no %1.</source>
+        <translation>Dieser Mechanismus hat keine %1.</translation>
+    </message>
+    <message>
+        <source>These inputs depend on each other, so there is no solution for them.</source>
+        <translation>Diese Antriebe hängen voneinander ab, also gibt es für sie keine Lösung.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of edge %1 round: it points from link %2 to link %3.</source>
+        <translation>Sie kehren den Pfeil von Kante %1 um: Er weist von Glied %2 zu Glied %3.</translation>
+    </message>
+    <message>
+        <source>The number is right for these teeth and the formula is not: it holds another mesh&apos;s ratio.</source>
+        <translation>Die Zahl stimmt für diese Zähnezahlen, die Formel nicht: Sie enthält die Übersetzung eines anderen Zahneingriffs.</translation>
+    </message>
+    <message>
+        <source>This is the row of %1, not of %2.</source>
+        <translation>Das ist die Zeile von %1, nicht von %2.</translation>
+    </message>
+    <message>
+        <source>You exchange the gears of mesh %1: i%1 belongs to the joints on the tail&apos;s axis.</source>
+        <translation>Sie vertauschen die Räder von Eingriff %1: i%1 gehört zu den Gelenken auf der Achse des Fußes.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>Das Vorzeichen von Kegeleingriff %1 folgt aus seinem Wälzpunkt, von beiden Achsen aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: its gears turn the same way, seen from the carrier.</source>
+        <translation>Eingriff %1 ist innenverzahnt: Vom Steg aus gesehen drehen seine Räder gleichsinnig.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn opposite ways, seen from the carrier.</source>
+        <translation>Eingriff %1 ist außenverzahnt: Vom Steg aus gesehen drehen seine Räder gegensinnig.</translation>
+    </message>
+    <message>
+        <source>The ratio of mesh %1 is upside down and its sign is wrong.</source>
+        <translation>Die Übersetzung von Eingriff %1 steht verkehrt herum, und ihr Vorzeichen ist falsch.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the coefficients of mesh %1.</source>
+        <translation>Das ist die Zeile des Zyklus: In P werden seine Vorzeichen mit den Koeffizienten von Eingriff %1 multipliziert.</translation>
+    </message>
+    <message>
+        <source>You leave out the signs of the cycle of mesh %1, which walks against some arrows.</source>
+        <translation>Sie lassen die Vorzeichen des Zyklus von Eingriff %1 weg, der gegen manche Pfeile läuft.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns the other way: the sign of one mesh of its chain is wrong.</source>
+        <translation>Gelenk %1 dreht sich andersherum: Das Vorzeichen eines Eingriffs seiner Kette ist falsch.</translation>
+    </message>
+    <message>
+        <source>The row of joint %1 is upside down: it is output over input.</source>
+        <translation>Die Zeile von Gelenk %1 steht verkehrt herum: Sie ist Abtrieb durch Antrieb.</translation>
+    </message>
+    <message>
+        <source>In the sense that you walk it, the entry is %1.</source>
+        <translation>In Ihrem Umlaufsinn ist der Eintrag %1.</translation>
+    </message>
+    <message>
+        <source>So the entry is %1.</source>
+        <translation>Also ist der Eintrag %1.</translation>
+    </message>
+    <message>
+        <source>Entries of this matrix are −1, 0 or 1.</source>
+        <translation>Einträge dieser Matrix sind −1, 0 oder 1.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not on cycle %2, so its coefficient is 0.</source>
+        <translation>Gelenk %1 liegt nicht auf Zyklus %2, also ist sein Koeffizient 0.</translation>
+    </message>
+    <message>
+        <source>In the multiple of row %1 that you write, joint %2 has %3.</source>
+        <translation>Im Vielfachen von Zeile %1, das Sie schreiben, hat Gelenk %2 %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2: 0.</source>
+        <translation>Gelenk %1 spürt Antrieb %2 nicht: 0.</translation>
+    </message>
+    <message>
+        <source>With input %1 alone, joint %2 turns at %3 times its speed.</source>
+        <translation>Mit Antrieb %1 allein dreht sich Gelenk %2 mit dem %3-Fachen seiner Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Without labels it may be either: write the labels of rows and columns.</source>
+        <translation>Ohne Bezeichnungen kann es jede von beiden sein: Schreiben Sie die Bezeichnungen der Zeilen und Spalten.</translation>
+    </message>
+    <message>
+        <source>Your rows are in another order: %1.</source>
+        <translation>Ihre Zeilen stehen in anderer Reihenfolge: %1.</translation>
+    </message>
+    <message>
+        <source>Your columns are in another order: %1.</source>
+        <translation>Ihre Spalten stehen in anderer Reihenfolge: %1.</translation>
+    </message>
+    <message>
+        <source>You walk %1 the other way, which is as good: all signs of the row change.</source>
+        <translation>Sie durchlaufen %1 andersherum, was ebenso gut ist: Alle Vorzeichen der Zeile wechseln.</translation>
+    </message>
+    <message>
+        <source>You take another spanning tree, of the edges %1: for it the matrix is right.</source>
+        <translation>Sie nehmen einen anderen Spannbaum, aus den Kanten %1: Für ihn stimmt die Matrix.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no ratio %1.</source>
+        <translation>Dieser Mechanismus hat keine Übersetzung %1.</translation>
+    </message>
+    <message>
+        <source>Link %1 has no gear, so %2 has no value.</source>
+        <translation>Glied %1 hat kein Rad, also hat %2 keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Link %1 has several gears: write %2&apos; or %2&apos;&apos;, in the order of its meshes.</source>
+        <translation>Glied %1 hat mehrere Räder: Schreiben Sie %2&apos; oder %2&apos;&apos;, in der Reihenfolge seiner Zahneingriffe.</translation>
+    </message>
+    <message>
+        <source>The diameter %1 is no fraction: use numbers of teeth.</source>
+        <translation>Der Durchmesser %1 ist kein Bruch: Verwenden Sie Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no turning joint %1, so no %2.</source>
+        <translation>Dieser Mechanismus hat kein Drehgelenk %1, also kein %2.</translation>
+    </message>
+    <message>
+        <source>%1 names no links of this mechanism: write ω with two labels, as ω5_1.</source>
+        <translation>%1 nennt keine Glieder dieses Mechanismus: Schreiben Sie ω mit zwei Bezeichnungen, etwa ω5_1.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, so no velocity follows from them.</source>
+        <translation>Die Drehgelenke bilden keinen Spannbaum, also folgen aus ihnen keine Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>The velocity of link %1 relative to link %2 has several directions: write one equation for each level.</source>
+        <translation>Die Geschwindigkeit von Glied %1 gegenüber Glied %2 hat mehrere Richtungen: Schreiben Sie für jede Ebene eine Gleichung.</translation>
+    </message>
+    <message>
+        <source>An entry is missing here.</source>
+        <translation>Hier fehlt ein Eintrag.</translation>
+    </message>
+    <message>
+        <source>This formula is too long.</source>
+        <translation>Diese Formel ist zu lang.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read: write a number, a fraction or names such as i15, n41, N4, θ8 or ω51.</source>
+        <translation>„%1“ ist nicht lesbar: Schreiben Sie eine Zahl, einen Bruch oder Namen wie i15, n41, N4, θ8 oder ω51.</translation>
+    </message>
+    <message>
+        <source>A velocity is multiplied by a velocity here.</source>
+        <translation>Hier wird eine Geschwindigkeit mit einer Geschwindigkeit multipliziert.</translation>
+    </message>
+    <message>
+        <source>Something is divided by a velocity here.</source>
+        <translation>Hier wird etwas durch eine Geschwindigkeit geteilt.</translation>
+    </message>
+    <message>
+        <source>Something is divided by 0 here.</source>
+        <translation>Hier wird etwas durch 0 geteilt.</translation>
+    </message>
+    <message>
+        <source>This formula has too many parentheses inside each other.</source>
+        <translation>In dieser Formel sind zu viele Klammern verschachtelt.</translation>
+    </message>
+    <message>
+        <source>A power needs a whole number of at most %1.</source>
+        <translation>Eine Potenz braucht eine ganze Zahl, höchstens %1.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma.</source>
+        <translation>„%1“ lässt sich als Tausender- oder als Dezimalzahl lesen: Schreiben Sie die Zahl ohne das Komma.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” holds a velocity, and an entry of a matrix is a number.</source>
+        <translation>„%1“ enthält eine Geschwindigkeit, und ein Eintrag einer Matrix ist eine Zahl.</translation>
+    </message>
+    <message>
+        <source>The text has more than %1 bytes.</source>
+        <translation>Der Text hat mehr als %1 Byte.</translation>
+    </message>
+    <message>
+        <source>There is no matrix and no equation.</source>
+        <translation>Es gibt weder eine Matrix noch eine Gleichung.</translation>
+    </message>
+    <message>
+        <source>This \begin has no name in braces.</source>
+        <translation>Dieses \begin hat keinen Namen in Klammern.</translation>
+    </message>
+    <message>
+        <source>\begin{%1} has no \end{%1}.</source>
+        <translation>\begin{%1} hat kein \end{%1}.</translation>
+    </message>
+    <message>
+        <source>This bracket is not closed.</source>
+        <translation>Diese Klammer ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>The matrix has more than %1 entries.</source>
+        <translation>Die Matrix hat mehr als %1 Einträge.</translation>
+    </message>
+    <message>
+        <source>The matrix has no rows.</source>
+        <translation>Die Matrix hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>Row %1 has 1 entry, the first has %2.</source>
+        <translation>Zeile %1 hat 1 Eintrag, die erste hat %2.</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 entries, the first has %3.</source>
+        <translation>Zeile %1 hat %2 Einträge, die erste hat %3.</translation>
+    </message>
+    <message>
+        <source>This row has a label and no entry.</source>
+        <translation>Diese Zeile hat eine Bezeichnung und keinen Eintrag.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 columns.</source>
+        <translation>Es gibt %1 Bezeichnungen für %2 Spalten.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 rows.</source>
+        <translation>Es gibt %1 Bezeichnungen für %2 Zeilen.</translation>
+    </message>
+    <message>
+        <source>There is no equation.</source>
+        <translation>Es gibt keine Gleichung.</translation>
+    </message>
+    <message>
+        <source>This line has no equals sign.</source>
+        <translation>Diese Zeile hat kein Gleichheitszeichen.</translation>
+    </message>
+    <message>
+        <source>A side of this equation is empty.</source>
+        <translation>Eine Seite dieser Gleichung ist leer.</translation>
+    </message>
+    <message>
+        <source>The symbolic solution has %1 entries; it was left out.</source>
+        <translation>Die symbolische Lösung hat %1 Einträge; sie wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The equations of this mechanism are so coupled that the symbolic solution would fill pages; it was left out.</source>
+        <translation>Die Gleichungen dieses Mechanismus sind so gekoppelt, dass die symbolische Lösung Seiten füllen würde; sie wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 entries of the symbolic solution are left as a chain of substitutions: expanded, one has over %2 terms, or all together over %3 factors.</source>
+        <translation>%1 Einträge der symbolischen Lösung bleiben eine Substitutionskette: Ausmultipliziert hat einer über %2 Terme, oder alle zusammen über %3 Faktoren.</translation>
+    </message>
+    <message>
+        <source>Masses need lengths in metres, and &quot;%1&quot; is no unit of length that is known: use mm, cm, m or in.</source>
+        <translation>Massen brauchen Längen in Metern, und „%1“ ist keine bekannte Längeneinheit: Verwenden Sie mm, cm, m oder in.</translation>
+    </message>
+    <message>
+        <source>It ends where joint %1 reaches the end of its range.</source>
+        <translation>Sie endet, wo Gelenk %1 das Ende seines Bereichs erreicht.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: torques determine no acceleration.</source>
+        <translation>Eine Bewegung der Antriebe bewegt keine Masse: Momente bestimmen keine Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>It ends where speeds grow beyond what can be followed.</source>
+        <translation>Sie endet, wo Drehgeschwindigkeiten über das hinauswachsen, was sich verfolgen lässt.</translation>
+    </message>
+    <message>
+        <source>The ratio of an input to joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give a ratio that it can.</source>
+        <translation>Die Übersetzung eines Antriebs zu Gelenk %1 liegt über der größten Zahl, die die Analyse darstellen kann, 1.79e308. Zähnezahlen, die näher beieinanderliegen, oder weniger Eingriffe hintereinander geben eine, die sie darstellen kann.</translation>
+    </message>
+    <message>
+        <source>The speed of joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>Die Drehgeschwindigkeit von Gelenk %1 liegt über der größten Zahl, die die Analyse darstellen kann, 1.79e308. Senken Sie die Drehgeschwindigkeiten der Antriebe.</translation>
+    </message>
+    <message>
+        <source>The speed of the link that turns about joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>Die Drehgeschwindigkeit des Glieds, das sich um Gelenk %1 dreht, liegt über der größten Zahl, die die Analyse darstellen kann, 1.79e308. Senken Sie die Drehgeschwindigkeiten der Antriebe.</translation>
+    </message>
+    <message>
+        <source>In state %1: %2</source>
+        <translation>Im Zustand %1: %2</translation>
+    </message>
+    <message>
+        <source>In states %1: %2</source>
+        <translation>In den Zuständen %1: %2</translation>
+    </message>
+    <message>
+        <source>No load is given: all torques are 0.</source>
+        <translation>Keine Last ist gegeben: Alle Momente sind 0.</translation>
+    </message>
+    <message>
+        <source>The drive of state %1, link %2, gets 1 N m, as no load acts on it or on the driven link.</source>
+        <translation>Der Antrieb des Zustands %1, Glied %2, bekommt 1 N m, weil weder auf ihn noch auf den Abtrieb eine Last wirkt.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out, and so are loads that are forces. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>Die Größe der Längeneinheit „%1“ ist nicht bekannt: Kräfte von Zähnen und Lagern werden weggelassen, und auch Lasten, die Kräfte sind. Einheiten sind nm, um, mm, cm, dm, m, mil, in und ft.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>Die Größe der Längeneinheit „%1“ ist nicht bekannt: Kräfte von Zähnen und Lagern werden weggelassen. Einheiten sind nm, um, mm, cm, dm, m, mil, in und ft.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Die Drehgeschwindigkeiten sind nicht bestimmt: Leistungen und Wirkungsgrade werden weggelassen. Geben Sie den Antrieben ihre Drehgeschwindigkeiten, oder wählen Sie einen Zustand mit einem Freiheitsgrad.</translation>
+    </message>
+    <message>
+        <source>No mesh has an efficiency: give `efficiency` or `friction` in the document, or --eta.</source>
+        <translation>Kein Eingriff hat einen Wirkungsgrad: Geben Sie `efficiency` oder `friction` im Dokument an, oder --eta.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joint %1 turns freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Nichts hält diese Bewegung: Gelenk %1 dreht sich frei unter der Last auf %2. Fügen Sie ein Ausgleichsmoment in Gelenk %3 hinzu.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joints %1 turn freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Nichts hält diese Bewegung: Gelenke %1 drehen sich frei unter der Last auf %2. Fügen Sie ein Ausgleichsmoment in Gelenk %3 hinzu.</translation>
+    </message>
+    <message>
+        <source>coupling %1</source>
+        <translation>Schaltelement %1</translation>
+    </message>
+    <message>
+        <source>couplings %1</source>
+        <translation>Schaltelemente %1</translation>
+    </message>
+    <message>
+        <source>balances</source>
+        <translation>Ausgleichsmomente</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (1 self-stress).</source>
+        <translation>%1 teilen sich die Last in Anteilen, die Steifigkeit und Spiel bestimmen (1 Eigenspannungszustand).</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (%2 self-stresses).</source>
+        <translation>%1 teilen sich die Last in Anteilen, die Steifigkeit und Spiel bestimmen (%2 Eigenspannungszustände).</translation>
+    </message>
+    <message>
+        <source>Torques outside are determined.</source>
+        <translation>Momente außerhalb sind bestimmt.</translation>
+    </message>
+    <message>
+        <source>Torques that do not depend on them are determined.</source>
+        <translation>Momente, die nicht von ihnen abhängen, sind bestimmt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load needs no balance.</source>
+        <translation>Gelenk %1 kann sich nicht drehen: Seine Last braucht kein Ausgleichsmoment.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by mesh %2.</source>
+        <translation>Gelenk %1 kann sich nicht drehen: Eingriff %2 trägt seine Last.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by meshes %2.</source>
+        <translation>Gelenk %1 kann sich nicht drehen: Eingriffe %2 tragen seine Last.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction.</source>
+        <translation>Kein Moment an %1 bewegt diese Last: Das Getriebe ist in dieser Richtung selbsthemmend.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins below eta = %2).</source>
+        <translation>Kein Moment an %1 bewegt diese Last: Das Getriebe ist in dieser Richtung selbsthemmend (es beginnt unter eta = %2).</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins at %2 % of these losses).</source>
+        <translation>Kein Moment an %1 bewegt diese Last: Das Getriebe ist in dieser Richtung selbsthemmend (es beginnt bei %2 % dieser Verluste).</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
+        <translation>Welche Räder treiben, wurde nicht entschieden: Die Folge der Annahmen kommt nicht zur Ruhe, und %1 lassen zu viele Muster, um alle zu probieren. Leistungen sind die ohne Verluste.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
+        <translation>Eingriff %1 überträgt, von seinem Steg aus gesehen, das %2-Fache der zugeführten Leistung.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 pass up to %2 times the power fed, seen from their carriers.</source>
+        <translation>Eingriffe %1 übertragen, von ihren Stegen aus gesehen, bis zum %2-Fachen der zugeführten Leistung.</translation>
+    </message>
+    <message>
+        <source>%1 W of each W fed circulate through %2 and %3.</source>
+        <translation>%1 W von jedem zugeführten W laufen als Blindleistung um, durch %2 und %3.</translation>
+    </message>
+    <message>
+        <source>links %1</source>
+        <translation>Glieder %1</translation>
+    </message>
+    <message>
+        <source>Turning joints %1 name one axis (%2) but do not all hang together on it by common links: they coincide only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its own entry in axes.</source>
+        <translation>Drehgelenke %1 nennen eine Achse (%2), hängen darauf aber nicht alle durch gemeinsame Glieder zusammen: Sie fallen nur in der gezeichneten Lage zusammen und gelten als verschiedene Achsen (%3). Geben Sie jeder Achse des Mechanismus ihren eigenen Eintrag in axes.</translation>
+    </message>
+    <message>
+        <source>Axes %1 are one line held by common links: they are treated as one axis (%2).</source>
+        <translation>Achsen %1 sind eine Gerade, die gemeinsame Glieder halten: Sie gelten als eine Achse (%2).</translation>
+    </message>
+    <message>
+        <source>The opposite direction of %1 is minded.</source>
+        <translation>Die entgegengesetzte Richtung von %1 ist berücksichtigt.</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>New note here</source>
+        <translation>Neue Notiz hier</translation>
+    </message>
+    <message>
+        <source>Change the text</source>
+        <translation>Text ändern</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Notiz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete note</source>
+        <translation>Notiz löschen</translation>
+    </message>
+    <message>
+        <source>Change note</source>
+        <translation>Notiz ändern</translation>
+    </message>
+    <message>
+        <source>Text of the note</source>
+        <translation>Text der Notiz</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Return takes the text, Shift+Return begins a new line, Esc leaves it as it was</source>
+        <translation>Eingabe übernimmt den Text, Umschalt+Eingabe beginnt eine neue Zeile, Esc lässt ihn, wie er war</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters.</source>
+        <translation>Eine Notiz hat höchstens 1000 Zeichen.</translation>
+    </message>
+    <message>
+        <source>Move note</source>
+        <translation>Notiz verschieben</translation>
+    </message>
+    <message>
+        <source>Notes are written on the sheet of the digraph</source>
+        <translation>Notizen stehen auf dem Blatt des Digraphen</translation>
+    </message>
+    <message>
+        <source>Never self-locking, however large the losses</source>
+        <translation>Nie selbsthemmend, wie groß die Verluste auch sind</translation>
+    </message>
+    <message>
+        <source>Moves up to %1 % of these losses; beyond, not decided</source>
+        <translation>Läuft bis %1 % dieser Verluste; darüber nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Moves backward up to %1 % of these losses; beyond, not decided</source>
+        <translation>Läuft rückwärts bis %1 % dieser Verluste; darüber nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Moves down to η = %1; below, not decided</source>
+        <translation>Läuft bis herab zu η = %1; darunter nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Moves backward down to η = %1; below, not decided</source>
+        <translation>Läuft rückwärts bis herab zu η = %1; darunter nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Self-locking from %1 % of these losses on</source>
+        <translation>Selbsthemmend ab %1 % dieser Verluste</translation>
+    </message>
+    <message>
+        <source>Self-locking backward from %1 % of these losses on</source>
+        <translation>Rückwärts selbsthemmend ab %1 % dieser Verluste</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large.</source>
+        <translation>Wo ein Getriebe sich selbst hemmt, bewegt kein Moment dessen, was die Lasten hält, diese, so groß es auch sei.</translation>
+    </message>
+    <message>
+        <source>The meshes state different efficiencies: all their losses, 1 − η, are multiplied by one factor.</source>
+        <translation>Die Zahneingriffe nennen verschiedene Wirkungsgrade: Alle ihre Verluste, 1 − η, werden mit einem Faktor multipliziert.</translation>
+    </message>
+    <message>
+        <source>The efficiency counts as the same in all meshes.</source>
+        <translation>Der Wirkungsgrad gilt als in allen Zahneingriffen gleich.</translation>
+    </message>
+    <message>
+        <source>At %1 % it moves, at %2 % no choice of driving gears solves it.</source>
+        <translation>Bei %1 % bewegt es sich, bei %2 % löst es keine Wahl der treibenden Räder.</translation>
+    </message>
+    <message>
+        <source>At η = %1 it moves, at %2 no choice of driving gears solves it.</source>
+        <translation>Bei η = %1 bewegt es sich, bei %2 löst es keine Wahl der treibenden Räder.</translation>
+    </message>
+    <message>
+        <source>Of that many meshes not all choices were tried.</source>
+        <translation>Bei so vielen Zahneingriffen wurden nicht alle probiert.</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 Notiz</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 Notizen</translation>
+    </message>
+    <message>
+        <source>Select links or notes to copy; the ground stays where it is.</source>
+        <translation>Wählen Sie Glieder oder Notizen zum Kopieren aus; das Gestell bleibt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>Rename a link, change a note</source>
+        <translation>Glied umbenennen, Notiz ändern</translation>
+    </message>
+    <message>
+        <source>Write a note on the sheet of the digraph: click where it should be; a double click changes one</source>
+        <translation>Eine Notiz auf das Blatt des Digraphen schreiben: klicken, wo sie stehen soll; ein Doppelklick ändert eine</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it, or one note to change it.</source>
+        <translation>Wählen Sie ein Glied aus, um es umzubenennen, oder eine Notiz, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>Move its axis</source>
+        <translation>Achse verschieben</translation>
+    </message>
+    <message>
+        <source>Move its axis (%1)</source>
+        <translation>Achse verschieben (%1)</translation>
+    </message>
+    <message>
+        <source>A mesh has no carrier in the T–T graph, or its kind is not known.</source>
+        <translation>Ein Zahneingriff hat keinen Steg im T–T-Graphen, oder seine Art ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Select one note to change its text.</source>
+        <translation>Wählen Sie eine einzelne Notiz, um ihren Text zu ändern.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>The text on the sheet of the digraph</source>
+        <translation>Der Text auf dem Blatt des Digraphen</translation>
+    </message>
+    <message>
+        <source>z = %1. Esc puts back</source>
+        <translation>z = %1. Esc setzt zurück</translation>
+    </message>
+    <message>
+        <source>z = %1</source>
+        <translation>z = %1</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it or the rim of a gear for its teeth. The program lays the drawing out</source>
+        <translation>Klicken wählt aus; eine Achse ziehen verschiebt sie, den Rand eines Rades ziehen ändert dessen Zähne. Das Programm ordnet die Zeichnung an</translation>
+    </message>
+    <message>
+        <source>Note: click on an empty area, or on a note to change it</source>
+        <translation>Notiz: in den leeren Bereich klicken, oder auf eine Notiz, um sie zu ändern</translation>
+    </message>
+    <message>
+        <source>Handle of %1</source>
+        <translation>Griff an: %1</translation>
+    </message>
+    <message>
+        <source>Drag to move %1, or use the arrow keys (with Shift: finer). Alt places freely, Esc puts back</source>
+        <translation>Ziehen verschiebt: %1; ebenso die Pfeiltasten (mit Umschalt feiner). Alt platziert frei, Esc setzt zurück</translation>
+    </message>
+    <message>
+        <source>the axis of joint %1</source>
+        <translation>die Achse von Gelenk %1</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
+        <translation>csv: Matrizen; html, latex, md, pdf: die ausgearbeitete Herleitung; handout: eine Seite für Browser mit Antrieben zum Bewegen; scorm: diese Seite als Paket für Lernplattformen (SCORM 1.2); svg, png, pdf mit --view: ein Bild; stl, obj, ply, glb, 3mf: Räder; assembly: Räder für eine Prüfung; mjcf, urdf: ein Modell für Simulatoren; modelica: ein Modell der Gelenke; dot, graphml, node-link: ein Graph</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
+        <translation>--to ist eines von csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
     </message>
 </context>
 <context>

@@ -4,86 +4,6 @@
 <context>
     <name>GearGraph</name>
     <message>
-        <source>at</source>
-        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
-        <translation>en</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <comment>The link beyond the joint, seen from the ground.</comment>
-        <translation>gira</translation>
-    </message>
-    <message>
-        <source>carried by</source>
-        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
-        <translation>llevado por</translation>
-    </message>
-    <message>
-        <source>coupling</source>
-        <comment>A brake or clutch that is engaged.</comment>
-        <translation>acoplamiento</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
-        <translation>retiene</translation>
-    </message>
-    <message>
-        <source>about</source>
-        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
-        <translation>en torno a</translation>
-    </message>
-    <message>
-        <source>mesh</source>
-        <comment>The gear mesh, by its label.</comment>
-        <translation>engrane</translation>
-    </message>
-    <message>
-        <source>tail</source>
-        <comment>The link of the tail&apos;s gear.</comment>
-        <translation>cola</translation>
-    </message>
-    <message>
-        <source>head</source>
-        <comment>The link of the head&apos;s gear.</comment>
-        <translation>cabeza</translation>
-    </message>
-    <message>
-        <source>carrier</source>
-        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
-        <translation>portasatélites</translation>
-    </message>
-    <message>
-        <source>drives</source>
-        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
-        <translation>acciona</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
-        <translation>par</translation>
-    </message>
-    <message>
-        <source>element</source>
-        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
-        <translation>elemento</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <comment>The link that it acts on.</comment>
-        <translation>eslabón</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <comment>The shafts of the loop.</comment>
-        <translation>eslabones</translation>
-    </message>
-    <message>
-        <source>meshes</source>
-        <comment>The meshes of the gear sets of the loop.</comment>
-        <translation>engrana con</translation>
-    </message>
-    <message>
         <source>the ground does not move</source>
         <translation>el bastidor no se mueve</translation>
     </message>
@@ -1423,10 +1343,6 @@
         <translation>El portapapeles no contiene eslabones: %1</translation>
     </message>
     <message>
-        <source>Select links to copy; the ground stays where it is.</source>
-        <translation>Seleccione eslabones para copiar; el bastidor se queda donde está.</translation>
-    </message>
-    <message>
         <source>Copied %1</source>
         <translation>Copiado: %1</translation>
     </message>
@@ -1917,10 +1833,6 @@
     <message>
         <source>Alt</source>
         <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Rename in place</source>
-        <translation>Cambiar el nombre en su sitio</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -2701,10 +2613,6 @@
     <message>
         <source>The ground cannot be deleted.</source>
         <translation>El bastidor no se puede eliminar.</translation>
-    </message>
-    <message>
-        <source>Select one link to rename it.</source>
-        <translation>Seleccione un eslabón para cambiarle el nombre.</translation>
     </message>
     <message>
         <source>Select a joint or a mesh to turn its arrow round.</source>
@@ -4379,10 +4287,6 @@
         <translation>Alt coloca libremente. Esc devuelve</translation>
     </message>
     <message>
-        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
-        <translation>Clic para seleccionar, arrastrar un eje para moverlo. El programa dispone el dibujo</translation>
-    </message>
-    <message>
         <source>Gear mesh: drag from a gear to the gear it drives</source>
         <translation>Engrane: arrastrar de una rueda a la que acciona</translation>
     </message>
@@ -5763,10 +5667,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Efficiency</source>
         <translation>Rendimiento</translation>
-    </message>
-    <message>
-        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
-        <translation>Donde un tren se autobloquea, ningún par de lo que sostiene las cargas las mueve, por grande que sea. El rendimiento cuenta como igual en todos los engranes.</translation>
     </message>
     <message>
         <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
@@ -7843,6 +7743,6292 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Held</source>
         <translation>Retenido</translation>
+    </message>
+    <message>
+        <source>One file is needed.</source>
+        <translation>Se necesita un archivo.</translation>
+    </message>
+    <message>
+        <source>Give --symbolic or --no-symbolic.</source>
+        <translation>Indique --symbolic o --no-symbolic.</translation>
+    </message>
+    <message>
+        <source>the analysis</source>
+        <translation>el análisis</translation>
+    </message>
+    <message>
+        <source>Standard output could not be written.</source>
+        <translation>No se pudo escribir en la salida estándar.</translation>
+    </message>
+    <message>
+        <source>drive these joints (by label) instead of the document&apos;s</source>
+        <translation>accionar estos pares (por etiqueta) en vez de los del documento</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be repeated</source>
+        <translation>la velocidad de una entrada en rad/s; se puede repetir</translation>
+    </message>
+    <message>
+        <source>with the solution in gear ratios (the default)</source>
+        <translation>con la solución en relaciones de engrane (por omisión)</translation>
+    </message>
+    <message>
+        <source>without it</source>
+        <translation>sin ella</translation>
+    </message>
+    <message>
+        <source>as JSON</source>
+        <translation>como JSON</translation>
+    </message>
+    <message>
+        <source>with --json: all entries of matrices, also above 250,000 (else triplets)</source>
+        <translation>con --json: todas las entradas de las matrices, también por encima de 250.000 (si no, tripletas)</translation>
+    </message>
+    <message>
+        <source>Analyses a mechanism, for people or as JSON.</source>
+        <translation>Analiza un mecanismo, para personas o como JSON.</translation>
+    </message>
+    <message>
+        <source>Untitled mechanism</source>
+        <translation>Mecanismo sin título</translation>
+    </message>
+    <message>
+        <source>%1 moving link</source>
+        <translation>%1 eslabón móvil</translation>
+    </message>
+    <message>
+        <source>%1 moving links</source>
+        <translation>%1 eslabones móviles</translation>
+    </message>
+    <message>
+        <source>%1 turning joint</source>
+        <translation>%1 par de revolución</translation>
+    </message>
+    <message>
+        <source>%1 gear mesh</source>
+        <translation>%1 engrane</translation>
+    </message>
+    <message>
+        <source>teeth %1 : %2</source>
+        <translation>dientes %1 : %2</translation>
+    </message>
+    <message>
+        <source>Eq. (%1)</source>
+        <translation>Ec. (%1)</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <translation>%1 fila</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 filas</translation>
+    </message>
+    <message>
+        <source>%1 column</source>
+        <translation>%1 columna</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>%1 columnas</translation>
+    </message>
+    <message>
+        <source>%1: too large to print; see &quot;export --to csv --matrix %2&quot;</source>
+        <translation>%1: demasiado grande para imprimirlo; vea «export --to csv --matrix %2»</translation>
+    </message>
+    <message>
+        <source>The option %1 takes no value.</source>
+        <translation>La opción %1 no lleva valor.</translation>
+    </message>
+    <message>
+        <source>The option %1 needs a value: %1 %2.</source>
+        <translation>La opción %1 necesita un valor: %1 %2.</translation>
+    </message>
+    <message>
+        <source>The options cannot be read.</source>
+        <translation>No se pueden leer las opciones.</translation>
+    </message>
+    <message>
+        <source>There is no option &quot;%1&quot; here.</source>
+        <translation>Aquí no hay ninguna opción «%1».</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>fila %1</translation>
+    </message>
+    <message>
+        <source>rows %1</source>
+        <translation>filas %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>columna %1</translation>
+    </message>
+    <message>
+        <source>columns %1</source>
+        <translation>columnas %1</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;: %2.</source>
+        <translation>No hay ninguna matriz «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a matrix or equations are needed.</source>
+        <translation>Se necesitan un mecanismo y un archivo con una matriz o ecuaciones.</translation>
+    </message>
+    <message>
+        <source>the check</source>
+        <translation>la comprobación</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
+        <translation>qué matriz es: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p o solution (se reconoce)</translation>
+    </message>
+    <message>
+        <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
+        <translation>Compara una matriz o ecuaciones suyas con las deducidas; estado 1 donde difieren.</translation>
+    </message>
+    <message>
+        <source>Usage: geargraph-cli %1 %2</source>
+        <translation>Uso: geargraph-cli %1 %2</translation>
+    </message>
+    <message>
+        <source>More: geargraph-cli %1 --help</source>
+        <translation>Más: geargraph-cli %1 --help</translation>
+    </message>
+    <message>
+        <source>Not in the table: %1.</source>
+        <translation>No está en la tabla: %1.</translation>
+    </message>
+    <message>
+        <source>Not in the graph: %1.</source>
+        <translation>No está en el grafo: %1.</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, geargraph, dot, graphml, node-link.</source>
+        <translation>--to es uno de csv, geargraph, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>--separator is one of comma, semicolon, tab.</source>
+        <translation>--separator es uno de comma, semicolon, tab.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with %2; it is an option of %3.</source>
+        <translation>%1 no tiene significado con %2; es una opción de %3.</translation>
+    </message>
+    <message>
+        <source>the conversion</source>
+        <translation>la conversión</translation>
+    </message>
+    <message>
+        <source>csv: a table with a row for each link, axis, turning joint, gear mesh, ...; geargraph: a document; dot, graphml, node-link: the digraph; each is read back, graphs of other programs, too, where edges have kind, axis and tooth counts</source>
+        <translation>csv: una tabla con una fila por eslabón, eje, par de revolución, engrane, ...; geargraph: un documento; dot, graphml, node-link: el dígrafo; todo se vuelve a leer, también grafos de otros programas si las aristas tienen tipo, eje y números de dientes</translation>
+    </message>
+    <message>
+        <source>the file (standard output)</source>
+        <translation>el archivo (salida estándar)</translation>
+    </message>
+    <message>
+        <source>of a table that is written (comma); reading recognises it</source>
+        <translation>de la tabla que se escribe (comma); al leer se reconoce</translation>
+    </message>
+    <message>
+        <source>begin a table with a byte order mark, for spreadsheet programs</source>
+        <translation>empezar la tabla con una marca de orden de bytes, para hojas de cálculo</translation>
+    </message>
+    <message>
+        <source>Converts documents to tables (CSV) and graphs, and back; FILE is any of them.</source>
+        <translation>Convierte documentos en tablas (CSV) y grafos, y al revés; FILE es cualquiera de ellos.</translation>
+    </message>
+    <message>
+        <source>motion not checked: nothing moves, the mechanism has errors, or it has more than %1 links</source>
+        <translation>movimiento no comprobado: nada se mueve, el mecanismo tiene errores, o tiene más de %1 eslabones</translation>
+    </message>
+    <message>
+        <source>motion checked in part only: too many parts come close to each other</source>
+        <translation>movimiento comprobado solo en parte: demasiadas piezas se acercan entre sí</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, all of it</source>
+        <translation>movimiento comprobado de %1 a %2, completo</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2; it does not repeat sooner</source>
+        <translation>movimiento comprobado de %1 a %2; no se repite antes</translation>
+    </message>
+    <message>
+        <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
+        <translation>%1 nombra una entrada y su número, como %2, no «%3».</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not an input; see --inputs.</source>
+        <translation>El par %1 no es una entrada; vea --inputs.</translation>
+    </message>
+    <message>
+        <source>--damping is at least 0, in N m s.</source>
+        <translation>--damping es como mínimo 0, en N m s.</translation>
+    </message>
+    <message>
+        <source>--seconds over --interval are at most a million samples.</source>
+        <translation>--seconds entre --interval son como mucho un millón de muestras.</translation>
+    </message>
+    <message>
+        <source>Dynamics is computed for up to %1 entries of the solution (inputs times other joints).</source>
+        <translation>La dinámica se calcula hasta %1 entradas de la solución (entradas por otros pares).</translation>
+    </message>
+    <message>
+        <source>the gear train</source>
+        <translation>el tren</translation>
+    </message>
+    <message>
+        <source>the masses</source>
+        <translation>las masas</translation>
+    </message>
+    <message>
+        <source>the motion</source>
+        <translation>el movimiento</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: there is no motion to write.</source>
+        <translation>Un movimiento de las entradas no mueve ninguna masa: no hay movimiento que escribir.</translation>
+    </message>
+    <message>
+        <source>the torque of an input&apos;s motor (without it 0); may be given again</source>
+        <translation>el momento del motor de una entrada (si no, 0); se puede repetir</translation>
+    </message>
+    <message>
+        <source>less this for each rad/s, N m s; may be given again</source>
+        <translation>menos esto por cada rad/s, N m s; se puede repetir</translation>
+    </message>
+    <message>
+        <source>the angle of an input at the start; may be given again</source>
+        <translation>el ángulo de una entrada al comienzo; se puede repetir</translation>
+    </message>
+    <message>
+        <source>its speed at the start, rad/s (without it 0); may be given again</source>
+        <translation>su velocidad al comienzo, rad/s (si no, 0); se puede repetir</translation>
+    </message>
+    <message>
+        <source>follow the motion for so long</source>
+        <translation>seguir el movimiento este tiempo</translation>
+    </message>
+    <message>
+        <source>seconds between samples (without it a hundredth of the motion)</source>
+        <translation>segundos entre muestras (si no, un centésimo del movimiento)</translation>
+    </message>
+    <message>
+        <source>write the samples of the motion as CSV</source>
+        <translation>escribir las muestras del movimiento como CSV</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia that motors feel, and the motion that torques cause.</source>
+        <translation>Masas, la inercia que notan los motores y el movimiento que causan los momentos.</translation>
+    </message>
+    <message>
+        <source>angle, rad</source>
+        <translation>ángulo, rad</translation>
+    </message>
+    <message>
+        <source>speed, rad/s</source>
+        <translation>velocidad, rad/s</translation>
+    </message>
+    <message>
+        <source>Motion, after %1 s</source>
+        <translation>Movimiento, después de %1 s</translation>
+    </message>
+    <message>
+        <source>kinetic energy %1 J, potential %2 J, work of motors and loads %3 J</source>
+        <translation>energía cinética %1 J, potencial %2 J, trabajo de motores y cargas %3 J</translation>
+    </message>
+    <message>
+        <source>mass, kg</source>
+        <translation>masa, kg</translation>
+    </message>
+    <message>
+        <source>at motor %1, kg m²</source>
+        <translation>en el motor %1, kg m²</translation>
+    </message>
+    <message>
+        <source>inertia, kg m²</source>
+        <translation>inercia, kg m²</translation>
+    </message>
+    <message>
+        <source>holding torque, N m</source>
+        <translation>momento de sostén, N m</translation>
+    </message>
+    <message>
+        <source>acceleration, rad/s²</source>
+        <translation>aceleración, rad/s²</translation>
+    </message>
+    <message>
+        <source>Links, and the inertia that each has at the motors</source>
+        <translation>Eslabones, y la inercia que cada uno tiene en los motores</translation>
+    </message>
+    <message>
+        <source>Inputs, at the start</source>
+        <translation>Entradas, al comienzo</translation>
+    </message>
+    <message>
+        <source>Generalised inertia M, kg m²</source>
+        <translation>Inercia generalizada M, kg m²</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. The document has no states.</source>
+        <translation>No hay ningún estado «%1». El documento no tiene estados.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. States: %2.</source>
+        <translation>No hay ningún estado «%1». Estados: %2.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. The document has no couplings.</source>
+        <translation>No hay ningún acoplamiento «%1». El documento no tiene.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. Couplings: %2.</source>
+        <translation>No hay ningún acoplamiento «%1». Acoplamientos: %2.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --engage A,B.</source>
+        <translation>Indique --state NAME o --engage A,B.</translation>
+    </message>
+    <message>
+        <source>%1 (state %2)</source>
+        <translation>%1 (estado %2)</translation>
+    </message>
+    <message>
+        <source>with the couplings of this state engaged</source>
+        <translation>con los acoplamientos de este estado activados</translation>
+    </message>
+    <message>
+        <source>with these couplings engaged, &quot;none&quot; for no coupling, instead of those that the document engages</source>
+        <translation>con estos acoplamientos activados, «none» para ninguno, en vez de los que activa el documento</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;; geargraph-cli exercises kinds FILE lists them.</source>
+        <translation>No hay ningún tipo de pregunta «%1»; geargraph-cli exercises kinds FILE los enumera.</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no question &quot;%1&quot;: %2.</source>
+        <translation>El mecanismo no da ninguna pregunta «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>--kinds names 1 to 100 questions.</source>
+        <translation>--kinds nombra de 1 a 100 preguntas.</translation>
+    </message>
+    <message>
+        <source>--seed is a whole number from 0 on.</source>
+        <translation>--seed es un número entero desde 0.</translation>
+    </message>
+    <message>
+        <source>--variants is a whole number from 1 to 1000.</source>
+        <translation>--variants es un número entero de 1 a 1000.</translation>
+    </message>
+    <message>
+        <source>The first word is kinds, make or grade.</source>
+        <translation>La primera palabra es kinds, make o grade.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for exercises %2.</source>
+        <translation>%1 no tiene significado para exercises %2.</translation>
+    </message>
+    <message>
+        <source>kinds of questions, with commas; a kind may occur again (all)</source>
+        <translation>tipos de preguntas, con comas; un tipo puede repetirse (todos)</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (1)</source>
+        <translation>el mismo número da en todas partes las mismas hojas (1)</translation>
+    </message>
+    <message>
+        <source>how many different sheets, at most 1,000 (1)</source>
+        <translation>cuántas hojas distintas, como mucho 1.000 (1)</translation>
+    </message>
+    <message>
+        <source>a variant for each line of this text file</source>
+        <translation>una variante por cada línea de este archivo de texto</translation>
+    </message>
+    <message>
+        <source>the heading of the sheets (&quot;Exercises&quot;)</source>
+        <translation>el encabezado de las hojas («Exercises»)</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
+        <translation>formas: html,latex,pdf,json (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>overwrites files in the folder</source>
+        <translation>sobrescribe archivos en la carpeta</translation>
+    </message>
+    <message>
+        <source>make: the folder; grade: the CSV file (standard output)</source>
+        <translation>make: la carpeta; grade: el archivo CSV (salida estándar)</translation>
+    </message>
+    <message>
+        <source>Makes exercise sheets from a mechanism and grades the answers.</source>
+        <translation>Hace hojas de ejercicios a partir de un mecanismo y califica las respuestas.</translation>
+    </message>
+    <message>
+        <source>(not offered: %1)</source>
+        <translation>(no se ofrece: %1)</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be read: %2.</source>
+        <translation>No se pudo leer la carpeta «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>These are answers to another sheet.</source>
+        <translation>Son respuestas a otra hoja.</translation>
+    </message>
+    <message>
+        <source>The sheet has no variant %1.</source>
+        <translation>La hoja no tiene variante %1.</translation>
+    </message>
+    <message>
+        <source>Question %1 has no such field as some that are answered.</source>
+        <translation>La pregunta %1 no tiene algunos de los campos respondidos.</translation>
+    </message>
+    <message>
+        <source>The question is not answered.</source>
+        <translation>La pregunta no está respondida.</translation>
+    </message>
+    <message>
+        <source>The sheet has no question %1.</source>
+        <translation>La hoja no tiene pregunta %1.</translation>
+    </message>
+    <message>
+        <source>grade needs a sheet and answers.</source>
+        <translation>grade necesita una hoja y respuestas.</translation>
+    </message>
+    <message>
+        <source>the grading</source>
+        <translation>la calificación</translation>
+    </message>
+    <message>
+        <source>Give --variants or --names: a name is a variant.</source>
+        <translation>Indique --variants o --names: un nombre es una variante.</translation>
+    </message>
+    <message>
+        <source>--names is a text file of 1 to 1000 lines.</source>
+        <translation>--names es un archivo de texto de 1 a 1000 líneas.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
+        <translation>--to enumera formas de entre html, latex, pdf y json, no «%1».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
+        <translation>«%1» ya existe; no se escribió nada (--force sobrescribe).</translation>
+    </message>
+    <message>
+        <source>variant %1</source>
+        <translation>la variante %1</translation>
+    </message>
+    <message>
+        <source>make needs one file.</source>
+        <translation>make necesita un archivo.</translation>
+    </message>
+    <message>
+        <source>make needs a folder: -o FOLDER.</source>
+        <translation>make necesita una carpeta: -o FOLDER.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism; no sheet was written.</source>
+        <translation>Sobre este mecanismo no se puede preguntar nada; no se escribió ninguna hoja.</translation>
+    </message>
+    <message>
+        <source>Matrices (--to csv)</source>
+        <translation>Matrices (--to csv)</translation>
+    </message>
+    <message>
+        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
+        <translation>Deducciones (--to html, latex, md, pdf, handout o scorm)</translation>
+    </message>
+    <message>
+        <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
+        <translation>Dibujos e imágenes 3D (--to svg, pdf o png --view NAME)</translation>
+    </message>
+    <message>
+        <source>3D pictures (--to png --view 3d)</source>
+        <translation>Imágenes 3D (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Animations (--to png --view 3d)</source>
+        <translation>Animaciones (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
+        <translation>Sólidos (--to stl, obj, ply, glb o 3mf)</translation>
+    </message>
+    <message>
+        <source>Handouts (--to handout or scorm)</source>
+        <translation>Hojas interactivas (--to handout o scorm)</translation>
+    </message>
+    <message>
+        <source>Simulators (--to mjcf or urdf)</source>
+        <translation>Simuladores (--to mjcf o urdf)</translation>
+    </message>
+    <message>
+        <source>derivations (--to html, latex, md, pdf)</source>
+        <translation>deducciones (--to html, latex, md, pdf)</translation>
+    </message>
+    <message>
+        <source>drawings (--view digraph, ttgraph, schematic)</source>
+        <translation>dibujos (--view digraph, ttgraph, schematic)</translation>
+    </message>
+    <message>
+        <source>animations (--turntable, --motion)</source>
+        <translation>animaciones (--turntable, --motion)</translation>
+    </message>
+    <message>
+        <source>graphs (--to dot, graphml, node-link)</source>
+        <translation>grafos (--to dot, graphml, node-link)</translation>
+    </message>
+    <message>
+        <source>handouts (--to handout, scorm)</source>
+        <translation>hojas interactivas (--to handout, scorm)</translation>
+    </message>
+    <message>
+        <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
+        <translation>el archivo («-» es la salida estándar), o con --all la carpeta</translation>
+    </message>
+    <message>
+        <source>every matrix, or every picture of an animation, into the folder that -o names</source>
+        <translation>cada matriz, o cada imagen de una animación, en la carpeta que nombra -o</translation>
+    </message>
+    <message>
+        <source>with a folder: overwrite files that are there</source>
+        <translation>con una carpeta: sobrescribir los archivos que haya</translation>
+    </message>
+    <message>
+        <source>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; of statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations, and shift-torques of all states</source>
+        <translation>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; de la estática: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations, y shift-torques de todos los estados</translation>
+    </message>
+    <message>
+        <source>without the header row and the first column</source>
+        <translation>sin la fila de encabezado ni la primera columna</translation>
+    </message>
+    <message>
+        <source>comma (the default), semicolon or tab</source>
+        <translation>comma (por omisión), semicolon o tab</translation>
+    </message>
+    <message>
+        <source>point (the default) or comma</source>
+        <translation>point (por omisión) o comma</translation>
+    </message>
+    <message>
+        <source>begin with a byte order mark, for spreadsheet programs</source>
+        <translation>empezar con una marca de orden de bytes, para hojas de cálculo</translation>
+    </message>
+    <message>
+        <source>with an exercise sheet that tells where an answer is wrong, and why. Saved answers are graded by exercises grade with the sheet.json of exercises make with the same options</source>
+        <translation>con una hoja de ejercicios que dice dónde está mal una respuesta, y por qué. Las respuestas guardadas las califica exercises grade con el sheet.json de exercises make con las mismas opciones</translation>
+    </message>
+    <message>
+        <source>kinds of questions, as for exercises make (all)</source>
+        <translation>tipos de preguntas, como en exercises make (todos)</translation>
+    </message>
+    <message>
+        <source>the heading of the sheet (&quot;Exercises&quot;)</source>
+        <translation>el encabezado de la hoja («Exercises»)</translation>
+    </message>
+    <message>
+        <source>how many different sheets there are (1)</source>
+        <translation>cuántas hojas distintas hay (1)</translation>
+    </message>
+    <message>
+        <source>which of them this is (1)</source>
+        <translation>cuál de ellas es esta (1)</translation>
+    </message>
+    <message>
+        <source>digraph, ttgraph or schematic; with png and glb also 3d, the train as seen; of graphs digraph or ttgraph</source>
+        <translation>digraph, ttgraph o schematic; con png y glb también 3d, el tren como se ve; de los grafos digraph o ttgraph</translation>
+    </message>
+    <message>
+        <source>pixels (as large as the drawing is; 3d: 1600x1000)</source>
+        <translation>píxeles (tan grande como el dibujo; 3d: 1600x1000)</translation>
+    </message>
+    <message>
+        <source>on a dark ground</source>
+        <translation>sobre fondo oscuro</translation>
+    </message>
+    <message>
+        <source>on no ground</source>
+        <translation>sin fondo</translation>
+    </message>
+    <message>
+        <source>under a digraph or schematic: where the power of the loads goes, seen from &quot;ground&quot; or the link with this label</source>
+        <translation>bajo un dígrafo o esquema: adónde va la potencia de las cargas, vista desde «ground» o el eslabón con esta etiqueta</translation>
+    </message>
+    <message>
+        <source>front, back, left, right, top, bottom or iso</source>
+        <translation>front, back, left, right, top, bottom o iso</translation>
+    </message>
+    <message>
+        <source>from this azimuth and elevation, degrees (-26,20)</source>
+        <translation>desde este acimut y elevación, grados (-26,20)</translation>
+    </message>
+    <message>
+        <source>how far the inputs have turned (0); also with glb</source>
+        <translation>cuánto han girado las entradas (0); también con glb</translation>
+    </message>
+    <message>
+        <source>section perpendicular to x, y or z at this fraction of the length (y:0.5)</source>
+        <translation>sección perpendicular a x, y o z en esta fracción de la longitud (y:0.5)</translation>
+    </message>
+    <message>
+        <source>exploded view along the axes, 0 to 1; also with glb</source>
+        <translation>vista explosionada según los ejes, de 0 a 1; también con glb</translation>
+    </message>
+    <message>
+        <source>shaded, lines (hidden ones left out) or edges (all of them)</source>
+        <translation>shaded, lines (sin las ocultas) o edges (todas)</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
+    </message>
+    <message>
+        <source>links that are left out: 2,5; also with glb</source>
+        <translation>eslabones que se omiten: 2,5; también con glb</translation>
+    </message>
+    <message>
+        <source>the link that the reference frame is fixed to; also with glb</source>
+        <translation>el eslabón al que está fijo el sistema de referencia; también con glb</translation>
+    </message>
+    <message>
+        <source>once round the train, as an animated PNG (or --all)</source>
+        <translation>una vuelta alrededor del tren, como PNG animado (o --all)</translation>
+    </message>
+    <message>
+        <source>one period of the motion (a minute without one)</source>
+        <translation>un período del movimiento (un minuto si no lo hay)</translation>
+    </message>
+    <message>
+        <source>pictures a second (24)</source>
+        <translation>imágenes por segundo (24)</translation>
+    </message>
+    <message>
+        <source>pictures (72); with assembly: poses of every gear (24)</source>
+        <translation>imágenes (72); con assembly: posiciones de cada rueda (24)</translation>
+    </message>
+    <message>
+        <source>one gear in its own frame: 15:tail or 15:head</source>
+        <translation>una rueda en su propio sistema: 15:tail o 15:head</translation>
+    </message>
+    <message>
+        <source>the solids of one link</source>
+        <translation>los sólidos de un eslabón</translation>
+    </message>
+    <message>
+        <source>with glb: how long one period plays (without: as long as it takes; of a period too long for a file, so many seconds of the motion, 60)</source>
+        <translation>con glb: cuánto dura un período (si no: lo que dura; de un período demasiado largo para un archivo, tantos segundos del movimiento, 60)</translation>
+    </message>
+    <message>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
+        <translation>mayor desviación de la cuerda respecto a la forma exacta (0.002; en trenes grandes, tan fino como permitan 10 millones de triángulos); también con assembly, mjcf y urdf (0.01)</translation>
+    </message>
+    <message>
+        <source>mjcf: speed (servos with rotors, the default), torque or none</source>
+        <translation>mjcf: speed (servos con rotores, por omisión), torque o none</translation>
+    </message>
+    <message>
+        <source>mjcf: inertia of the rotors, kg m² (100 times what the input feels)</source>
+        <translation>mjcf: inercia de los rotores, kg m² (100 veces lo que nota la entrada)</translation>
+    </message>
+    <message>
+        <source>mjcf: seconds (0.001)</source>
+        <translation>mjcf: segundos (0.001)</translation>
+    </message>
+    <message>
+        <source>SDF is not written: no current Gazebo runs its gear joints. --to urdf is read by Gazebo.</source>
+        <translation>SDF no se escribe: ningún Gazebo actual ejecuta sus pares de engranaje. Gazebo lee --to urdf.</translation>
+    </message>
+    <message>
+        <source>-o says where to write.</source>
+        <translation>-o dice dónde escribir.</translation>
+    </message>
+    <message>
+        <source>Writes matrices as CSV, the worked derivation, pictures and animations, gears as 3D files, models for simulators, and graphs.</source>
+        <translation>Escribe matrices como CSV, la deducción desarrollada, imágenes y animaciones, ruedas como archivos 3D, modelos para simuladores y grafos.</translation>
+    </message>
+    <message>
+        <source>%1 is one of %2.</source>
+        <translation>%1 es uno de %2.</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;; there are %2.</source>
+        <translation>No hay ninguna matriz «%1»; hay %2.</translation>
+    </message>
+    <message>
+        <source>The matrix &quot;%1&quot; needs %2; nothing was written.</source>
+        <translation>La matriz «%1» necesita %2; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made.</source>
+        <translation>No se pudo crear la carpeta «%1».</translation>
+    </message>
+    <message>
+        <source>Left out: %1, which needs %2.</source>
+        <translation>Se omite: %1, que necesita %2.</translation>
+    </message>
+    <message>
+        <source>Give --matrix NAME or --all.</source>
+        <translation>Indique --matrix NAME o --all.</translation>
+    </message>
+    <message>
+        <source>the solution</source>
+        <translation>la solución</translation>
+    </message>
+    <message>
+        <source>the torques</source>
+        <translation>los momentos</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>No se escribió nada.</translation>
+    </message>
+    <message>
+        <source>--power needs a mechanism without errors.</source>
+        <translation>--power necesita un mecanismo sin errores.</translation>
+    </message>
+    <message>
+        <source>--power needs loads: this document has none, so that no power flows. Add &quot;loads&quot; to it.</source>
+        <translation>--power necesita cargas: este documento no tiene, así que no fluye potencia. Añada «loads».</translation>
+    </message>
+    <message>
+        <source>--power needs balances that hold the loads.</source>
+        <translation>--power necesita equilibrantes que sostengan las cargas.</translation>
+    </message>
+    <message>
+        <source>--power needs a motion: the speeds are not determined.</source>
+        <translation>--power necesita un movimiento: las velocidades no están determinadas.</translation>
+    </message>
+    <message>
+        <source>No power flows: the loads and what holds them do no work in this motion.</source>
+        <translation>No fluye potencia: las cargas y lo que las sostiene no trabajan en este movimiento.</translation>
+    </message>
+    <message>
+        <source>--power is ground or the label of a link, not &quot;%1&quot;.</source>
+        <translation>--power es ground o la etiqueta de un eslabón, no «%1».</translation>
+    </message>
+    <message>
+        <source>--view 3d is made of pixels: it needs --to png.</source>
+        <translation>--view 3d está hecho de píxeles: necesita --to png.</translation>
+    </message>
+    <message>
+        <source>%1 needs --view: one of %2.</source>
+        <translation>%1 necesita --view: uno de %2.</translation>
+    </message>
+    <message>
+        <source>--power is drawn in the digraph and in the schematic.</source>
+        <translation>--power se dibuja en el dígrafo y en el esquema.</translation>
+    </message>
+    <message>
+        <source>the drawing</source>
+        <translation>el dibujo</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>la imagen</translation>
+    </message>
+    <message>
+        <source>A graph is the digraph or the ttgraph, not &quot;%1&quot;.</source>
+        <translation>Un grafo es el digraph o el ttgraph, no «%1».</translation>
+    </message>
+    <message>
+        <source>There is no T-T graph: the turning joints are no spanning tree, or a mesh has no carrier; nothing was written.</source>
+        <translation>No hay grafo T-T: los pares de revolución no son un árbol generador, o un engrane no tiene portasatélites; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>the 3D view</source>
+        <translation>la vista 3D</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links.</source>
+        <translation>Un tren de %1 eslabones no tiene 3D, que se hace de hasta %2 eslabones.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show: the turning joints are no spanning tree.</source>
+        <translation>No hay nada que mostrar: los pares de revolución no son un árbol generador.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>el archivo</translation>
+    </message>
+    <message>
+        <source>--size takes WIDTHxHEIGHT, each from %1 to %2, not &quot;%3&quot;.</source>
+        <translation>--size toma ANCHOxALTO, ambos de %1 a %2, no «%3».</translation>
+    </message>
+    <message>
+        <source>--all writes a folder; &quot;-&quot; is none.</source>
+        <translation>--all escribe una carpeta; «-» no lo es.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read. The matrices are exported as CSV.</source>
+        <translation>No se escribe una deducción de más de %1 eslabones: sería demasiado larga. Las matrices se exportan como CSV.</translation>
+    </message>
+    <message>
+        <source>the derivation</source>
+        <translation>la deducción</translation>
+    </message>
+    <message>
+        <source>%1 needs --exercises.</source>
+        <translation>%1 necesita --exercises.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with --exercises, which ask about the document.</source>
+        <translation>%1 no tiene significado con --exercises, que pregunta por el documento.</translation>
+    </message>
+    <message>
+        <source>--exercises needs a file, not standard input.</source>
+        <translation>--exercises necesita un archivo, no la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>--variant is a whole number from 1 to that of --variants.</source>
+        <translation>--variant es un número entero de 1 al de --variants.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism.</source>
+        <translation>Sobre este mecanismo no se puede preguntar nada.</translation>
+    </message>
+    <message>
+        <source>--motor is one of speed, torque, none.</source>
+        <translation>--motor es uno de speed, torque, none.</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>el modelo</translation>
+    </message>
+    <message>
+        <source>Nothing can move; the model holds still.</source>
+        <translation>Nada puede moverse; el modelo está quieto.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 freedoms; joints %3 are driven.</source>
+        <translation>El estado %1 deja %2 libertades; se accionan los pares %3.</translation>
+    </message>
+    <message>
+        <source>A model for simulators is a folder; &quot;-&quot; is none.</source>
+        <translation>Un modelo para simuladores es una carpeta; «-» no lo es.</translation>
+    </message>
+    <message>
+        <source>There is no solution to drive the model by; nothing was written.</source>
+        <translation>No hay solución con que accionar el modelo; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Models for simulators have at most %1 entries of the solution (inputs times other joints).</source>
+        <translation>Los modelos para simuladores tienen como mucho %1 entradas de la solución (entradas por otros pares).</translation>
+    </message>
+    <message>
+        <source>the folder</source>
+        <translation>la carpeta</translation>
+    </message>
+    <message>
+        <source>The train is so large that its chords are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>El tren es tan grande que sus cuerdas se apartan hasta %1 módulos en vez de %2 (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Left out: %1 of %2 gears, which cannot be made.</source>
+        <translation>Se omiten: %1 de %2 ruedas, que no se pueden hacer.</translation>
+    </message>
+    <message>
+        <source>Only --to glb of a train or a link carries an animation.</source>
+        <translation>Solo --to glb de un tren o un eslabón lleva una animación.</translation>
+    </message>
+    <message>
+        <source>Give --gear or --link, not both.</source>
+        <translation>Indique --gear o --link, no ambos.</translation>
+    </message>
+    <message>
+        <source>--to assembly writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to assembly escribe una carpeta; «-» no lo es.</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;.</source>
+        <translation>No hay ningún par de revolución «%1».</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;; they are labelled %2 to %3.</source>
+        <translation>No hay ningún par de revolución «%1»; sus etiquetas van de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>--inputs names joint %1 twice.</source>
+        <translation>--inputs nombra dos veces el par %1.</translation>
+    </message>
+    <message>
+        <source>--speed is like 8=1/2: a joint&apos;s label and rad/s.</source>
+        <translation>--speed es como 8=1/2: la etiqueta de un par y rad/s.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
+        <translation>«%1» no es una velocidad; 1/2 o 0.5 sí.</translation>
+    </message>
+    <message>
+        <source>Too many to count</source>
+        <translation>Incontables</translation>
+    </message>
+    <message>
+        <source>%1 valid set of inputs</source>
+        <translation>%1 conjunto válido de entradas</translation>
+    </message>
+    <message>
+        <source>%1 valid sets of inputs</source>
+        <translation>%1 conjuntos válidos de entradas</translation>
+    </message>
+    <message>
+        <source>; the first %1:</source>
+        <translation>; los %1 primeros:</translation>
+    </message>
+    <message>
+        <source>(none: nothing can move)</source>
+        <translation>(ninguna: nada puede moverse)</translation>
+    </message>
+    <message>
+        <source>There are over 20 million rates of joints over inputs; no sets are listed.</source>
+        <translation>Hay más de 20 millones de velocidades de pares sobre entradas; no se enumeran conjuntos.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number.</source>
+        <translation>--limit es un número entero.</translation>
+    </message>
+    <message>
+        <source>the list of input sets</source>
+        <translation>la lista de conjuntos de entradas</translation>
+    </message>
+    <message>
+        <source>how many sets are listed (1,000)</source>
+        <translation>cuántos conjuntos se enumeran (1.000)</translation>
+    </message>
+    <message>
+        <source>Counts and lists the valid sets of inputs.</source>
+        <translation>Cuenta y enumera los conjuntos válidos de entradas.</translation>
+    </message>
+    <message>
+        <source>1 step, no faults</source>
+        <translation>1 paso, sin fallos</translation>
+    </message>
+    <message>
+        <source>%1 steps, no faults</source>
+        <translation>%1 pasos, sin fallos</translation>
+    </message>
+    <message>
+        <source>check needs a file.</source>
+        <translation>check necesita un archivo.</translation>
+    </message>
+    <message>
+        <source>list has no options.</source>
+        <translation>list no tiene opciones.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min</source>
+        <translation>%1 lecciones, %2 min</translation>
+    </message>
+    <message>
+        <source>The first word is check or list.</source>
+        <translation>La primera palabra es check o list.</translation>
+    </message>
+    <message>
+        <source>the findings as JSON</source>
+        <translation>los hallazgos como JSON</translation>
+    </message>
+    <message>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
+        <translation>Comprueba lecciones: forma, respuestas y motivos; enumera las del programa.</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
+        <translation>Un tren de %1 eslabones no tiene 3D, que se hace de hasta %2 eslabones; --gear y --link exportan una parte. No se escribió nada.</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears (over %2): wheels are plain discs, shafts and arms are straight and pass through other parts.</source>
+        <translation>Un tren de %1 ruedas (más de %2): las ruedas son discos lisos, los ejes y brazos son rectos y atraviesan otras piezas.</translation>
+    </message>
+    <message>
+        <source>%1; nothing was written.</source>
+        <translation>%1; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>%1; choose a coarser --tolerance.</source>
+        <translation>%1; elija una --tolerance más gruesa.</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 fine (warnings allowed), 1 the mechanism has errors, 2 wrong usage or a file that could not be read or
+written, 3 out of a stated resource limit. &quot;-&quot; is standard input or output.</source>
+        <translation>Estado de salida: 0 bien (se permiten advertencias), 1 el mecanismo tiene errores, 2 uso incorrecto o un archivo que no se pudo leer o
+escribir, 3 se superó un límite indicado. «-» es la entrada o salida estándar.</translation>
+    </message>
+    <message>
+        <source>geargraph-cli: the analysis of geared mechanisms, without a window.</source>
+        <translation>geargraph-cli: el análisis de mecanismos con engranajes, sin ventana.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Comandos:</translation>
+    </message>
+    <message>
+        <source>--help, --version and --language en|de|tr|es (that of the environment) work on every command.</source>
+        <translation>--help, --version y --language en|de|tr|es (la del entorno) valen en todos los comandos.</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Opciones</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;.</source>
+        <translation>No hay ningún comando «%1».</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for this mechanism.</source>
+        <translation>No hay memoria suficiente para este mecanismo.</translation>
+    </message>
+    <message>
+        <source>It needs -o with a folder.</source>
+        <translation>Necesita -o con una carpeta.</translation>
+    </message>
+    <message>
+        <source>It reads no file.</source>
+        <translation>No lee ningún archivo.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; --force overwrites it.</source>
+        <translation>«%1» ya existe; --force lo sobrescribe.</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <translation>%1 archivos en %2</translation>
+    </message>
+    <message>
+        <source>the folder that the pages are written to</source>
+        <translation>la carpeta en la que se escriben las páginas</translation>
+    </message>
+    <message>
+        <source>overwrite files that are there</source>
+        <translation>sobrescribir los archivos que haya</translation>
+    </message>
+    <message>
+        <source>Writes the manual of the program as web pages, with its pictures.</source>
+        <translation>Escribe el manual del programa como páginas web, con sus imágenes.</translation>
+    </message>
+    <message>
+        <source>--density is above 0, in kg/m³, not &quot;%1&quot;.</source>
+        <translation>--density es mayor que 0, en kg/m³, no «%1».</translation>
+    </message>
+    <message>
+        <source>--gravity is like 0,0,-9.81, in m/s², not &quot;%1&quot;.</source>
+        <translation>--gravity es como 0,0,-9.81, en m/s², no «%1».</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, m/s², instead of the document&apos;s</source>
+        <translation>aceleración de la gravedad, m/s², en vez de la del documento</translation>
+    </message>
+    <message>
+        <source>of all solids, kg/m³, instead of the document&apos;s</source>
+        <translation>de todos los sólidos, kg/m³, en vez de la del documento</translation>
+    </message>
+    <message>
+        <source>%1 takes a number from %2 to %3, not &quot;%4&quot;.</source>
+        <translation>%1 toma un número de %2 a %3, no «%4».</translation>
+    </message>
+    <message>
+        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
+        <translation>--angle es como 8=30deg u 8=1/2rad: la etiqueta de una entrada y su ángulo.</translation>
+    </message>
+    <message>
+        <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
+        <translation>El ángulo %1 es demasiado grande: ningún programa podría representarlo, el mayor número es 1.79e308. Quite vueltas enteras.</translation>
+    </message>
+    <message>
+        <source>%1 deg</source>
+        <translation>%1 grados</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 is beyond its limits (%3, %4)</source>
+        <translation>el par %1 a %2 está más allá de sus límites (%3, %4)</translation>
+    </message>
+    <message>
+        <source>%1 turned by %2 deg</source>
+        <translation>%1 girado %2 grados</translation>
+    </message>
+    <message>
+        <source>Links, against the reference pose: turned, and where the point went that was at the origin</source>
+        <translation>Eslabones, respecto a la posición de referencia: giro, y adónde fue el punto que estaba en el origen</translation>
+    </message>
+    <message>
+        <source>%1 by %2 deg about %3 to %4</source>
+        <translation>%1 en %2 grados en torno a %3 hasta %4</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>la posición</translation>
+    </message>
+    <message>
+        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
+        <translation>el ángulo de una entrada (deg o rad; si no, 0); se puede repetir</translation>
+    </message>
+    <message>
+        <source>Says where every link is for given angles of the inputs.</source>
+        <translation>Dice dónde está cada eslabón para ángulos dados de las entradas.</translation>
+    </message>
+    <message>
+        <source>requests on standard input, answers on standard output</source>
+        <translation>peticiones en la entrada estándar, respuestas en la salida estándar</translation>
+    </message>
+    <message>
+        <source>of address space, for each command</source>
+        <translation>de espacio de direcciones, para cada comando</translation>
+    </message>
+    <message>
+        <source>Answers requests, a JSON object a line: open, edit, analyze, export, ...</source>
+        <translation>Responde a peticiones, un objeto JSON por línea: open, edit, analyze, export, ...</translation>
+    </message>
+    <message>
+        <source>rank r = %1, degrees of freedom E = t - r = %2</source>
+        <translation>rango r = %1, grados de libertad E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>rank r = %1 (%3 of the meshes + %4 of the couplings), degrees of freedom E = t - r = %2</source>
+        <translation>rango r = %1 (%3 de los engranes + %4 de los acoplamientos), grados de libertad E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>(Kutzbach counts %1)</source>
+        <translation>(Kutzbach cuenta %1)</translation>
+    </message>
+    <message>
+        <source>Carriers of the gear pairs, by their transfer vertices</source>
+        <translation>Portasatélites de las parejas de ruedas, por sus vértices de transferencia</translation>
+    </message>
+    <message>
+        <source>axes %1, %2</source>
+        <translation>ejes %1, %2</translation>
+    </message>
+    <message>
+        <source>Rates of the outputs over those of the inputs, Eq. (23)</source>
+        <translation>Velocidades de las salidas entre las de las entradas, Ec. (23)</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>entradas</translation>
+    </message>
+    <message>
+        <source>inputs, chosen because the file names none:</source>
+        <translation>entradas, elegidas porque el archivo no nombra ninguna:</translation>
+    </message>
+    <message>
+        <source>%1 at %2 rad/s</source>
+        <translation>%1 a %2 rad/s</translation>
+    </message>
+    <message>
+        <source>not driven, because engaged couplings decide:</source>
+        <translation>no accionados, porque deciden los acoplamientos activados:</translation>
+    </message>
+    <message>
+        <source>%1 outputs over %2 inputs: too large to print; see --json</source>
+        <translation>%1 salidas entre %2 entradas: demasiado grande para imprimirlo; vea --json</translation>
+    </message>
+    <message>
+        <source>The matroid method and the T-T graph method agree exactly.</source>
+        <translation>El método del matroide y el del grafo T-T coinciden exactamente.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1.</source>
+        <translation>Los dos métodos difieren hasta en %1.</translation>
+    </message>
+    <message>
+        <source>in the gear ratios</source>
+        <translation>en las relaciones de engrane</translation>
+    </message>
+    <message>
+        <source>State %1: it names no drive and driven link, so it has no ratio.</source>
+        <translation>Estado %1: no nombra eslabón motor ni conducido, así que no tiene relación.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link does not move.</source>
+        <translation>Estado %1: el eslabón conducido no se mueve.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link turns about several directions at once.</source>
+        <translation>Estado %1: el eslabón conducido gira en torno a varias direcciones a la vez.</translation>
+    </message>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mecanismo</translation>
+    </message>
+    <message>
+        <source>%1: no states</source>
+        <translation>%1: sin estados</translation>
+    </message>
+    <message>
+        <source>%1: 1 state</source>
+        <translation>%1: 1 estado</translation>
+    </message>
+    <message>
+        <source>%1: %2 states</source>
+        <translation>%1: %2 estados</translation>
+    </message>
+    <message>
+        <source>the shift table</source>
+        <translation>la tabla de estados</translation>
+    </message>
+    <message>
+        <source>The shift table: what each state of the brakes and clutches does.</source>
+        <translation>La tabla de estados: qué hace cada estado de los frenos y embragues.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME, --all-states or --engage A,B.</source>
+        <translation>Indique --state NAME, --all-states o --engage A,B.</translation>
+    </message>
+    <message>
+        <source>of every state</source>
+        <translation>de cada estado</translation>
+    </message>
+    <message>
+        <source>joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added</source>
+        <translation>joint:14=10Nm, link:3@e=10Nm o link:3=10,-20,-50N@30,-60,130, se añade</translation>
+    </message>
+    <message>
+        <source>without the loads of the document</source>
+        <translation>sin las cargas del documento</translation>
+    </message>
+    <message>
+        <source>joint:8 or link:7@a: find the torque there; may be given again</source>
+        <translation>joint:8 o link:7@a: hallar el momento allí; se puede repetir</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be given again</source>
+        <translation>la velocidad de una entrada en rad/s; se puede repetir</translation>
+    </message>
+    <message>
+        <source>with the losses of the meshes</source>
+        <translation>con las pérdidas de los engranes</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none; implies --efficiency</source>
+        <translation>rendimiento de los engranes que no lo indican; implica --efficiency</translation>
+    </message>
+    <message>
+        <source>loads that several meshes share: left open, or by equal stiffness</source>
+        <translation>cargas que comparten varios engranes: se dejan abiertas, o por igual rigidez</translation>
+    </message>
+    <message>
+        <source>without the solution in gear ratios</source>
+        <translation>sin la solución en relaciones de engrane</translation>
+    </message>
+    <message>
+        <source>Torques, tooth forces, bearing reactions and efficiency under loads.</source>
+        <translation>Momentos, fuerzas de diente, reacciones de cojinetes y rendimiento bajo cargas.</translation>
+    </message>
+    <message>
+        <source>%1 is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not &quot;%2&quot;.</source>
+        <translation>%1 está en joint:LABEL, link:LABEL o link:LABEL@AXIS, no «%2».</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot;.</source>
+        <translation>No hay ningún eslabón «%1».</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: name a moving link.</source>
+        <translation>El bastidor aguanta cualquier carga: nombre un eslabón móvil.</translation>
+    </message>
+    <message>
+        <source>There is no axis &quot;%1&quot;.</source>
+        <translation>No hay ningún eje «%1».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>«%1» no es una carga: 10Nm, 1/2kNm y 500Nmm son momentos, y 10,-20,-50N@30,-60,130 es una fuerza sobre un eslabón en un punto.</translation>
+    </message>
+    <message>
+        <source>--balance names &quot;%1&quot; twice.</source>
+        <translation>--balance nombra «%1» dos veces.</translation>
+    </message>
+    <message>
+        <source>--eta is an efficiency, above 0 and at most 1.</source>
+        <translation>--eta es un rendimiento, mayor que 0 y como mucho 1.</translation>
+    </message>
+    <message>
+        <source>--share is one of none, stiffness.</source>
+        <translation>--share es uno de none, stiffness.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --all-states.</source>
+        <translation>Indique --state NAME o --all-states.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;.</source>
+        <translation>No hay ningún estado «%1».</translation>
+    </message>
+    <message>
+        <source>power, W</source>
+        <translation>potencia, W</translation>
+    </message>
+    <message>
+        <source>shared</source>
+        <translation>repartido</translation>
+    </message>
+    <message>
+        <source>Balances and couplings</source>
+        <translation>Equilibrantes y acoplamientos</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>engrane</translation>
+    </message>
+    <message>
+        <source>torque on tail, N m</source>
+        <translation>momento en la cola, N m</translation>
+    </message>
+    <message>
+        <source>on head, N m</source>
+        <translation>en la cabeza, N m</translation>
+    </message>
+    <message>
+        <source>force on head, N</source>
+        <translation>fuerza en la cabeza, N</translation>
+    </message>
+    <message>
+        <source>Meshes (torques about the axes from the carrier)</source>
+        <translation>Engranes (momentos en torno a los ejes, desde el portasatélites)</translation>
+    </message>
+    <message>
+        <source>force, N</source>
+        <translation>fuerza, N</translation>
+    </message>
+    <message>
+        <source>moment, N m</source>
+        <translation>momento, N m</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>Bearings (tail on head, base frame)</source>
+        <translation>Cojinetes (cola sobre cabeza, sistema base)</translation>
+    </message>
+    <message>
+        <source>Power fed %1 W, taken %2 W, lost %3 W</source>
+        <translation>Potencia aportada %1 W, extraída %2 W, perdida %3 W</translation>
+    </message>
+    <message>
+        <source>Passed by the meshes, seen from their carriers, over the power fed: %1</source>
+        <translation>Transmitida por los engranes, vista desde sus portasatélites, entre la potencia aportada: %1</translation>
+    </message>
+    <message>
+        <source>Efficiency %1</source>
+        <translation>Rendimiento %1</translation>
+    </message>
+    <message>
+        <source>Efficiency backward %1</source>
+        <translation>Rendimiento inverso %1</translation>
+    </message>
+    <message>
+        <source>The output cannot drive it back: it locks itself.</source>
+        <translation>La salida no puede accionarlo hacia atrás: se autobloquea.</translation>
+    </message>
+    <message>
+        <source>Both methods agree.</source>
+        <translation>Ambos métodos coinciden.</translation>
+    </message>
+    <message>
+        <source>The methods do NOT agree.</source>
+        <translation>Los métodos NO coinciden.</translation>
+    </message>
+    <message>
+        <source>%1, state %2</source>
+        <translation>%1, estado %2</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium.</source>
+        <translation>No hay equilibrio.</translation>
+    </message>
+    <message>
+        <source>Files or folders are needed.</source>
+        <translation>Se necesitan archivos o carpetas.</translation>
+    </message>
+    <message>
+        <source>--jobs is a whole number from 1 to 256.</source>
+        <translation>--jobs es un número entero de 1 a 256.</translation>
+    </message>
+    <message>
+        <source>the summary</source>
+        <translation>el resumen</translation>
+    </message>
+    <message>
+        <source>how many files are analysed at once (as many as there are processors)</source>
+        <translation>cuántos archivos se analizan a la vez (tantos como procesadores hay)</translation>
+    </message>
+    <message>
+        <source>the file (standard output without it)</source>
+        <translation>el archivo (si no, la salida estándar)</translation>
+    </message>
+    <message>
+        <source>A row for each file, or for each document in a folder, as CSV.</source>
+        <translation>Una fila por cada archivo, o por cada documento de una carpeta, como CSV.</translation>
+    </message>
+    <message>
+        <source>give up after this time (exit status 3); nothing is written then</source>
+        <translation>rendirse tras este tiempo (estado de salida 3); entonces no se escribe nada</translation>
+    </message>
+    <message>
+        <source>--limit-seconds takes a number of seconds above 0, up to 1000000, not &quot;%1&quot;.</source>
+        <translation>--limit-seconds toma un número de segundos mayor que 0, hasta 1000000, no «%1».</translation>
+    </message>
+    <message>
+        <source>The limit of %1 s was over before %2 was finished; nothing was written.</source>
+        <translation>El límite de %1 s se agotó antes de terminar %2; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>the validation</source>
+        <translation>la validación</translation>
+    </message>
+    <message>
+        <source>%1: no problems</source>
+        <translation>%1: sin problemas</translation>
+    </message>
+    <message>
+        <source>also look for links that collide while the inputs run at their speeds</source>
+        <translation>buscar también eslabones que chocan mientras las entradas giran a sus velocidades</translation>
+    </message>
+    <message>
+        <source>Says what is wrong with a file.</source>
+        <translation>Dice qué está mal en un archivo.</translation>
+    </message>
+    <message>
+        <source>Give --from or --camera, not both.</source>
+        <translation>Indique --from o --camera, no ambos.</translation>
+    </message>
+    <message>
+        <source>--from is one of front, back, left, right, top, bottom, iso.</source>
+        <translation>--from es uno de front, back, left, right, top, bottom, iso.</translation>
+    </message>
+    <message>
+        <source>--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not &quot;%1&quot;.</source>
+        <translation>--camera toma ACIMUT,ELEVACIÓN en grados, hasta 360 y 90, no «%1».</translation>
+    </message>
+    <message>
+        <source>--time takes seconds, not &quot;%1&quot;.</source>
+        <translation>--time toma segundos, no «%1».</translation>
+    </message>
+    <message>
+        <source>--explode takes a part from 0 to 1, not &quot;%1&quot;.</source>
+        <translation>--explode toma una parte de 0 a 1, no «%1».</translation>
+    </message>
+    <message>
+        <source>--section takes x, y or z, and how far along from 0 to 1: y:0.5, not &quot;%1&quot;.</source>
+        <translation>--section toma x, y o z, y hasta dónde de 0 a 1: y:0.5, no «%1».</translation>
+    </message>
+    <message>
+        <source>--faces is one of shaded, lines, edges.</source>
+        <translation>--faces es uno de shaded, lines, edges.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
+        <translation>--show nombra labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, con comas.</translation>
+    </message>
+    <message>
+        <source>Give --turntable or --motion, not both.</source>
+        <translation>Indique --turntable o --motion, no ambos.</translation>
+    </message>
+    <message>
+        <source>--frames takes a whole number from 2 to %1, not &quot;%2&quot;.</source>
+        <translation>--frames toma un número entero de 2 a %1, no «%2».</translation>
+    </message>
+    <message>
+        <source>--fps takes pictures a second from 0.1 to 100, not &quot;%1&quot;.</source>
+        <translation>--fps toma imágenes por segundo de 0.1 a 100, no «%1».</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 overlap in the reference pose: give them clearance.</source>
+        <translation>Los eslabones %1 y %2 se solapan en la posición de referencia: sepárelos.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 collide %3, with %4. Give them clearance, or limit joints.</source>
+        <translation>Los eslabones %1 y %2 chocan %3, con %4. Sepárelos o limite pares.</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion backwards</source>
+        <translation>tras %1 del movimiento hacia atrás</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion</source>
+        <translation>tras %1 del movimiento</translation>
+    </message>
+    <message>
+        <source>%1 at %2 deg</source>
+        <translation>%1 a %2 grados</translation>
+    </message>
+    <message>
+        <source>joints %1</source>
+        <translation>los pares %1</translation>
+    </message>
+    <message>
+        <source>(Only part of the motion was checked.)</source>
+        <translation>(Solo se comprobó parte del movimiento.)</translation>
+    </message>
+    <message>
+        <source>(Checked for the first %1: the motion does not repeat sooner.)</source>
+        <translation>(Comprobado durante los primeros %1: el movimiento no se repite antes.)</translation>
+    </message>
+    <message>
+        <source>(Checked until the motion repeats.)</source>
+        <translation>(Comprobado hasta que el movimiento se repite.)</translation>
+    </message>
+    <message>
+        <source>(Checked between the limits of the joints, from %1 to %2.)</source>
+        <translation>(Comprobado entre los límites de los pares, de %1 a %2.)</translation>
+    </message>
+    <message>
+        <source>(1 more pair of links collides later.)</source>
+        <translation>(1 pareja más de eslabones choca después.)</translation>
+    </message>
+    <message>
+        <source>(%1 more pairs of links collide later.)</source>
+        <translation>(%1 parejas más de eslabones chocan después.)</translation>
+    </message>
+    <message>
+        <source>The motion of more than %1 links is not checked for collisions.</source>
+        <translation>El movimiento de más de %1 eslabones no se comprueba en busca de choques.</translation>
+    </message>
+    <message>
+        <source>Only part of the motion was checked for collisions: too many parts come close to each other.</source>
+        <translation>Solo se comprobó parte del movimiento en busca de choques: demasiadas piezas se acercan entre sí.</translation>
+    </message>
+    <message>
+        <source>The motion was checked for collisions for its first %1: it does not repeat sooner.</source>
+        <translation>Se comprobaron los choques durante los primeros %1 del movimiento: no se repite antes.</translation>
+    </message>
+    <message>
+        <source>Stop driving %1</source>
+        <translation>Dejar de accionar %1</translation>
+    </message>
+    <message>
+        <source>Drive %1 too</source>
+        <translation>Accionar también %1</translation>
+    </message>
+    <message>
+        <source>Exchange input %1 for %2</source>
+        <translation>Cambiar la entrada %1 por %2</translation>
+    </message>
+    <message>
+        <source>Choose the inputs for me</source>
+        <translation>Elegir las entradas por mí</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2</source>
+        <translation>Usar %1 dientes en la rueda %2</translation>
+    </message>
+    <message>
+        <source>Make %1 external</source>
+        <translation>Hacer exterior: %1</translation>
+    </message>
+    <message>
+        <source>Make %1 internal</source>
+        <translation>Hacer interior: %1</translation>
+    </message>
+    <message>
+        <source>Make %1 bevel</source>
+        <translation>Hacer cónico: %1</translation>
+    </message>
+    <message>
+        <source>Let the pitch point follow from axes and teeth</source>
+        <translation>Dejar que el punto primitivo resulte de ejes y dientes</translation>
+    </message>
+    <message>
+        <source>Let pitch point and kind follow from the axes</source>
+        <translation>Dejar que el punto primitivo y el tipo resulten de los ejes</translation>
+    </message>
+    <message>
+        <source>Give each its own axis</source>
+        <translation>Dar a cada uno su propio eje</translation>
+    </message>
+    <message>
+        <source>Move %1 along its axis to %2 %3</source>
+        <translation>Mover %1 a lo largo de su eje a %2 %3</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the ring and %2 on the planets</source>
+        <translation>Usar %1 dientes en la corona y %2 en los satélites</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the sun and %2 on the planets</source>
+        <translation>Usar %1 dientes en el solar y %2 en los satélites</translation>
+    </message>
+    <message>
+        <source>Use twice the teeth everywhere</source>
+        <translation>Usar el doble de dientes en todas partes</translation>
+    </message>
+    <message>
+        <source>Use three times the teeth everywhere</source>
+        <translation>Usar el triple de dientes en todas partes</translation>
+    </message>
+    <message>
+        <source>Use four times the teeth everywhere</source>
+        <translation>Usar el cuádruple de dientes en todas partes</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2 of %3</source>
+        <translation>Usar %1 dientes en la rueda %2 de: %3</translation>
+    </message>
+    <message>
+        <source>Tie link %1 to the ground</source>
+        <translation>Unir el eslabón %1 al bastidor</translation>
+    </message>
+    <message>
+        <source>Tie links %1 to the ground</source>
+        <translation>Unir los eslabones %1 al bastidor</translation>
+    </message>
+    <message>
+        <source>Delete the loose links</source>
+        <translation>Eliminar los eslabones sueltos</translation>
+    </message>
+    <message>
+        <source>, a second bearing on axis %1</source>
+        <translation>, un segundo cojinete en el eje %1</translation>
+    </message>
+    <message>
+        <source>The pinions do not go in evenly: twice the side wheels&apos; teeth, %1, has to be a multiple of %2.</source>
+        <translation>Los satélites no entran por igual: el doble de los dientes de los planetarios, %1, tiene que ser múltiplo de %2.</translation>
+    </message>
+    <message>
+        <source>There is no such link.</source>
+        <translation>No existe ese eslabón.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: a planet turns on its carrier and carries nothing.</source>
+        <translation>El eslabón %1 no es un satélite: un satélite gira en su portasatélites y no soporta nada.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: one of its meshes does not fit its axes.</source>
+        <translation>El eslabón %1 no es un satélite: uno de sus engranes no encaja con sus ejes.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: its meshes are with wheels on several axes.</source>
+        <translation>El eslabón %1 no es un satélite: engrana con ruedas de varios ejes.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: what it turns on does not carry the axis of what it meshes with.</source>
+        <translation>El eslabón %1 no es un satélite: aquello sobre lo que gira no lleva el eje de la rueda con la que engrana.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: it meshes with nothing.</source>
+        <translation>El eslabón %1 no es un satélite: no engrana con nada.</translation>
+    </message>
+    <message>
+        <source>%1 planets cannot be put in evenly.</source>
+        <translation>No se pueden colocar %1 satélites por igual.</translation>
+    </message>
+    <message>
+        <source>Short and long planet cannot touch each other: small sun + short planet and large sun + long planet differ by more than short + long planet. What fits: sums that are nearer.</source>
+        <translation>El satélite corto y el largo no pueden tocarse: solar pequeño + satélite corto y solar grande + satélite largo difieren en más de corto + largo. Sirven sumas más próximas.</translation>
+    </message>
+    <message>
+        <source>The long planets, which extend through both planes, interfere with the small sun. What fits: a large sun with at least 4 teeth more than the small one.</source>
+        <translation>Los satélites largos, que atraviesan ambos planos, interfieren con el solar pequeño. Sirve un solar grande con al menos 4 dientes más que el pequeño.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer pairs, smaller planets, or a larger ring.</source>
+        <translation>Los satélites chocan. Sirven menos parejas, satélites más pequeños o una corona mayor.</translation>
+    </message>
+    <message>
+        <source>The pairs do not go in evenly: ring + large sun = %1 and ring - small sun = %2 have to be multiples of %3.</source>
+        <translation>Las parejas no entran por igual: corona + solar grande = %1 y corona - solar pequeño = %2 tienen que ser múltiplos de %3.</translation>
+    </message>
+    <message>
+        <source>The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.</source>
+        <translation>Los satélites no entran por igual: solar + corona = %1 tiene que ser múltiplo de %2.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer or smaller planets, or a larger sun.</source>
+        <translation>Los satélites chocan. Sirven menos satélites, más pequeños, o un solar mayor.</translation>
+    </message>
+    <message>
+        <source>The quote that begins here is never closed.</source>
+        <translation>Las comillas que empiezan aquí no se cierran nunca.</translation>
+    </message>
+    <message>
+        <source>A field ends with its closing quote; a quote inside a field is written twice.</source>
+        <translation>Un campo termina con sus comillas de cierre; unas comillas dentro de él se escriben dos veces.</translation>
+    </message>
+    <message>
+        <source>A field with a quote in it is quoted as a whole, and the quote written twice.</source>
+        <translation>Un campo con comillas va entero entre comillas, y las de dentro se escriben dos veces.</translation>
+    </message>
+    <message>
+        <source>These bytes are not UTF-8.</source>
+        <translation>Estos bytes no son UTF-8.</translation>
+    </message>
+    <message>
+        <source>Standard input could not be read: %1.</source>
+        <translation>No se pudo leer la entrada estándar: %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read: %2.</source>
+        <translation>No se pudo leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: it is a folder.</source>
+        <translation>No se pudo escribir %1: es una carpeta.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>No se pudo escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>; what should be in it is kept in %1</source>
+        <translation>; lo que debía contener se conserva en %1</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made: %2.</source>
+        <translation>No se pudo crear la carpeta «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>Stopped; the folder is not complete.</source>
+        <translation>Detenido; la carpeta está incompleta.</translation>
+    </message>
+    <message>
+        <source>there is a file of that name</source>
+        <translation>hay un archivo con ese nombre</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written.</source>
+        <translation>«%1» ya existe; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>The file is far too large.</source>
+        <translation>El archivo es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>expected the end of the file after the outermost value</source>
+        <translation>se esperaba el final del archivo tras el valor más externo</translation>
+    </message>
+    <message>
+        <source>expected a value</source>
+        <translation>se esperaba un valor</translation>
+    </message>
+    <message>
+        <source>lists and objects are nested deeper than %1</source>
+        <translation>las listas y objetos están anidados a más de %1 niveles</translation>
+    </message>
+    <message>
+        <source>expected a digit of a number</source>
+        <translation>se esperaba una cifra de un número</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;]&apos; in a list</source>
+        <translation>se esperaba «,» o «]» en una lista</translation>
+    </message>
+    <message>
+        <source>expected a member name in double quotes</source>
+        <translation>se esperaba un nombre de miembro entre comillas dobles</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos; after a member name</source>
+        <translation>se esperaba «:» tras un nombre de miembro</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;}&apos; in an object</source>
+        <translation>se esperaba «,» o «}» en un objeto</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string</source>
+        <translation>se esperaban las comillas de cierre de una cadena</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string, or an escape such as \n</source>
+        <translation>se esperaban las comillas de cierre de una cadena o una secuencia de escape como \n</translation>
+    </message>
+    <message>
+        <source>expected a character in UTF-8</source>
+        <translation>se esperaba un carácter en UTF-8</translation>
+    </message>
+    <message>
+        <source>expected an escape that JSON knows (\&quot; \\ \/ \b \f \n \r \t \u)</source>
+        <translation>se esperaba una secuencia de escape de JSON (\&quot; \\ \/ \b \f \n \r \t \u)</translation>
+    </message>
+    <message>
+        <source>expected four hexadecimal digits after \u</source>
+        <translation>se esperaban cuatro cifras hexadecimales tras \u</translation>
+    </message>
+    <message>
+        <source>expected no second half of a surrogate pair here</source>
+        <translation>no se esperaba aquí la segunda mitad de un par sustituto</translation>
+    </message>
+    <message>
+        <source>expected both halves of a surrogate pair</source>
+        <translation>se esperaban ambas mitades de un par sustituto</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>el final del archivo</translation>
+    </message>
+    <message>
+        <source>the byte 0x%1</source>
+        <translation>el byte 0x%1</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3, found %4.</source>
+        <translation>Línea %1, columna %2: %3, encontrado: %4.</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3.</source>
+        <translation>Línea %1, columna %2: %3.</translation>
+    </message>
+    <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the tooth counts.</source>
+        <translation>Los eslabones %1 se solapan en 3D: mueva sus pares a lo largo de los ejes, deje puntos primitivos abiertos o cambie los números de dientes.</translation>
+    </message>
+    <message>
+        <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
+        <translation>La llanta de %1 no llega más allá del pie de los %2 dientes de la corona: hágala mayor que %3.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the roots of %2 teeth: make it smaller than %3.</source>
+        <translation>El agujero de %1 no deja cuerpo bajo el pie de %2 dientes: hágalo menor que %3.</translation>
+    </message>
+    <message>
+        <source>A gear of %1 teeth has a measure that no tooth can have; module and face width must be positive, the pressure angle between 5 and 35 degrees, shift and heights at most 3 modules.</source>
+        <translation>Una rueda de %1 dientes tiene una medida que ningún diente puede tener; módulo y ancho de cara deben ser positivos, el ángulo de presión entre 5 y 35 grados, desplazamiento y alturas de 3 módulos como mucho.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a ring that a rack can generate; use at least %2.</source>
+        <translation>%1 dientes son muy pocos para una corona que una cremallera pueda generar; use al menos %2.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a gear that a rack can generate; use at least %2.</source>
+        <translation>%1 dientes son muy pocos para una rueda que una cremallera pueda generar; use al menos %2.</translation>
+    </message>
+    <message>
+        <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
+        <translation>El cono primitivo de una rueda cónica tiene que estar entre %1 y 163 grados.</translation>
+    </message>
+    <message>
+        <source>The face of %1 runs into the apex: make it shorter than %2, a third of the cone distance.</source>
+        <translation>El ancho de cara de %1 llega al vértice: hágalo menor que %2, un tercio de la generatriz del cono.</translation>
+    </message>
+    <message>
+        <source>%1 teeth leave no body below the roots; use more, or a larger profile shift.</source>
+        <translation>%1 dientes no dejan cuerpo bajo el pie; use más, o un desplazamiento de perfil mayor.</translation>
+    </message>
+    <message>
+        <source>, or give the ring %1 teeth and the planets %2 (then %3 at equal distances fit)</source>
+        <translation>, o dé a la corona %1 dientes y a los satélites %2 (entonces caben %3 a distancias iguales)</translation>
+    </message>
+    <message>
+        <source>, or use %1 planets at equal distances</source>
+        <translation>, o use %1 satélites a distancias iguales</translation>
+    </message>
+    <message>
+        <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
+        <translation>Los satélites encajan en múltiplos de 360/%1 = %2 grados: mueva el del eslabón %3 en %4 grados</translation>
+    </message>
+    <message>
+        <source>It fits with %1 instead of %2 teeth on gear %3</source>
+        <translation>Encaja con %1 en vez de %2 dientes en la rueda %3</translation>
+    </message>
+    <message>
+        <source>, or with %1 instead of %2 teeth on gear %3</source>
+        <translation>, o con %1 en vez de %2 dientes en la rueda %3</translation>
+    </message>
+    <message>
+        <source>Change tooth counts of the loop, or move one of its axes</source>
+        <translation>Cambie números de dientes del lazo o mueva uno de sus ejes</translation>
+    </message>
+    <message>
+        <source>The loop of meshes %1 cannot be assembled as drawn: at mesh %2 the teeth miss each other by %3 of a pitch.</source>
+        <translation>El lazo de los engranes %1 no se puede montar como está dibujado: en el engrane %2 los dientes no coinciden por %3 de un paso.</translation>
+    </message>
+    <message>
+        <source>The wheels of links %1 and %2 beside gear %3 interfere: their tips overlap by %4 modules.</source>
+        <translation>Las ruedas de los eslabones %1 y %2 junto a la rueda %3 interfieren: sus cabezas se solapan %4 módulos.</translation>
+    </message>
+    <message>
+        <source>At most %1 of them fit round it, at equal distances.</source>
+        <translation>Caben como mucho %1 alrededor, a distancias iguales.</translation>
+    </message>
+    <message>
+        <source>Move one of them, or give it fewer teeth.</source>
+        <translation>Mueva una de ellas o dele menos dientes.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) has no solid: %3</source>
+        <translation>La rueda %1 (%2 dientes) no tiene sólido: %3</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is undercut: at a profile shift of %3 a rack needs %4 teeth or more. Use more teeth, or a shift of at least %5.</source>
+        <translation>La rueda %1 (%2 dientes) tiene interferencia de tallado: con un desplazamiento de perfil de %3 una cremallera necesita %4 dientes o más. Use más dientes, o un desplazamiento de al menos %5.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) would have pointed teeth: its tips were lowered to keep a land of %3 modules. Use a smaller profile shift than %4.</source>
+        <translation>La rueda %1 (%2 dientes) tendría dientes puntiagudos: se rebajaron las cabezas para dejar un espesor de %3 módulos. Use un desplazamiento de perfil menor que %4.</translation>
+    </message>
+    <message>
+        <source>Mesh %1, %2 and %3 teeth</source>
+        <translation>Engrane %1, %2 y %3 dientes</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, one pair of teeth lets go before the next takes over. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: relación de contacto de %2, un par de dientes se suelta antes de que entre el siguiente. Use más dientes, o desplazamientos de perfil que dejen flancos más largos, para %3 o más.</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, that leaves nothing for errors of the teeth. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: relación de contacto de %2, no deja margen para errores de los dientes. Use más dientes, o desplazamientos de perfil que dejen flancos más largos, para %3 o más.</translation>
+    </message>
+    <message>
+        <source>%1: a face width of %2 is more than a third of the cone distance, so that the small ends of the teeth are too weak to bear load. Use %3 or less.</source>
+        <translation>%1: un ancho de cara de %2 es más de un tercio de la generatriz del cono, de modo que los extremos pequeños de los dientes son demasiado débiles para la carga. Use %3 o menos.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: their tips collide outside of the mesh, by %3 modules. Use a difference of more teeth, or a larger profile shift of the ring.</source>
+        <translation>%1 dientes en una corona de %2: sus cabezas chocan fuera del engrane, por %3 módulos. Use una diferencia de más dientes, o un desplazamiento de perfil mayor de la corona.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: the ring&apos;s tips would interfere with the pinion&apos;s fillets and were lowered by %3 modules. Use a pinion of more teeth, or with a larger profile shift.</source>
+        <translation>%1 dientes en una corona de %2: las cabezas de la corona interferirían con los acuerdos del piñón y se rebajaron %3 módulos. Use un piñón de más dientes o con mayor desplazamiento de perfil.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>Las ruedas %1 y %2 se solapan y no engranan. Use anchos de cara menores, o déjelos abiertos, o un punto primitivo.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>Las ruedas %1 y %2 se solapan y no engranan. Mueva el punto primitivo de una a lo largo de su eje, o déjelo abierto.</translation>
+    </message>
+    <message>
+        <source>The number is too large; its double would be infinite.</source>
+        <translation>El número es demasiado grande; en coma flotante sería infinito.</translation>
+    </message>
+    <message>
+        <source>A list has at most 100,000 elements; this one has %1.</source>
+        <translation>Una lista tiene como mucho 100.000 elementos; esta tiene %1.</translation>
+    </message>
+    <message>
+        <source>The member occurs twice in its object; only one may stay.</source>
+        <translation>El miembro aparece dos veces en su objeto; solo puede quedar uno.</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>el número %1</translation>
+    </message>
+    <message>
+        <source>the string %1</source>
+        <translation>la cadena %1</translation>
+    </message>
+    <message>
+        <source>a list of %1 elements</source>
+        <translation>una lista de %1 elementos</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>an id: a string of 1 to 1,000 characters or a whole number</source>
+        <translation>un identificador: una cadena de 1 a 1.000 caracteres o un número entero</translation>
+    </message>
+    <message>
+        <source>a number, or a fraction as a string like &quot;22/7&quot;</source>
+        <translation>un número, o una fracción como cadena, por ejemplo «22/7»</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>se esperaba %1, se encontró %2.</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; is missing; expected %2.</source>
+        <translation>falta el miembro «%1»; se esperaba %2.</translation>
+    </message>
+    <message>
+        <source>a list of ids</source>
+        <translation>una lista de identificadores</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>una cadena</translation>
+    </message>
+    <message>
+        <source>expected at most 1,000 characters, found %1.</source>
+        <translation>se esperaban como mucho 1.000 caracteres, se encontraron %1.</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>una lista de tres números</translation>
+    </message>
+    <message>
+        <source>a list of six numbers, xx, yy, zz, xy, xz, yz</source>
+        <translation>una lista de seis números, xx, yy, zz, xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true o false</translation>
+    </message>
+    <message>
+        <source>a list of two, each a number or null</source>
+        <translation>una lista de dos, cada uno un número o null</translation>
+    </message>
+    <message>
+        <source>the whole number %1</source>
+        <translation>el número entero %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>un número entero de %1 a %2</translation>
+    </message>
+    <message>
+        <source>The file has version %1, but this program reads version %2: open it with a newer GearGraph.</source>
+        <translation>El archivo tiene la versión %1, pero este programa lee la versión %2: ábralo con un GearGraph más nuevo.</translation>
+    </message>
+    <message>
+        <source>This is not a GearGraph document: the member &quot;format&quot; has to be &quot;geargraph&quot;.</source>
+        <translation>Esto no es un documento de GearGraph: el miembro «format» tiene que ser «geargraph».</translation>
+    </message>
+    <message>
+        <source>a list of links, the ground first</source>
+        <translation>una lista de eslabones, primero el bastidor</translation>
+    </message>
+    <message>
+        <source>a list of turning joints that tie the links</source>
+        <translation>una lista de pares de revolución que unen los eslabones</translation>
+    </message>
+    <message>
+        <source>a list of the axes that the turning joints name</source>
+        <translation>una lista de los ejes que nombran los pares de revolución</translation>
+    </message>
+    <message>
+        <source>a list of 3D files</source>
+        <translation>una lista de archivos 3D</translation>
+    </message>
+    <message>
+        <source>a &quot;mass&quot; beside it</source>
+        <translation>un «mass» a su lado</translation>
+    </message>
+    <message>
+        <source>&quot;external&quot;, &quot;internal&quot; or &quot;bevel&quot;</source>
+        <translation>«external», «internal» o «bevel»</translation>
+    </message>
+    <message>
+        <source>a speed in rad/s</source>
+        <translation>una velocidad en rad/s</translation>
+    </message>
+    <message>
+        <source>the name of the state</source>
+        <translation>el nombre del estado</translation>
+    </message>
+    <message>
+        <source>a list of ids of couplings</source>
+        <translation>una lista de identificadores de acoplamientos</translation>
+    </message>
+    <message>
+        <source>&quot;brake&quot; or &quot;clutch&quot;</source>
+        <translation>«brake» o «clutch»</translation>
+    </message>
+    <message>
+        <source>a list of two ids of links</source>
+        <translation>una lista de dos identificadores de eslabones</translation>
+    </message>
+    <message>
+        <source>a torque in N m</source>
+        <translation>un momento en N m</translation>
+    </message>
+    <message>
+        <source>a torque or a force, not both in one load</source>
+        <translation>un momento o una fuerza, no ambos en una carga</translation>
+    </message>
+    <message>
+        <source>the point of the link that the force acts at</source>
+        <translation>el punto del eslabón en que actúa la fuerza</translation>
+    </message>
+    <message>
+        <source>a joint or a link, not both</source>
+        <translation>un par o un eslabón, no ambos</translation>
+    </message>
+    <message>
+        <source>expected a list.</source>
+        <translation>se esperaba una lista.</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes; at most 64 MiB are read.</source>
+        <translation>El archivo tiene %1 bytes; se leen como mucho 64 MiB.</translation>
+    </message>
+    <message>
+        <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
+        <translation>Un centro de masas y una inercia necesitan un «mass» a su lado.</translation>
+    </message>
+    <message>
+        <source>This is no table of a mechanism: its first row has to name the columns, &quot;element&quot; among them.</source>
+        <translation>Esto no es una tabla de un mecanismo: su primera fila tiene que nombrar las columnas, entre ellas «element».</translation>
+    </message>
+    <message>
+        <source>There are too many columns.</source>
+        <translation>Hay demasiadas columnas.</translation>
+    </message>
+    <message>
+        <source>There is no column &quot;%1&quot;: %2.</source>
+        <translation>No hay ninguna columna «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs twice.</source>
+        <translation>La columna «%1» aparece dos veces.</translation>
+    </message>
+    <message>
+        <source>The column &quot;element&quot; is empty; it says what the row is about.</source>
+        <translation>La columna «element» está vacía; dice de qué trata la fila.</translation>
+    </message>
+    <message>
+        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
+        <translation>No hay ningún elemento «%1»: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load o balance.</translation>
+    </message>
+    <message>
+        <source>This cell is in a column without a name.</source>
+        <translation>Esta celda está en una columna sin nombre.</translation>
+    </message>
+    <message>
+        <source>This row has more cells than there are columns.</source>
+        <translation>Esta fila tiene más celdas que columnas hay.</translation>
+    </message>
+    <message>
+        <source>There is one row &quot;document&quot; at most.</source>
+        <translation>Hay como mucho una fila «document».</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1.</source>
+        <translation>Un documento tiene como mucho 100.000 %1.</translation>
+    </message>
+    <message>
+        <source>The row names a &quot;joint&quot; or a &quot;link&quot;, one of them.</source>
+        <translation>La fila nombra un «joint» o un «link», uno de los dos.</translation>
+    </message>
+    <message>
+        <source>An &quot;axis&quot; is named beside a &quot;link&quot;; a joint has its own.</source>
+        <translation>Un «axis» se nombra junto a un «link»; un par tiene el suyo.</translation>
+    </message>
+    <message>
+        <source>A load has a &quot;torque&quot;, or a force (dx, dy, dz) at a point (x, y, z).</source>
+        <translation>Una carga tiene un «torque», o una fuerza (dx, dy, dz) en un punto (x, y, z).</translation>
+    </message>
+    <message>
+        <source>A force acts on a &quot;link&quot;: it has dx, dy, dz and a point x, y, z, and no axis.</source>
+        <translation>Una fuerza actúa sobre un «link»: tiene dx, dy, dz y un punto x, y, z, y ningún eje.</translation>
+    </message>
+    <message>
+        <source>More problems follow; only the first 100 are listed.</source>
+        <translation>Siguen más problemas; solo se enumeran los 100 primeros.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; is empty; expected %2.</source>
+        <translation>La columna «%1» está vacía; se esperaba %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has %2; expected %3.</source>
+        <translation>La columna «%1» tiene %2; se esperaba %3.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has no meaning for the element &quot;%2&quot;.</source>
+        <translation>La columna «%1» no tiene significado para el elemento «%2».</translation>
+    </message>
+    <message>
+        <source>an id of at most 1,000 characters</source>
+        <translation>un identificador de 1.000 caracteres como mucho</translation>
+    </message>
+    <message>
+        <source>at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between</source>
+        <translation>como mucho 100.000 identificadores de 1 a 1.000 caracteres, separados por una barra (|)</translation>
+    </message>
+    <message>
+        <source>a number, such as 12, -1.5, 1e-3 or 22/7</source>
+        <translation>un número, como 12, -1.5, 1e-3 o 22/7</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a number of teeth</source>
+        <translation>un número de dientes</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 100,000</source>
+        <translation>un número entero de 1 a 100.000</translation>
+    </message>
+    <message>
+        <source>external, internal or bevel</source>
+        <translation>external, internal o bevel</translation>
+    </message>
+    <message>
+        <source>yes, no or nothing</source>
+        <translation>yes, no o nada</translation>
+    </message>
+    <message>
+        <source>an id</source>
+        <translation>un identificador</translation>
+    </message>
+    <message>
+        <source>a number, as its neighbours have one</source>
+        <translation>un número, como lo tienen sus vecinas</translation>
+    </message>
+    <message>
+        <source>an attached 3D file</source>
+        <translation>un archivo 3D adjunto</translation>
+    </message>
+    <message>
+        <source>%1 attached 3D files</source>
+        <translation>%1 archivos 3D adjuntos</translation>
+    </message>
+    <message>
+        <source>the view (places in the drawings, camera of the 3D view)</source>
+        <translation>la vista (lugares en los dibujos, cámara de la vista 3D)</translation>
+    </message>
+    <message>
+        <source>members that this program does not know</source>
+        <translation>miembros que este programa no conoce</translation>
+    </message>
+    <message>
+        <source>the empty name of the unit, which becomes &quot;mm&quot;</source>
+        <translation>el nombre vacío de la unidad, que pasa a «mm»</translation>
+    </message>
+    <message>
+        <source>a path that stays in the folder of this document</source>
+        <translation>una ruta que no sale de la carpeta de este documento</translation>
+    </message>
+    <message>
+        <source>an object of points by the id of their link</source>
+        <translation>un objeto de puntos por el identificador de su eslabón</translation>
+    </message>
+    <message>
+        <source>expected the point of a node: a list of two numbers, x to the right and y down.</source>
+        <translation>se esperaba el punto de un nodo: una lista de dos números, x a la derecha e y hacia abajo.</translation>
+    </message>
+    <message>
+        <source>a list of notes</source>
+        <translation>una lista de notas</translation>
+    </message>
+    <message>
+        <source>the text of the note</source>
+        <translation>el texto de la nota</translation>
+    </message>
+    <message>
+        <source>the middle of the note</source>
+        <translation>el centro de la nota</translation>
+    </message>
+    <message>
+        <source>a list of two numbers, x to the right and y down</source>
+        <translation>una lista de dos números, x a la derecha e y hacia abajo</translation>
+    </message>
+    <message>
+        <source>the point that the camera looks at</source>
+        <translation>el punto al que mira la cámara</translation>
+    </message>
+    <message>
+        <source>an angle in degrees</source>
+        <translation>un ángulo en grados</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>un número mayor que 0</translation>
+    </message>
+    <message>
+        <source>The axis would coincide with the one that its wheels mesh with.</source>
+        <translation>El eje coincidiría con aquel con cuyas ruedas engranan las suyas.</translation>
+    </message>
+    <message>
+        <source>There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. What fits: a smaller change, or other teeth first.</source>
+        <translation>No hay lugar para el eje %1 donde las ruedas de los engranes %2 se toquen con estos números de dientes. Sirve un cambio menor, o antes otros dientes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is no bevel pair: only bevels have an apex with two sides.</source>
+        <translation>El engrane %1 no es cónico: solo las cónicas tienen un vértice con dos lados.</translation>
+    </message>
+    <message>
+        <source>A module is more than 0: the pitch diameter over the teeth.</source>
+        <translation>Un módulo es mayor que 0: el diámetro primitivo entre los dientes.</translation>
+    </message>
+    <message>
+        <source>Modules can be set where every mesh has its place, in trains of up to %1 meshes. Resolve the reported problems first.</source>
+        <translation>Los módulos se pueden fijar donde cada engrane tiene su lugar, en trenes de hasta %1 engranes. Resuelva antes los problemas indicados.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 is pinned. What fits: unpin it, or another change.</source>
+        <translation>El engrane %1 no puede seguir: %2 está fijado. Suéltelo, o haga otro cambio.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 are pinned. What fits: unpin one of them, or another change.</source>
+        <translation>El engrane %1 no puede seguir: %2 están fijados. Suelte uno de ellos, o haga otro cambio.</translation>
+    </message>
+    <message>
+        <source>The module of mesh %1 is pinned, and would change. What fits: unpin it, or another change.</source>
+        <translation>El módulo del engrane %1 está fijado y cambiaría. Suéltelo, o haga otro cambio.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is pinned. What fits: unpin it to move it.</source>
+        <translation>El eje %1 está fijado. Suéltelo para moverlo.</translation>
+    </message>
+    <message>
+        <source>gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.</source>
+        <translation>la rueda %1 necesitaría %2 dientes para seguir coaxial. Sirve un cambio menor.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one.</source>
+        <translation>un par interior necesita números de dientes distintos, la corona el mayor.</translation>
+    </message>
+    <message>
+        <source>The comment has no end.</source>
+        <translation>El comentario no tiene fin.</translation>
+    </message>
+    <message>
+        <source>This character is no part of DOT.</source>
+        <translation>Este carácter no pertenece a DOT.</translation>
+    </message>
+    <message>
+        <source>The quote has no end.</source>
+        <translation>Las comillas no se cierran.</translation>
+    </message>
+    <message>
+        <source>The text in angle brackets has no end.</source>
+        <translation>El texto entre corchetes angulares no tiene fin.</translation>
+    </message>
+    <message>
+        <source>This is no number.</source>
+        <translation>Esto no es un número.</translation>
+    </message>
+    <message>
+        <source>The text is not UTF-8.</source>
+        <translation>El texto no es UTF-8.</translation>
+    </message>
+    <message>
+        <source>Behind the graph is something else; a file with one graph is read.</source>
+        <translation>Tras el grafo hay algo más; se lee un archivo con un solo grafo.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found the end.</source>
+        <translation>Se esperaba %1, se encontró el final.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found %2.</source>
+        <translation>Se esperaba %1, se encontró %2.</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a quoted text</source>
+        <translation>un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>Groups are nested deeper than 64.</source>
+        <translation>Los grupos están anidados a más de 64 niveles.</translation>
+    </message>
+    <message>
+        <source>An edge between groups is not read; write an edge for each joint and mesh.</source>
+        <translation>No se lee una arista entre grupos; escriba una arista por cada par y cada engrane.</translation>
+    </message>
+    <message>
+        <source>An edge of a directed graph is written -&gt;.</source>
+        <translation>Una arista de un grafo dirigido se escribe -&gt;.</translation>
+    </message>
+    <message>
+        <source>The graph is strict, and a second edge leads from %1 to %2: it would be one with the first. Leave out &quot;strict&quot;.</source>
+        <translation>El grafo es «strict» y una segunda arista va de %1 a %2: sería la misma que la primera. Quite «strict».</translation>
+    </message>
+    <message>
+        <source>A graph of at most 200,000 edges is read.</source>
+        <translation>Se lee un grafo de 200.000 aristas como máximo.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes is read.</source>
+        <translation>Se lee un grafo de 100.000 nodos como máximo.</translation>
+    </message>
+    <message>
+        <source>The graph is undirected, so that it does not say which link of a joint or mesh is tail and which is head: the signs and the teeth of each gear depend on it. Make it directed.</source>
+        <translation>El grafo no es dirigido, así que no dice qué eslabón de un par o engrane es cola y cuál cabeza: de ello dependen los signos y los dientes de cada rueda. Hágalo dirigido.</translation>
+    </message>
+    <message>
+        <source>This is no XML: %1.</source>
+        <translation>Esto no es XML: %1.</translation>
+    </message>
+    <message>
+        <source>There is no &lt;graph&gt; in the file.</source>
+        <translation>En el archivo no hay ningún &lt;graph&gt;.</translation>
+    </message>
+    <message>
+        <source>A file with a document type (&lt;!DOCTYPE&gt;) is not read; leave it out.</source>
+        <translation>No se lee un archivo con tipo de documento (&lt;!DOCTYPE&gt;); quítelo.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; lacks the attribute &quot;%2&quot;.</source>
+        <translation>Al elemento &lt;%1&gt; le falta el atributo «%2».</translation>
+    </message>
+    <message>
+        <source>Elements are nested deeper than 64.</source>
+        <translation>Los elementos están anidados a más de 64 niveles.</translation>
+    </message>
+    <message>
+        <source>This is no GraphML: it begins with &lt;%1&gt;.</source>
+        <translation>Esto no es GraphML: empieza por &lt;%1&gt;.</translation>
+    </message>
+    <message>
+        <source>A hyperedge is not read; a joint and a mesh are edges between two nodes.</source>
+        <translation>No se lee una hiperarista; un par y un engrane son aristas entre dos nodos.</translation>
+    </message>
+    <message>
+        <source>A file with one graph is read, without graphs inside its nodes.</source>
+        <translation>Se lee un archivo con un solo grafo, sin grafos dentro de sus nodos.</translation>
+    </message>
+    <message>
+        <source>The graph has no node; the first one is the ground.</source>
+        <translation>El grafo no tiene nodos; el primero es el bastidor.</translation>
+    </message>
+    <message>
+        <source>The graph has version %1, but this program reads version %2: read it with a newer GearGraph.</source>
+        <translation>El grafo tiene la versión %1, pero este programa lee la versión %2: léalo con un GearGraph más nuevo.</translation>
+    </message>
+    <message>
+        <source>The ground is the first node, %1.</source>
+        <translation>El bastidor es el primer nodo, %1.</translation>
+    </message>
+    <message>
+        <source>The edge %1 (%2)</source>
+        <translation>La arista %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The edge %1</source>
+        <translation>La arista %1</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;kind&quot;; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: falta el atributo «kind»; se esperaba «turning» o «mesh».</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2, so this is a T-T graph; the digraph (--view digraph) is read back.</source>
+        <translation>%1: su «kind» es %2, así que es un grafo T-T; lo que se vuelve a leer es el dígrafo (--view digraph).</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: su «kind» es %2; se esperaba «turning» o «mesh».</translation>
+    </message>
+    <message>
+        <source>As a document the graph has more than 64 MiB.</source>
+        <translation>Como documento, el grafo tiene más de 64 MiB.</translation>
+    </message>
+    <message>
+        <source>%1, %2: expected a list or an object as JSON, found %3.</source>
+        <translation>%1, %2: se esperaba una lista o un objeto como JSON, se encontró %3.</translation>
+    </message>
+    <message>
+        <source>The graph</source>
+        <translation>El grafo</translation>
+    </message>
+    <message>
+        <source>The node %1</source>
+        <translation>El nodo %1</translation>
+    </message>
+    <message>
+        <source>%1 is in the graph twice.</source>
+        <translation>%1 aparece dos veces en el grafo.</translation>
+    </message>
+    <message>
+        <source>The graph has no places of axes: %1 are placed from the tooth counts.</source>
+        <translation>El grafo no tiene posiciones de ejes: %1 se colocan a partir de los números de dientes.</translation>
+    </message>
+    <message>
+        <source>1 mesh has no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>1 engrane no tiene «meshKind»: exterior entre ejes paralelos, cónico entre los que se cortan.</translation>
+    </message>
+    <message>
+        <source>%1 meshes have no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>%1 engranes no tienen «meshKind»: exteriores entre ejes paralelos, cónicos entre los que se cortan.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the name of the axis that the joint turns about, the same for joints on one axis.</source>
+        <translation>%1: falta el atributo «%2»: el nombre del eje en torno al que gira el par, el mismo para los pares de un eje.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its first node.</source>
+        <translation>%1: falta el atributo «%2»: el número de dientes de la rueda en su primer nodo.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its second node.</source>
+        <translation>%1: falta el atributo «%2»: el número de dientes de la rueda en su segundo nodo.</translation>
+    </message>
+    <message>
+        <source>%1: there is no node %2.</source>
+        <translation>%1: no hay ningún nodo %2.</translation>
+    </message>
+    <message>
+        <source>Attributes without a meaning for the mechanism were not read: %1.</source>
+        <translation>No se leyeron los atributos sin significado para el mecanismo: %1.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes and 200,000 edges is read.</source>
+        <translation>Se lee un grafo de 100.000 nodos y 200.000 aristas como máximo.</translation>
+    </message>
+    <message>
+        <source>This is no node-link graph: it is an object with the lists &quot;nodes&quot; and &quot;links&quot;.</source>
+        <translation>Esto no es un grafo node-link: ese es un objeto con las listas «nodes» y «links».</translation>
+    </message>
+    <message>
+        <source>Expected an object with &quot;%1&quot;, a text or a number that names a node.</source>
+        <translation>Se esperaba un objeto con «%1», un texto o un número que nombre un nodo.</translation>
+    </message>
+    <message>
+        <source>%1 link</source>
+        <translation>%1 eslabón</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 añadidos</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 eliminados</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 modificados</translation>
+    </message>
+    <message>
+        <source>axes changed</source>
+        <translation>ejes modificados</translation>
+    </message>
+    <message>
+        <source>inputs changed</source>
+        <translation>entradas modificadas</translation>
+    </message>
+    <message>
+        <source>links moved in the drawing</source>
+        <translation>eslabones movidos en el dibujo</translation>
+    </message>
+    <message>
+        <source>other properties changed</source>
+        <translation>otras propiedades modificadas</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>There is no &quot;%1&quot; in %2.</source>
+        <translation>No hay «%1» en %2.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Un par de revolución del eslabón %1 al %2 cerraría un lazo. Los pares de revolución tienen que ser un árbol: dibuje un engrane en su lugar.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joint %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Un par de revolución del eslabón %1 al %2 cerraría un lazo con el par %3. Los pares de revolución tienen que ser un árbol: dibuje un engrane en su lugar.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joints %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>Un par de revolución del eslabón %1 al %2 cerraría un lazo con los pares %3. Los pares de revolución tienen que ser un árbol: dibuje un engrane en su lugar.</translation>
+    </message>
+    <message>
+        <source>A turning joint needs two different links.</source>
+        <translation>Un par de revolución necesita dos eslabones distintos.</translation>
+    </message>
+    <message>
+        <source>A gear mesh needs two different links.</source>
+        <translation>Un engrane necesita dos eslabones distintos.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted; make another link the ground first.</source>
+        <translation>El bastidor no se puede eliminar; haga antes bastidor otro eslabón.</translation>
+    </message>
+    <message>
+        <source>Only links and axes bear names; the others bear the paper&apos;s labels.</source>
+        <translation>Solo los eslabones y los ejes llevan nombre; los demás llevan las etiquetas del artículo.</translation>
+    </message>
+    <message>
+        <source>An axis needs a name.</source>
+        <translation>Un eje necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is an axis &quot;%1&quot; already.</source>
+        <translation>Ya hay un eje «%1».</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth, not %1.</source>
+        <translation>Una rueda tiene de 1 a 100.000 dientes, no %1.</translation>
+    </message>
+    <message>
+        <source>The direction of axis %1 has length 0.</source>
+        <translation>La dirección del eje %1 tiene longitud 0.</translation>
+    </message>
+    <message>
+        <source>The joint is an input already.</source>
+        <translation>El par ya es una entrada.</translation>
+    </message>
+    <message>
+        <source>Loads or balances act on this link, and the ground can have none: remove them first.</source>
+        <translation>Sobre este eslabón actúan cargas o equilibrantes, y el bastidor no puede tener: elimínelos antes.</translation>
+    </message>
+    <message>
+        <source>There is no link or note in what was copied.</source>
+        <translation>En lo copiado no hay ningún eslabón ni nota.</translation>
+    </message>
+    <message>
+        <source>A name has at most 1,000 characters; this one has %1.</source>
+        <translation>Un nombre tiene como mucho 1.000 caracteres; este tiene %1.</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1; this one has %2.</source>
+        <translation>Un documento tiene como mucho 100.000 %1; este tiene %2.</translation>
+    </message>
+    <message>
+        <source>expected a coordinate from -1e15 to 1e15.</source>
+        <translation>se esperaba una coordenada de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a number from -1e15 to 1e15.</source>
+        <translation>se esperaba un número de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a component from -1e15 to 1e15.</source>
+        <translation>se esperaba una componente de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a length from -1e15 to 1e15.</source>
+        <translation>se esperaba una longitud de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a density from -1e15 to 1e15.</source>
+        <translation>se esperaba una densidad de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a mass from -1e15 to 1e15.</source>
+        <translation>se esperaba una masa de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a moment from -1e15 to 1e15.</source>
+        <translation>se esperaba un momento de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a torque from -1e15 to 1e15.</source>
+        <translation>se esperaba un momento de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a force from -1e15 to 1e15.</source>
+        <translation>se esperaba una fuerza de -1e15 a 1e15.</translation>
+    </message>
+    <message>
+        <source>expected a direction with a component of at least 1e-15.</source>
+        <translation>se esperaba una dirección con una componente de al menos 1e-15.</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0, in kg.</source>
+        <translation>Una masa es como mínimo 0, en kg.</translation>
+    </message>
+    <message>
+        <source>No body has this inertia: each principal moment is at least 0 and at most the sum of the other two. The numbers are xx, yy, zz, xy, xz, yz in kg m², about the centre of mass.</source>
+        <translation>Ningún cuerpo tiene esta inercia: cada momento principal es como mínimo 0 y como mucho la suma de los otros dos. Los números son xx, yy, zz, xy, xz, yz en kg m², respecto al centro de masas.</translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, but %3 has no such id.</source>
+        <translation>%1 nombra «%2», pero %3 no tiene ese identificador.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: %1 are on moving links. Name one of those.</source>
+        <translation>El bastidor aguanta cualquier carga: %1 están en eslabones móviles. Nombre uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%1&quot; occurs twice in %2.</source>
+        <translation>El identificador «%1» aparece dos veces en %2.</translation>
+    </message>
+    <message>
+        <source>The joint &quot;%1&quot; occurs twice in %2.</source>
+        <translation>El par «%1» aparece dos veces en %2.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; occurs twice in %2.</source>
+        <translation>El eslabón «%1» aparece dos veces en %2.</translation>
+    </message>
+    <message>
+        <source>A mesh has an efficiency or a coefficient of friction, not both.</source>
+        <translation>Un engrane tiene un rendimiento o un coeficiente de rozamiento, no ambos.</translation>
+    </message>
+    <message>
+        <source>A coefficient of friction is from 0 to 1.</source>
+        <translation>Un coeficiente de rozamiento va de 0 a 1.</translation>
+    </message>
+    <message>
+        <source>A density is above 0, in kg/m³.</source>
+        <translation>Una densidad es mayor que 0, en kg/m³.</translation>
+    </message>
+    <message>
+        <source>There is no note &quot;%1&quot;.</source>
+        <translation>No hay ninguna nota «%1».</translation>
+    </message>
+    <message>
+        <source>A document has at most 1,000 notes; this one has %1.</source>
+        <translation>Un documento tiene como mucho 1.000 notas; este tiene %1.</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters; this one has %1.</source>
+        <translation>Una nota tiene como mucho 1.000 caracteres; esta tiene %1.</translation>
+    </message>
+    <message>
+        <source>A note needs a text.</source>
+        <translation>Una nota necesita un texto.</translation>
+    </message>
+    <message>
+        <source>A note is lines of text without control characters.</source>
+        <translation>Una nota son líneas de texto sin caracteres de control.</translation>
+    </message>
+    <message>
+        <source>There is no axis, link or mesh &quot;%1&quot; to pin.</source>
+        <translation>No hay eje, eslabón ni engrane «%1» que fijar.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the folder of the document: save the document first, then copy the 3D file into its folder.</source>
+        <translation>«%1» no está en la carpeta del documento: guarde primero el documento y copie después el archivo 3D en su carpeta.</translation>
+    </message>
+    <message>
+        <source>The scale of a 3D file has to be above 0.</source>
+        <translation>La escala de un archivo 3D tiene que ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>There is a coupling &quot;%1&quot; already.</source>
+        <translation>Ya hay un acoplamiento «%1».</translation>
+    </message>
+    <message>
+        <source>The ground does not move: a brake is for a moving link.</source>
+        <translation>El bastidor no se mueve: un freno es para un eslabón móvil.</translation>
+    </message>
+    <message>
+        <source>A clutch needs two different links.</source>
+        <translation>Un embrague necesita dos eslabones distintos.</translation>
+    </message>
+    <message>
+        <source>A coupling needs a name.</source>
+        <translation>Un acoplamiento necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>A state needs a name.</source>
+        <translation>Un estado necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a state &quot;%1&quot; already.</source>
+        <translation>Ya hay un estado «%1».</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice.</source>
+        <translation>El acoplamiento «%1» figura dos veces.</translation>
+    </message>
+    <message>
+        <source>A mechanism needs at least the ground.</source>
+        <translation>Un mecanismo necesita al menos el bastidor.</translation>
+    </message>
+    <message>
+        <source>An id may not be empty.</source>
+        <translation>Un identificador no puede estar vacío.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; names &quot;%3&quot;, but %4 has no such id.</source>
+        <translation>%1 «%2» nombra «%3», pero %4 no tiene ese identificador.</translation>
+    </message>
+    <message>
+        <source>The 3D file of a link is a path that stays in the folder of the document, not &quot;%1&quot;.</source>
+        <translation>El archivo 3D de un eslabón es una ruta que no sale de la carpeta del documento, no «%1».</translation>
+    </message>
+    <message>
+        <source>Turning joint &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>El par de revolución «%1» une el eslabón «%2» consigo mismo; necesita dos eslabones.</translation>
+    </message>
+    <message>
+        <source>Gear mesh &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>El engrane «%1» une el eslabón «%2» consigo mismo; necesita dos eslabones.</translation>
+    </message>
+    <message>
+        <source>The face width of a gear mesh is above 0.</source>
+        <translation>El ancho de cara de un engrane es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth; mesh &quot;%1&quot; says %2.</source>
+        <translation>Una rueda tiene de 1 a 100.000 dientes; el engrane «%1» dice %2.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; is on link &quot;%2&quot;, but its wheel &quot;%3&quot; is on link &quot;%4&quot;.</source>
+        <translation>El engrane «%1» está en el eslabón «%2», pero su rueda «%3» está en el eslabón «%4».</translation>
+    </message>
+    <message>
+        <source>A brake names one link, a clutch two.</source>
+        <translation>Un freno nombra un eslabón, un embrague dos.</translation>
+    </message>
+    <message>
+        <source>Clutch &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
+        <translation>El embrague «%1» une el eslabón «%2» consigo mismo.</translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; occurs twice in %2.</source>
+        <translation>El nombre «%1» aparece dos veces en %2.</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice in %2.</source>
+        <translation>El acoplamiento «%1» figura dos veces en %2.</translation>
+    </message>
+    <message>
+        <source>The distance of the camera has to be above 0.</source>
+        <translation>La distancia de la cámara tiene que ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the second at least 0, and not both 0.</source>
+        <translation>Los límites de un par son dos ángulos desde la posición de referencia, en grados: el primero como mucho 0, el segundo al menos 0, y no ambos 0.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis, with opposite directions.</source>
+        <translation>Los ejes %1 y %2 son una sola recta que sostiene un eslabón común: se tratan como un solo eje, con direcciones opuestas.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis.</source>
+        <translation>Los ejes %1 y %2 son una sola recta que sostiene un eslabón común: se tratan como un solo eje.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is named by joints that share no link on it (%2 ...): they coincide in the drawn pose only and are treated as different axes. Give each its own axis.</source>
+        <translation>El eje %1 lo nombran pares que no comparten en él ningún eslabón (%2 ...): solo coinciden en la posición dibujada y se tratan como ejes distintos. Dé a cada uno su propio eje.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) joins two gears on the same axis %3: coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.</source>
+        <translation>El engrane %1 (%2) une dos ruedas del mismo eje %3: ruedas coaxiales no pueden engranar. Pase una a otro eje, o elimine el engrane.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) has no carrier: the path between its gears changes axis more than once, %3. One link must carry both axes, so that their distance is constant.</source>
+        <translation>El engrane %1 (%2) no tiene portasatélites: el camino entre sus ruedas cambia de eje más de una vez, %3. Un eslabón tiene que llevar ambos ejes para que su distancia sea constante.</translation>
+    </message>
+    <message>
+        <source>the drawings</source>
+        <translation>los dibujos</translation>
+    </message>
+    <message>
+        <source>the matrices</source>
+        <translation>las matrices</translation>
+    </message>
+    <message>
+        <source>the exercises</source>
+        <translation>los ejercicios</translation>
+    </message>
+    <message>
+        <source>the key of the exercises</source>
+        <translation>la clave de los ejercicios</translation>
+    </message>
+    <message>
+        <source>the mechanism&apos;s data</source>
+        <translation>los datos del mecanismo</translation>
+    </message>
+    <message>
+        <source>the still picture</source>
+        <translation>la imagen fija</translation>
+    </message>
+    <message>
+        <source>the solids</source>
+        <translation>los sólidos</translation>
+    </message>
+    <message>
+        <source>The handout would have %1 MB; a page has at most 3 MB. The largest part: %2.</source>
+        <translation>La hoja tendría %1 MB; una página tiene como mucho 3 MB. La parte mayor: %2.</translation>
+    </message>
+    <message>
+        <source>Reading it took longer than %1 s.</source>
+        <translation>La lectura tardó más de %1 s.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed, and was confined.</source>
+        <translation>Está dañado o hecho para hacer daño: el programa que lo lee se cerró, y estaba confinado.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed. This system does not confine it.</source>
+        <translation>Está dañado o hecho para causar daño: el programa que lo lee falló. Este sistema no lo confina.</translation>
+    </message>
+    <message>
+        <source>Reading it was stopped.</source>
+        <translation>La lectura se detuvo.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh cannot be run.</source>
+        <translation>No se puede ejecutar el programa geargraph-mesh.</translation>
+    </message>
+    <message>
+        <source>There are too many open files.</source>
+        <translation>Hay demasiados archivos abiertos.</translation>
+    </message>
+    <message>
+        <source>It is not there.</source>
+        <translation>No está.</translation>
+    </message>
+    <message>
+        <source>It cannot be opened.</source>
+        <translation>No se puede abrir.</translation>
+    </message>
+    <message>
+        <source>It is no file.</source>
+        <translation>No es un archivo.</translation>
+    </message>
+    <message>
+        <source>It has %1 bytes, more than the limit of %2.</source>
+        <translation>Tiene %1 bytes, más que el límite de %2.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: what the program that reads it answers is no solid.</source>
+        <translation>Está dañado o hecho para hacer daño: lo que responde el programa que lo lee no es un sólido.</translation>
+    </message>
+    <message>
+        <source>It is none of STL, OBJ, PLY and GLB.</source>
+        <translation>No es STL, OBJ, PLY ni GLB.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh, which reads 3D files, is missing.</source>
+        <translation>Falta el programa geargraph-mesh, que lee archivos 3D.</translation>
+    </message>
+    <message>
+        <source>Too wide for this page; the web page and LaTeX hold it whole.</source>
+        <translation>Demasiado ancho para esta página; la página web y LaTeX lo contienen entero.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the pages.</source>
+        <translation>No hay memoria suficiente para las páginas.</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. On Debian, the package libgl1-mesa-dri brings what is missing.</source>
+        <translation>Sin imágenes 3D: %1. En Debian, el paquete libgl1-mesa-dri trae lo que falta.</translation>
+    </message>
+    <message>
+        <source>EGL finds no device</source>
+        <translation>EGL no encuentra ningún dispositivo</translation>
+    </message>
+    <message>
+        <source>EGL has no desktop OpenGL</source>
+        <translation>EGL no tiene OpenGL de escritorio</translation>
+    </message>
+    <message>
+        <source>EGL has no OpenGL configuration</source>
+        <translation>EGL no tiene configuración de OpenGL</translation>
+    </message>
+    <message>
+        <source>there is no OpenGL 3.3 core</source>
+        <translation>no hay núcleo de OpenGL 3.3</translation>
+    </message>
+    <message>
+        <source>the driver cannot paint without a window</source>
+        <translation>el controlador no puede pintar sin una ventana</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. Install a driver with OpenGL 3.3 or newer.</source>
+        <translation>Sin imágenes 3D: %1. Instale un controlador con OpenGL 3.3 o más nuevo.</translation>
+    </message>
+    <message>
+        <source>the driver has no %1</source>
+        <translation>el controlador no tiene %1</translation>
+    </message>
+    <message>
+        <source>the driver offers OpenGL %1</source>
+        <translation>el controlador ofrece OpenGL %1</translation>
+    </message>
+    <message>
+        <source>the driver rejects a shader: %1</source>
+        <translation>el controlador rechaza un sombreador: %1</translation>
+    </message>
+    <message>
+        <source>The picture would be more than %1 pixels wide or high: give it a smaller size, or write SVG or PDF.</source>
+        <translation>La imagen tendría más de %1 píxeles de ancho o alto: dele un tamaño menor, o escriba SVG o PDF.</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 perdidos</translation>
+    </message>
+    <message>
+        <source>* shared by equal stiffness: an assumption</source>
+        <translation>* repartido por igual rigidez: una suposición</translation>
+    </message>
+    <message>
+        <source>? W: shared in unknown parts, not determined</source>
+        <translation>? W: repartido en partes desconocidas, no determinado</translation>
+    </message>
+    <message>
+        <source>circulates: links %1, meshes %2</source>
+        <translation>circula: eslabones %1, engranes %2</translation>
+    </message>
+    <message>
+        <source>seen from the ground</source>
+        <translation>visto desde el bastidor</translation>
+    </message>
+    <message>
+        <source>seen from link %1</source>
+        <translation>visto desde el eslabón %1</translation>
+    </message>
+    <message>
+        <source>Balance in joint %1</source>
+        <translation>Equilibrio en el par %1</translation>
+    </message>
+    <message>
+        <source>Balance on link %1</source>
+        <translation>Equilibrio en el eslabón %1</translation>
+    </message>
+    <message>
+        <source>%1: not determined, it shares the loads in unknown parts.</source>
+        <translation>%1: no determinado, comparte las cargas en partes desconocidas.</translation>
+    </message>
+    <message>
+        <source>%1: found, it holds the loads with %2 N m.</source>
+        <translation>%1: hallado, sostiene las cargas con %2 N m.</translation>
+    </message>
+    <message>
+        <source>It feeds %1 into the train.</source>
+        <translation>Aporta %1 al tren.</translation>
+    </message>
+    <message>
+        <source>It takes %1 out of the train.</source>
+        <translation>Toma %1 del tren.</translation>
+    </message>
+    <message>
+        <source>T shared</source>
+        <translation>T común</translation>
+    </message>
+    <message>
+        <source>Both methods give the same fractions: all %1 entries agree.</source>
+        <translation>Ambos métodos dan las mismas fracciones: coinciden las %1 entradas.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Paso a paso</translation>
+    </message>
+    <message>
+        <source>Matroid method</source>
+        <translation>Método del matroide</translation>
+    </message>
+    <message>
+        <source>T-T graph method</source>
+        <translation>Método del grafo T-T</translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation>Relación</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh</source>
+        <translation>Engrane a engrane</translation>
+    </message>
+    <message>
+        <source>For each mesh, above: its row of $P$, divided by the radius of the head&apos;s gear. Below: its terminal equation with both circuits put in, times $N_{tail} / N_{head}$.</source>
+        <translation>Para cada engrane, arriba su fila de $P$ dividida entre el radio de la rueda de la cabeza; abajo su ecuación terminal con ambos circuitos sustituidos, por $N_{tail} / N_{head}$.</translation>
+    </message>
+    <message>
+        <source>too long to write</source>
+        <translation>demasiado largo para escribirlo</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Contado</translation>
+    </message>
+    <message>
+        <source>Products and quotients, sums and differences of the calculation by hand for this mechanism; those with $0$ and $\pm 1$ cost nothing.</source>
+        <translation>Productos y cocientes, sumas y restas del cálculo a mano para este mecanismo; los de $0$ y $\pm 1$ no cuestan nada.</translation>
+    </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Incógnitas</translation>
+    </message>
+    <message>
+        <source>Equations</source>
+        <translation>Ecuaciones</translation>
+    </message>
+    <message>
+        <source>Matrix of the equations</source>
+        <translation>Matriz de las ecuaciones</translation>
+    </message>
+    <message>
+        <source>Entries that are not 0</source>
+        <translation>Entradas distintas de 0</translation>
+    </message>
+    <message>
+        <source>From the drawing to the equations</source>
+        <translation>Del dibujo a las ecuaciones</translation>
+    </message>
+    <message>
+        <source>From the equations to the solution</source>
+        <translation>De las ecuaciones a la solución</translation>
+    </message>
+    <message>
+        <source>The same in gear ratios</source>
+        <translation>Lo mismo en relaciones de engrane</translation>
+    </message>
+    <message>
+        <source>With more links</source>
+        <translation>Con más eslabones</translation>
+    </message>
+    <message>
+        <source>The same counted on larger trains. The chain of substitutions grows with the number of meshes times that of the inputs; the inverse of $P_r$ holds all products along the way and grows with its square.</source>
+        <translation>Lo mismo contado en trenes mayores. La cadena de sustituciones crece con el número de engranes por el de entradas; la inversa de $P_r$ contiene todos los productos del camino y crece con su cuadrado.</translation>
+    </message>
+    <message>
+        <source>Train</source>
+        <translation>Tren</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Engranes</translation>
+    </message>
+    <message>
+        <source>Inverse and product</source>
+        <translation>Inversa y producto</translation>
+    </message>
+    <message>
+        <source>Substitution</source>
+        <translation>Sustitución</translation>
+    </message>
+    <message>
+        <source>Multiplications and additions from the equations to the solution</source>
+        <translation>Multiplicaciones y sumas de las ecuaciones a la solución</translation>
+    </message>
+    <message>
+        <source>moving links</source>
+        <translation>eslabones móviles</translation>
+    </message>
+    <message>
+        <source>What the paper concludes</source>
+        <translation>Lo que concluye el artículo</translation>
+    </message>
+    <message>
+        <source>For it: %1</source>
+        <translation>A favor: %1</translation>
+    </message>
+    <message>
+        <source>Against it: %1</source>
+        <translation>En contra: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism</source>
+        <translation>El mecanismo</translation>
+    </message>
+    <message>
+        <source>It has %1, %2 and %3, $k = t + c = %4$ joints in all. The ground is link 0; the other links, the turning joints and the meshes are numbered on from there.</source>
+        <translation>Tiene %1, %2 y %3, $k = t + c = %4$ pares en total. El bastidor es el eslabón 0; los demás eslabones, los pares de revolución y los engranes se numeran a partir de él.</translation>
+    </message>
+    <message>
+        <source>$%1$ moving link ($n = %1$)</source>
+        <translation>$%1$ eslabón móvil ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ moving links ($n = %1$)</source>
+        <translation>$%1$ eslabones móviles ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joint ($t = %1$)</source>
+        <translation>$%1$ par de revolución ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joints ($t = %1$)</source>
+        <translation>$%1$ pares de revolución ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear mesh ($c = %1$)</source>
+        <translation>$%1$ engrane ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear meshes ($c = %1$)</source>
+        <translation>$%1$ engranes ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>Digraph and matrices</source>
+        <translation>Dígrafo y matrices</translation>
+    </message>
+    <message>
+        <source>Each link becomes a node, each turning joint a solid arrow from its tail to its head, each gear mesh a dashed one.</source>
+        <translation>Cada eslabón pasa a ser un nodo, cada par de revolución una flecha continua de su cola a su cabeza, cada engrane una discontinua.</translation>
+    </message>
+    <message>
+        <source>In the incidence matrix an edge&apos;s column holds $-1$ in the row of the link that it leaves and $1$ in the row of the link that it reaches.</source>
+        <translation>En la matriz de incidencia la columna de una arista tiene $-1$ en la fila del eslabón del que sale y $1$ en la del eslabón al que llega.</translation>
+    </message>
+    <message>
+        <source>Without the row of the ground its rows are independent: $G$ for the turning joints, $G^*$ for the meshes.</source>
+        <translation>Sin la fila del bastidor sus filas son independientes: $G$ para los pares de revolución, $G^*$ para los engranes.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree of this digraph, so there is nothing more to derive: see the findings above.</source>
+        <translation>Los pares de revolución no son un árbol generador de este dígrafo, así que no hay nada más que deducir: vea los avisos de arriba.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it.</source>
+        <translation>Los pares de revolución son un árbol generador. La matriz de caminos contiene, para cada eslabón, los pares de su camino al bastidor: $1$ donde el camino sigue la flecha, $-1$ donde va contra ella.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes a fundamental cycle with the joints between its two links. They follow from both matrices.</source>
+        <translation>Cada engrane cierra un ciclo fundamental con los pares entre sus dos eslabones. Los ciclos resultan de ambas matrices.</translation>
+    </message>
+    <message>
+        <source>With the meshes themselves, each once, this is the cycle-basis matrix.</source>
+        <translation>Con los engranes mismos, cada uno una vez, esta es la matriz de la base de ciclos.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>es</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Tornillos</translation>
+    </message>
+    <message>
+        <source>The screw of joint $k$ about the pitch point of mesh $c$ is the unit vector along the joint&apos;s axis, $u_k$, with its moment about that point, $r_{c,k} = l_{c,k} \times u_k$, where $l_{c,k}$ leads from the pitch point to the axis:</source>
+        <translation>El tornillo del par $k$ respecto al punto primitivo del engrane $c$ es el vector unitario a lo largo del eje del par, $u_k$, con su momento respecto a ese punto, $r_{c,k} = l_{c,k} \times u_k$, donde $l_{c,k}$ va del punto primitivo al eje:</translation>
+    </message>
+    <message>
+        <source>For the joints of each cycle, lengths in %1:</source>
+        <translation>Para los pares de cada ciclo, longitudes en %1:</translation>
+    </message>
+    <message>
+        <source>Equations of the meshes</source>
+        <translation>Ecuaciones de los engranes</translation>
+    </message>
+    <message>
+        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
+        <translation>Las torsiones $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ de los pares de un ciclo suman cero. El engrane no tiene momento respecto a su propio punto primitivo, así que suman cero los momentos de los pares de revolución solos, cada uno con su signo en $T$:</translation>
+    </message>
+    <message>
+        <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
+        <translation>Todos apuntan a lo largo de una recta: la normal del plano que contiene ambos ejes del engrane. De cada uno basta un número, su componente $P_{c,t}$ según esa normal, y cada engrane da una ecuación:</translation>
+    </message>
+    <message>
+        <source>With lengths in %1,</source>
+        <translation>Con longitudes en %1,</translation>
+    </message>
+    <message>
+        <source>The entries of a row are the radii of its two gears. Divided by the radius of the head&apos;s gear, the ratios are left:</source>
+        <translation>Las entradas de una fila son los radios de sus dos ruedas. Divididas entre el radio de la rueda de la cabeza quedan las relaciones:</translation>
+    </message>
+    <message>
+        <source>Engaged couplings</source>
+        <translation>Acoplamientos activados</translation>
+    </message>
+    <message>
+        <source>An engaged brake holds its link against the ground, an engaged clutch makes two links turn as one. The rates of the joints between them add up to zero, once for each direction of their axes: rows below those of the meshes, which stay as they are.</source>
+        <translation>Un freno activado sujeta su eslabón al bastidor, un embrague activado hace girar dos eslabones como uno. Las velocidades de los pares entre ellos suman cero, una vez por cada dirección de sus ejes: filas debajo de las de los engranes, que quedan como están.</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Acoplamiento</translation>
+    </message>
+    <message>
+        <source>Equation</source>
+        <translation>Ecuación</translation>
+    </message>
+    <message>
+        <source>The input is joint %1.</source>
+        <translation>La entrada es el par %1.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1.</source>
+        <translation>Las entradas son los pares %1.</translation>
+    </message>
+    <message>
+        <source>The input is joint %1, chosen by the program because the document names none.</source>
+        <translation>La entrada es el par %1, elegida por el programa porque el documento no nombra ninguna.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1, chosen by the program because the document names none.</source>
+        <translation>Las entradas son los pares %1, elegidos por el programa porque el documento no nombra ninguno.</translation>
+    </message>
+    <message>
+        <source>Freedom and inputs</source>
+        <translation>Grados de libertad y entradas</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>El rango de $P$ con las filas de los acoplamientos, en aritmética exacta, es $r = %1$. El mecanismo tiene por tanto</translation>
+    </message>
+    <message>
+        <source>The rank of $P$, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>El rango de $P$, en aritmética exacta, es $r = %1$. El mecanismo tiene por tanto</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c - h = %1$, with the $h$ rows of couplings, differs, because %2 of the equations follow from the others.</source>
+        <translation>grados de libertad. El recuento de Kutzbach, $n - c - h = %1$ con las $h$ filas de los acoplamientos, difiere porque %2 de las ecuaciones resultan de las demás.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c = %1$ differs, because the equations of %2 of the meshes follow from the others.</source>
+        <translation>grados de libertad. El recuento de Kutzbach, $n - c = %1$, difiere porque las ecuaciones de %2 de los engranes resultan de las demás.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom: as many inputs have to be given.</source>
+        <translation>grados de libertad: hay que dar otras tantas entradas.</translation>
+    </message>
+    <message>
+        <source>With the inputs first, and in gear ratios, the equations are</source>
+        <translation>Con las entradas primero, y en relaciones de engrane, las ecuaciones son</translation>
+    </message>
+    <message>
+        <source>Solved for the outputs,</source>
+        <translation>Resueltas para las salidas,</translation>
+    </message>
+    <message>
+        <source>there is nothing that turns: without a freedom all rates are $0$.</source>
+        <translation>no gira nada: sin libertad todas las velocidades son $0$.</translation>
+    </message>
+    <message>
+        <source>With the teeth of this mechanism:</source>
+        <translation>Con los dientes de este mecanismo:</translation>
+    </message>
+    <message>
+        <source>Written out, some entries are too long to read. One joint after the other they are</source>
+        <translation>Escritas por extenso, algunas entradas son demasiado largas para leerlas. Un par tras otro son</translation>
+    </message>
+    <message>
+        <source>At these speeds of the inputs, in rad/s,</source>
+        <translation>Con estas velocidades de las entradas, en rad/s,</translation>
+    </message>
+    <message>
+        <source>the outputs turn at</source>
+        <translation>las salidas giran a</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Advertencias</translation>
+    </message>
+    <message>
+        <source>Worked out by the Matroid and the T-T graph method</source>
+        <translation>Obtenido por los métodos del matroide y del grafo T-T</translation>
+    </message>
+    <message>
+        <source>Both methods compared</source>
+        <translation>Ambos métodos comparados</translation>
+    </message>
+    <message>
+        <source>It has $%1 \times %2$ entries, too many to print: &quot;export --to csv --matrix %3&quot; writes them.</source>
+        <translation>Tiene $%1 \times %2$ entradas, demasiadas para imprimirlas: «export --to csv --matrix %3» las escribe.</translation>
+    </message>
+    <message>
+        <source>Statics</source>
+        <translation>Estática</translation>
+    </message>
+    <message>
+        <source>What holds the loads follows from the same matrices, read down their columns. A starred number belongs to the equation of the kinematics beside it. A torque $\tau_e$ acts in joint $e$, by its tail on its head, about the direction of its axis; $\ell_e$ is the power of the loads on links beyond the joint for its rate $1$; $F_c$ is the tangential force of mesh $c$, by the tail&apos;s gear on the head&apos;s.</source>
+        <translation>Lo que sostiene las cargas resulta de las mismas matrices, leídas por columnas. Un número con estrella pertenece a la ecuación de la cinemática que está a su lado. Un momento $\tau_e$ actúa en el par $e$, de su cola sobre su cabeza, en torno a la dirección de su eje; $\ell_e$ es la potencia de las cargas sobre los eslabones más allá del par para su velocidad $1$; $F_c$ es la fuerza tangencial del engrane $c$, de la rueda de la cola sobre la de la cabeza.</translation>
+    </message>
+    <message>
+        <source>Cutset equations</source>
+        <translation>Ecuaciones de corte</translation>
+    </message>
+    <message>
+        <source>Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its fundamental cutset. It crosses each cycle as often along the cycle as against it:</source>
+        <translation>Sin el par $e$ el árbol se divide en dos partes. Las aristas que van de una a otra son su conjunto de corte fundamental. Cruza cada ciclo tantas veces a favor como en contra:</translation>
+    </message>
+    <message>
+        <source>So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the forces of the meshes that cross the cutset. Their moments about the joint&apos;s axis are the entries of its column of $P$; forces along the line of centres or along an axis do no work and are in no equation:</source>
+        <translation>Así, la parte más allá de un par está en equilibrio si el momento en el par y las cargas sostienen las fuerzas de los engranes que cruzan el conjunto de corte. Sus momentos respecto al eje del par son las entradas de su columna de $P$; las fuerzas según la línea de centros o según un eje no trabajan y no están en ninguna ecuación:</translation>
+    </message>
+    <message>
+        <source>There are too many to print: &quot;export --to csv --matrix cutset-equations&quot; writes them.</source>
+        <translation>Son demasiadas para imprimirlas: «export --to csv --matrix cutset-equations» las escribe.</translation>
+    </message>
+    <message>
+        <source>An engaged coupling is a further edge of the graph, with its torque $T$.</source>
+        <translation>Un acoplamiento activado es una arista más del grafo, con su momento $T$.</translation>
+    </message>
+    <message>
+        <source>With lengths in %1, so that torques are in N %1, joint by joint,</source>
+        <translation>Con longitudes en %1, de modo que los momentos están en N %1, par a par,</translation>
+    </message>
+    <message>
+        <source>The transposed solution</source>
+        <translation>La solución traspuesta</translation>
+    </message>
+    <message>
+        <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
+        <translation>Los momentos en los pares equilibrados, $\tau_E$, sostienen los de los demás, $\tau_r$. Con las columnas de $P$ en el mismo orden que para las velocidades,</translation>
+    </message>
+    <message>
+        <source>which in ratios is (25) transposed, with the opposite sign:</source>
+        <translation>lo que en relaciones es (25) traspuesta, con el signo opuesto:</translation>
+    </message>
+    <message>
+        <source>Torques under the loads</source>
+        <translation>Momentos bajo las cargas</translation>
+    </message>
+    <message>
+        <source>The loads of the document are held by these torques, in N m, in a train without losses:</source>
+        <translation>Las cargas del documento las sostienen estos momentos, en N m, en un tren sin pérdidas:</translation>
+    </message>
+    <message>
+        <source>The tangential forces of the meshes, in N, are</source>
+        <translation>Las fuerzas tangenciales de los engranes, en N, son</translation>
+    </message>
+    <message>
+        <source>The same by the T-T graph</source>
+        <translation>Lo mismo con el grafo T-T</translation>
+    </message>
+    <message>
+        <source>A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in the inverse ratio of their speeds:</source>
+        <translation>Un engrane no pierde potencia en sus dos puertos, así que los momentos sobre sus ruedas, vistos desde el portasatélites, están en razón inversa de sus velocidades:</translation>
+    </message>
+    <message>
+        <source>Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that the branch belongs to:</source>
+        <translation>Cada rama del árbol tiene un conjunto de corte fundamental, con los coeficientes de los circuitos a los que pertenece la rama:</translation>
+    </message>
+    <message>
+        <source>These cutsets as the rows of a matrix, the torques in the branches before the line, those of the chords after it; loads and engaged couplings come in addition:</source>
+        <translation>Estos cortes como filas de una matriz, los momentos en las ramas antes de la línea, los de las cuerdas después; las cargas y los acoplamientos activados se añaden:</translation>
+    </message>
+    <message>
+        <source>The Matroid method&apos;s $Q$ has the same rows. A mesh is one edge there and has a chord to each gear here, so its column of $Q$ is that of the chord of the head&apos;s gear less that of the tail&apos;s:</source>
+        <translation>La $Q$ del método del matroide tiene las mismas filas. Un engrane es allí una arista y tiene aquí una cuerda a cada rueda, así que su columna de $Q$ es la de la cuerda de la rueda de la cabeza menos la de la cola:</translation>
+    </message>
+    <message>
+        <source>The chain runs from the loads back to the motors: a cutset with one unknown left gives it, the terminal equation of its mesh the other torque.</source>
+        <translation>La cadena va de las cargas de vuelta a los motores: un corte con una sola incógnita la da, y la ecuación terminal de su engrane el otro momento.</translation>
+    </message>
+    <message>
+        <source>Torque by torque, both methods give the same fractions: all %1 entries agree.</source>
+        <translation>Momento a momento, ambos métodos dan las mismas fracciones: coinciden las %1 entradas.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1 N m.</source>
+        <translation>Los dos métodos difieren hasta en %1 N m.</translation>
+    </message>
+    <message>
+        <source>In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give the torque matrix of (25) transposed, entry by entry.</source>
+        <translation>También en símbolos: eliminados en las relaciones de engrane, los cortes del grafo T-T dan, entrada a entrada, la matriz de momentos de (25) traspuesta.</translation>
+    </message>
+    <message>
+        <source>In symbols the two torque matrices differ.</source>
+        <translation>En símbolos las dos matrices de momentos difieren.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveles</translation>
+    </message>
+    <message>
+        <source>The turning joints are the branches of the graph&apos;s tree. Each carries the letter of its axis, its level.</source>
+        <translation>Los pares de revolución son las ramas del árbol del grafo. Cada una lleva la letra de su eje, su nivel.</translation>
+    </message>
+    <message>
+        <source>Carriers</source>
+        <translation>Portasatélites</translation>
+    </message>
+    <message>
+        <source>From one gear of a mesh through the branches to the other, the level changes at one link: the transfer vertex, which carries both gears. A mesh is written as its gear pair and its carrier.</source>
+        <translation>De una rueda de un engrane a la otra, por las ramas, el nivel cambia en un eslabón: el vértice de transferencia, que lleva ambas ruedas. Un engrane se escribe como su pareja de ruedas y su portasatélites.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Engrane</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Camino</translation>
+    </message>
+    <message>
+        <source>Pair and carrier</source>
+        <translation>Pareja y portasatélites</translation>
+    </message>
+    <message>
+        <source>no transfer vertex</source>
+        <translation>sin vértice de transferencia</translation>
+    </message>
+    <message>
+        <source>Terminal equations</source>
+        <translation>Ecuaciones terminales</translation>
+    </message>
+    <message>
+        <source>Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their teeth, with a plus sign where both turn the same way, each seen along its own axis:</source>
+        <translation>Vista desde su portasatélites, una rueda de la pareja gira tan rápido como la otra por la relación de sus dientes, con signo más donde ambas giran en el mismo sentido, cada una vista según su propio eje:</translation>
+    </message>
+    <message>
+        <source>Fundamental circuits</source>
+        <translation>Circuitos fundamentales</translation>
+    </message>
+    <message>
+        <source>Each of these velocities closes a circuit with branches of the tree, and is the sum along the branches:</source>
+        <translation>Cada una de estas velocidades cierra un circuito con ramas del árbol, y es la suma a lo largo de las ramas:</translation>
+    </message>
+    <message>
+        <source>An engaged brake or clutch is one more edge of the graph, from the link that it holds to the ground or to the other link. Its velocity is zero, so the branches of its fundamental circuit add up to zero, once for each direction of their axes:</source>
+        <translation>Un freno o embrague activado es una arista más del grafo, del eslabón que sujeta al bastidor o al otro eslabón. Su velocidad es cero, así que las ramas de su circuito fundamental suman cero, una vez por cada dirección de sus ejes:</translation>
+    </message>
+    <message>
+        <source>Solution by substitution</source>
+        <translation>Solución por sustitución</translation>
+    </message>
+    <message>
+        <source>Given is %1.</source>
+        <translation>Se da %1.</translation>
+    </message>
+    <message>
+        <source>Given are %1.</source>
+        <translation>Se dan %1.</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh, the equations give the others.</source>
+        <translation>Engrane a engrane, las ecuaciones dan las demás.</translation>
+    </message>
+    <message>
+        <source>One after the other, the equations give the others.</source>
+        <translation>Una tras otra, las ecuaciones dan las demás.</translation>
+    </message>
+    <message>
+        <source>Equations %1 give %2:</source>
+        <translation>Las ecuaciones %1 dan %2:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes and couplings, solved together, give %1:</source>
+        <translation>Las ecuaciones de varios engranes y acoplamientos, resueltas a la vez, dan %1:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes, solved together, give %1:</source>
+        <translation>Las ecuaciones de varios engranes, resueltas a la vez, dan %1:</translation>
+    </message>
+    <message>
+        <source>Together:</source>
+        <translation>En conjunto:</translation>
+    </message>
+    <message>
+        <source>With the names of the ratios that the matroid method uses,</source>
+        <translation>Con los nombres de las relaciones que usa el método del matroide,</translation>
+    </message>
+    <message>
+        <source>this is</source>
+        <translation>esto es</translation>
+    </message>
+    <message>
+        <source>a mechanism without errors, and at most 250,000 entries</source>
+        <translation>un mecanismo sin errores y 250.000 entradas como máximo</translation>
+    </message>
+    <message>
+        <source>a carrier and a sign of every mesh</source>
+        <translation>un portasatélites y un signo de cada engrane</translation>
+    </message>
+    <message>
+        <source>a geometry of every mesh</source>
+        <translation>la geometría de cada engrane</translation>
+    </message>
+    <message>
+        <source>balances in joints that hold all loads, and at most 250,000 entries</source>
+        <translation>equilibrantes en pares que sostengan todas las cargas, y como mucho 250.000 entradas</translation>
+    </message>
+    <message>
+        <source>loads, and balances that hold them</source>
+        <translation>cargas, y equilibrantes que las sostengan</translation>
+    </message>
+    <message>
+        <source>states of a gearbox</source>
+        <translation>estados de una caja</translation>
+    </message>
+    <message>
+        <source>a spanning tree</source>
+        <translation>un árbol generador</translation>
+    </message>
+    <message>
+        <source>The handout has no still picture: %1</source>
+        <translation>El folleto no tiene imagen fija: %1</translation>
+    </message>
+    <message>
+        <source>About %1 triangles are more than the limit of %2</source>
+        <translation>Unos %1 triángulos son más que el límite de %2</translation>
+    </message>
+    <message>
+        <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
+        <translation>El archivo muestra los primeros %1 s, a su velocidad; no termina donde empezó.</translation>
+    </message>
+    <message>
+        <source>A mechanism with errors has no gears</source>
+        <translation>Un mecanismo con errores no tiene ruedas</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot; with solids</source>
+        <translation>No hay ningún eslabón «%1» con sólidos</translation>
+    </message>
+    <message>
+        <source>There is no gear &quot;%1&quot;; gears are named like 15:tail, 15:head</source>
+        <translation>No hay ninguna rueda «%1»; las ruedas se llaman como 15:tail, 15:head</translation>
+    </message>
+    <message>
+        <source>the assembly</source>
+        <translation>el montaje</translation>
+    </message>
+    <message>
+        <source>(pinned)</source>
+        <translation>(fijado)</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 is like %3.</source>
+        <translation>Se dibuja uno de %1 satélites iguales: %2 es como %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 are like %3.</source>
+        <translation>Se dibuja uno de %1 satélites iguales: %2 son como %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 is like %3.</source>
+        <translation>Se dibuja uno de %1 grupos iguales de satélites: %2 es como %3.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 are like %3.</source>
+        <translation>Se dibuja uno de %1 grupos iguales de satélites: %2 son como %3.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. Radii are not to scale.</source>
+        <translation>Desarrollado: los ejes no están en un plano. Los radios no están a escala.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 is turned into the sheet.</source>
+        <translation>Desarrollado: los ejes no están en un plano. %1 se ha girado al plano del dibujo.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 are turned into the sheet.</source>
+        <translation>Desarrollado: los ejes no están en un plano. %1 se han girado al plano del dibujo.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 of them are turned into the sheet.</source>
+        <translation>Desarrollado: los ejes no están en un plano. %1 de ellos se han girado al plano del dibujo.</translation>
+    </message>
+    <message>
+        <source>Wheels that a dashed line joins mesh, though they do not touch here.</source>
+        <translation>Las ruedas que une una línea discontinua engranan, aunque aquí no se toquen.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not drawn: no turning joint ties it to the ground.</source>
+        <translation>El eslabón %1 no se dibuja: ningún par de revolución lo une al bastidor.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not drawn: no turning joint ties them to the ground.</source>
+        <translation>Los eslabones %1 no se dibujan: ningún par de revolución los une al bastidor.</translation>
+    </message>
+    <message>
+        <source>Joint %1 closes a loop and is not drawn.</source>
+        <translation>El par %1 cierra un lazo y no se dibuja.</translation>
+    </message>
+    <message>
+        <source>Joints %1 close a loop and are not drawn.</source>
+        <translation>Los pares %1 cierran un lazo y no se dibujan.</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 punto</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
+    </message>
+    <message>
+        <source>%1, variant %2</source>
+        <translation>%1, variante %2</translation>
+    </message>
+    <message>
+        <source>%1: solution</source>
+        <translation>%1: solución</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Nombre: %1</translation>
+    </message>
+    <message>
+        <source>%1 question</source>
+        <translation>%1 pregunta</translation>
+    </message>
+    <message>
+        <source>%1 questions</source>
+        <translation>%1 preguntas</translation>
+    </message>
+    <message>
+        <source>Brake or clutch</source>
+        <translation>Freno o embrague</translation>
+    </message>
+    <message>
+        <source>Engaged, it holds</source>
+        <translation>Activado, sujeta</translation>
+    </message>
+    <message>
+        <source>link %1 against the ground</source>
+        <translation>el eslabón %1 al bastidor</translation>
+    </message>
+    <message>
+        <source>links %1 together</source>
+        <translation>los eslabones %1 entre sí</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Respuesta</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>Velocidad angular</translation>
+    </message>
+    <message>
+        <source>Traced points</source>
+        <translation>Puntos trazados</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>bastidor</translation>
+    </message>
+    <message>
+        <source>point %1 of %2</source>
+        <translation>punto %1 de %2</translation>
+    </message>
+    <message>
+        <source>link %1: %2</source>
+        <translation>eslabón %1: %2</translation>
+    </message>
+    <message>
+        <source>Shared by equal stiffness of all teeth: an assumption.</source>
+        <translation>Repartido por igual rigidez de todos los dientes: una hipótesis.</translation>
+    </message>
+    <message>
+        <source>Loads: %1.</source>
+        <translation>Cargas: %1.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2°</source>
+        <translation>par %1 a %2°</translation>
+    </message>
+    <message>
+        <source>It is not in the folder of the document: copy it there.</source>
+        <translation>No está en la carpeta del documento: cópielo allí.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the pictures.</source>
+        <translation>No hay memoria suficiente para las imágenes.</translation>
+    </message>
+    <message>
+        <source>The driver painted nothing.</source>
+        <translation>El controlador no pintó nada.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the labels.</source>
+        <translation>No hay memoria suficiente para los rótulos.</translation>
+    </message>
+    <message>
+        <source>The file could not be written.</source>
+        <translation>No se pudo escribir el archivo.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written.</source>
+        <translation>No se pudo escribir «%1».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder.</source>
+        <translation>«%1» no es una carpeta.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; is not empty; nothing was written.</source>
+        <translation>La carpeta «%1» no está vacía; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>No folder could be made beside &quot;%1&quot;.</source>
+        <translation>No se pudo crear una carpeta junto a «%1».</translation>
+    </message>
+    <message>
+        <source>The driver paints pictures of up to %1 pixels a side; choose a smaller size.</source>
+        <translation>El controlador pinta imágenes de hasta %1 píxeles de lado; elija un tamaño menor.</translation>
+    </message>
+    <message>
+        <source>Gear %1 has %2 teeth, too fine to be distinguished: it is shown without them.</source>
+        <translation>La rueda %1 tiene %2 dientes, demasiado finos para distinguirlos: se muestra sin ellos.</translation>
+    </message>
+    <message>
+        <source>Link %1 wears &quot;%2&quot;, which is not shown: %3</source>
+        <translation>El eslabón %1 lleva «%2», que no se muestra: %3</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears: its wheels are plain discs, its shafts and arms are straight and pass through what they meet (up to %2 gears they are routed past it).</source>
+        <translation>Un tren de %1 ruedas: sus ruedas son discos lisos, sus ejes y brazos son rectos y atraviesan lo que encuentran (hasta %2 ruedas se conducen alrededor).</translation>
+    </message>
+    <message>
+        <source>gears in a row</source>
+        <translation>ruedas en fila</translation>
+    </message>
+    <message>
+        <source>planetary sets in line</source>
+        <translation>trenes epicicloidales en serie</translation>
+    </message>
+    <message>
+        <source>arms of a bevel-gear wrist</source>
+        <translation>brazos de una muñeca de ruedas cónicas</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 equation</source>
+        <translation>%1 ecuación</translation>
+    </message>
+    <message>
+        <source>%1 equations</source>
+        <translation>%1 ecuaciones</translation>
+    </message>
+    <message>
+        <source>%1 unknown</source>
+        <translation>%1 incógnita</translation>
+    </message>
+    <message>
+        <source>%1 unknowns</source>
+        <translation>%1 incógnitas</translation>
+    </message>
+    <message>
+        <source>%1 product</source>
+        <translation>%1 producto</translation>
+    </message>
+    <message>
+        <source>%1 products</source>
+        <translation>%1 productos</translation>
+    </message>
+    <message>
+        <source>%1 sum</source>
+        <translation>%1 suma</translation>
+    </message>
+    <message>
+        <source>%1 sums</source>
+        <translation>%1 sumas</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Grafo</translation>
+    </message>
+    <message>
+        <source>digraph: a node for each link, an oriented line for each joint and mesh (Figs. 2, 3)</source>
+        <translation>dígrafo: un nodo por eslabón, una línea orientada por par y por engrane (Figs. 2, 3)</translation>
+    </message>
+    <message>
+        <source>oriented graph: the same nodes and branches, and for each mesh two chords to its carrier (Figs. 4 to 6)</source>
+        <translation>grafo orientado: los mismos nodos y ramas, y por cada engrane dos cuerdas a su portasatélites (Figs. 4 a 6)</translation>
+    </message>
+    <message>
+        <source>The turning joints are the tree in both, the meshes close its cycles.</source>
+        <translation>Los pares de revolución son el árbol en ambos, los engranes cierran sus ciclos.</translation>
+    </message>
+    <message>
+        <source>Tree and cycles</source>
+        <translation>Árbol y ciclos</translation>
+    </message>
+    <message>
+        <source>incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)</source>
+        <translation>matriz de incidencia (1), (2), matriz de caminos $Z$ (3), árbol generador (4), $C$ (5)</translation>
+    </message>
+    <message>
+        <source>levels of the branches; f-circuits of the chords (31)-(38)</source>
+        <translation>niveles de las ramas; f-circuitos de las cuerdas (31)-(38)</translation>
+    </message>
+    <message>
+        <source>The cycle of a mesh is the circuit of its tail&apos;s chord less that of its head&apos;s chord.</source>
+        <translation>El ciclo de un engrane es el circuito de su cuerda de la cola menos el de su cuerda de la cabeza.</translation>
+    </message>
+    <message>
+        <source>Carrier</source>
+        <translation>Portasatélites</translation>
+    </message>
+    <message>
+        <source>not named: it drops out of the moments about the pitch point</source>
+        <translation>sin nombre: desaparece de los momentos respecto al punto primitivo</translation>
+    </message>
+    <message>
+        <source>transfer vertex: where the level changes on the walk between the gears</source>
+        <translation>vértice de transferencia: donde cambia el nivel en el camino entre las ruedas</translation>
+    </message>
+    <message>
+        <source>The moments of a cycle&apos;s joints lie on one line because the carrier holds both axes.</source>
+        <translation>Los momentos de los pares de un ciclo están en una recta porque el portasatélites sostiene ambos ejes.</translation>
+    </message>
+    <message>
+        <source>screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail&apos;s axis, $\pm 1$ on the head&apos;s</source>
+        <translation>tornillos respecto al punto primitivo (6)-(13), una fila de $P$ (16)-(19): $i_c$ en el eje de la cola, $\pm 1$ en el de la cabeza</translation>
+    </message>
+    <message>
+        <source>terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign</source>
+        <translation>ecuación terminal (26)-(30): velocidades vistas desde el portasatélites, una relación y un signo</translation>
+    </message>
+    <message>
+        <source>The terminal equation with its two circuits put in is the row of $P$.</source>
+        <translation>La ecuación terminal con sus dos circuitos sustituidos es la fila de $P$.</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signo</translation>
+    </message>
+    <message>
+        <source>comes with the diameters in the reference frame</source>
+        <translation>viene con los diámetros en el sistema de referencia</translation>
+    </message>
+    <message>
+        <source>from the turning senses of the two gears, seen along their axes</source>
+        <translation>de los sentidos de giro de las dos ruedas, vistos según sus ejes</translation>
+    </message>
+    <message>
+        <source>The signs agree: both are that of the product of the two moments.</source>
+        <translation>Los signos coinciden: ambos son el del producto de los dos momentos.</translation>
+    </message>
+    <message>
+        <source>rank of $P$, $E = t - r$ (21); bases of the dual matroid are the valid inputs</source>
+        <translation>rango de $P$, $E = t - r$ (21); las bases del matroide dual son las entradas válidas</translation>
+    </message>
+    <message>
+        <source>not asked: the inputs are taken as given</source>
+        <translation>no se pregunta: las entradas se toman como dadas</translation>
+    </message>
+    <message>
+        <source>What can be driven is read from $P$.</source>
+        <translation>Lo que se puede accionar se lee en $P$.</translation>
+    </message>
+    <message>
+        <source>$-P_r^{-1} P_E$ (22)-(25)</source>
+        <translation>$-P_r^{-1} P_E$ (22)-(25)</translation>
+    </message>
+    <message>
+        <source>one mesh after the other, substituted (39)-(42), then (43)-(45)</source>
+        <translation>un engrane tras otro, sustituidos (39)-(42), después (43)-(45)</translation>
+    </message>
+    <message>
+        <source>The same matrix, by joint.</source>
+        <translation>La misma matriz, por pares.</translation>
+    </message>
+    <message>
+        <source>Relative velocities</source>
+        <translation>Velocidades relativas</translation>
+    </message>
+    <message>
+        <source>of the two gears of a mesh to each other (15), after the solution</source>
+        <translation>de las dos ruedas de un engrane entre sí (15), tras la solución</translation>
+    </message>
+    <message>
+        <source>of each gear to its carrier: the chords, on the way to the solution</source>
+        <translation>de cada rueda respecto a su portasatélites: las cuerdas, de camino a la solución</translation>
+    </message>
+    <message>
+        <source>(15) is the difference of the two chords, as vectors.</source>
+        <translation>(15) es la diferencia de las dos cuerdas, como vectores.</translation>
+    </message>
+    <message>
+        <source>columns of $P$ (not in the paper)</source>
+        <translation>columnas de $P$ (no está en el artículo)</translation>
+    </message>
+    <message>
+        <source>complementary terminal variables and f-cutsets (not worked out in the paper)</source>
+        <translation>variables terminales complementarias y f-cortes (no desarrollado en el artículo)</translation>
+    </message>
+    <message>
+        <source>The cutset matrix $Q$ serves both.</source>
+        <translation>La matriz de cortes $Q$ sirve a ambos.</translation>
+    </message>
+    <message>
+        <source>&quot;The kinematic equations can be obtained more easily by the T-T graph method.&quot;</source>
+        <translation>«Las ecuaciones cinemáticas se obtienen más fácilmente con el método del grafo T-T.»</translation>
+    </message>
+    <message>
+        <source>From its equations to the solution of this mechanism the chain of substitutions takes %1, the inverse of $P_r$ and its product %2.</source>
+        <translation>De sus ecuaciones a la solución de este mecanismo la cadena de sustituciones requiere %1, la inversa de $P_r$ y su producto %2.</translation>
+    </message>
+    <message>
+        <source>It needs teeth and turning senses; the rows of $P$ need coordinates of axes and pitch points, and %1 from them.</source>
+        <translation>Necesita dientes y sentidos de giro; las filas de $P$ necesitan coordenadas de ejes y puntos primitivos, y de ellas %1.</translation>
+    </message>
+    <message>
+        <source>It writes %1 in %2, the Matroid method %3 in %4.</source>
+        <translation>Escribe %1 con %2, el método del matroide %3 con %4.</translation>
+    </message>
+    <message>
+        <source>Once a row of $P$ is divided by a radius it is the terminal equation with its circuits put in: solved in the same order, both take the same steps.</source>
+        <translation>Dividida entre un radio, una fila de $P$ es la ecuación terminal con sus circuitos sustituidos: resueltas en el mismo orden, ambas dan los mismos pasos.</translation>
+    </message>
+    <message>
+        <source>&quot;The only advantage of the Matroid method is the derivation of the relative velocities of the gears with respect to the carrier arm.&quot;</source>
+        <translation>«La única ventaja del método del matroide es la deducción de las velocidades relativas de las ruedas respecto al brazo portasatélites.»</translation>
+    </message>
+    <message>
+        <source>(15) gives them as vectors, for skew and meeting axes alike.</source>
+        <translation>(15) las da como vectores, tanto para ejes que se cruzan como que se cortan.</translation>
+    </message>
+    <message>
+        <source>The chords of the T-T graph are velocities relative to the carrier, too.</source>
+        <translation>Las cuerdas del grafo T-T son también velocidades relativas al portasatélites.</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ gives the degrees of freedom, redundant meshes and every valid set of inputs; the T-T graph takes the inputs as given.</source>
+        <translation>El rango de $P$ da los grados de libertad, los engranes redundantes y todo conjunto válido de entradas; el grafo T-T toma las entradas como dadas.</translation>
+    </message>
+    <message>
+        <source>&quot;The sign of the gear ratio is obtained directly, without considering the turning direction.&quot;</source>
+        <translation>«El signo de la relación de engrane se obtiene directamente, sin considerar el sentido de giro.»</translation>
+    </message>
+    <message>
+        <source>The sign of each entry of $P$ is that of a difference of coordinates.</source>
+        <translation>El signo de cada entrada de $P$ es el de una diferencia de coordenadas.</translation>
+    </message>
+    <message>
+        <source>The senses have to be seen once a mesh: here %1 of %2 turn against each other, seen along their axes.</source>
+        <translation>Los sentidos hay que verlos una vez por engrane: aquí %1 de %2 giran en sentidos opuestos, vistas según sus ejes.</translation>
+    </message>
+    <message>
+        <source>%1 pair</source>
+        <translation>%1 pareja</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 parejas</translation>
+    </message>
+    <message>
+        <source>Mesh %1</source>
+        <translation>Engrane %1</translation>
+    </message>
+    <message>
+        <source>%1 points to link %2: its arrow ends there.</source>
+        <translation>%1 apunta al eslabón %2: su flecha termina ahí.</translation>
+    </message>
+    <message>
+        <source>%1 leaves link %2: its arrow begins there.</source>
+        <translation>%1 sale del eslabón %2: su flecha empieza ahí.</translation>
+    </message>
+    <message>
+        <source>%1 goes from link %2 to link %3 and does not touch link %4.</source>
+        <translation>%1 va del eslabón %2 al eslabón %3 y no toca el eslabón %4.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground does not use %2.</source>
+        <translation>El camino del eslabón %1 al bastidor no usa: %2.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs along %2 (from %3 to %4).</source>
+        <translation>El camino del eslabón %1 al bastidor va a favor de: %2 (de %3 a %4).</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs against %2 (from %3 to %4).</source>
+        <translation>El camino del eslabón %1 al bastidor va en contra de: %2 (de %3 a %4).</translation>
+    </message>
+    <message>
+        <source>%1 is the cycle that %2 closes, walked along its arrow (from %3 to %4).</source>
+        <translation>%1 es el ciclo que cierra: %2, recorrido según su flecha (de %3 a %4).</translation>
+    </message>
+    <message>
+        <source>A cycle of the basis holds one mesh, its own: %1 holds %2, not %3.</source>
+        <translation>Un ciclo de la base contiene un engrane, el suyo: %1 contiene %2, no %3.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 does not use %5.</source>
+        <translation>Al recorrer %1 según %2, el camino de %3 de vuelta a %4 no usa: %5.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs along %5 (from %6 to %7).</source>
+        <translation>Al recorrer %1 según %2, el camino de %3 de vuelta a %4 va a favor de: %5 (de %6 a %7).</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs against %5 (from %6 to %7).</source>
+        <translation>Al recorrer %1 según %2, el camino de %3 de vuelta a %4 va en contra de: %5 (de %6 a %7).</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; its own arrow counts as 1.</source>
+        <translation>Sin %1 el árbol se divide en dos mitades; su propia flecha cuenta como 1.</translation>
+    </message>
+    <message>
+        <source>A cutset holds one turning joint, its own: %1, not %2.</source>
+        <translation>Un conjunto de corte contiene un par de revolución, el suyo: %1, no %2.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 stays in one of them.</source>
+        <translation>Sin %1 el árbol se divide en dos mitades; %2 queda en una de ellas.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over in the direction of %1.</source>
+        <translation>Sin %1 el árbol se divide en dos mitades; %2 cruza en el sentido de %1.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over against %1.</source>
+        <translation>Sin %1 el árbol se divide en dos mitades; %2 cruza en contra de %1.</translation>
+    </message>
+    <message>
+        <source>Cutset of %1, %2</source>
+        <translation>Conjunto de corte de %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, link %2</source>
+        <translation>%1, eslabón %2</translation>
+    </message>
+    <message>
+        <source>Not in the paper.</source>
+        <translation>No está en el artículo.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the tail&apos;s gear, which leaves the ratio i%2 = %3.</source>
+        <translation>La fila dividida entre el radio de la rueda de la cabeza: %1 gira en torno al eje de la rueda de la cola, lo que deja la relación i%2 = %3.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the head&apos;s gear, which leaves 1.</source>
+        <translation>La fila dividida entre el radio de la rueda de la cabeza: %1 gira en torno al eje de la rueda de la cabeza, lo que deja 1.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the tail&apos;s gear.</source>
+        <translation>T por el momento del eje de %1 respecto al punto primitivo del engrane %2, según la normal del engrane: el radio de la rueda de la cola.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the head&apos;s gear.</source>
+        <translation>T por el momento del eje de %1 respecto al punto primitivo del engrane %2, según la normal del engrane: el radio de la rueda de la cabeza.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2, so it has no part in the equation of mesh %3.</source>
+        <translation>%1 no usa %2, así que no interviene en la ecuación del engrane %3.</translation>
+    </message>
+    <message>
+        <source>f-circuit matrix of the T–T graph</source>
+        <translation>Matriz de circuitos f del grafo T–T</translation>
+    </message>
+    <message>
+        <source>A row for each f-circuit of the T–T graph: 1 for its own chord; a branch that counts with plus in the chord&apos;s velocity is −1, one that counts with minus is 1. Engaged couplings are chords, too. B ω = 0 holds for every motion.</source>
+        <translation>Una fila por cada circuito f del grafo T–T: 1 para su propia cuerda; una rama que cuenta con más en la velocidad de la cuerda es −1, una que cuenta con menos es 1. Los acoplamientos activados también son cuerdas. B ω = 0 vale para todo movimiento.</translation>
+    </message>
+    <message>
+        <source>f-cutset matrix of the T–T graph</source>
+        <translation>Matriz de cortes f del grafo T–T</translation>
+    </message>
+    <message>
+        <source>A row for each branch of the T–T graph: 1 for its own torque, and the chords that cross the cut, with minus their entries in the f-circuits. Its rows are the equations of the T–T graph&apos;s statics, and B Q′ᵀ = 0.</source>
+        <translation>Una fila por cada rama del grafo T–T: 1 para su propio par, y las cuerdas que cruzan el corte, con menos sus entradas en los circuitos f. Sus filas son las ecuaciones de la estática del grafo T–T, y B Q′ᵀ = 0.</translation>
+    </message>
+    <message>
+        <source>T-T circuit matrix</source>
+        <translation>matriz de circuitos T-T</translation>
+    </message>
+    <message>
+        <source>T-T cutset matrix</source>
+        <translation>matriz de cortes T-T</translation>
+    </message>
+    <message>
+        <source>The %1 component of the unit vector u along the axis of %2. Eqs. (7)-(9)</source>
+        <translation>La componente %1 del vector unitario u según el eje de %2. Ecs. (7)-(9)</translation>
+    </message>
+    <message>
+        <source>The %1 component of the moment of %2&apos;s axis about the pitch point of %3: how fast that point moves for one unit of speed. Eqs. (10)-(12)</source>
+        <translation>La componente %1 del momento del eje de %2 respecto al punto primitivo de %3: a qué velocidad se mueve ese punto para velocidad uno. Ecs. (10)-(12)</translation>
+    </message>
+    <message>
+        <source>Joint %1 over joint %2: %3</source>
+        <translation>Par %1 entre par %2: %3</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2.</source>
+        <translation>El par %1 no nota la entrada %2.</translation>
+    </message>
+    <message>
+        <source>How fast joint %1 turns for one unit of speed at joint %2, the other inputs at rest.</source>
+        <translation>A qué velocidad gira el par %1 para velocidad uno en el par %2, las demás entradas en reposo.</translation>
+    </message>
+    <message>
+        <source>With these teeth: %1.</source>
+        <translation>Con estos dientes: %1.</translation>
+    </message>
+    <message>
+        <source>the chord of coupling %1</source>
+        <translation>la cuerda del acoplamiento %1</translation>
+    </message>
+    <message>
+        <source>the chord %1 from gear %2 to carrier %3</source>
+        <translation>la cuerda %1 de la rueda %2 al portador %3</translation>
+    </message>
+    <message>
+        <source>f-circuit of %1, %2: %3</source>
+        <translation>circuito f de %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Eqs. (31) to (38)</source>
+        <translation>Ecs. (31) a (38)</translation>
+    </message>
+    <message>
+        <source>The f-circuit that %1 closes: the chord itself counts as 1.</source>
+        <translation>El circuito f que cierra %1: la cuerda misma cuenta como 1.</translation>
+    </message>
+    <message>
+        <source>An f-circuit holds one chord, its own: here %1.</source>
+        <translation>Un circuito f contiene una cuerda, la suya: aquí %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not between the ends of %2.</source>
+        <translation>%1 no está entre los extremos de %2.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with plus. On one side with the chord it is −1.</source>
+        <translation>La velocidad de %1 es una suma de ramas, en la que %2 cuenta con más. Del mismo lado que la cuerda es −1.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with minus. On one side with the chord it is 1.</source>
+        <translation>La velocidad de %1 es una suma de ramas, en la que %2 cuenta con menos. Del mismo lado que la cuerda es 1.</translation>
+    </message>
+    <message>
+        <source>f-cutset of joint %1, %2: %3</source>
+        <translation>corte f del par %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; the torque in the joint itself counts as 1.</source>
+        <translation>Sin %1 el árbol se parte en dos mitades; el par en la propia articulación cuenta como 1.</translation>
+    </message>
+    <message>
+        <source>An f-cutset holds one branch, its own: %1, not %2.</source>
+        <translation>Un corte f contiene una rama, la suya: %1, no %2.</translation>
+    </message>
+    <message>
+        <source>Both ends of %1 are in the same half without %2: its torque is not in this equation.</source>
+        <translation>Ambos extremos de %1 están en la misma mitad sin %2: su par no está en esta ecuación.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, in the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>El par de %1 actúa a través del corte, en el sentido de %2: menos su entrada en el circuito f.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, against the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>El par de %1 actúa a través del corte, contra el sentido de %2: menos su entrada en el circuito f.</translation>
+    </message>
+    <message>
+        <source>The centre of mass in the reference pose, in the base frame.</source>
+        <translation>El centro de masas en la posición de referencia, en el sistema base.</translation>
+    </message>
+    <message>
+        <source>The moment of inertia about the centre of mass, about the direction of this axis of the base frame, in the reference pose.</source>
+        <translation>El momento de inercia respecto al centro de masas, en torno a la dirección de este eje del sistema base, en la posición de referencia.</translation>
+    </message>
+    <message>
+        <source>The link, by its number.</source>
+        <translation>El eslabón, por su número.</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>masa</translation>
+    </message>
+    <message>
+        <source>The mass: of the link&apos;s solids at the density, or as it is stated.</source>
+        <translation>La masa: de los sólidos del eslabón con la densidad, o como está indicada.</translation>
+    </message>
+    <message>
+        <source>Where the mass comes from: the link&apos;s solids, or the document, which states it.</source>
+        <translation>De dónde viene la masa: de los sólidos del eslabón, o del documento, que la indica.</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>The inertia that the link has at the motor of joint %1 while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>La inercia que tiene el eslabón en el motor del par %1 mientras las demás entradas están quietas: en un eslabón que gira en torno a un eje, su momento de inercia por el cuadrado de su relación.</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>suma</translation>
+    </message>
+    <message>
+        <source>The joint of the input, by its number.</source>
+        <translation>El par de la entrada, por su número.</translation>
+    </message>
+    <message>
+        <source>The generalised inertia: the torque in the row&apos;s joint for each rad/s² of joint %1.</source>
+        <translation>La inercia generalizada: el momento en el par de la fila por cada rad/s² del par %1.</translation>
+    </message>
+    <message>
+        <source>What motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight.</source>
+        <translation>Lo que los motores tienen que dar a velocidades constantes, por fuerzas de Coriolis y centrífugas y por el peso.</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>carga</translation>
+    </message>
+    <message>
+        <source>What the loads contribute, as a torque in the row&apos;s joint.</source>
+        <translation>Lo que aportan las cargas, como momento en el par de la fila.</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>sostén</translation>
+    </message>
+    <message>
+        <source>The torque of the motor that keeps the speeds constant: h less the load.</source>
+        <translation>El momento del motor que mantiene constantes las velocidades: h menos la carga.</translation>
+    </message>
+    <message>
+        <source>no solid: massless</source>
+        <translation>sin sólido: sin masa</translation>
+    </message>
+    <message>
+        <source>solids</source>
+        <translation>sólidos</translation>
+    </message>
+    <message>
+        <source>stated, spread as its solids</source>
+        <translation>indicada, repartida como sus sólidos</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>indicada</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 to 2^64 - 1, in quotes.</source>
+        <translation>La semilla es un número entero de 0 a 2^64 - 1, entre comillas.</translation>
+    </message>
+    <message>
+        <source>The sheet was made by another version of the program, whose questions this one cannot make again.</source>
+        <translation>La hoja se hizo con otra versión del programa, cuyas preguntas esta no puede volver a generar.</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 1,000 variants.</source>
+        <translation>Una hoja tiene de 1 a 1000 variantes.</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;.</source>
+        <translation>No hay ningún tipo de pregunta «%1».</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 100 questions.</source>
+        <translation>Una hoja tiene de 1 a 100 preguntas.</translation>
+    </message>
+    <message>
+        <source>%1 = 0, shared in unknown parts</source>
+        <translation>%1 = 0, repartido en partes desconocidas</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: no mesh crosses.</source>
+        <translation>El par %1 separa el eslabón %2: ningún engrane cruza.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: mesh %3 crosses.</source>
+        <translation>El par %1 separa el eslabón %2: cruza el engrane %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: meshes %3 cross.</source>
+        <translation>El par %1 separa el eslabón %2: cruzan los engranes %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: no mesh crosses.</source>
+        <translation>El par %1 separa los eslabones %2: ningún engrane cruza.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: mesh %3 crosses.</source>
+        <translation>El par %1 separa los eslabones %2: cruza el engrane %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: meshes %3 cross.</source>
+        <translation>El par %1 separa los eslabones %2: cruzan los engranes %3.</translation>
+    </message>
+    <message>
+        <source>T(link %1)</source>
+        <translation>T(eslabón %1)</translation>
+    </message>
+    <message>
+        <source>loads</source>
+        <translation>cargas</translation>
+    </message>
+    <message>
+        <source>Which gear drives in mesh %1 depends on how the load is shared.</source>
+        <translation>Qué rueda acciona en el engrane %1 depende de cómo se reparte la carga.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it bears no load.</source>
+        <translation>Ninguna rueda acciona en el engrane %1: visto desde el bastidor, no lleva carga.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it bears no load.</source>
+        <translation>Ninguna rueda acciona en el engrane %1: visto desde el portasatélites %2, no lleva carga.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it does not roll.</source>
+        <translation>Ninguna rueda acciona en el engrane %1: visto desde el bastidor, no rueda.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it does not roll.</source>
+        <translation>Ninguna rueda acciona en el engrane %1: visto desde el portasatélites %2, no rueda.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from the ground, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>La rueda %1 acciona la rueda %2 en el engrane %3: vista desde el bastidor, gira contra el momento que los dientes ejercen sobre ella y transmite %4 W.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from carrier %5, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>La rueda %1 acciona la rueda %2 en el engrane %3: vista desde el portasatélites %5, gira contra el momento que los dientes ejercen sobre ella y transmite %4 W.</translation>
+    </message>
+    <message>
+        <source>efficiency of every mesh</source>
+        <translation>rendimiento de cada engrane</translation>
+    </message>
+    <message>
+        <source>speed of joint %1 / joint %2</source>
+        <translation>velocidad del par %1 / par %2</translation>
+    </message>
+    <message>
+        <source>What the efficiency is followed over.</source>
+        <translation>Sobre qué se sigue el rendimiento.</translation>
+    </message>
+    <message>
+        <source>efficiency backward</source>
+        <translation>rendimiento inverso</translation>
+    </message>
+    <message>
+        <source>The same with every known torque reversed: the output drives.</source>
+        <translation>Lo mismo con cada momento conocido invertido: acciona la salida.</translation>
+    </message>
+    <message>
+        <source>torque at %1</source>
+        <translation>momento: %1</translation>
+    </message>
+    <message>
+        <source>What holds the loads there.</source>
+        <translation>Lo que sostiene allí las cargas.</translation>
+    </message>
+    <message>
+        <source>load and balance</source>
+        <translation>carga y equilibrante</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <translation>equilibrante</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>A turning joint, by its label, or a link on which a load or a balance acts from outside.</source>
+        <translation>Un par de revolución, por su etiqueta, o un eslabón sobre el que actúa desde fuera una carga o un equilibrante.</translation>
+    </message>
+    <message>
+        <source>The link beyond the joint, seen from the ground.</source>
+        <translation>El eslabón más allá del par, visto desde el bastidor.</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <translation>a cargo de</translation>
+    </message>
+    <message>
+        <source>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</source>
+        <translation>Lo que introduce un momento: una carga dada, un equilibrante hallado, o nada: un par libre.</translation>
+    </message>
+    <message>
+        <source>lossless</source>
+        <translation>sin pérdidas</translation>
+    </message>
+    <message>
+        <source>The torque that the joint&apos;s tail exerts on its head about the axis, of a train without losses.</source>
+        <translation>El momento que la cola del par ejerce sobre su cabeza en torno al eje, en un tren sin pérdidas.</translation>
+    </message>
+    <message>
+        <source>exact torque</source>
+        <translation>momento exacto</translation>
+    </message>
+    <message>
+        <source>The same with the losses of the meshes, where they are given.</source>
+        <translation>Lo mismo con las pérdidas de los engranes, donde están dadas.</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>momento</translation>
+    </message>
+    <message>
+        <source>The same as a decimal.</source>
+        <translation>Lo mismo como decimal.</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail.</source>
+        <translation>A qué velocidad gira la cabeza respecto a la cola.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>potencia</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what load or balance feed into the train here; below 0: what they take.</source>
+        <translation>Momento por velocidad: lo que la carga o el equilibrante aportan aquí al tren; por debajo de 0: lo que extraen.</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>fuerza</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>acoplamiento</translation>
+    </message>
+    <message>
+        <source>A brake or clutch that is engaged.</source>
+        <translation>Un freno o embrague activado.</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>sujeta</translation>
+    </message>
+    <message>
+        <source>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</source>
+        <translation>El eslabón que sujeta un freno; los dos eslabones que une un embrague, el momento actúa sobre el primero.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>en torno a</translation>
+    </message>
+    <message>
+        <source>The axis that the torque is about, the first one on the way to the ground.</source>
+        <translation>El eje en torno al que actúa el momento, el primero de camino al bastidor.</translation>
+    </message>
+    <message>
+        <source>The torque on that link, with the losses where they are given.</source>
+        <translation>El momento sobre ese eslabón, con las pérdidas donde están dadas.</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>transmitida</translation>
+    </message>
+    <message>
+        <source>The power that a clutch delivers to the first link; a brake passes none.</source>
+        <translation>La potencia que un embrague entrega al primer eslabón; un freno no transmite ninguna.</translation>
+    </message>
+    <message>
+        <source>The gear mesh, by its label.</source>
+        <translation>El engrane, por su etiqueta.</translation>
+    </message>
+    <message>
+        <source>The link of the tail&apos;s gear.</source>
+        <translation>El eslabón de la rueda de la cola.</translation>
+    </message>
+    <message>
+        <source>The link of the head&apos;s gear.</source>
+        <translation>El eslabón de la rueda de la cabeza.</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>portasatélites</translation>
+    </message>
+    <message>
+        <source>The link that holds both gears&apos; axes, from which the mesh is seen.</source>
+        <translation>El eslabón que sostiene los ejes de ambas ruedas, desde el que se ve el engrane.</translation>
+    </message>
+    <message>
+        <source>on tail</source>
+        <translation>en la cola</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the tail&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>El momento del engrane sobre la rueda de la cola en torno a su propio eje, visto desde el portasatélites.</translation>
+    </message>
+    <message>
+        <source>on head</source>
+        <translation>en la cabeza</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the head&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>El momento del engrane sobre la rueda de la cabeza en torno a su propio eje, visto desde el portasatélites.</translation>
+    </message>
+    <message>
+        <source>tangential</source>
+        <translation>tangencial</translation>
+    </message>
+    <message>
+        <source>The force along the pitch circles&apos; tangent, of the tail&apos;s gear on the head&apos;s.</source>
+        <translation>La fuerza según la tangente a las circunferencias primitivas, de la rueda de la cola sobre la de la cabeza.</translation>
+    </message>
+    <message>
+        <source>separating</source>
+        <translation>separadora</translation>
+    </message>
+    <message>
+        <source>The force that presses the gears apart: the tangential one times the tangent of the operating pressure angle.</source>
+        <translation>La fuerza que separa las ruedas: la tangencial por la tangente del ángulo de presión de funcionamiento.</translation>
+    </message>
+    <message>
+        <source>The whole tooth force on the head&apos;s gear, in the base frame.</source>
+        <translation>La fuerza total del diente sobre la rueda de la cabeza, en el sistema base.</translation>
+    </message>
+    <message>
+        <source>Power delivered over power taken, seen from the carrier.</source>
+        <translation>Potencia entregada entre potencia tomada, vista desde el portasatélites.</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>acciona</translation>
+    </message>
+    <message>
+        <source>The gear that delivers the power to the teeth, seen from the carrier.</source>
+        <translation>La rueda que entrega la potencia a los dientes, vista desde el portasatélites.</translation>
+    </message>
+    <message>
+        <source>rolling power</source>
+        <translation>potencia de rodadura</translation>
+    </message>
+    <message>
+        <source>What the teeth pass from tail to head, seen from the carrier: the latent power.</source>
+        <translation>Lo que transmiten los dientes de la cola a la cabeza, visto desde el portasatélites: la potencia latente.</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdida</translation>
+    </message>
+    <message>
+        <source>One minus the efficiency, times the rolling power.</source>
+        <translation>Uno menos el rendimiento, por la potencia de rodadura.</translation>
+    </message>
+    <message>
+        <source>to tail</source>
+        <translation>a la cola</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the tail&apos;s gear, seen from the ground.</source>
+        <translation>Lo que el engrane entrega a la rueda de la cola, visto desde el bastidor.</translation>
+    </message>
+    <message>
+        <source>to head</source>
+        <translation>a la cabeza</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the head&apos;s gear, seen from the ground.</source>
+        <translation>Lo que el engrane entrega a la rueda de la cabeza, visto desde el bastidor.</translation>
+    </message>
+    <message>
+        <source>to carrier</source>
+        <translation>al portasatélites</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the carrier, seen from the ground.</source>
+        <translation>Lo que el engrane entrega al portasatélites, visto desde el bastidor.</translation>
+    </message>
+    <message>
+        <source>The turning joint, whose bearing holds its head on its tail.</source>
+        <translation>El par de revolución, cuyo cojinete sostiene su cabeza en su cola.</translation>
+    </message>
+    <message>
+        <source>The size of the force of the tail on the head.</source>
+        <translation>El módulo de la fuerza de la cola sobre la cabeza.</translation>
+    </message>
+    <message>
+        <source>The force of the tail on the head, in the base frame.</source>
+        <translation>La fuerza de la cola sobre la cabeza, en el sistema base.</translation>
+    </message>
+    <message>
+        <source>The moment of the tail on the head about the point, with the joint&apos;s own torque.</source>
+        <translation>El momento de la cola sobre la cabeza respecto al punto, con el momento propio del par.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn: the point that the moment is about, in the document&apos;s unit.</source>
+        <translation>Dónde está dibujado el par: el punto respecto al que se toma el momento, en la unidad del documento.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn, in the document&apos;s unit.</source>
+        <translation>Dónde está dibujado el par, en la unidad del documento.</translation>
+    </message>
+    <message>
+        <source>A mesh, a joint, an engaged coupling, a load or a balance.</source>
+        <translation>Un engrane, un par, un acoplamiento activado, una carga o un equilibrante.</translation>
+    </message>
+    <message>
+        <source>The link that it acts on.</source>
+        <translation>El eslabón sobre el que actúa.</translation>
+    </message>
+    <message>
+        <source>exact power</source>
+        <translation>potencia exacta</translation>
+    </message>
+    <message>
+        <source>What the element delivers to the link, seen from the ground; below 0: what it takes from it. The sum at every link is 0.</source>
+        <translation>Lo que el elemento entrega al eslabón, visto desde el bastidor; por debajo de 0: lo que toma de él. La suma en cada eslabón es 0.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>Of the power fed into the train.</source>
+        <translation>De la potencia aportada al tren.</translation>
+    </message>
+    <message>
+        <source>load on link %1</source>
+        <translation>carga en el eslabón %1</translation>
+    </message>
+    <message>
+        <source>balance on link %1</source>
+        <translation>equilibrante en el eslabón %1</translation>
+    </message>
+    <message>
+        <source>The least power on the loop: what goes round beside what goes through.</source>
+        <translation>La menor potencia del lazo: lo que circula además de lo que pasa.</translation>
+    </message>
+    <message>
+        <source>The shafts of the loop.</source>
+        <translation>Los ejes del lazo.</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <translation>engranes</translation>
+    </message>
+    <message>
+        <source>The meshes of the gear sets of the loop.</source>
+        <translation>Los engranes de los trenes del lazo.</translation>
+    </message>
+    <message>
+        <source>Bearings</source>
+        <translation>Cojinetes</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Potencia</translation>
+    </message>
+    <message>
+        <source>Circulating power</source>
+        <translation>Potencia circulante</translation>
+    </message>
+    <message>
+        <source>The state of the gearbox, by its name.</source>
+        <translation>El estado de la caja, por su nombre.</translation>
+    </message>
+    <message>
+        <source>The torque that the brake exerts on its link while it is engaged.</source>
+        <translation>El momento que el freno ejerce sobre su eslabón mientras está activado.</translation>
+    </message>
+    <message>
+        <source>The torque that the clutch exerts on the first of its links while it is engaged; the second one has the reaction.</source>
+        <translation>El momento que el embrague ejerce sobre el primero de sus eslabones mientras está activado; el segundo tiene la reacción.</translation>
+    </message>
+    <message>
+        <source>exact ratio</source>
+        <translation>relación exacta</translation>
+    </message>
+    <message>
+        <source>The speed of the drive over that of the driven link.</source>
+        <translation>La velocidad del eslabón motor entre la del conducido.</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>hallado</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
+        <translation>El momento que sostiene las cargas, casi siempre en el eslabón conducido; el motor recibe 1 N m donde el documento no tiene carga.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving.</source>
+        <translation>Potencia extraída entre potencia aportada, cuando acciona la entrada.</translation>
+    </message>
+    <message>
+        <source>The same with all known torques reversed: the output drives.</source>
+        <translation>Lo mismo con todos los momentos conocidos invertidos: acciona la salida.</translation>
+    </message>
+    <message>
+        <source>latent</source>
+        <translation>latente</translation>
+    </message>
+    <message>
+        <source>The power that all meshes pass, seen from their carriers, over the power fed.</source>
+        <translation>La potencia que transmiten todos los engranes, vista desde sus portasatélites, entre la aportada.</translation>
+    </message>
+    <message>
+        <source>circulating</source>
+        <translation>circulante</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed.</source>
+        <translation>La mayor potencia que circula en un lazo, por cada vatio aportado.</translation>
+    </message>
+    <message>
+        <source>locks</source>
+        <translation>bloquea</translation>
+    </message>
+    <message>
+        <source>An object is needed here.</source>
+        <translation>Aquí se necesita un objeto.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is missing.</source>
+        <translation>Falta el miembro «%1».</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is of the wrong type.</source>
+        <translation>El miembro «%1» es de un tipo incorrecto.</translation>
+    </message>
+    <message>
+        <source>A whole number is needed here.</source>
+        <translation>Aquí se necesita un número entero.</translation>
+    </message>
+    <message>
+        <source>An array is needed here.</source>
+        <translation>Aquí se necesita una lista.</translation>
+    </message>
+    <message>
+        <source>A text is needed here.</source>
+        <translation>Aquí se necesita un texto.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no list of the document with an id.</source>
+        <translation>«%1» no es una lista del documento con identificadores.</translation>
+    </message>
+    <message>
+        <source>This is no file of the format &quot;%1&quot;.</source>
+        <translation>Esto no es un archivo del formato «%1».</translation>
+    </message>
+    <message>
+        <source>Version %1 is not known to this program.</source>
+        <translation>Este programa no conoce la versión %1.</translation>
+    </message>
+    <message>
+        <source>field left empty</source>
+        <translation>campo dejado vacío</translation>
+    </message>
+    <message>
+        <source>text that is no number</source>
+        <translation>texto que no es un número</translation>
+    </message>
+    <message>
+        <source>comma that may be a decimal or a thousand</source>
+        <translation>coma que puede ser decimal o de millares</translation>
+    </message>
+    <message>
+        <source>text that the question does not offer</source>
+        <translation>texto que la pregunta no ofrece</translation>
+    </message>
+    <message>
+        <source>incidence with + and − exchanged</source>
+        <translation>incidencia con + y − intercambiados</translation>
+    </message>
+    <message>
+        <source>tail and head of an arrow exchanged</source>
+        <translation>cola y cabeza de una flecha intercambiadas</translation>
+    </message>
+    <message>
+        <source>signs left out</source>
+        <translation>signos omitidos</translation>
+    </message>
+    <message>
+        <source>an end of an arrow left out</source>
+        <translation>un extremo de una flecha omitido</translation>
+    </message>
+    <message>
+        <source>a link that is no end of the arrow</source>
+        <translation>un eslabón que no es extremo de la flecha</translation>
+    </message>
+    <message>
+        <source>ground row left in</source>
+        <translation>fila del bastidor conservada</translation>
+    </message>
+    <message>
+        <source>ground row left out</source>
+        <translation>fila del bastidor omitida</translation>
+    </message>
+    <message>
+        <source>rows and columns exchanged</source>
+        <translation>filas y columnas intercambiadas</translation>
+    </message>
+    <message>
+        <source>entry that is not −1, 0 or 1</source>
+        <translation>entrada que no es −1, 0 ni 1</translation>
+    </message>
+    <message>
+        <source>arrow walked against its direction</source>
+        <translation>flecha recorrida a contrasentido</translation>
+    </message>
+    <message>
+        <source>joint of the walk left out</source>
+        <translation>par del camino omitido</translation>
+    </message>
+    <message>
+        <source>joint that is not on the walk</source>
+        <translation>par que no está en el camino</translation>
+    </message>
+    <message>
+        <source>another cycle&apos;s row</source>
+        <translation>fila de otro ciclo</translation>
+    </message>
+    <message>
+        <source>cycle walked against its mesh</source>
+        <translation>ciclo recorrido en contra de su engrane</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s own mesh left out</source>
+        <translation>el propio engrane del ciclo omitido</translation>
+    </message>
+    <message>
+        <source>another mesh in the cycle</source>
+        <translation>otro engrane en el ciclo</translation>
+    </message>
+    <message>
+        <source>walked from the ground instead of to it</source>
+        <translation>recorrido desde el bastidor en vez de hacia él</translation>
+    </message>
+    <message>
+        <source>another link&apos;s walk</source>
+        <translation>camino de otro eslabón</translation>
+    </message>
+    <message>
+        <source>another joint&apos;s cutset</source>
+        <translation>conjunto de corte de otro par</translation>
+    </message>
+    <message>
+        <source>signs of the cycle instead of the cutset</source>
+        <translation>signos del ciclo en vez del conjunto de corte</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset does not cut</source>
+        <translation>engrane que el conjunto de corte no corta</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset cuts left out</source>
+        <translation>omitido un engrane que el conjunto de corte corta</translation>
+    </message>
+    <message>
+        <source>edge that crosses the cut the other way</source>
+        <translation>arista que cruza el corte en el otro sentido</translation>
+    </message>
+    <message>
+        <source>another turning joint in the cutset</source>
+        <translation>otro par de revolución en el conjunto de corte</translation>
+    </message>
+    <message>
+        <source>mesh listed among the turning joints</source>
+        <translation>engrane contado entre los pares de revolución</translation>
+    </message>
+    <message>
+        <source>both paths followed to the ground</source>
+        <translation>ambos caminos seguidos hasta el bastidor</translation>
+    </message>
+    <message>
+        <source>path of one gear only</source>
+        <translation>solo el camino de una rueda</translation>
+    </message>
+    <message>
+        <source>too few edges for a spanning tree</source>
+        <translation>muy pocas aristas para un árbol generador</translation>
+    </message>
+    <message>
+        <source>too many edges for a spanning tree</source>
+        <translation>demasiadas aristas para un árbol generador</translation>
+    </message>
+    <message>
+        <source>edges that close a loop</source>
+        <translation>aristas que cierran un lazo</translation>
+    </message>
+    <message>
+        <source>the required edge is not in the tree</source>
+        <translation>la arista pedida no está en el árbol</translation>
+    </message>
+    <message>
+        <source>senses that do not follow one walk</source>
+        <translation>sentidos que no siguen un mismo recorrido</translation>
+    </message>
+    <message>
+        <source>ratio upside down</source>
+        <translation>relación al revés</translation>
+    </message>
+    <message>
+        <source>internal mesh with an external sign</source>
+        <translation>engrane interior con signo de exterior</translation>
+    </message>
+    <message>
+        <source>external mesh with an internal sign</source>
+        <translation>engrane exterior con signo de interior</translation>
+    </message>
+    <message>
+        <source>sign of a bevel mesh</source>
+        <translation>signo de un engrane cónico</translation>
+    </message>
+    <message>
+        <source>sign wrong and ratio upside down</source>
+        <translation>signo incorrecto y relación al revés</translation>
+    </message>
+    <message>
+        <source>row of C in place of P</source>
+        <translation>fila de C en lugar de P</translation>
+    </message>
+    <message>
+        <source>coefficients without the signs of the cycle</source>
+        <translation>coeficientes sin los signos del ciclo</translation>
+    </message>
+    <message>
+        <source>teeth of another wheel on the same link</source>
+        <translation>dientes de otra rueda del mismo eslabón</translation>
+    </message>
+    <message>
+        <source>chord followed from the carrier to the gear</source>
+        <translation>cuerda seguida del portasatélites a la rueda</translation>
+    </message>
+    <message>
+        <source>circuit of the other chord</source>
+        <translation>circuito de la otra cuerda</translation>
+    </message>
+    <message>
+        <source>circuit followed to the ground instead of the carrier</source>
+        <translation>circuito seguido hasta el bastidor en vez del portasatélites</translation>
+    </message>
+    <message>
+        <source>circuit of the whole walk between the gears</source>
+        <translation>circuito de todo el camino entre las ruedas</translation>
+    </message>
+    <message>
+        <source>levels of the two gears exchanged</source>
+        <translation>niveles de las dos ruedas intercambiados</translation>
+    </message>
+    <message>
+        <source>transfer vertex where the level does not change</source>
+        <translation>vértice de transferencia donde el nivel no cambia</translation>
+    </message>
+    <message>
+        <source>gear taken for the carrier</source>
+        <translation>rueda tomada por portasatélites</translation>
+    </message>
+    <message>
+        <source>ground taken for the carrier</source>
+        <translation>bastidor tomado por portasatélites</translation>
+    </message>
+    <message>
+        <source>carrier that is not on the path</source>
+        <translation>portasatélites que no está en el camino</translation>
+    </message>
+    <message>
+        <source>level that is not on the path</source>
+        <translation>nivel que no está en el camino</translation>
+    </message>
+    <message>
+        <source>velocity relation used for torques</source>
+        <translation>relación de velocidades usada para momentos</translation>
+    </message>
+    <message>
+        <source>port torque with the wrong sign</source>
+        <translation>momento de un puerto con signo incorrecto</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s count where a mesh is redundant</source>
+        <translation>recuento de Kutzbach con un engrane redundante</translation>
+    </message>
+    <message>
+        <source>ground counted as a moving link</source>
+        <translation>bastidor contado como eslabón móvil</translation>
+    </message>
+    <message>
+        <source>rank and degrees of freedom exchanged</source>
+        <translation>rango y grados de libertad intercambiados</translation>
+    </message>
+    <message>
+        <source>two freedoms taken by a mesh</source>
+        <translation>dos libertades quitadas por un engrane</translation>
+    </message>
+    <message>
+        <source>meshes ignored</source>
+        <translation>engranes ignorados</translation>
+    </message>
+    <message>
+        <source>degrees of freedom that are not t − r</source>
+        <translation>grados de libertad que no son t − r</translation>
+    </message>
+    <message>
+        <source>too few inputs</source>
+        <translation>muy pocas entradas</translation>
+    </message>
+    <message>
+        <source>inputs that depend on each other</source>
+        <translation>entradas que dependen entre sí</translation>
+    </message>
+    <message>
+        <source>a joint that can never turn as input</source>
+        <translation>un par que no puede girar nunca, como entrada</translation>
+    </message>
+    <message>
+        <source>a joint that no mesh drives is not an input</source>
+        <translation>un par que ningún engrane mueve no es entrada</translation>
+    </message>
+    <message>
+        <source>mesh on which no other depends</source>
+        <translation>engrane del que ningún otro depende</translation>
+    </message>
+    <message>
+        <source>no mesh taken for redundant</source>
+        <translation>ningún engrane tomado por redundante</translation>
+    </message>
+    <message>
+        <source>number of redundant meshes</source>
+        <translation>número de engranes redundantes</translation>
+    </message>
+    <message>
+        <source>sign of the speed lost</source>
+        <translation>signo de la velocidad perdido</translation>
+    </message>
+    <message>
+        <source>an input ignored</source>
+        <translation>una entrada ignorada</translation>
+    </message>
+    <message>
+        <source>sign of one mesh in the chain</source>
+        <translation>signo de un engrane de la cadena</translation>
+    </message>
+    <message>
+        <source>absolute speed in place of the joint&apos;s rate</source>
+        <translation>velocidad absoluta en lugar de la del par</translation>
+    </message>
+    <message>
+        <source>motion of the carrier ignored</source>
+        <translation>movimiento del portasatélites ignorado</translation>
+    </message>
+    <message>
+        <source>whole ratio upside down</source>
+        <translation>relación total al revés</translation>
+    </message>
+    <message>
+        <source>number of teeth out of the range</source>
+        <translation>número de dientes fuera del intervalo</translation>
+    </message>
+    <message>
+        <source>teeth that do not make the ratio</source>
+        <translation>dientes que no dan la relación</translation>
+    </message>
+    <message>
+        <source>teeth of the ring added</source>
+        <translation>dientes de la corona sumados</translation>
+    </message>
+    <message>
+        <source>planet counted once in the ring</source>
+        <translation>satélite contado una sola vez en la corona</translation>
+    </message>
+    <message>
+        <source>couplings of another gear</source>
+        <translation>acoplamientos de otra marcha</translation>
+    </message>
+    <message>
+        <source>couplings that lock the drive</source>
+        <translation>acoplamientos que bloquean la transmisión</translation>
+    </message>
+    <message>
+        <source>too few couplings to leave one freedom</source>
+        <translation>muy pocos acoplamientos para dejar un grado de libertad</translation>
+    </message>
+    <message>
+        <source>couplings that make another ratio</source>
+        <translation>acoplamientos que dan otra relación</translation>
+    </message>
+    <message>
+        <source>brake or clutch that is released</source>
+        <translation>freno o embrague que está liberado</translation>
+    </message>
+    <message>
+        <source>a smaller torque taken for the largest</source>
+        <translation>un momento menor tomado por el mayor</translation>
+    </message>
+    <message>
+        <source>the fastest clutch instead of that of the largest torque</source>
+        <translation>el embrague más rápido en vez del de mayor momento</translation>
+    </message>
+    <message>
+        <source>the largest ratio instead of the largest torque</source>
+        <translation>la relación mayor en vez del momento mayor</translation>
+    </message>
+    <message>
+        <source>torques added without their signs</source>
+        <translation>momentos sumados sin sus signos</translation>
+    </message>
+    <message>
+        <source>torque of another brake, clutch or state</source>
+        <translation>momento de otro freno, embrague o estado</translation>
+    </message>
+    <message>
+        <source>torque of the load in place of that of the brake</source>
+        <translation>momento de la carga en lugar del del freno</translation>
+    </message>
+    <message>
+        <source>torque of the drive in place of that of the brake</source>
+        <translation>momento del accionamiento en lugar del del freno</translation>
+    </message>
+    <message>
+        <source>torque on the housing in place of that on the link</source>
+        <translation>momento sobre la carcasa en lugar del eslabón</translation>
+    </message>
+    <message>
+        <source>brake that turns link and housing in the same sense</source>
+        <translation>freno que gira eslabón y carcasa en el mismo sentido</translation>
+    </message>
+    <message>
+        <source>efficiency forward in place of backward</source>
+        <translation>rendimiento hacia delante en lugar de hacia atrás</translation>
+    </message>
+    <message>
+        <source>losses left out</source>
+        <translation>pérdidas omitidas</translation>
+    </message>
+    <message>
+        <source>losses of a planetary train as of fixed axes</source>
+        <translation>pérdidas de un tren planetario como de ejes fijos</translation>
+    </message>
+    <message>
+        <source>efficiency upside down</source>
+        <translation>rendimiento al revés</translation>
+    </message>
+    <message>
+        <source>self-locking train taken for one that turns</source>
+        <translation>tren que se autobloquea tomado por uno que gira</translation>
+    </message>
+    <message>
+        <source>train that turns taken for a self-locking one</source>
+        <translation>tren que gira tomado por uno que se autobloquea</translation>
+    </message>
+    <message>
+        <source>efficiency of a train that locks itself</source>
+        <translation>rendimiento de un tren que se autobloquea</translation>
+    </message>
+    <message>
+        <source>right row, wrong column</source>
+        <translation>fila correcta, columna incorrecta</translation>
+    </message>
+    <message>
+        <source>right column, wrong row</source>
+        <translation>columna correcta, fila incorrecta</translation>
+    </message>
+    <message>
+        <source>an entry that is right</source>
+        <translation>una entrada que es correcta</translation>
+    </message>
+    <message>
+        <source>right place, wrong correction</source>
+        <translation>lugar correcto, corrección incorrecta</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known here.</source>
+        <translation>«%1» no se conoce aquí.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its question.</source>
+        <translation>Esta parte no corresponde a los campos de su pregunta.</translation>
+    </message>
+    <message>
+        <source>Answers are kept by the number of their question.</source>
+        <translation>Las respuestas se guardan por el número de su pregunta.</translation>
+    </message>
+    <message>
+        <source>An answer is a text or a number.</source>
+        <translation>Una respuesta es un texto o un número.</translation>
+    </message>
+    <message>
+        <source>There is no example &quot;%1&quot;.</source>
+        <translation>No hay ningún ejemplo «%1».</translation>
+    </message>
+    <message>
+        <source>The glossary has no term &quot;%1&quot;.</source>
+        <translation>El glosario no tiene el término «%1».</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted.</source>
+        <translation>La solución no se acepta.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field.</source>
+        <translation>Una respuesta tiene un texto por campo.</translation>
+    </message>
+    <message>
+        <source>This answer is accepted as right.</source>
+        <translation>Esta respuesta se acepta como correcta.</translation>
+    </message>
+    <message>
+        <source>This answer gets another reason: &quot;%1&quot;</source>
+        <translation>Esta respuesta recibe otra razón: «%1»</translation>
+    </message>
+    <message>
+        <source>The document of the step fulfils them already: nothing is left to draw.</source>
+        <translation>El documento del paso ya las cumple: no queda nada por dibujar.</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted: %1</source>
+        <translation>La solución no se acepta: %1</translation>
+    </message>
+    <message>
+        <source>This drawing is accepted as right.</source>
+        <translation>Este dibujo se acepta como correcto.</translation>
+    </message>
+    <message>
+        <source>The first condition that fails is %1.</source>
+        <translation>La primera condición que falla es %1.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph or schematic.</source>
+        <translation>Una vista es digraph, tt-graph o schematic.</translation>
+    </message>
+    <message>
+        <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
+        <translation>Un identificador consta de minúsculas, cifras y guiones, como «cycle-basis».</translation>
+    </message>
+    <message>
+        <source>A lesson takes 1 to 60 minutes.</source>
+        <translation>Una lección dura de 1 a 60 minutos.</translation>
+    </message>
+    <message>
+        <source>A lesson has 1 to %1 steps.</source>
+        <translation>Una lección tiene de 1 a %1 pasos.</translation>
+    </message>
+    <message>
+        <source>Either an example is named or a document is given, not both.</source>
+        <translation>O se nombra un ejemplo o se da un documento, no ambas cosas.</translation>
+    </message>
+    <message>
+        <source>A step explains in at most %1 words; these are %2.</source>
+        <translation>Un paso explica con %1 palabras como máximo; estas son %2.</translation>
+    </message>
+    <message>
+        <source>Neither the step nor its lesson names an example or gives a document.</source>
+        <translation>Ni el paso ni su lección nombran un ejemplo o dan un documento.</translation>
+    </message>
+    <message>
+        <source>A step gives at least one hint.</source>
+        <translation>Un paso da al menos una pista.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its task.</source>
+        <translation>Esta parte no corresponde a los campos de su tarea.</translation>
+    </message>
+    <message>
+        <source>What the analysis gives here is no answer to this field.</source>
+        <translation>Lo que el análisis da aquí no es respuesta para este campo.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field: %1, not %2.</source>
+        <translation>Una respuesta tiene un texto por campo: %1, no %2.</translation>
+    </message>
+    <message>
+        <source>There is no such field.</source>
+        <translation>No hay tal campo.</translation>
+    </message>
+    <message>
+        <source>The field &quot;%1&quot; cannot hold &quot;%2&quot;.</source>
+        <translation>El campo «%1» no admite «%2».</translation>
+    </message>
+    <message>
+        <source>The document gives no exercise of this kind: %1.</source>
+        <translation>El documento no da ningún ejercicio de este tipo: %1.</translation>
+    </message>
+    <message>
+        <source>No exercise of this kind is about this element.</source>
+        <translation>Ningún ejercicio de este tipo trata de este elemento.</translation>
+    </message>
+    <message>
+        <source>A mechanism is missing here.</source>
+        <translation>Aquí falta un mecanismo.</translation>
+    </message>
+    <message>
+        <source>The document has no such element.</source>
+        <translation>El documento no tiene tal elemento.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dibujar</translation>
+    </message>
+    <message>
+        <source>Your task</source>
+        <translation>Su tarea</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Calcular</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Elegir</translation>
+    </message>
+    <message>
+        <source>Pick in the drawing</source>
+        <translation>Señalar en el dibujo</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Predecir</translation>
+    </message>
+    <message>
+        <source>Find the mistake</source>
+        <translation>Encontrar el error</translation>
+    </message>
+    <message>
+        <source>The degrees of freedom are not defined yet: the document has errors.</source>
+        <translation>Los grados de libertad aún no están definidos: el documento tiene errores.</translation>
+    </message>
+    <message>
+        <source>This quantity is not known.</source>
+        <translation>Esta magnitud no se conoce.</translation>
+    </message>
+    <message>
+        <source>The document has no turning joint &quot;%1&quot;.</source>
+        <translation>El documento no tiene el par de revolución «%1».</translation>
+    </message>
+    <message>
+        <source>The speeds are not determined yet: see Problems.</source>
+        <translation>Las velocidades aún no están determinadas: véase Problemas.</translation>
+    </message>
+    <message>
+        <source>The solution was cancelled.</source>
+        <translation>La solución se canceló.</translation>
+    </message>
+    <message>
+        <source>The document has no state &quot;%1&quot;.</source>
+        <translation>El documento no tiene el estado «%1».</translation>
+    </message>
+    <message>
+        <source>The document has errors: no state has a ratio.</source>
+        <translation>El documento tiene errores: ningún estado tiene relación.</translation>
+    </message>
+    <message>
+        <source>State &quot;%1&quot; has no ratio.</source>
+        <translation>El estado «%1» no tiene relación.</translation>
+    </message>
+    <message>
+        <source>The document has errors: torques are not determined.</source>
+        <translation>El documento tiene errores: los momentos no están determinados.</translation>
+    </message>
+    <message>
+        <source>The loads are not held: torques are not determined.</source>
+        <translation>Las cargas no están sostenidas: los momentos no están determinados.</translation>
+    </message>
+    <message>
+        <source>The torque of &quot;%1&quot; is not determined as a fraction.</source>
+        <translation>El momento de «%1» no está determinado como fracción.</translation>
+    </message>
+    <message>
+        <source>The document has no balance or engaged coupling &quot;%1&quot;.</source>
+        <translation>El documento no tiene el equilibrante o acoplamiento activado «%1».</translation>
+    </message>
+    <message>
+        <source>The document has no gear mesh &quot;%1&quot;.</source>
+        <translation>El documento no tiene el engrane «%1».</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree: meshes close no cycles.</source>
+        <translation>Los pares de revolución no forman un árbol generador: los engranes no cierran ciclos.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; has no transfer vertex.</source>
+        <translation>El engrane «%1» no tiene vértice de transferencia.</translation>
+    </message>
+    <message>
+        <source>A number or a fraction such as &quot;-2/3&quot; is needed here.</source>
+        <translation>Aquí se necesita un número o una fracción como «-2/3».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no quantity that the analysis gives.</source>
+        <translation>«%1» no es una magnitud que dé el análisis.</translation>
+    </message>
+    <message>
+        <source>The quantity &quot;%1&quot; is of the whole document.</source>
+        <translation>La magnitud «%1» es de todo el documento.</translation>
+    </message>
+    <message>
+        <source>What can be picked is links, turningJoints or gearMeshes.</source>
+        <translation>Lo que se puede señalar es links, turningJoints o gearMeshes.</translation>
+    </message>
+    <message>
+        <source>What can be picked is named here.</source>
+        <translation>Aquí se nombra lo que se puede señalar.</translation>
+    </message>
+    <message>
+        <source>A field is an integer, a number, a choice or a set.</source>
+        <translation>Un campo es un entero, un número, una elección o un conjunto.</translation>
+    </message>
+    <message>
+        <source>A choice or a set has options, a number has none.</source>
+        <translation>Una elección o un conjunto tiene opciones, un número no.</translation>
+    </message>
+    <message>
+        <source>A mistake is told by answers or by conditions, not by both.</source>
+        <translation>Un error se describe con respuestas o con condiciones, no con ambas.</translation>
+    </message>
+    <message>
+        <source>A reason is a sentence.</source>
+        <translation>Una razón es una frase.</translation>
+    </message>
+    <message>
+        <source>A mistake has at least one condition.</source>
+        <translation>Un error tiene al menos una condición.</translation>
+    </message>
+    <message>
+        <source>A mistake that conditions tell needs an example of an answer.</source>
+        <translation>Un error descrito con condiciones necesita un ejemplo de respuesta.</translation>
+    </message>
+    <message>
+        <source>A prediction names the quantity of the analysis that it is compared with.</source>
+        <translation>Una predicción nombra la magnitud del análisis con la que se compara.</translation>
+    </message>
+    <message>
+        <source>A choice needs two options or more.</source>
+        <translation>Una elección necesita dos opciones o más.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong answer.</source>
+        <translation>Una tarea da la razón de al menos una respuesta incorrecta.</translation>
+    </message>
+    <message>
+        <source>What is right is told in one way: by &quot;accepted&quot;, by &quot;conditions&quot;, or by &quot;is&quot; of every field.</source>
+        <translation>Lo que es correcto se dice de una sola manera: con «accepted», con «conditions» o con «is» de cada campo.</translation>
+    </message>
+    <message>
+        <source>Conditions need a solution that fulfils them.</source>
+        <translation>Las condiciones necesitan una solución que las cumpla.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no kind of exercise; `geargraph-cli exercises kinds` lists them.</source>
+        <translation>«%1» no es un tipo de ejercicio; `geargraph-cli exercises kinds` los enumera.</translation>
+    </message>
+    <message>
+        <source>A drawing is judged by numbers.</source>
+        <translation>Un dibujo se juzga por números.</translation>
+    </message>
+    <message>
+        <source>Either one value is given or bounds, not both.</source>
+        <translation>O se da un valor o límites, no ambas cosas.</translation>
+    </message>
+    <message>
+        <source>A condition has &quot;equals&quot;, &quot;least&quot; or &quot;most&quot;.</source>
+        <translation>Una condición tiene «equals», «least» o «most».</translation>
+    </message>
+    <message>
+        <source>A drawing has to fulfil something.</source>
+        <translation>Un dibujo tiene que cumplir algo.</translation>
+    </message>
+    <message>
+        <source>This is the position of a condition, counted from 0.</source>
+        <translation>Esta es la posición de una condición, contada desde 0.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong drawing.</source>
+        <translation>Una tarea da la razón de al menos un dibujo incorrecto.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is not known here.</source>
+        <translation>El miembro «%1» no se conoce aquí.</translation>
+    </message>
+    <message>
+        <source>The document has a fault: %1</source>
+        <translation>El documento tiene un fallo: %1</translation>
+    </message>
+    <message>
+        <source>A task is one of type, choose, pick, predict, find, exercise and draw.</source>
+        <translation>Una tarea es de uno de los tipos type, choose, pick, predict, find, exercise y draw.</translation>
+    </message>
+    <message>
+        <source>An equation between velocities has no number without one: write the input&apos;s velocity.</source>
+        <translation>Una ecuación entre velocidades no tiene número sin una de ellas: escriba la velocidad de la entrada.</translation>
+    </message>
+    <message>
+        <source>This equation has no velocity: write θ or ω with a label.</source>
+        <translation>Esta ecuación no tiene velocidad: escriba θ u ω con una etiqueta.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth and not for all: it holds another mesh&apos;s ratio.</source>
+        <translation>La ecuación es cierta para estos dientes y no para todos: contiene la relación de otro engrane.</translation>
+    </message>
+    <message>
+        <source>The sign of the term with %1 is wrong: with the other one the equation holds.</source>
+        <translation>El signo del término con %1 es incorrecto: con el otro se cumple la ecuación.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down: it is N of the tail over N of the head.</source>
+        <translation>La relación %1 está al revés: es N de la cola entre N de la cabeza.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down, and a sign is wrong besides.</source>
+        <translation>La relación %1 está al revés y, además, un signo es incorrecto.</translation>
+    </message>
+    <message>
+        <source>The number before %1 is upside down.</source>
+        <translation>El número delante de %1 está al revés.</translation>
+    </message>
+    <message>
+        <source>A term with θ%1 is left out.</source>
+        <translation>Falta un término con θ%1.</translation>
+    </message>
+    <message>
+        <source>In place of %1 there should be θ%2.</source>
+        <translation>En lugar de %1 debe estar θ%2.</translation>
+    </message>
+    <message>
+        <source>With θ%1 = 1 and the other inputs at rest the left side is greater than the right one by %2.</source>
+        <translation>Con θ%1 = 1 y las demás entradas en reposo, el lado izquierdo es mayor que el derecho en %2.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth only.</source>
+        <translation>La ecuación es cierta solo para estos dientes.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no motion to check an equation against.</source>
+        <translation>Este mecanismo no tiene movimiento con el que comprobar una ecuación.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1.</source>
+        <translation>Intercambia filas y columnas de %1.</translation>
+    </message>
+    <message>
+        <source>You leave out the minus of (23): what is on the other side of the equation changes its sign.</source>
+        <translation>Omite el menos de (23): lo que está al otro lado de la ecuación cambia de signo.</translation>
+    </message>
+    <message>
+        <source>You write all entries without their signs: −1 where a walk runs against an arrow.</source>
+        <translation>Escribe todas las entradas sin signo: −1 donde un camino va en contra de una flecha.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1, and + and − besides.</source>
+        <translation>Intercambia filas y columnas de %1 y, además, + y −.</translation>
+    </message>
+    <message>
+        <source>These are the rows of T: P multiplies each entry by the joint&apos;s coefficient.</source>
+        <translation>Estas son las filas de T: P multiplica cada entrada por el coeficiente del par.</translation>
+    </message>
+    <message>
+        <source>These are the signs of P alone: each is to be multiplied by the ratio of its gear.</source>
+        <translation>Estos son solo los signos de P: cada uno se multiplica por la relación de su rueda.</translation>
+    </message>
+    <message>
+        <source>Your ratios are upside down: a joint on the axis of the tail&apos;s gear has i, one on the head&apos;s has 1.</source>
+        <translation>Sus relaciones están al revés: un par en el eje de la rueda de la cola tiene i, uno en el de la cabeza tiene 1.</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>ambigua</translation>
+    </message>
+    <message>
+        <source>another matrix than the one asked for</source>
+        <translation>otra matriz que la pedida</translation>
+    </message>
+    <message>
+        <source>size that the matrix does not have</source>
+        <translation>tamaño que la matriz no tiene</translation>
+    </message>
+    <message>
+        <source>minus of the solution left out</source>
+        <translation>menos de la solución omitido</translation>
+    </message>
+    <message>
+        <source>row of another output</source>
+        <translation>fila de otra salida</translation>
+    </message>
+    <message>
+        <source>ratio of another mesh with the same value</source>
+        <translation>relación de otro engrane con el mismo valor</translation>
+    </message>
+    <message>
+        <source>input that the output does not feel</source>
+        <translation>entrada que la salida no nota</translation>
+    </message>
+    <message>
+        <source>entry that differs</source>
+        <translation>entrada que difiere</translation>
+    </message>
+    <message>
+        <source>velocity left out of the equation</source>
+        <translation>velocidad omitida en la ecuación</translation>
+    </message>
+    <message>
+        <source>velocity of another joint or link</source>
+        <translation>velocidad de otro par o eslabón</translation>
+    </message>
+    <message>
+        <source>equation that does not follow from the mechanism</source>
+        <translation>ecuación que no se deduce del mecanismo</translation>
+    </message>
+    <message>
+        <source>This is %1, not %2.</source>
+        <translation>Esto es %1, no %2.</translation>
+    </message>
+    <message>
+        <source>%1 has the size %2 for this mechanism, and yours is %3.</source>
+        <translation>%1 tiene para este mecanismo el tamaño %2, y la suya %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 es %2</translation>
+    </message>
+    <message>
+        <source>No matrix of this mechanism has the size %1: %2.</source>
+        <translation>Ninguna matriz de este mecanismo tiene el tamaño %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no label of %2, or occurs twice: its rows are %3, its columns %4.</source>
+        <translation>%1 no es una etiqueta de %2, o aparece dos veces: sus filas son %3 y sus columnas %4.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no %1.</source>
+        <translation>Este mecanismo no tiene %1.</translation>
+    </message>
+    <message>
+        <source>These inputs depend on each other, so there is no solution for them.</source>
+        <translation>Estas entradas dependen entre sí, así que no hay solución para ellas.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of edge %1 round: it points from link %2 to link %3.</source>
+        <translation>Invierte la flecha de la arista %1: va del eslabón %2 al eslabón %3.</translation>
+    </message>
+    <message>
+        <source>The number is right for these teeth and the formula is not: it holds another mesh&apos;s ratio.</source>
+        <translation>El número es correcto para estos dientes y la fórmula no: contiene la relación de otro engrane.</translation>
+    </message>
+    <message>
+        <source>This is the row of %1, not of %2.</source>
+        <translation>Esta es la fila de %1, no de %2.</translation>
+    </message>
+    <message>
+        <source>You exchange the gears of mesh %1: i%1 belongs to the joints on the tail&apos;s axis.</source>
+        <translation>Intercambia las ruedas del engrane %1: i%1 pertenece a los pares del eje de la cola.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>El signo del engrane cónico %1 se deduce de su punto primitivo, visto desde ambos ejes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: its gears turn the same way, seen from the carrier.</source>
+        <translation>El engrane %1 es interior: visto desde el portasatélites, sus ruedas giran en el mismo sentido.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn opposite ways, seen from the carrier.</source>
+        <translation>El engrane %1 es exterior: visto desde el portasatélites, sus ruedas giran en sentidos opuestos.</translation>
+    </message>
+    <message>
+        <source>The ratio of mesh %1 is upside down and its sign is wrong.</source>
+        <translation>La relación del engrane %1 está al revés y su signo es incorrecto.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the coefficients of mesh %1.</source>
+        <translation>Esta es la fila del ciclo: en P sus signos se multiplican por los coeficientes del engrane %1.</translation>
+    </message>
+    <message>
+        <source>You leave out the signs of the cycle of mesh %1, which walks against some arrows.</source>
+        <translation>Omite los signos del ciclo del engrane %1, que recorre algunas flechas a contrasentido.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns the other way: the sign of one mesh of its chain is wrong.</source>
+        <translation>El par %1 gira en el otro sentido: el signo de un engrane de su cadena es incorrecto.</translation>
+    </message>
+    <message>
+        <source>The row of joint %1 is upside down: it is output over input.</source>
+        <translation>La fila del par %1 está al revés: es salida entre entrada.</translation>
+    </message>
+    <message>
+        <source>In the sense that you walk it, the entry is %1.</source>
+        <translation>En el sentido de su recorrido, la entrada es %1.</translation>
+    </message>
+    <message>
+        <source>So the entry is %1.</source>
+        <translation>Así que la entrada es %1.</translation>
+    </message>
+    <message>
+        <source>Entries of this matrix are −1, 0 or 1.</source>
+        <translation>Las entradas de esta matriz son −1, 0 o 1.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not on cycle %2, so its coefficient is 0.</source>
+        <translation>El par %1 no está en el ciclo %2, así que su coeficiente es 0.</translation>
+    </message>
+    <message>
+        <source>In the multiple of row %1 that you write, joint %2 has %3.</source>
+        <translation>En el múltiplo de la fila %1 que escribe, el par %2 tiene %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2: 0.</source>
+        <translation>El par %1 no nota la entrada %2: 0.</translation>
+    </message>
+    <message>
+        <source>With input %1 alone, joint %2 turns at %3 times its speed.</source>
+        <translation>Solo con la entrada %1, el par %2 gira a %3 veces su velocidad.</translation>
+    </message>
+    <message>
+        <source>Without labels it may be either: write the labels of rows and columns.</source>
+        <translation>Sin etiquetas puede ser cualquiera de las dos: escriba las etiquetas de filas y columnas.</translation>
+    </message>
+    <message>
+        <source>Your rows are in another order: %1.</source>
+        <translation>Sus filas están en otro orden: %1.</translation>
+    </message>
+    <message>
+        <source>Your columns are in another order: %1.</source>
+        <translation>Sus columnas están en otro orden: %1.</translation>
+    </message>
+    <message>
+        <source>You walk %1 the other way, which is as good: all signs of the row change.</source>
+        <translation>Recorre %1 en el otro sentido, que vale igual: cambian todos los signos de la fila.</translation>
+    </message>
+    <message>
+        <source>You take another spanning tree, of the edges %1: for it the matrix is right.</source>
+        <translation>Toma otro árbol generador, de las aristas %1: para él la matriz es correcta.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no ratio %1.</source>
+        <translation>Este mecanismo no tiene la relación %1.</translation>
+    </message>
+    <message>
+        <source>Link %1 has no gear, so %2 has no value.</source>
+        <translation>El eslabón %1 no tiene rueda, así que %2 no tiene valor.</translation>
+    </message>
+    <message>
+        <source>Link %1 has several gears: write %2&apos; or %2&apos;&apos;, in the order of its meshes.</source>
+        <translation>El eslabón %1 tiene varias ruedas: escriba %2&apos; o %2&apos;&apos;, en el orden de sus engranes.</translation>
+    </message>
+    <message>
+        <source>The diameter %1 is no fraction: use numbers of teeth.</source>
+        <translation>El diámetro %1 no es una fracción: use números de dientes.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no turning joint %1, so no %2.</source>
+        <translation>Este mecanismo no tiene el par de revolución %1, así que no hay %2.</translation>
+    </message>
+    <message>
+        <source>%1 names no links of this mechanism: write ω with two labels, as ω5_1.</source>
+        <translation>%1 no nombra eslabones de este mecanismo: escriba ω con dos etiquetas, como ω5_1.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, so no velocity follows from them.</source>
+        <translation>Los pares de revolución no forman un árbol generador, así que de ellos no se deduce ninguna velocidad.</translation>
+    </message>
+    <message>
+        <source>The velocity of link %1 relative to link %2 has several directions: write one equation for each level.</source>
+        <translation>La velocidad del eslabón %1 respecto del eslabón %2 tiene varias direcciones: escriba una ecuación por nivel.</translation>
+    </message>
+    <message>
+        <source>An entry is missing here.</source>
+        <translation>Aquí falta una entrada.</translation>
+    </message>
+    <message>
+        <source>This formula is too long.</source>
+        <translation>Esta fórmula es demasiado larga.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read: write a number, a fraction or names such as i15, n41, N4, θ8 or ω51.</source>
+        <translation>«%1» no se puede leer: escriba un número, una fracción o nombres como i15, n41, N4, θ8 u ω51.</translation>
+    </message>
+    <message>
+        <source>A velocity is multiplied by a velocity here.</source>
+        <translation>Aquí se multiplica una velocidad por otra.</translation>
+    </message>
+    <message>
+        <source>Something is divided by a velocity here.</source>
+        <translation>Aquí se divide algo entre una velocidad.</translation>
+    </message>
+    <message>
+        <source>Something is divided by 0 here.</source>
+        <translation>Aquí se divide algo entre 0.</translation>
+    </message>
+    <message>
+        <source>This formula has too many parentheses inside each other.</source>
+        <translation>Esta fórmula tiene demasiados paréntesis anidados.</translation>
+    </message>
+    <message>
+        <source>A power needs a whole number of at most %1.</source>
+        <translation>Una potencia necesita un número entero de %1 como máximo.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma.</source>
+        <translation>«%1» se puede leer como millar o como decimal: escríbalo sin la coma.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>“%1” holds a velocity, and an entry of a matrix is a number.</source>
+        <translation>«%1» contiene una velocidad, y una entrada de una matriz es un número.</translation>
+    </message>
+    <message>
+        <source>The text has more than %1 bytes.</source>
+        <translation>El texto tiene más de %1 bytes.</translation>
+    </message>
+    <message>
+        <source>There is no matrix and no equation.</source>
+        <translation>No hay ni matriz ni ecuación.</translation>
+    </message>
+    <message>
+        <source>This \begin has no name in braces.</source>
+        <translation>Este \begin no tiene nombre entre llaves.</translation>
+    </message>
+    <message>
+        <source>\begin{%1} has no \end{%1}.</source>
+        <translation>\begin{%1} no tiene \end{%1}.</translation>
+    </message>
+    <message>
+        <source>This bracket is not closed.</source>
+        <translation>Este corchete no está cerrado.</translation>
+    </message>
+    <message>
+        <source>The matrix has more than %1 entries.</source>
+        <translation>La matriz tiene más de %1 entradas.</translation>
+    </message>
+    <message>
+        <source>The matrix has no rows.</source>
+        <translation>La matriz no tiene filas.</translation>
+    </message>
+    <message>
+        <source>Row %1 has 1 entry, the first has %2.</source>
+        <translation>La fila %1 tiene 1 entrada, la primera tiene %2.</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 entries, the first has %3.</source>
+        <translation>La fila %1 tiene %2 entradas, la primera tiene %3.</translation>
+    </message>
+    <message>
+        <source>This row has a label and no entry.</source>
+        <translation>Esta fila tiene una etiqueta y ninguna entrada.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 columns.</source>
+        <translation>Hay %1 etiquetas para %2 columnas.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 rows.</source>
+        <translation>Hay %1 etiquetas para %2 filas.</translation>
+    </message>
+    <message>
+        <source>There is no equation.</source>
+        <translation>No hay ninguna ecuación.</translation>
+    </message>
+    <message>
+        <source>This line has no equals sign.</source>
+        <translation>Esta línea no tiene signo igual.</translation>
+    </message>
+    <message>
+        <source>A side of this equation is empty.</source>
+        <translation>Un lado de esta ecuación está vacío.</translation>
+    </message>
+    <message>
+        <source>The symbolic solution has %1 entries; it was left out.</source>
+        <translation>La solución simbólica tiene %1 entradas; se omitió.</translation>
+    </message>
+    <message>
+        <source>The equations of this mechanism are so coupled that the symbolic solution would fill pages; it was left out.</source>
+        <translation>Las ecuaciones de este mecanismo están tan acopladas que la solución simbólica llenaría páginas; se omitió.</translation>
+    </message>
+    <message>
+        <source>%1 entries of the symbolic solution are left as a chain of substitutions: expanded, one has over %2 terms, or all together over %3 factors.</source>
+        <translation>%1 entradas de la solución simbólica quedan como cadena de sustituciones: desarrolladas, una tiene más de %2 términos, o todas juntas más de %3 factores.</translation>
+    </message>
+    <message>
+        <source>Masses need lengths in metres, and &quot;%1&quot; is no unit of length that is known: use mm, cm, m or in.</source>
+        <translation>Las masas necesitan longitudes en metros, y «%1» no es una unidad de longitud conocida: use mm, cm, m o in.</translation>
+    </message>
+    <message>
+        <source>It ends where joint %1 reaches the end of its range.</source>
+        <translation>Termina donde el par %1 llega al final de su intervalo.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: torques determine no acceleration.</source>
+        <translation>Un movimiento de las entradas no mueve ninguna masa: los momentos no determinan ninguna aceleración.</translation>
+    </message>
+    <message>
+        <source>It ends where speeds grow beyond what can be followed.</source>
+        <translation>Termina donde las velocidades crecen más allá de lo que se puede seguir.</translation>
+    </message>
+    <message>
+        <source>The ratio of an input to joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give a ratio that it can.</source>
+        <translation>La relación de una entrada con el par %1 supera el mayor número que puede representar el análisis, 1.79e308. Números de dientes más próximos, o menos engranes seguidos, dan una que sí puede.</translation>
+    </message>
+    <message>
+        <source>The speed of joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>La velocidad del par %1 supera el mayor número que puede representar el análisis, 1.79e308. Reduzca las velocidades de las entradas.</translation>
+    </message>
+    <message>
+        <source>The speed of the link that turns about joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>La velocidad del eslabón que gira en el par %1 supera el mayor número que puede representar el análisis, 1.79e308. Reduzca las velocidades de las entradas.</translation>
+    </message>
+    <message>
+        <source>In state %1: %2</source>
+        <translation>En el estado %1: %2</translation>
+    </message>
+    <message>
+        <source>In states %1: %2</source>
+        <translation>En los estados %1: %2</translation>
+    </message>
+    <message>
+        <source>No load is given: all torques are 0.</source>
+        <translation>No se da ninguna carga: todos los momentos son 0.</translation>
+    </message>
+    <message>
+        <source>The drive of state %1, link %2, gets 1 N m, as no load acts on it or on the driven link.</source>
+        <translation>La entrada del estado %1, el eslabón %2, recibe 1 N m, pues no actúa ninguna carga sobre ella ni sobre el eslabón conducido.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out, and so are loads that are forces. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>No se conoce el tamaño de la unidad de longitud «%1»: se omiten las fuerzas de dientes y cojinetes, y también las cargas que son fuerzas. Las unidades son nm, um, mm, cm, dm, m, mil, in y ft.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>No se conoce el tamaño de la unidad de longitud «%1»: se omiten las fuerzas de dientes y cojinetes. Las unidades son nm, um, mm, cm, dm, m, mil, in y ft.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Las velocidades no están determinadas: se omiten potencias y rendimientos. Dé a las entradas sus velocidades, o elija un estado de un grado de libertad.</translation>
+    </message>
+    <message>
+        <source>No mesh has an efficiency: give `efficiency` or `friction` in the document, or --eta.</source>
+        <translation>Ningún engrane tiene rendimiento: indique `efficiency` o `friction` en el documento, o --eta.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joint %1 turns freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Nada sostiene este movimiento: el par %1 gira libremente bajo la carga en: %2. Añada un equilibrante en el par %3.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joints %1 turn freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Nada sostiene este movimiento: los pares %1 giran libremente bajo la carga en: %2. Añada un equilibrante en el par %3.</translation>
+    </message>
+    <message>
+        <source>coupling %1</source>
+        <translation>acoplamiento %1</translation>
+    </message>
+    <message>
+        <source>couplings %1</source>
+        <translation>acoplamientos %1</translation>
+    </message>
+    <message>
+        <source>balances</source>
+        <translation>equilibrantes</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (1 self-stress).</source>
+        <translation>%1 comparten la carga en proporciones que deciden la rigidez y el juego (1 autotensión).</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (%2 self-stresses).</source>
+        <translation>%1 comparten la carga en proporciones que deciden la rigidez y el juego (%2 autotensiones).</translation>
+    </message>
+    <message>
+        <source>Torques outside are determined.</source>
+        <translation>Los momentos de fuera están determinados.</translation>
+    </message>
+    <message>
+        <source>Torques that do not depend on them are determined.</source>
+        <translation>Los momentos que no dependen de ellos están determinados.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load needs no balance.</source>
+        <translation>El par %1 no puede girar: su carga no necesita equilibrante.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by mesh %2.</source>
+        <translation>El par %1 no puede girar: su carga la lleva el engrane %2.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by meshes %2.</source>
+        <translation>El par %1 no puede girar: su carga la llevan los engranes %2.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction.</source>
+        <translation>Ningún momento en: %1 mueve esta carga: el tren se autobloquea en este sentido.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins below eta = %2).</source>
+        <translation>Ningún momento en: %1 mueve esta carga: el tren se autobloquea en este sentido (empieza por debajo de eta = %2).</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins at %2 % of these losses).</source>
+        <translation>Ningún momento en: %1 mueve esta carga: el tren se autobloquea en este sentido (empieza con el %2 % de estas pérdidas).</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
+        <translation>No se decidió qué ruedas accionan: las rondas de suposiciones no se estabilizan, y %1 dejan demasiadas combinaciones para probarlas todas. Las potencias son las de sin pérdidas.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
+        <translation>El engrane %1 transmite %2 veces la potencia aportada, visto desde su portasatélites.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 pass up to %2 times the power fed, seen from their carriers.</source>
+        <translation>Los engranes %1 transmiten hasta %2 veces la potencia aportada, vistos desde sus portasatélites.</translation>
+    </message>
+    <message>
+        <source>%1 W of each W fed circulate through %2 and %3.</source>
+        <translation>%1 W de cada W aportado circulan por: %2 y %3.</translation>
+    </message>
+    <message>
+        <source>links %1</source>
+        <translation>eslabones %1</translation>
+    </message>
+    <message>
+        <source>Turning joints %1 name one axis (%2) but do not all hang together on it by common links: they coincide only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its own entry in axes.</source>
+        <translation>Los pares de revolución %1 nombran un eje (%2), pero no todos están unidos en él por eslabones comunes: solo coinciden en la posición dibujada y se tratan como ejes distintos (%3). Dé a cada eje del mecanismo su propia entrada en axes.</translation>
+    </message>
+    <message>
+        <source>Axes %1 are one line held by common links: they are treated as one axis (%2).</source>
+        <translation>Los ejes %1 son una sola recta que sostienen eslabones comunes: se tratan como un solo eje (%2).</translation>
+    </message>
+    <message>
+        <source>The opposite direction of %1 is minded.</source>
+        <translation>Se tiene en cuenta la dirección opuesta de %1.</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>nota</translation>
+    </message>
+    <message>
+        <source>New note here</source>
+        <translation>Nota nueva aquí</translation>
+    </message>
+    <message>
+        <source>Change the text</source>
+        <translation>Cambiar el texto</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Añadir nota</translation>
+    </message>
+    <message>
+        <source>Delete note</source>
+        <translation>Eliminar nota</translation>
+    </message>
+    <message>
+        <source>Change note</source>
+        <translation>Cambiar nota</translation>
+    </message>
+    <message>
+        <source>Text of the note</source>
+        <translation>Texto de la nota</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Return takes the text, Shift+Return begins a new line, Esc leaves it as it was</source>
+        <translation>Intro acepta el texto, Mayús+Intro empieza otra línea, Esc lo deja como estaba</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters.</source>
+        <translation>Una nota tiene como máximo 1000 caracteres.</translation>
+    </message>
+    <message>
+        <source>Move note</source>
+        <translation>Mover nota</translation>
+    </message>
+    <message>
+        <source>Notes are written on the sheet of the digraph</source>
+        <translation>Las notas se escriben en la hoja del dígrafo</translation>
+    </message>
+    <message>
+        <source>Never self-locking, however large the losses</source>
+        <translation>Nunca se autobloquea, por grandes que sean las pérdidas</translation>
+    </message>
+    <message>
+        <source>Moves up to %1 % of these losses; beyond, not decided</source>
+        <translation>Se mueve hasta el %1 % de estas pérdidas; más allá, no decidido</translation>
+    </message>
+    <message>
+        <source>Moves backward up to %1 % of these losses; beyond, not decided</source>
+        <translation>Se mueve en sentido inverso hasta el %1 % de estas pérdidas; más allá, no decidido</translation>
+    </message>
+    <message>
+        <source>Moves down to η = %1; below, not decided</source>
+        <translation>Se mueve hasta η = %1; por debajo, no decidido</translation>
+    </message>
+    <message>
+        <source>Moves backward down to η = %1; below, not decided</source>
+        <translation>Se mueve en sentido inverso hasta η = %1; por debajo, no decidido</translation>
+    </message>
+    <message>
+        <source>Self-locking from %1 % of these losses on</source>
+        <translation>Se autobloquea a partir del %1 % de estas pérdidas</translation>
+    </message>
+    <message>
+        <source>Self-locking backward from %1 % of these losses on</source>
+        <translation>Se autobloquea en sentido inverso a partir del %1 % de estas pérdidas</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large.</source>
+        <translation>Donde un tren se autobloquea, ningún par de lo que sostiene las cargas las mueve, por grande que sea.</translation>
+    </message>
+    <message>
+        <source>The meshes state different efficiencies: all their losses, 1 − η, are multiplied by one factor.</source>
+        <translation>Los engranes indican rendimientos distintos: todas sus pérdidas, 1 − η, se multiplican por un mismo factor.</translation>
+    </message>
+    <message>
+        <source>The efficiency counts as the same in all meshes.</source>
+        <translation>El rendimiento cuenta como igual en todos los engranes.</translation>
+    </message>
+    <message>
+        <source>At %1 % it moves, at %2 % no choice of driving gears solves it.</source>
+        <translation>Al %1 % se mueve, al %2 % ninguna elección de ruedas motrices lo resuelve.</translation>
+    </message>
+    <message>
+        <source>At η = %1 it moves, at %2 no choice of driving gears solves it.</source>
+        <translation>Con η = %1 se mueve, con %2 ninguna elección de ruedas motrices lo resuelve.</translation>
+    </message>
+    <message>
+        <source>Of that many meshes not all choices were tried.</source>
+        <translation>Con tantos engranes no se probaron todas las elecciones.</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 nota</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 notas</translation>
+    </message>
+    <message>
+        <source>Select links or notes to copy; the ground stays where it is.</source>
+        <translation>Seleccione eslabones o notas para copiar; el bastidor se queda donde está.</translation>
+    </message>
+    <message>
+        <source>Rename a link, change a note</source>
+        <translation>Renombrar un eslabón, cambiar una nota</translation>
+    </message>
+    <message>
+        <source>Write a note on the sheet of the digraph: click where it should be; a double click changes one</source>
+        <translation>Escribir una nota en la hoja del dígrafo: haga clic donde debe estar; un doble clic cambia una</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it, or one note to change it.</source>
+        <translation>Seleccione un eslabón para cambiarle el nombre, o una nota para cambiarla.</translation>
+    </message>
+    <message>
+        <source>Move its axis</source>
+        <translation>Mover su eje</translation>
+    </message>
+    <message>
+        <source>Move its axis (%1)</source>
+        <translation>Mover su eje (%1)</translation>
+    </message>
+    <message>
+        <source>A mesh has no carrier in the T–T graph, or its kind is not known.</source>
+        <translation>Un engrane no tiene portador en el grafo T–T, o no se conoce su tipo.</translation>
+    </message>
+    <message>
+        <source>Select one note to change its text.</source>
+        <translation>Seleccione una sola nota para cambiar su texto.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>The text on the sheet of the digraph</source>
+        <translation>El texto en la hoja del dígrafo</translation>
+    </message>
+    <message>
+        <source>z = %1. Esc puts back</source>
+        <translation>z = %1. Esc devuelve</translation>
+    </message>
+    <message>
+        <source>z = %1</source>
+        <translation>z = %1</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it or the rim of a gear for its teeth. The program lays the drawing out</source>
+        <translation>Clic para seleccionar; arrastrar un eje lo mueve, arrastrar el borde de una rueda cambia sus dientes. El programa dispone el dibujo</translation>
+    </message>
+    <message>
+        <source>Note: click on an empty area, or on a note to change it</source>
+        <translation>Nota: clic en un área vacía, o en una nota para cambiarla</translation>
+    </message>
+    <message>
+        <source>Handle of %1</source>
+        <translation>Asa de %1</translation>
+    </message>
+    <message>
+        <source>Drag to move %1, or use the arrow keys (with Shift: finer). Alt places freely, Esc puts back</source>
+        <translation>Arrastre para mover %1, o use las flechas (con Mayús: más fino). Alt coloca libremente, Esc devuelve</translation>
+    </message>
+    <message>
+        <source>the axis of joint %1</source>
+        <translation>el eje del par %1</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>motor</translation>
+    </message>
+    <message>
+        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
+        <translation>csv: matrices; html, latex, md, pdf: la deducción desarrollada; handout: una página para navegadores, con entradas que mover; scorm: esa página como paquete para plataformas de aprendizaje (SCORM 1.2); svg, png, pdf con --view: una imagen; stl, obj, ply, glb, 3mf: ruedas; assembly: ruedas para una comprobación; mjcf, urdf: un modelo para simuladores; modelica: un modelo de los pares; dot, graphml, node-link: un grafo</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
+        <translation>--to es uno de csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
     </message>
 </context>
 <context>

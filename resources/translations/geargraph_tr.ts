@@ -4,86 +4,6 @@
 <context>
     <name>GearGraph</name>
     <message>
-        <source>at</source>
-        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
-        <translation>an</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <comment>The link beyond the joint, seen from the ground.</comment>
-        <translation>dönüş</translation>
-    </message>
-    <message>
-        <source>carried by</source>
-        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
-        <translation>taşıyan</translation>
-    </message>
-    <message>
-        <source>coupling</source>
-        <comment>A brake or clutch that is engaged.</comment>
-        <translation>eleman</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
-        <translation>tutar</translation>
-    </message>
-    <message>
-        <source>about</source>
-        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
-        <translation>etrafında</translation>
-    </message>
-    <message>
-        <source>mesh</source>
-        <comment>The gear mesh, by its label.</comment>
-        <translation>dişli çifti</translation>
-    </message>
-    <message>
-        <source>tail</source>
-        <comment>The link of the tail&apos;s gear.</comment>
-        <translation>kuyruk</translation>
-    </message>
-    <message>
-        <source>head</source>
-        <comment>The link of the head&apos;s gear.</comment>
-        <translation>baş</translation>
-    </message>
-    <message>
-        <source>carrier</source>
-        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
-        <translation>taşıyıcı</translation>
-    </message>
-    <message>
-        <source>drives</source>
-        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
-        <translation>tahrik eder</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
-        <translation>mafsal</translation>
-    </message>
-    <message>
-        <source>element</source>
-        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
-        <translation>öğe</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <comment>The link that it acts on.</comment>
-        <translation>uzuv</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <comment>The shafts of the loop.</comment>
-        <translation>uzuvlar</translation>
-    </message>
-    <message>
-        <source>meshes</source>
-        <comment>The meshes of the gear sets of the loop.</comment>
-        <translation>kavraşır</translation>
-    </message>
-    <message>
         <source>the ground does not move</source>
         <translation>sabit uzuv hareket etmez</translation>
     </message>
@@ -1422,10 +1342,6 @@
         <translation>Panoda uzuv yok: %1</translation>
     </message>
     <message>
-        <source>Select links to copy; the ground stays where it is.</source>
-        <translation>Kopyalanacak uzuvları seçin; sabit uzuv yerinde kalır.</translation>
-    </message>
-    <message>
         <source>Copied %1</source>
         <translation>%1 kopyalandı</translation>
     </message>
@@ -1916,10 +1832,6 @@
     <message>
         <source>Alt</source>
         <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Rename in place</source>
-        <translation>Yerinde yeniden adlandır</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -2700,10 +2612,6 @@
     <message>
         <source>The ground cannot be deleted.</source>
         <translation>Sabit uzuv silinemez.</translation>
-    </message>
-    <message>
-        <source>Select one link to rename it.</source>
-        <translation>Yeniden adlandırmak için bir uzuv seçin.</translation>
     </message>
     <message>
         <source>Select a joint or a mesh to turn its arrow round.</source>
@@ -4378,10 +4286,6 @@
         <translation>Alt serbest yerleştirir. Esc geri koyar</translation>
     </message>
     <message>
-        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
-        <translation>Seçmek için tıklayın, taşımak için ekseni sürükleyin. Çizimi program yerleştirir</translation>
-    </message>
-    <message>
         <source>Gear mesh: drag from a gear to the gear it drives</source>
         <translation>Dişli çifti: bir dişliden tahrik ettiği dişliye sürükleyin</translation>
     </message>
@@ -5762,10 +5666,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Efficiency</source>
         <translation>Verim</translation>
-    </message>
-    <message>
-        <source>Where a train locks itself, no torque of what holds the loads moves them, however large. The efficiency counts as the same in all meshes.</source>
-        <translation>Bir düzenek kendini kilitlediğinde, yükleri tutanın momenti ne kadar büyük olursa olsun onları hareket ettirmez. Verim tüm kavramalarda aynı sayılır.</translation>
     </message>
     <message>
         <source>i: the teeth of the tail&apos;s gear over those of the head&apos;s; η: the efficiency of a mesh. It holds as long as the same gears drive.</source>
@@ -7842,6 +7742,6292 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Held</source>
         <translation>Tutulan</translation>
+    </message>
+    <message>
+        <source>One file is needed.</source>
+        <translation>Bir dosya gerekli.</translation>
+    </message>
+    <message>
+        <source>Give --symbolic or --no-symbolic.</source>
+        <translation>--symbolic ya da --no-symbolic verin.</translation>
+    </message>
+    <message>
+        <source>the analysis</source>
+        <translation>çözümleme</translation>
+    </message>
+    <message>
+        <source>Standard output could not be written.</source>
+        <translation>Standart çıktıya yazılamadı.</translation>
+    </message>
+    <message>
+        <source>drive these joints (by label) instead of the document&apos;s</source>
+        <translation>belgedekiler yerine bu mafsalları (etiketiyle) tahrik et</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be repeated</source>
+        <translation>bir girişin rad/s cinsinden hızı; yinelenebilir</translation>
+    </message>
+    <message>
+        <source>with the solution in gear ratios (the default)</source>
+        <translation>dişli oranlarıyla çözümle birlikte (varsayılan)</translation>
+    </message>
+    <message>
+        <source>without it</source>
+        <translation>onsuz</translation>
+    </message>
+    <message>
+        <source>as JSON</source>
+        <translation>JSON olarak</translation>
+    </message>
+    <message>
+        <source>with --json: all entries of matrices, also above 250,000 (else triplets)</source>
+        <translation>--json ile: 250.000&apos;den fazla olsa da matrislerin bütün öğeleri (yoksa üçlüler)</translation>
+    </message>
+    <message>
+        <source>Analyses a mechanism, for people or as JSON.</source>
+        <translation>Bir mekanizmayı çözümler, insanlar için ya da JSON olarak.</translation>
+    </message>
+    <message>
+        <source>Untitled mechanism</source>
+        <translation>Adsız mekanizma</translation>
+    </message>
+    <message>
+        <source>%1 moving link</source>
+        <translation>%1 hareketli uzuv</translation>
+    </message>
+    <message>
+        <source>%1 moving links</source>
+        <translation>%1 hareketli uzuv</translation>
+    </message>
+    <message>
+        <source>%1 turning joint</source>
+        <translation>%1 döner mafsal</translation>
+    </message>
+    <message>
+        <source>%1 gear mesh</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>teeth %1 : %2</source>
+        <translation>diş %1 : %2</translation>
+    </message>
+    <message>
+        <source>Eq. (%1)</source>
+        <translation>Denk. (%1)</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <translation>%1 satır</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 satır</translation>
+    </message>
+    <message>
+        <source>%1 column</source>
+        <translation>%1 sütun</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>%1 sütun</translation>
+    </message>
+    <message>
+        <source>%1: too large to print; see &quot;export --to csv --matrix %2&quot;</source>
+        <translation>%1: basılamayacak kadar büyük; bkz. &quot;export --to csv --matrix %2&quot;</translation>
+    </message>
+    <message>
+        <source>The option %1 takes no value.</source>
+        <translation>%1 seçeneği değer almaz.</translation>
+    </message>
+    <message>
+        <source>The option %1 needs a value: %1 %2.</source>
+        <translation>%1 seçeneği bir değer ister: %1 %2.</translation>
+    </message>
+    <message>
+        <source>The options cannot be read.</source>
+        <translation>Seçenekler okunamıyor.</translation>
+    </message>
+    <message>
+        <source>There is no option &quot;%1&quot; here.</source>
+        <translation>Burada &quot;%1&quot; diye bir seçenek yok.</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>satır %1</translation>
+    </message>
+    <message>
+        <source>rows %1</source>
+        <translation>satır %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>sütun %1</translation>
+    </message>
+    <message>
+        <source>columns %1</source>
+        <translation>sütun %1</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;: %2.</source>
+        <translation>&quot;%1&quot; diye bir matris yok: %2.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a matrix or equations are needed.</source>
+        <translation>Bir mekanizma ve içinde matris ya da denklemler olan bir dosya gerekli.</translation>
+    </message>
+    <message>
+        <source>the check</source>
+        <translation>denetim</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
+        <translation>hangi matris olduğu: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p veya solution (tanınır)</translation>
+    </message>
+    <message>
+        <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
+        <translation>Sizin bir matrisinizi ya da denklemlerinizi türetilenlerle karşılaştırır; farklıysa durum 1.</translation>
+    </message>
+    <message>
+        <source>Usage: geargraph-cli %1 %2</source>
+        <translation>Kullanım: geargraph-cli %1 %2</translation>
+    </message>
+    <message>
+        <source>More: geargraph-cli %1 --help</source>
+        <translation>Daha fazlası: geargraph-cli %1 --help</translation>
+    </message>
+    <message>
+        <source>Not in the table: %1.</source>
+        <translation>Tabloda yok: %1.</translation>
+    </message>
+    <message>
+        <source>Not in the graph: %1.</source>
+        <translation>Grafta yok: %1.</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, geargraph, dot, graphml, node-link.</source>
+        <translation>--to şunlardan biridir: csv, geargraph, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>--separator is one of comma, semicolon, tab.</source>
+        <translation>--separator şunlardan biridir: comma, semicolon, tab.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with %2; it is an option of %3.</source>
+        <translation>%1 seçeneğinin %2 ile anlamı yok; %3 seçeneğidir.</translation>
+    </message>
+    <message>
+        <source>the conversion</source>
+        <translation>dönüştürme</translation>
+    </message>
+    <message>
+        <source>csv: a table with a row for each link, axis, turning joint, gear mesh, ...; geargraph: a document; dot, graphml, node-link: the digraph; each is read back, graphs of other programs, too, where edges have kind, axis and tooth counts</source>
+        <translation>csv: her uzuv, eksen, döner mafsal, dişli çifti, ... için bir satırı olan tablo; geargraph: belge; dot, graphml, node-link: yönlü graf; hepsi geri okunur, kenarların türü, ekseni ve diş sayıları varsa başka programların grafları da</translation>
+    </message>
+    <message>
+        <source>the file (standard output)</source>
+        <translation>dosya (standart çıktı)</translation>
+    </message>
+    <message>
+        <source>of a table that is written (comma); reading recognises it</source>
+        <translation>yazılan tablonun (comma); okurken tanınır</translation>
+    </message>
+    <message>
+        <source>begin a table with a byte order mark, for spreadsheet programs</source>
+        <translation>tabloya bayt sırası işaretiyle başla, hesap tablosu programları için</translation>
+    </message>
+    <message>
+        <source>Converts documents to tables (CSV) and graphs, and back; FILE is any of them.</source>
+        <translation>Belgeleri tablolara (CSV) ve graflara çevirir, ve geri; FILE bunlardan biridir.</translation>
+    </message>
+    <message>
+        <source>motion not checked: nothing moves, the mechanism has errors, or it has more than %1 links</source>
+        <translation>hareket denetlenmedi: hiçbir şey hareket etmiyor, mekanizmada hata var ya da %1 uzuvdan fazla</translation>
+    </message>
+    <message>
+        <source>motion checked in part only: too many parts come close to each other</source>
+        <translation>hareket yalnız kısmen denetlendi: çok fazla parça birbirine yaklaşıyor</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, all of it</source>
+        <translation>hareket %1 ile %2 arasında denetlendi, tümü</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2; it does not repeat sooner</source>
+        <translation>hareket %1 ile %2 arasında denetlendi; daha önce yinelenmiyor</translation>
+    </message>
+    <message>
+        <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
+        <translation>%1, %2 gibi bir giriş ve sayısını verir, &quot;%3&quot; değil.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not an input; see --inputs.</source>
+        <translation>%1 mafsalı giriş değil; bkz. --inputs.</translation>
+    </message>
+    <message>
+        <source>--damping is at least 0, in N m s.</source>
+        <translation>--damping en az 0&apos;dır, N m s cinsinden.</translation>
+    </message>
+    <message>
+        <source>--seconds over --interval are at most a million samples.</source>
+        <translation>--seconds bölü --interval en çok bir milyon örnektir.</translation>
+    </message>
+    <message>
+        <source>Dynamics is computed for up to %1 entries of the solution (inputs times other joints).</source>
+        <translation>Dinamik, çözümün en çok %1 öğesi için hesaplanır (girişler çarpı öteki mafsallar).</translation>
+    </message>
+    <message>
+        <source>the gear train</source>
+        <translation>dişli takımı</translation>
+    </message>
+    <message>
+        <source>the masses</source>
+        <translation>kütleler</translation>
+    </message>
+    <message>
+        <source>the motion</source>
+        <translation>hareket</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: there is no motion to write.</source>
+        <translation>Girişlerin bir hareketi hiçbir kütleyi hareket ettirmiyor: yazılacak hareket yok.</translation>
+    </message>
+    <message>
+        <source>the torque of an input&apos;s motor (without it 0); may be given again</source>
+        <translation>bir girişin motor torku (yoksa 0); yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>less this for each rad/s, N m s; may be given again</source>
+        <translation>her rad/s için bu kadar az, N m s; yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>the angle of an input at the start; may be given again</source>
+        <translation>başlangıçta bir girişin açısı; yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>its speed at the start, rad/s (without it 0); may be given again</source>
+        <translation>başlangıçtaki hızı, rad/s (yoksa 0); yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>follow the motion for so long</source>
+        <translation>hareketi bu süre izle</translation>
+    </message>
+    <message>
+        <source>seconds between samples (without it a hundredth of the motion)</source>
+        <translation>örnekler arası saniye (yoksa hareketin yüzde biri)</translation>
+    </message>
+    <message>
+        <source>write the samples of the motion as CSV</source>
+        <translation>hareketin örneklerini CSV olarak yaz</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia that motors feel, and the motion that torques cause.</source>
+        <translation>Kütleler, motorların gördüğü atalet ve torkların yarattığı hareket.</translation>
+    </message>
+    <message>
+        <source>angle, rad</source>
+        <translation>açı, rad</translation>
+    </message>
+    <message>
+        <source>speed, rad/s</source>
+        <translation>hız, rad/s</translation>
+    </message>
+    <message>
+        <source>Motion, after %1 s</source>
+        <translation>Hareket, %1 s sonra</translation>
+    </message>
+    <message>
+        <source>kinetic energy %1 J, potential %2 J, work of motors and loads %3 J</source>
+        <translation>kinetik enerji %1 J, potansiyel %2 J, motorların ve yüklerin işi %3 J</translation>
+    </message>
+    <message>
+        <source>mass, kg</source>
+        <translation>kütle, kg</translation>
+    </message>
+    <message>
+        <source>at motor %1, kg m²</source>
+        <translation>%1 motorunda, kg m²</translation>
+    </message>
+    <message>
+        <source>inertia, kg m²</source>
+        <translation>atalet, kg m²</translation>
+    </message>
+    <message>
+        <source>holding torque, N m</source>
+        <translation>tutma torku, N m</translation>
+    </message>
+    <message>
+        <source>acceleration, rad/s²</source>
+        <translation>ivme, rad/s²</translation>
+    </message>
+    <message>
+        <source>Links, and the inertia that each has at the motors</source>
+        <translation>Uzuvlar ve her birinin motorlardaki ataleti</translation>
+    </message>
+    <message>
+        <source>Inputs, at the start</source>
+        <translation>Girişler, başlangıçta</translation>
+    </message>
+    <message>
+        <source>Generalised inertia M, kg m²</source>
+        <translation>Genelleştirilmiş atalet M, kg m²</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. The document has no states.</source>
+        <translation>&quot;%1&quot; durumu yok. Belgede durum yok.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;. States: %2.</source>
+        <translation>&quot;%1&quot; durumu yok. Durumlar: %2.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. The document has no couplings.</source>
+        <translation>&quot;%1&quot; adlı fren veya kavrama yok. Belgede hiç yok.</translation>
+    </message>
+    <message>
+        <source>There is no coupling &quot;%1&quot;. Couplings: %2.</source>
+        <translation>&quot;%1&quot; adlı fren veya kavrama yok. Olanlar: %2.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --engage A,B.</source>
+        <translation>--state NAME ya da --engage A,B verin.</translation>
+    </message>
+    <message>
+        <source>%1 (state %2)</source>
+        <translation>%1 (durum %2)</translation>
+    </message>
+    <message>
+        <source>with the couplings of this state engaged</source>
+        <translation>bu durumun frenleri ve kavramaları devrede</translation>
+    </message>
+    <message>
+        <source>with these couplings engaged, &quot;none&quot; for no coupling, instead of those that the document engages</source>
+        <translation>belgenin devreye aldıkları yerine bunlar devrede, hiçbiri için &quot;none&quot;</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;; geargraph-cli exercises kinds FILE lists them.</source>
+        <translation>&quot;%1&quot; diye bir soru türü yok; geargraph-cli exercises kinds FILE listeler.</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no question &quot;%1&quot;: %2.</source>
+        <translation>Mekanizma &quot;%1&quot; sorusunu vermiyor: %2.</translation>
+    </message>
+    <message>
+        <source>--kinds names 1 to 100 questions.</source>
+        <translation>--kinds 1 ile 100 arası soru adlandırır.</translation>
+    </message>
+    <message>
+        <source>--seed is a whole number from 0 on.</source>
+        <translation>--seed 0 veya daha büyük bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>--variants is a whole number from 1 to 1000.</source>
+        <translation>--variants 1 ile 1000 arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>The first word is kinds, make or grade.</source>
+        <translation>İlk sözcük kinds, make veya grade olur.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for exercises %2.</source>
+        <translation>%1 seçeneğinin exercises %2 için anlamı yok.</translation>
+    </message>
+    <message>
+        <source>kinds of questions, with commas; a kind may occur again (all)</source>
+        <translation>virgülle ayrılmış soru türleri; bir tür yinelenebilir (hepsi)</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (1)</source>
+        <translation>aynı sayı her yerde aynı sayfaları verir (1)</translation>
+    </message>
+    <message>
+        <source>how many different sheets, at most 1,000 (1)</source>
+        <translation>kaç ayrı sayfa, en çok 1.000 (1)</translation>
+    </message>
+    <message>
+        <source>a variant for each line of this text file</source>
+        <translation>bu metin dosyasının her satırı için bir seçenek</translation>
+    </message>
+    <message>
+        <source>the heading of the sheets (&quot;Exercises&quot;)</source>
+        <translation>sayfaların başlığı (&quot;Exercises&quot;)</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
+        <translation>biçimler: html,latex,pdf,json (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>overwrites files in the folder</source>
+        <translation>klasördeki dosyaların üzerine yazar</translation>
+    </message>
+    <message>
+        <source>make: the folder; grade: the CSV file (standard output)</source>
+        <translation>make: klasör; grade: CSV dosyası (standart çıktı)</translation>
+    </message>
+    <message>
+        <source>Makes exercise sheets from a mechanism and grades the answers.</source>
+        <translation>Bir mekanizmadan alıştırma sayfaları yapar ve yanıtları notlar.</translation>
+    </message>
+    <message>
+        <source>(not offered: %1)</source>
+        <translation>(sunulmuyor: %1)</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be read: %2.</source>
+        <translation>&quot;%1&quot; klasörü okunamadı: %2.</translation>
+    </message>
+    <message>
+        <source>These are answers to another sheet.</source>
+        <translation>Bunlar başka bir sayfanın yanıtları.</translation>
+    </message>
+    <message>
+        <source>The sheet has no variant %1.</source>
+        <translation>Sayfanın %1. seçeneği yok.</translation>
+    </message>
+    <message>
+        <source>Question %1 has no such field as some that are answered.</source>
+        <translation>%1. soruda, yanıtlananlardan bazıları gibi bir alan yok.</translation>
+    </message>
+    <message>
+        <source>The question is not answered.</source>
+        <translation>Soru yanıtlanmamış.</translation>
+    </message>
+    <message>
+        <source>The sheet has no question %1.</source>
+        <translation>Sayfanın %1. sorusu yok.</translation>
+    </message>
+    <message>
+        <source>grade needs a sheet and answers.</source>
+        <translation>grade bir sayfa ve yanıtlar ister.</translation>
+    </message>
+    <message>
+        <source>the grading</source>
+        <translation>notlama</translation>
+    </message>
+    <message>
+        <source>Give --variants or --names: a name is a variant.</source>
+        <translation>--variants ya da --names verin: bir ad bir seçenektir.</translation>
+    </message>
+    <message>
+        <source>--names is a text file of 1 to 1000 lines.</source>
+        <translation>--names 1 ile 1000 satırlık bir metin dosyasıdır.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
+        <translation>--to html, latex, pdf ve json arasından biçimler sayar, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
+        <translation>&quot;%1&quot; zaten var; hiçbir şey yazılmadı (--force üzerine yazar).</translation>
+    </message>
+    <message>
+        <source>variant %1</source>
+        <translation>%1. seçenek</translation>
+    </message>
+    <message>
+        <source>make needs one file.</source>
+        <translation>make bir dosya ister.</translation>
+    </message>
+    <message>
+        <source>make needs a folder: -o FOLDER.</source>
+        <translation>make bir klasör ister: -o FOLDER.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism; no sheet was written.</source>
+        <translation>Bu mekanizma hakkında sorulacak bir şey yok; sayfa yazılmadı.</translation>
+    </message>
+    <message>
+        <source>Matrices (--to csv)</source>
+        <translation>Matrisler (--to csv)</translation>
+    </message>
+    <message>
+        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
+        <translation>Türetimler (--to html, latex, md, pdf, handout veya scorm)</translation>
+    </message>
+    <message>
+        <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
+        <translation>Çizimler ve 3B resimler (--to svg, pdf veya png --view NAME)</translation>
+    </message>
+    <message>
+        <source>3D pictures (--to png --view 3d)</source>
+        <translation>3B resimler (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Animations (--to png --view 3d)</source>
+        <translation>Canlandırmalar (--to png --view 3d)</translation>
+    </message>
+    <message>
+        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
+        <translation>Katı modeller (--to stl, obj, ply, glb veya 3mf)</translation>
+    </message>
+    <message>
+        <source>Handouts (--to handout or scorm)</source>
+        <translation>Ders notları (--to handout veya scorm)</translation>
+    </message>
+    <message>
+        <source>Simulators (--to mjcf or urdf)</source>
+        <translation>Simülatörler (--to mjcf veya urdf)</translation>
+    </message>
+    <message>
+        <source>derivations (--to html, latex, md, pdf)</source>
+        <translation>türetimler (--to html, latex, md, pdf)</translation>
+    </message>
+    <message>
+        <source>drawings (--view digraph, ttgraph, schematic)</source>
+        <translation>çizimler (--view digraph, ttgraph, schematic)</translation>
+    </message>
+    <message>
+        <source>animations (--turntable, --motion)</source>
+        <translation>canlandırmalar (--turntable, --motion)</translation>
+    </message>
+    <message>
+        <source>graphs (--to dot, graphml, node-link)</source>
+        <translation>graflar (--to dot, graphml, node-link)</translation>
+    </message>
+    <message>
+        <source>handouts (--to handout, scorm)</source>
+        <translation>ders notları (--to handout, scorm)</translation>
+    </message>
+    <message>
+        <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
+        <translation>dosya (&quot;-&quot; standart çıktıdır), --all ile klasör</translation>
+    </message>
+    <message>
+        <source>every matrix, or every picture of an animation, into the folder that -o names</source>
+        <translation>her matris ya da canlandırmanın her resmi, -o ile verilen klasöre</translation>
+    </message>
+    <message>
+        <source>with a folder: overwrite files that are there</source>
+        <translation>klasörle: var olan dosyaların üzerine yaz</translation>
+    </message>
+    <message>
+        <source>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; of statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations, and shift-torques of all states</source>
+        <translation>incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution, tt-circuits, tt-cutsets; statikte: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, circulations ve bütün durumlar için shift-torques</translation>
+    </message>
+    <message>
+        <source>without the header row and the first column</source>
+        <translation>başlık satırı ve ilk sütun olmadan</translation>
+    </message>
+    <message>
+        <source>comma (the default), semicolon or tab</source>
+        <translation>comma (varsayılan), semicolon veya tab</translation>
+    </message>
+    <message>
+        <source>point (the default) or comma</source>
+        <translation>point (varsayılan) veya comma</translation>
+    </message>
+    <message>
+        <source>begin with a byte order mark, for spreadsheet programs</source>
+        <translation>bayt sırası işaretiyle başla, hesap tablosu programları için</translation>
+    </message>
+    <message>
+        <source>with an exercise sheet that tells where an answer is wrong, and why. Saved answers are graded by exercises grade with the sheet.json of exercises make with the same options</source>
+        <translation>yanıtın nerede ve neden yanlış olduğunu söyleyen bir alıştırma sayfasıyla. Kaydedilen yanıtları, aynı seçeneklerle yapılan exercises make&apos;in sheet.json dosyasıyla exercises grade notlar</translation>
+    </message>
+    <message>
+        <source>kinds of questions, as for exercises make (all)</source>
+        <translation>soru türleri, exercises make&apos;teki gibi (hepsi)</translation>
+    </message>
+    <message>
+        <source>the heading of the sheet (&quot;Exercises&quot;)</source>
+        <translation>sayfanın başlığı (&quot;Exercises&quot;)</translation>
+    </message>
+    <message>
+        <source>how many different sheets there are (1)</source>
+        <translation>kaç ayrı sayfa olduğu (1)</translation>
+    </message>
+    <message>
+        <source>which of them this is (1)</source>
+        <translation>bunun hangisi olduğu (1)</translation>
+    </message>
+    <message>
+        <source>digraph, ttgraph or schematic; with png and glb also 3d, the train as seen; of graphs digraph or ttgraph</source>
+        <translation>digraph, ttgraph veya schematic; png ve glb ile 3d de, takımın görünüşü; graflarda digraph veya ttgraph</translation>
+    </message>
+    <message>
+        <source>pixels (as large as the drawing is; 3d: 1600x1000)</source>
+        <translation>piksel (çizimin büyüklüğü kadar; 3d: 1600x1000)</translation>
+    </message>
+    <message>
+        <source>on a dark ground</source>
+        <translation>koyu zeminde</translation>
+    </message>
+    <message>
+        <source>on no ground</source>
+        <translation>zeminsiz</translation>
+    </message>
+    <message>
+        <source>under a digraph or schematic: where the power of the loads goes, seen from &quot;ground&quot; or the link with this label</source>
+        <translation>yönlü graf veya şemanın altında: yüklerin gücünün nereye gittiği, &quot;ground&quot; ya da bu etiketli uzuvdan bakıldığında</translation>
+    </message>
+    <message>
+        <source>front, back, left, right, top, bottom or iso</source>
+        <translation>front, back, left, right, top, bottom veya iso</translation>
+    </message>
+    <message>
+        <source>from this azimuth and elevation, degrees (-26,20)</source>
+        <translation>bu azimut ve yükselişten, derece (-26,20)</translation>
+    </message>
+    <message>
+        <source>how far the inputs have turned (0); also with glb</source>
+        <translation>girişlerin ne kadar döndüğü (0); glb ile de</translation>
+    </message>
+    <message>
+        <source>section perpendicular to x, y or z at this fraction of the length (y:0.5)</source>
+        <translation>x, y veya z&apos;ye dik kesit, uzunluğun bu kesrinde (y:0.5)</translation>
+    </message>
+    <message>
+        <source>exploded view along the axes, 0 to 1; also with glb</source>
+        <translation>eksenler boyunca patlatılmış görünüm, 0 ile 1 arası; glb ile de</translation>
+    </message>
+    <message>
+        <source>shaded, lines (hidden ones left out) or edges (all of them)</source>
+        <translation>shaded, lines (gizliler olmadan) veya edges (hepsi)</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
+    </message>
+    <message>
+        <source>links that are left out: 2,5; also with glb</source>
+        <translation>dışarıda bırakılan uzuvlar: 2,5; glb ile de</translation>
+    </message>
+    <message>
+        <source>the link that the reference frame is fixed to; also with glb</source>
+        <translation>referans eksen takımının bağlı olduğu uzuv; glb ile de</translation>
+    </message>
+    <message>
+        <source>once round the train, as an animated PNG (or --all)</source>
+        <translation>takımın çevresinde bir tur, hareketli PNG olarak (ya da --all)</translation>
+    </message>
+    <message>
+        <source>one period of the motion (a minute without one)</source>
+        <translation>hareketin bir periyodu (yoksa bir dakika)</translation>
+    </message>
+    <message>
+        <source>pictures a second (24)</source>
+        <translation>saniyede resim (24)</translation>
+    </message>
+    <message>
+        <source>pictures (72); with assembly: poses of every gear (24)</source>
+        <translation>resim (72); assembly ile: her dişlinin konumları (24)</translation>
+    </message>
+    <message>
+        <source>one gear in its own frame: 15:tail or 15:head</source>
+        <translation>kendi eksen takımında tek dişli: 15:tail veya 15:head</translation>
+    </message>
+    <message>
+        <source>the solids of one link</source>
+        <translation>tek uzvun katı modelleri</translation>
+    </message>
+    <message>
+        <source>with glb: how long one period plays (without: as long as it takes; of a period too long for a file, so many seconds of the motion, 60)</source>
+        <translation>glb ile: bir periyodun ne kadar sürdüğü (yoksa kendi süresi; dosya için çok uzunsa hareketin bu kadar saniyesi, 60)</translation>
+    </message>
+    <message>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
+        <translation>kesin biçimden en büyük kiriş sapması (0.002; büyük takımlarda 10 milyon üçgenin izin verdiği kadar ince); assembly, mjcf ve urdf ile de (0.01)</translation>
+    </message>
+    <message>
+        <source>mjcf: speed (servos with rotors, the default), torque or none</source>
+        <translation>mjcf: speed (rotorlu servolar, varsayılan), torque veya none</translation>
+    </message>
+    <message>
+        <source>mjcf: inertia of the rotors, kg m² (100 times what the input feels)</source>
+        <translation>mjcf: rotorların ataleti, kg m² (girişin gördüğünün 100 katı)</translation>
+    </message>
+    <message>
+        <source>mjcf: seconds (0.001)</source>
+        <translation>mjcf: saniye (0.001)</translation>
+    </message>
+    <message>
+        <source>SDF is not written: no current Gazebo runs its gear joints. --to urdf is read by Gazebo.</source>
+        <translation>SDF yazılmaz: güncel hiçbir Gazebo onun dişli mafsallarını çalıştırmıyor. Gazebo, --to urdf çıktısını okur.</translation>
+    </message>
+    <message>
+        <source>-o says where to write.</source>
+        <translation>-o nereye yazılacağını söyler.</translation>
+    </message>
+    <message>
+        <source>Writes matrices as CSV, the worked derivation, pictures and animations, gears as 3D files, models for simulators, and graphs.</source>
+        <translation>Matrisleri CSV olarak, işlenmiş türetimi, resimleri ve canlandırmaları, dişlileri 3B dosya olarak, simülatör modellerini ve grafları yazar.</translation>
+    </message>
+    <message>
+        <source>%1 is one of %2.</source>
+        <translation>%1 şunlardan biridir: %2.</translation>
+    </message>
+    <message>
+        <source>There is no matrix &quot;%1&quot;; there are %2.</source>
+        <translation>&quot;%1&quot; diye bir matris yok; olanlar: %2.</translation>
+    </message>
+    <message>
+        <source>The matrix &quot;%1&quot; needs %2; nothing was written.</source>
+        <translation>&quot;%1&quot; matrisi şunu ister: %2; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made.</source>
+        <translation>&quot;%1&quot; klasörü oluşturulamadı.</translation>
+    </message>
+    <message>
+        <source>Left out: %1, which needs %2.</source>
+        <translation>Atlandı: %1; şunu ister: %2.</translation>
+    </message>
+    <message>
+        <source>Give --matrix NAME or --all.</source>
+        <translation>--matrix NAME ya da --all verin.</translation>
+    </message>
+    <message>
+        <source>the solution</source>
+        <translation>çözüm</translation>
+    </message>
+    <message>
+        <source>the torques</source>
+        <translation>torklar</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>--power needs a mechanism without errors.</source>
+        <translation>--power hatasız bir mekanizma ister.</translation>
+    </message>
+    <message>
+        <source>--power needs loads: this document has none, so that no power flows. Add &quot;loads&quot; to it.</source>
+        <translation>--power yük ister: bu belgede yük yok, güç akmıyor. &quot;loads&quot; ekleyin.</translation>
+    </message>
+    <message>
+        <source>--power needs balances that hold the loads.</source>
+        <translation>--power yükleri tutan dengeler ister.</translation>
+    </message>
+    <message>
+        <source>--power needs a motion: the speeds are not determined.</source>
+        <translation>--power bir hareket ister: hızlar belirli değil.</translation>
+    </message>
+    <message>
+        <source>No power flows: the loads and what holds them do no work in this motion.</source>
+        <translation>Güç akmıyor: yükler ve onları tutanlar bu harekette iş yapmıyor.</translation>
+    </message>
+    <message>
+        <source>--power is ground or the label of a link, not &quot;%1&quot;.</source>
+        <translation>--power, ground ya da bir uzvun etiketidir, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--view 3d is made of pixels: it needs --to png.</source>
+        <translation>--view 3d piksellerden oluşur: --to png ister.</translation>
+    </message>
+    <message>
+        <source>%1 needs --view: one of %2.</source>
+        <translation>%1, --view ister: şunlardan biri: %2.</translation>
+    </message>
+    <message>
+        <source>--power is drawn in the digraph and in the schematic.</source>
+        <translation>--power yönlü grafta ve şemada çizilir.</translation>
+    </message>
+    <message>
+        <source>the drawing</source>
+        <translation>çizim</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>resim</translation>
+    </message>
+    <message>
+        <source>A graph is the digraph or the ttgraph, not &quot;%1&quot;.</source>
+        <translation>Graf, digraph ya da ttgraph olur, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>There is no T-T graph: the turning joints are no spanning tree, or a mesh has no carrier; nothing was written.</source>
+        <translation>T-T grafı yok: döner mafsallar kapsayan ağaç değil ya da bir dişli çiftinin taşıyıcısı yok; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>the 3D view</source>
+        <translation>3B görünüm</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links.</source>
+        <translation>%1 uzuvlu bir takımın 3B&apos;si yok; 3B en çok %2 uzuv için yapılır.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show: the turning joints are no spanning tree.</source>
+        <translation>Gösterilecek bir şey yok: döner mafsallar kapsayan ağaç değil.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>dosya</translation>
+    </message>
+    <message>
+        <source>--size takes WIDTHxHEIGHT, each from %1 to %2, not &quot;%3&quot;.</source>
+        <translation>--size GENİŞLİKxYÜKSEKLİK alır, ikisi de %1 ile %2 arasında, &quot;%3&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--all writes a folder; &quot;-&quot; is none.</source>
+        <translation>--all bir klasör yazar; &quot;-&quot; klasör değil.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read. The matrices are exported as CSV.</source>
+        <translation>%1 uzuvdan fazlası için türetim yazılmaz: okunamayacak kadar uzun olurdu. Matrisler CSV olarak dışa aktarılır.</translation>
+    </message>
+    <message>
+        <source>the derivation</source>
+        <translation>türetim</translation>
+    </message>
+    <message>
+        <source>%1 needs --exercises.</source>
+        <translation>%1, --exercises ister.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with --exercises, which ask about the document.</source>
+        <translation>%1 seçeneğinin --exercises ile anlamı yok; alıştırmalar belgeyi sorar.</translation>
+    </message>
+    <message>
+        <source>--exercises needs a file, not standard input.</source>
+        <translation>--exercises bir dosya ister, standart girdi olmaz.</translation>
+    </message>
+    <message>
+        <source>--variant is a whole number from 1 to that of --variants.</source>
+        <translation>--variant 1 ile --variants sayısı arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism.</source>
+        <translation>Bu mekanizma hakkında sorulacak bir şey yok.</translation>
+    </message>
+    <message>
+        <source>--motor is one of speed, torque, none.</source>
+        <translation>--motor şunlardan biridir: speed, torque, none.</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>Nothing can move; the model holds still.</source>
+        <translation>Hiçbir şey hareket edemez; model durur.</translation>
+    </message>
+    <message>
+        <source>State %1 leaves %2 freedoms; joints %3 are driven.</source>
+        <translation>%1 durumunda %2 serbestlik kalıyor; %3 mafsalları tahrik edilir.</translation>
+    </message>
+    <message>
+        <source>A model for simulators is a folder; &quot;-&quot; is none.</source>
+        <translation>Simülatör modeli bir klasördür; &quot;-&quot; klasör değil.</translation>
+    </message>
+    <message>
+        <source>There is no solution to drive the model by; nothing was written.</source>
+        <translation>Modeli sürecek bir çözüm yok; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>Models for simulators have at most %1 entries of the solution (inputs times other joints).</source>
+        <translation>Simülatör modellerinde çözümün en çok %1 öğesi olur (girişler çarpı öteki mafsallar).</translation>
+    </message>
+    <message>
+        <source>the folder</source>
+        <translation>klasör</translation>
+    </message>
+    <message>
+        <source>The train is so large that its chords are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>Takım o kadar büyük ki kirişleri %2 yerine %1 modül içinde kalıyor (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Left out: %1 of %2 gears, which cannot be made.</source>
+        <translation>Atlandı: %2 dişliden %1 tanesi yapılamıyor.</translation>
+    </message>
+    <message>
+        <source>Only --to glb of a train or a link carries an animation.</source>
+        <translation>Canlandırmayı yalnız bir takımın ya da uzvun --to glb çıktısı taşır.</translation>
+    </message>
+    <message>
+        <source>Give --gear or --link, not both.</source>
+        <translation>--gear ya da --link verin, ikisini birden değil.</translation>
+    </message>
+    <message>
+        <source>--to assembly writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to assembly bir klasör yazar; &quot;-&quot; klasör değil.</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; döner mafsalı yok.</translation>
+    </message>
+    <message>
+        <source>There is no turning joint &quot;%1&quot;; they are labelled %2 to %3.</source>
+        <translation>&quot;%1&quot; döner mafsalı yok; etiketleri %2 ile %3 arasında.</translation>
+    </message>
+    <message>
+        <source>--inputs names joint %1 twice.</source>
+        <translation>--inputs %1 mafsalını iki kez anıyor.</translation>
+    </message>
+    <message>
+        <source>--speed is like 8=1/2: a joint&apos;s label and rad/s.</source>
+        <translation>--speed 8=1/2 gibidir: mafsalın etiketi ve rad/s.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
+        <translation>&quot;%1&quot; hız değil; 1/2 veya 0.5 olur.</translation>
+    </message>
+    <message>
+        <source>Too many to count</source>
+        <translation>Sayılamayacak kadar çok</translation>
+    </message>
+    <message>
+        <source>%1 valid set of inputs</source>
+        <translation>%1 geçerli giriş kümesi</translation>
+    </message>
+    <message>
+        <source>%1 valid sets of inputs</source>
+        <translation>%1 geçerli giriş kümesi</translation>
+    </message>
+    <message>
+        <source>; the first %1:</source>
+        <translation>; ilk %1:</translation>
+    </message>
+    <message>
+        <source>(none: nothing can move)</source>
+        <translation>(yok: hiçbir şey hareket edemez)</translation>
+    </message>
+    <message>
+        <source>There are over 20 million rates of joints over inputs; no sets are listed.</source>
+        <translation>Mafsalların girişlere göre 20 milyondan fazla hızı var; küme listelenmez.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number.</source>
+        <translation>--limit bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>the list of input sets</source>
+        <translation>giriş kümelerinin listesi</translation>
+    </message>
+    <message>
+        <source>how many sets are listed (1,000)</source>
+        <translation>kaç kümenin listeleneceği (1.000)</translation>
+    </message>
+    <message>
+        <source>Counts and lists the valid sets of inputs.</source>
+        <translation>Geçerli giriş kümelerini sayar ve listeler.</translation>
+    </message>
+    <message>
+        <source>1 step, no faults</source>
+        <translation>1 adım, hata yok</translation>
+    </message>
+    <message>
+        <source>%1 steps, no faults</source>
+        <translation>%1 adım, hata yok</translation>
+    </message>
+    <message>
+        <source>check needs a file.</source>
+        <translation>check bir dosya ister.</translation>
+    </message>
+    <message>
+        <source>list has no options.</source>
+        <translation>list seçenek almaz.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min</source>
+        <translation>%1 ders, %2 dk</translation>
+    </message>
+    <message>
+        <source>The first word is check or list.</source>
+        <translation>İlk sözcük check veya list olur.</translation>
+    </message>
+    <message>
+        <source>the findings as JSON</source>
+        <translation>bulgular JSON olarak</translation>
+    </message>
+    <message>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
+        <translation>Dersleri denetler: biçim, yanıtlar ve gerekçeler; programdakileri listeler.</translation>
+    </message>
+    <message>
+        <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
+        <translation>%1 uzuvlu bir takımın 3B&apos;si yok; 3B en çok %2 uzuv için yapılır; --gear ve --link bir parçasını dışa aktarır. Hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears (over %2): wheels are plain discs, shafts and arms are straight and pass through other parts.</source>
+        <translation>%1 dişlili bir takım (%2 üstü): dişliler düz disktir, miller ve kollar düzdür ve başka parçaların içinden geçer.</translation>
+    </message>
+    <message>
+        <source>%1; nothing was written.</source>
+        <translation>%1; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>%1; choose a coarser --tolerance.</source>
+        <translation>%1; daha kaba bir --tolerance seçin.</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 fine (warnings allowed), 1 the mechanism has errors, 2 wrong usage or a file that could not be read or
+written, 3 out of a stated resource limit. &quot;-&quot; is standard input or output.</source>
+        <translation>Çıkış durumu: 0 sorun yok (uyarı olabilir), 1 mekanizmada hata var, 2 yanlış kullanım ya da okunamayan veya
+yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart girdi veya çıktıdır.</translation>
+    </message>
+    <message>
+        <source>geargraph-cli: the analysis of geared mechanisms, without a window.</source>
+        <translation>geargraph-cli: dişli mekanizmaların çözümlemesi, penceresiz.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Komutlar:</translation>
+    </message>
+    <message>
+        <source>--help, --version and --language en|de|tr|es (that of the environment) work on every command.</source>
+        <translation>--help, --version ve --language en|de|tr|es (ortamınki) her komutta geçer.</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Seçenekler</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; diye bir komut yok.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for this mechanism.</source>
+        <translation>Bu mekanizma için bellek yetmiyor.</translation>
+    </message>
+    <message>
+        <source>It needs -o with a folder.</source>
+        <translation>Klasörle birlikte -o ister.</translation>
+    </message>
+    <message>
+        <source>It reads no file.</source>
+        <translation>Dosya okumaz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; --force overwrites it.</source>
+        <translation>&quot;%1&quot; zaten var; --force üzerine yazar.</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <translation>%2 içinde %1 dosya</translation>
+    </message>
+    <message>
+        <source>the folder that the pages are written to</source>
+        <translation>sayfaların yazılacağı klasör</translation>
+    </message>
+    <message>
+        <source>overwrite files that are there</source>
+        <translation>var olan dosyaların üzerine yaz</translation>
+    </message>
+    <message>
+        <source>Writes the manual of the program as web pages, with its pictures.</source>
+        <translation>Programın kılavuzunu resimleriyle web sayfaları olarak yazar.</translation>
+    </message>
+    <message>
+        <source>--density is above 0, in kg/m³, not &quot;%1&quot;.</source>
+        <translation>--density 0&apos;dan büyüktür, kg/m³ cinsinden, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--gravity is like 0,0,-9.81, in m/s², not &quot;%1&quot;.</source>
+        <translation>--gravity 0,0,-9.81 gibidir, m/s² cinsinden, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, m/s², instead of the document&apos;s</source>
+        <translation>yerçekimi ivmesi, m/s², belgedekinin yerine</translation>
+    </message>
+    <message>
+        <source>of all solids, kg/m³, instead of the document&apos;s</source>
+        <translation>bütün katı modellerin, kg/m³, belgedekinin yerine</translation>
+    </message>
+    <message>
+        <source>%1 takes a number from %2 to %3, not &quot;%4&quot;.</source>
+        <translation>%1, %2 ile %3 arasında bir sayı alır, &quot;%4&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
+        <translation>--angle 8=30deg veya 8=1/2rad gibidir: girişin etiketi ve açısı.</translation>
+    </message>
+    <message>
+        <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
+        <translation>%1 açısı çok büyük: hiçbir program tutamaz, en büyük sayı 1.79e308&apos;dir. Tam turları atın.</translation>
+    </message>
+    <message>
+        <source>%1 deg</source>
+        <translation>%1 derece</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 is beyond its limits (%3, %4)</source>
+        <translation>%1 mafsalı %2 ile sınırlarının ötesinde (%3, %4)</translation>
+    </message>
+    <message>
+        <source>%1 turned by %2 deg</source>
+        <translation>%1, %2 derece dönmüş</translation>
+    </message>
+    <message>
+        <source>Links, against the reference pose: turned, and where the point went that was at the origin</source>
+        <translation>Uzuvlar referans konuma göre: dönüş, ve başlangıç noktasındaki noktanın gittiği yer</translation>
+    </message>
+    <message>
+        <source>%1 by %2 deg about %3 to %4</source>
+        <translation>%1, %3 etrafında %2 derece, %4 noktasına</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>konum</translation>
+    </message>
+    <message>
+        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
+        <translation>bir girişin açısı (deg veya rad; yoksa 0); yinelenebilir</translation>
+    </message>
+    <message>
+        <source>Says where every link is for given angles of the inputs.</source>
+        <translation>Girişlerin verilen açılarında her uzvun nerede olduğunu söyler.</translation>
+    </message>
+    <message>
+        <source>requests on standard input, answers on standard output</source>
+        <translation>istekler standart girdide, yanıtlar standart çıktıda</translation>
+    </message>
+    <message>
+        <source>of address space, for each command</source>
+        <translation>adres alanı, her komut için</translation>
+    </message>
+    <message>
+        <source>Answers requests, a JSON object a line: open, edit, analyze, export, ...</source>
+        <translation>İstekleri yanıtlar, her satırda bir JSON nesnesi: open, edit, analyze, export, ...</translation>
+    </message>
+    <message>
+        <source>rank r = %1, degrees of freedom E = t - r = %2</source>
+        <translation>rank r = %1, serbestlik derecesi E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>rank r = %1 (%3 of the meshes + %4 of the couplings), degrees of freedom E = t - r = %2</source>
+        <translation>rank r = %1 (dişli çiftlerinden %3 + fren ve kavramalardan %4), serbestlik derecesi E = t - r = %2</translation>
+    </message>
+    <message>
+        <source>(Kutzbach counts %1)</source>
+        <translation>(Kutzbach %1 sayar)</translation>
+    </message>
+    <message>
+        <source>Carriers of the gear pairs, by their transfer vertices</source>
+        <translation>Dişli çiftlerinin taşıyıcıları, aktarma düğümleriyle</translation>
+    </message>
+    <message>
+        <source>axes %1, %2</source>
+        <translation>eksenler %1, %2</translation>
+    </message>
+    <message>
+        <source>Rates of the outputs over those of the inputs, Eq. (23)</source>
+        <translation>Çıkış hızları bölü giriş hızları, Denk. (23)</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>girişler</translation>
+    </message>
+    <message>
+        <source>inputs, chosen because the file names none:</source>
+        <translation>girişler, dosya adlandırmadığı için seçildi:</translation>
+    </message>
+    <message>
+        <source>%1 at %2 rad/s</source>
+        <translation>%1: %2 rad/s</translation>
+    </message>
+    <message>
+        <source>not driven, because engaged couplings decide:</source>
+        <translation>devredeki fren ve kavramalar belirlediği için tahrik edilmeyen:</translation>
+    </message>
+    <message>
+        <source>%1 outputs over %2 inputs: too large to print; see --json</source>
+        <translation>%1 çıkış bölü %2 giriş: basılamayacak kadar büyük; bkz. --json</translation>
+    </message>
+    <message>
+        <source>The matroid method and the T-T graph method agree exactly.</source>
+        <translation>Matroid yöntemi ile T-T graf yöntemi tam olarak uyuşuyor.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1.</source>
+        <translation>İki yöntem arasındaki fark en çok %1.</translation>
+    </message>
+    <message>
+        <source>in the gear ratios</source>
+        <translation>dişli oranlarıyla</translation>
+    </message>
+    <message>
+        <source>State %1: it names no drive and driven link, so it has no ratio.</source>
+        <translation>%1 durumu: tahrik eden ve tahrik edilen uzvu adlandırmıyor, bu yüzden oranı yok.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link does not move.</source>
+        <translation>%1 durumu: tahrik edilen uzuv hareket etmiyor.</translation>
+    </message>
+    <message>
+        <source>State %1: the driven link turns about several directions at once.</source>
+        <translation>%1 durumu: tahrik edilen uzuv aynı anda birkaç doğrultuda dönüyor.</translation>
+    </message>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mekanizma</translation>
+    </message>
+    <message>
+        <source>%1: no states</source>
+        <translation>%1: durum yok</translation>
+    </message>
+    <message>
+        <source>%1: 1 state</source>
+        <translation>%1: 1 durum</translation>
+    </message>
+    <message>
+        <source>%1: %2 states</source>
+        <translation>%1: %2 durum</translation>
+    </message>
+    <message>
+        <source>the shift table</source>
+        <translation>vites tablosu</translation>
+    </message>
+    <message>
+        <source>The shift table: what each state of the brakes and clutches does.</source>
+        <translation>Vites tablosu: frenlerin ve kavramaların her durumunun ne yaptığı.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME, --all-states or --engage A,B.</source>
+        <translation>--state NAME, --all-states ya da --engage A,B verin.</translation>
+    </message>
+    <message>
+        <source>of every state</source>
+        <translation>her durumun</translation>
+    </message>
+    <message>
+        <source>joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added</source>
+        <translation>joint:14=10Nm, link:3@e=10Nm veya link:3=10,-20,-50N@30,-60,130, eklenir</translation>
+    </message>
+    <message>
+        <source>without the loads of the document</source>
+        <translation>belgedeki yükler olmadan</translation>
+    </message>
+    <message>
+        <source>joint:8 or link:7@a: find the torque there; may be given again</source>
+        <translation>joint:8 veya link:7@a: oradaki torku bul; yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>the speed of an input in rad/s; may be given again</source>
+        <translation>bir girişin rad/s cinsinden hızı; yeniden verilebilir</translation>
+    </message>
+    <message>
+        <source>with the losses of the meshes</source>
+        <translation>dişli çiftlerinin kayıplarıyla</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none; implies --efficiency</source>
+        <translation>verim vermeyen dişli çiftlerinin verimi; --efficiency&apos;yi içerir</translation>
+    </message>
+    <message>
+        <source>loads that several meshes share: left open, or by equal stiffness</source>
+        <translation>birkaç dişli çiftinin paylaştığı yükler: açık bırakılır ya da eşit rijitlikle</translation>
+    </message>
+    <message>
+        <source>without the solution in gear ratios</source>
+        <translation>dişli oranlarıyla çözüm olmadan</translation>
+    </message>
+    <message>
+        <source>Torques, tooth forces, bearing reactions and efficiency under loads.</source>
+        <translation>Yükler altında torklar, diş kuvvetleri, yatak tepkileri ve verim.</translation>
+    </message>
+    <message>
+        <source>%1 is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not &quot;%2&quot;.</source>
+        <translation>%1, joint:LABEL, link:LABEL veya link:LABEL@AXIS olur, &quot;%2&quot; değil.</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; uzvu yok.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: name a moving link.</source>
+        <translation>Sabit uzuv her yükü karşılar: hareketli bir uzuv yazın.</translation>
+    </message>
+    <message>
+        <source>There is no axis &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; ekseni yok.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>&quot;%1&quot; yük değil: 10Nm, 1/2kNm ve 500Nmm torktur, 10,-20,-50N@30,-60,130 bir uzva bir noktada etkiyen kuvvettir.</translation>
+    </message>
+    <message>
+        <source>--balance names &quot;%1&quot; twice.</source>
+        <translation>--balance &quot;%1&quot; yerini iki kez anıyor.</translation>
+    </message>
+    <message>
+        <source>--eta is an efficiency, above 0 and at most 1.</source>
+        <translation>--eta bir verimdir, 0&apos;dan büyük ve en çok 1.</translation>
+    </message>
+    <message>
+        <source>--share is one of none, stiffness.</source>
+        <translation>--share şunlardan biridir: none, stiffness.</translation>
+    </message>
+    <message>
+        <source>Give --state NAME or --all-states.</source>
+        <translation>--state NAME ya da --all-states verin.</translation>
+    </message>
+    <message>
+        <source>There is no state &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; durumu yok.</translation>
+    </message>
+    <message>
+        <source>power, W</source>
+        <translation>güç, W</translation>
+    </message>
+    <message>
+        <source>shared</source>
+        <translation>paylaşılan</translation>
+    </message>
+    <message>
+        <source>Balances and couplings</source>
+        <translation>Dengeler, frenler ve kavramalar</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>dişli çifti</translation>
+    </message>
+    <message>
+        <source>torque on tail, N m</source>
+        <translation>kuyruktaki tork, N m</translation>
+    </message>
+    <message>
+        <source>on head, N m</source>
+        <translation>başta, N m</translation>
+    </message>
+    <message>
+        <source>force on head, N</source>
+        <translation>baştaki kuvvet, N</translation>
+    </message>
+    <message>
+        <source>Meshes (torques about the axes from the carrier)</source>
+        <translation>Dişli çiftleri (eksenlere göre torklar, taşıyıcıdan)</translation>
+    </message>
+    <message>
+        <source>force, N</source>
+        <translation>kuvvet, N</translation>
+    </message>
+    <message>
+        <source>moment, N m</source>
+        <translation>moment, N m</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>yer</translation>
+    </message>
+    <message>
+        <source>Bearings (tail on head, base frame)</source>
+        <translation>Yataklar (kuyruktan başa, temel eksen takımı)</translation>
+    </message>
+    <message>
+        <source>Power fed %1 W, taken %2 W, lost %3 W</source>
+        <translation>Verilen güç %1 W, alınan %2 W, yitirilen %3 W</translation>
+    </message>
+    <message>
+        <source>Passed by the meshes, seen from their carriers, over the power fed: %1</source>
+        <translation>Dişli çiftlerinin taşıyıcılarından görülen ilettiği güç bölü verilen güç: %1</translation>
+    </message>
+    <message>
+        <source>Efficiency %1</source>
+        <translation>Verim %1</translation>
+    </message>
+    <message>
+        <source>Efficiency backward %1</source>
+        <translation>Ters yönde verim %1</translation>
+    </message>
+    <message>
+        <source>The output cannot drive it back: it locks itself.</source>
+        <translation>Çıkış onu geri tahrik edemez: kendini kilitler.</translation>
+    </message>
+    <message>
+        <source>Both methods agree.</source>
+        <translation>İki yöntem uyuşuyor.</translation>
+    </message>
+    <message>
+        <source>The methods do NOT agree.</source>
+        <translation>Yöntemler UYUŞMUYOR.</translation>
+    </message>
+    <message>
+        <source>%1, state %2</source>
+        <translation>%1, durum %2</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium.</source>
+        <translation>Denge yok.</translation>
+    </message>
+    <message>
+        <source>Files or folders are needed.</source>
+        <translation>Dosyalar ya da klasörler gerekli.</translation>
+    </message>
+    <message>
+        <source>--jobs is a whole number from 1 to 256.</source>
+        <translation>--jobs 1 ile 256 arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>the summary</source>
+        <translation>özet</translation>
+    </message>
+    <message>
+        <source>how many files are analysed at once (as many as there are processors)</source>
+        <translation>aynı anda kaç dosyanın çözümleneceği (işlemci sayısı kadar)</translation>
+    </message>
+    <message>
+        <source>the file (standard output without it)</source>
+        <translation>dosya (yoksa standart çıktı)</translation>
+    </message>
+    <message>
+        <source>A row for each file, or for each document in a folder, as CSV.</source>
+        <translation>Her dosya için, ya da klasördeki her belge için bir satır, CSV olarak.</translation>
+    </message>
+    <message>
+        <source>give up after this time (exit status 3); nothing is written then</source>
+        <translation>bu süreden sonra vazgeç (çıkış durumu 3); o zaman hiçbir şey yazılmaz</translation>
+    </message>
+    <message>
+        <source>--limit-seconds takes a number of seconds above 0, up to 1000000, not &quot;%1&quot;.</source>
+        <translation>--limit-seconds 0&apos;dan büyük, en çok 1000000 saniye alır, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>The limit of %1 s was over before %2 was finished; nothing was written.</source>
+        <translation>%1 s sınırı şu bitmeden doldu: %2; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>the validation</source>
+        <translation>doğrulama</translation>
+    </message>
+    <message>
+        <source>%1: no problems</source>
+        <translation>%1: sorun yok</translation>
+    </message>
+    <message>
+        <source>also look for links that collide while the inputs run at their speeds</source>
+        <translation>girişler kendi hızlarında dönerken çarpışan uzuvları da ara</translation>
+    </message>
+    <message>
+        <source>Says what is wrong with a file.</source>
+        <translation>Bir dosyada neyin yanlış olduğunu söyler.</translation>
+    </message>
+    <message>
+        <source>Give --from or --camera, not both.</source>
+        <translation>--from ya da --camera verin, ikisini birden değil.</translation>
+    </message>
+    <message>
+        <source>--from is one of front, back, left, right, top, bottom, iso.</source>
+        <translation>--from şunlardan biridir: front, back, left, right, top, bottom, iso.</translation>
+    </message>
+    <message>
+        <source>--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not &quot;%1&quot;.</source>
+        <translation>--camera derece cinsinden AZİMUT,YÜKSELİŞ alır, en çok 360 ve 90, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--time takes seconds, not &quot;%1&quot;.</source>
+        <translation>--time saniye alır, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--explode takes a part from 0 to 1, not &quot;%1&quot;.</source>
+        <translation>--explode 0 ile 1 arası bir oran alır, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--section takes x, y or z, and how far along from 0 to 1: y:0.5, not &quot;%1&quot;.</source>
+        <translation>--section x, y veya z alır, ve 0 ile 1 arası yerini: y:0.5, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--faces is one of shaded, lines, edges.</source>
+        <translation>--faces şunlardan biridir: shaded, lines, edges.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
+        <translation>--show virgüllerle labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces adlandırır.</translation>
+    </message>
+    <message>
+        <source>Give --turntable or --motion, not both.</source>
+        <translation>--turntable ya da --motion verin, ikisini birden değil.</translation>
+    </message>
+    <message>
+        <source>--frames takes a whole number from 2 to %1, not &quot;%2&quot;.</source>
+        <translation>--frames 2 ile %1 arasında bir tam sayı alır, &quot;%2&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--fps takes pictures a second from 0.1 to 100, not &quot;%1&quot;.</source>
+        <translation>--fps saniyede 0.1 ile 100 arası resim alır, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 overlap in the reference pose: give them clearance.</source>
+        <translation>%1 ve %2 uzuvları referans konumda iç içe: aralarına boşluk verin.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 collide %3, with %4. Give them clearance, or limit joints.</source>
+        <translation>%1 ve %2 uzuvları %3 çarpışır; o anda %4. Aralarına boşluk verin ya da mafsalları sınırlayın.</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion backwards</source>
+        <translation>geri hareketin %1 sonrasında</translation>
+    </message>
+    <message>
+        <source>after %1 of the motion</source>
+        <translation>hareketin %1 sonrasında</translation>
+    </message>
+    <message>
+        <source>%1 at %2 deg</source>
+        <translation>%1: %2 derece</translation>
+    </message>
+    <message>
+        <source>joints %1</source>
+        <translation>mafsallar %1</translation>
+    </message>
+    <message>
+        <source>(Only part of the motion was checked.)</source>
+        <translation>(Hareketin yalnız bir bölümü denetlendi.)</translation>
+    </message>
+    <message>
+        <source>(Checked for the first %1: the motion does not repeat sooner.)</source>
+        <translation>(İlk %1 boyunca denetlendi: hareket daha önce yinelenmiyor.)</translation>
+    </message>
+    <message>
+        <source>(Checked until the motion repeats.)</source>
+        <translation>(Hareket yinelenene kadar denetlendi.)</translation>
+    </message>
+    <message>
+        <source>(Checked between the limits of the joints, from %1 to %2.)</source>
+        <translation>(Mafsalların sınırları arasında denetlendi, %1 ile %2 arası.)</translation>
+    </message>
+    <message>
+        <source>(1 more pair of links collides later.)</source>
+        <translation>(1 uzuv çifti daha sonra çarpışır.)</translation>
+    </message>
+    <message>
+        <source>(%1 more pairs of links collide later.)</source>
+        <translation>(%1 uzuv çifti daha sonra çarpışır.)</translation>
+    </message>
+    <message>
+        <source>The motion of more than %1 links is not checked for collisions.</source>
+        <translation>%1 uzuvdan fazlasının hareketi çarpışma için denetlenmez.</translation>
+    </message>
+    <message>
+        <source>Only part of the motion was checked for collisions: too many parts come close to each other.</source>
+        <translation>Hareketin yalnız bir bölümü çarpışma için denetlendi: çok fazla parça birbirine yaklaşıyor.</translation>
+    </message>
+    <message>
+        <source>The motion was checked for collisions for its first %1: it does not repeat sooner.</source>
+        <translation>Hareketin ilk %1 süresi çarpışma için denetlendi: daha önce yinelenmiyor.</translation>
+    </message>
+    <message>
+        <source>Stop driving %1</source>
+        <translation>%1 mafsalını artık tahrik etme</translation>
+    </message>
+    <message>
+        <source>Drive %1 too</source>
+        <translation>%1 mafsalını da tahrik et</translation>
+    </message>
+    <message>
+        <source>Exchange input %1 for %2</source>
+        <translation>%1 girişini %2 ile değiştir</translation>
+    </message>
+    <message>
+        <source>Choose the inputs for me</source>
+        <translation>Girişleri benim için seç</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2</source>
+        <translation>%2 dişlisinde %1 diş kullan</translation>
+    </message>
+    <message>
+        <source>Make %1 external</source>
+        <translation>%1 dış olsun</translation>
+    </message>
+    <message>
+        <source>Make %1 internal</source>
+        <translation>%1 iç olsun</translation>
+    </message>
+    <message>
+        <source>Make %1 bevel</source>
+        <translation>%1 konik olsun</translation>
+    </message>
+    <message>
+        <source>Let the pitch point follow from axes and teeth</source>
+        <translation>Hatve noktası eksenlerden ve dişlerden çıksın</translation>
+    </message>
+    <message>
+        <source>Let pitch point and kind follow from the axes</source>
+        <translation>Hatve noktası ve tür eksenlerden çıksın</translation>
+    </message>
+    <message>
+        <source>Give each its own axis</source>
+        <translation>Her birine kendi eksenini ver</translation>
+    </message>
+    <message>
+        <source>Move %1 along its axis to %2 %3</source>
+        <translation>%1 ekseni boyunca %2 %3 konumuna kaydırılsın</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the ring and %2 on the planets</source>
+        <translation>Çemberde %1, gezegenlerde %2 diş kullan</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on the sun and %2 on the planets</source>
+        <translation>Güneşte %1, gezegenlerde %2 diş kullan</translation>
+    </message>
+    <message>
+        <source>Use twice the teeth everywhere</source>
+        <translation>Her yerde iki kat diş kullan</translation>
+    </message>
+    <message>
+        <source>Use three times the teeth everywhere</source>
+        <translation>Her yerde üç kat diş kullan</translation>
+    </message>
+    <message>
+        <source>Use four times the teeth everywhere</source>
+        <translation>Her yerde dört kat diş kullan</translation>
+    </message>
+    <message>
+        <source>Use %1 teeth on gear %2 of %3</source>
+        <translation>%3 üzerindeki %2 dişlisinde %1 diş kullan</translation>
+    </message>
+    <message>
+        <source>Tie link %1 to the ground</source>
+        <translation>%1 uzvunu sabit uzva bağla</translation>
+    </message>
+    <message>
+        <source>Tie links %1 to the ground</source>
+        <translation>%1 uzuvlarını sabit uzva bağla</translation>
+    </message>
+    <message>
+        <source>Delete the loose links</source>
+        <translation>Bağlı olmayan uzuvları sil</translation>
+    </message>
+    <message>
+        <source>, a second bearing on axis %1</source>
+        <translation>, %1 ekseninde ikinci bir yatak</translation>
+    </message>
+    <message>
+        <source>The pinions do not go in evenly: twice the side wheels&apos; teeth, %1, has to be a multiple of %2.</source>
+        <translation>Pinyonlar eşit aralıkla yerleşmiyor: yan dişlilerin diş sayısının iki katı, %1, %2 sayısının katı olmalıdır.</translation>
+    </message>
+    <message>
+        <source>There is no such link.</source>
+        <translation>Böyle bir uzuv yok.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: a planet turns on its carrier and carries nothing.</source>
+        <translation>%1 uzvu gezegen değil: gezegen, taşıyıcısında döner ve hiçbir şey taşımaz.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: one of its meshes does not fit its axes.</source>
+        <translation>%1 uzvu gezegen değil: dişli çiftlerinden biri eksenlerine uymuyor.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: its meshes are with wheels on several axes.</source>
+        <translation>%1 uzvu gezegen değil: dişli çiftleri birkaç eksendeki dişlilerle.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: what it turns on does not carry the axis of what it meshes with.</source>
+        <translation>%1 uzvu gezegen değil: üzerinde döndüğü uzuv, birlikte çalıştığı dişlinin eksenini taşımıyor.</translation>
+    </message>
+    <message>
+        <source>Link %1 is no planet: it meshes with nothing.</source>
+        <translation>%1 uzvu gezegen değil: hiçbir dişliyle çalışmıyor.</translation>
+    </message>
+    <message>
+        <source>%1 planets cannot be put in evenly.</source>
+        <translation>%1 gezegen eşit aralıkla yerleştirilemez.</translation>
+    </message>
+    <message>
+        <source>Short and long planet cannot touch each other: small sun + short planet and large sun + long planet differ by more than short + long planet. What fits: sums that are nearer.</source>
+        <translation>Kısa ve uzun gezegen birbirine değemez: küçük güneş + kısa gezegen ile büyük güneş + uzun gezegen arasındaki fark, kısa + uzun gezegenden büyük. Birbirine yakın toplamlar uyar.</translation>
+    </message>
+    <message>
+        <source>The long planets, which extend through both planes, interfere with the small sun. What fits: a large sun with at least 4 teeth more than the small one.</source>
+        <translation>İki düzlemden de geçen uzun gezegenler küçük güneşle çakışıyor. Küçüğünden en az 4 dişi fazla olan bir büyük güneş uyar.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer pairs, smaller planets, or a larger ring.</source>
+        <translation>Gezegenler çarpışıyor. Daha az çift, daha küçük gezegenler ya da daha büyük bir çember uyar.</translation>
+    </message>
+    <message>
+        <source>The pairs do not go in evenly: ring + large sun = %1 and ring - small sun = %2 have to be multiples of %3.</source>
+        <translation>Çiftler eşit aralıkla yerleşmiyor: çember + büyük güneş = %1 ve çember - küçük güneş = %2, %3 sayısının katları olmalıdır.</translation>
+    </message>
+    <message>
+        <source>The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.</source>
+        <translation>Gezegenler eşit aralıkla yerleşmiyor: güneş + çember = %1, %2 sayısının katı olmalıdır.</translation>
+    </message>
+    <message>
+        <source>The planets collide. What fits: fewer or smaller planets, or a larger sun.</source>
+        <translation>Gezegenler çarpışıyor. Daha az ya da daha küçük gezegenler veya daha büyük bir güneş uyar.</translation>
+    </message>
+    <message>
+        <source>The quote that begins here is never closed.</source>
+        <translation>Burada başlayan tırnak hiç kapanmıyor.</translation>
+    </message>
+    <message>
+        <source>A field ends with its closing quote; a quote inside a field is written twice.</source>
+        <translation>Bir alan kapanan tırnağıyla biter; alan içindeki tırnak iki kez yazılır.</translation>
+    </message>
+    <message>
+        <source>A field with a quote in it is quoted as a whole, and the quote written twice.</source>
+        <translation>İçinde tırnak olan alan bütünüyle tırnak içine alınır ve içteki tırnak iki kez yazılır.</translation>
+    </message>
+    <message>
+        <source>These bytes are not UTF-8.</source>
+        <translation>Bu baytlar UTF-8 değil.</translation>
+    </message>
+    <message>
+        <source>Standard input could not be read: %1.</source>
+        <translation>Standart girdi okunamadı: %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read: %2.</source>
+        <translation>%1 okunamadı: %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: it is a folder.</source>
+        <translation>%1 yazılamadı: bu bir klasör.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>%1 yazılamadı: %2.</translation>
+    </message>
+    <message>
+        <source>; what should be in it is kept in %1</source>
+        <translation>; içinde olması gereken %1 içinde saklandı</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; could not be made: %2.</source>
+        <translation>&quot;%1&quot; klasörü oluşturulamadı: %2.</translation>
+    </message>
+    <message>
+        <source>Stopped; the folder is not complete.</source>
+        <translation>Durduruldu; klasör eksik.</translation>
+    </message>
+    <message>
+        <source>there is a file of that name</source>
+        <translation>bu adda bir dosya var</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already; nothing was written.</source>
+        <translation>&quot;%1&quot; zaten var; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>The file is far too large.</source>
+        <translation>Dosya çok fazla büyük.</translation>
+    </message>
+    <message>
+        <source>expected the end of the file after the outermost value</source>
+        <translation>en dıştaki değerden sonra dosyanın sonu bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected a value</source>
+        <translation>bir değer bekleniyordu</translation>
+    </message>
+    <message>
+        <source>lists and objects are nested deeper than %1</source>
+        <translation>listeler ve nesneler %1 düzeyden derin iç içe</translation>
+    </message>
+    <message>
+        <source>expected a digit of a number</source>
+        <translation>bir sayının rakamı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;]&apos; in a list</source>
+        <translation>listede &apos;,&apos; veya &apos;]&apos; bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected a member name in double quotes</source>
+        <translation>çift tırnak içinde bir üye adı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos; after a member name</source>
+        <translation>üye adından sonra &apos;:&apos; bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;}&apos; in an object</source>
+        <translation>nesnede &apos;,&apos; veya &apos;}&apos; bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string</source>
+        <translation>dizgenin kapanan tırnağı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected the closing quote of a string, or an escape such as \n</source>
+        <translation>dizgenin kapanan tırnağı ya da \n gibi bir kaçış dizisi bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected a character in UTF-8</source>
+        <translation>UTF-8 karakteri bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected an escape that JSON knows (\&quot; \\ \/ \b \f \n \r \t \u)</source>
+        <translation>JSON&apos;un bildiği bir kaçış dizisi bekleniyordu (\&quot; \\ \/ \b \f \n \r \t \u)</translation>
+    </message>
+    <message>
+        <source>expected four hexadecimal digits after \u</source>
+        <translation>\u&apos;dan sonra dört onaltılık rakam bekleniyordu</translation>
+    </message>
+    <message>
+        <source>expected no second half of a surrogate pair here</source>
+        <translation>burada vekil çiftin ikinci yarısı beklenmiyordu</translation>
+    </message>
+    <message>
+        <source>expected both halves of a surrogate pair</source>
+        <translation>vekil çiftin iki yarısı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>dosyanın sonu</translation>
+    </message>
+    <message>
+        <source>the byte 0x%1</source>
+        <translation>0x%1 baytı</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3, found %4.</source>
+        <translation>Satır %1, sütun %2: %3, bulunan: %4.</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3.</source>
+        <translation>Satır %1, sütun %2: %3.</translation>
+    </message>
+    <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the tooth counts.</source>
+        <translation>%1 uzuvları 3B&apos;de iç içe: mafsallarını eksenler boyunca kaydırın, hatve noktalarını boş bırakın ya da diş sayılarını değiştirin.</translation>
+    </message>
+    <message>
+        <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
+        <translation>%1 çaplı jant, çemberin %2 dişinin dibini aşmıyor: %3 değerinden büyük yapın.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the roots of %2 teeth: make it smaller than %3.</source>
+        <translation>%1 çaplı delik, %2 dişin dibinin altında gövde bırakmıyor: %3 değerinden küçük yapın.</translation>
+    </message>
+    <message>
+        <source>A gear of %1 teeth has a measure that no tooth can have; module and face width must be positive, the pressure angle between 5 and 35 degrees, shift and heights at most 3 modules.</source>
+        <translation>%1 dişli bir dişlinin hiçbir dişte olamayacak bir ölçüsü var; modül ve diş genişliği pozitif, kavrama açısı 5 ile 35 derece arasında, profil kaydırma ve yükseklikler en çok 3 modül olmalıdır.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a ring that a rack can generate; use at least %2.</source>
+        <translation>%1 diş, kremayerle üretilebilen bir çember için çok az; en az %2 kullanın.</translation>
+    </message>
+    <message>
+        <source>%1 teeth are too few for a gear that a rack can generate; use at least %2.</source>
+        <translation>%1 diş, kremayerle üretilebilen bir dişli için çok az; en az %2 kullanın.</translation>
+    </message>
+    <message>
+        <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
+        <translation>Konik dişlinin taksimat konisi %1 ile 163 derece arasında olmalıdır.</translation>
+    </message>
+    <message>
+        <source>The face of %1 runs into the apex: make it shorter than %2, a third of the cone distance.</source>
+        <translation>%1 diş genişliği koni tepesine giriyor: koni uzunluğunun üçte biri olan %2 değerinden kısa yapın.</translation>
+    </message>
+    <message>
+        <source>%1 teeth leave no body below the roots; use more, or a larger profile shift.</source>
+        <translation>%1 diş, diş dibinin altında gövde bırakmıyor; daha çok diş ya da daha büyük profil kaydırma kullanın.</translation>
+    </message>
+    <message>
+        <source>, or give the ring %1 teeth and the planets %2 (then %3 at equal distances fit)</source>
+        <translation>, ya da çembere %1, gezegenlere %2 diş verin (o zaman eşit aralıklı %3 gezegen sığar)</translation>
+    </message>
+    <message>
+        <source>, or use %1 planets at equal distances</source>
+        <translation>, ya da eşit aralıklı %1 gezegen kullanın</translation>
+    </message>
+    <message>
+        <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
+        <translation>Gezegenler 360/%1 = %2 derecenin katlarına sığar: %3 uzvununkini %4 derece kaydırın</translation>
+    </message>
+    <message>
+        <source>It fits with %1 instead of %2 teeth on gear %3</source>
+        <translation>%3 dişlisinde %2 yerine %1 dişle uyar</translation>
+    </message>
+    <message>
+        <source>, or with %1 instead of %2 teeth on gear %3</source>
+        <translation>, ya da %3 dişlisinde %2 yerine %1 dişle</translation>
+    </message>
+    <message>
+        <source>Change tooth counts of the loop, or move one of its axes</source>
+        <translation>Çevrimin diş sayılarını değiştirin ya da eksenlerinden birini kaydırın</translation>
+    </message>
+    <message>
+        <source>The loop of meshes %1 cannot be assembled as drawn: at mesh %2 the teeth miss each other by %3 of a pitch.</source>
+        <translation>%1 dişli çiftlerinin çevrimi çizildiği gibi monte edilemez: %2 dişli çiftinde dişler birbirini adımın %3 kadarıyla kaçırıyor.</translation>
+    </message>
+    <message>
+        <source>The wheels of links %1 and %2 beside gear %3 interfere: their tips overlap by %4 modules.</source>
+        <translation>%3 dişlisinin yanındaki %1 ve %2 uzuvlarının dişlileri çakışıyor: diş başları %4 modül üst üste biniyor.</translation>
+    </message>
+    <message>
+        <source>At most %1 of them fit round it, at equal distances.</source>
+        <translation>Çevresine eşit aralıkla en çok %1 tanesi sığar.</translation>
+    </message>
+    <message>
+        <source>Move one of them, or give it fewer teeth.</source>
+        <translation>Birini kaydırın ya da ona daha az diş verin.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) has no solid: %3</source>
+        <translation>%1 dişlisinin (%2 diş) katı modeli yok: %3</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is undercut: at a profile shift of %3 a rack needs %4 teeth or more. Use more teeth, or a shift of at least %5.</source>
+        <translation>%1 dişlisinde (%2 diş) alttan kesilme var: %3 profil kaydırmada kremayer %4 veya daha çok diş ister. Daha çok diş ya da en az %5 profil kaydırma kullanın.</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) would have pointed teeth: its tips were lowered to keep a land of %3 modules. Use a smaller profile shift than %4.</source>
+        <translation>%1 dişlisinin (%2 diş) dişleri sivri olurdu: %3 modül baş kalınlığı kalsın diye başlar alçaltıldı. %4 değerinden küçük profil kaydırma kullanın.</translation>
+    </message>
+    <message>
+        <source>Mesh %1, %2 and %3 teeth</source>
+        <translation>%1 dişli çifti, %2 ve %3 diş</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, one pair of teeth lets go before the next takes over. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: kavrama oranı %2, bir diş çifti sonraki devralmadan ayrılıyor. %3 veya daha fazlası için daha çok diş ya da daha uzun yanak bırakan profil kaydırmalar kullanın.</translation>
+    </message>
+    <message>
+        <source>%1: a contact ratio of %2, that leaves nothing for errors of the teeth. Use more teeth, or profile shifts that leave longer flanks, for %3 or more.</source>
+        <translation>%1: kavrama oranı %2, diş hatalarına pay kalmıyor. %3 veya daha fazlası için daha çok diş ya da daha uzun yanak bırakan profil kaydırmalar kullanın.</translation>
+    </message>
+    <message>
+        <source>%1: a face width of %2 is more than a third of the cone distance, so that the small ends of the teeth are too weak to bear load. Use %3 or less.</source>
+        <translation>%1: %2 diş genişliği koni uzunluğunun üçte birinden fazla; dişlerin küçük uçları yük taşıyamayacak kadar zayıf. %3 veya daha azını kullanın.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: their tips collide outside of the mesh, by %3 modules. Use a difference of more teeth, or a larger profile shift of the ring.</source>
+        <translation>%2 dişli çember içinde %1 diş: diş başları kavrama dışında %3 modül çarpışıyor. Daha büyük diş farkı ya da çemberde daha büyük profil kaydırma kullanın.</translation>
+    </message>
+    <message>
+        <source>%1 teeth in a ring of %2: the ring&apos;s tips would interfere with the pinion&apos;s fillets and were lowered by %3 modules. Use a pinion of more teeth, or with a larger profile shift.</source>
+        <translation>%2 dişli çember içinde %1 diş: çemberin diş başları pinyonun dip kavislerine girerdi ve %3 modül alçaltıldı. Daha çok dişli ya da daha büyük profil kaydırmalı bir pinyon kullanın.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>%1 ve %2 dişlileri iç içe ve birlikte çalışmıyor. Daha küçük diş genişlikleri kullanın ya da onları veya bir hatve noktasını boş bırakın.</translation>
+    </message>
+    <message>
+        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>%1 ve %2 dişlileri iç içe ve birlikte çalışmıyor. Birinin hatve noktasını ekseni boyunca kaydırın ya da boş bırakın.</translation>
+    </message>
+    <message>
+        <source>The number is too large; its double would be infinite.</source>
+        <translation>Sayı çok büyük; kayan noktalı karşılığı sonsuz olurdu.</translation>
+    </message>
+    <message>
+        <source>A list has at most 100,000 elements; this one has %1.</source>
+        <translation>Bir listede en çok 100.000 öğe olur; bunda %1 var.</translation>
+    </message>
+    <message>
+        <source>The member occurs twice in its object; only one may stay.</source>
+        <translation>Üye, nesnesinde iki kez geçiyor; yalnız biri kalabilir.</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>%1 sayısı</translation>
+    </message>
+    <message>
+        <source>the string %1</source>
+        <translation>%1 dizgesi</translation>
+    </message>
+    <message>
+        <source>a list of %1 elements</source>
+        <translation>%1 öğeli bir liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>bir nesne</translation>
+    </message>
+    <message>
+        <source>an id: a string of 1 to 1,000 characters or a whole number</source>
+        <translation>bir kimlik: 1-1.000 karakterlik bir dizge ya da bir tam sayı</translation>
+    </message>
+    <message>
+        <source>a number, or a fraction as a string like &quot;22/7&quot;</source>
+        <translation>bir sayı ya da &quot;22/7&quot; gibi dizge olarak bir kesir</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>beklenen: %1; bulunan: %2.</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; is missing; expected %2.</source>
+        <translation>&quot;%1&quot; üyesi eksik; beklenen: %2.</translation>
+    </message>
+    <message>
+        <source>a list of ids</source>
+        <translation>bir kimlik listesi</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>bir dizge</translation>
+    </message>
+    <message>
+        <source>expected at most 1,000 characters, found %1.</source>
+        <translation>beklenen: en çok 1.000 karakter; bulunan: %1.</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>üç sayılık bir liste</translation>
+    </message>
+    <message>
+        <source>a list of six numbers, xx, yy, zz, xy, xz, yz</source>
+        <translation>altı sayılık bir liste, xx, yy, zz, xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true veya false</translation>
+    </message>
+    <message>
+        <source>a list of two, each a number or null</source>
+        <translation>her biri sayı veya null olan iki öğelik bir liste</translation>
+    </message>
+    <message>
+        <source>the whole number %1</source>
+        <translation>%1 tam sayısı</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>%1 ile %2 arasında bir tam sayı</translation>
+    </message>
+    <message>
+        <source>The file has version %1, but this program reads version %2: open it with a newer GearGraph.</source>
+        <translation>Dosyanın sürümü %1, bu program %2 sürümünü okur: daha yeni bir GearGraph ile açın.</translation>
+    </message>
+    <message>
+        <source>This is not a GearGraph document: the member &quot;format&quot; has to be &quot;geargraph&quot;.</source>
+        <translation>Bu bir GearGraph belgesi değil: &quot;format&quot; üyesi &quot;geargraph&quot; olmalıdır.</translation>
+    </message>
+    <message>
+        <source>a list of links, the ground first</source>
+        <translation>bir uzuv listesi, önce sabit uzuv</translation>
+    </message>
+    <message>
+        <source>a list of turning joints that tie the links</source>
+        <translation>uzuvları bağlayan döner mafsalların listesi</translation>
+    </message>
+    <message>
+        <source>a list of the axes that the turning joints name</source>
+        <translation>döner mafsalların andığı eksenlerin listesi</translation>
+    </message>
+    <message>
+        <source>a list of 3D files</source>
+        <translation>3B dosyaların listesi</translation>
+    </message>
+    <message>
+        <source>a &quot;mass&quot; beside it</source>
+        <translation>yanında bir &quot;mass&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;external&quot;, &quot;internal&quot; or &quot;bevel&quot;</source>
+        <translation>&quot;external&quot;, &quot;internal&quot; veya &quot;bevel&quot;</translation>
+    </message>
+    <message>
+        <source>a speed in rad/s</source>
+        <translation>rad/s cinsinden bir hız</translation>
+    </message>
+    <message>
+        <source>the name of the state</source>
+        <translation>durumun adı</translation>
+    </message>
+    <message>
+        <source>a list of ids of couplings</source>
+        <translation>fren ve kavrama kimliklerinin listesi</translation>
+    </message>
+    <message>
+        <source>&quot;brake&quot; or &quot;clutch&quot;</source>
+        <translation>&quot;brake&quot; veya &quot;clutch&quot;</translation>
+    </message>
+    <message>
+        <source>a list of two ids of links</source>
+        <translation>iki uzuv kimliğinin listesi</translation>
+    </message>
+    <message>
+        <source>a torque in N m</source>
+        <translation>N m cinsinden bir tork</translation>
+    </message>
+    <message>
+        <source>a torque or a force, not both in one load</source>
+        <translation>tork ya da kuvvet, bir yükte ikisi birden değil</translation>
+    </message>
+    <message>
+        <source>the point of the link that the force acts at</source>
+        <translation>kuvvetin etkidiği uzuv noktası</translation>
+    </message>
+    <message>
+        <source>a joint or a link, not both</source>
+        <translation>mafsal ya da uzuv, ikisi birden değil</translation>
+    </message>
+    <message>
+        <source>expected a list.</source>
+        <translation>beklenen: bir liste.</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes; at most 64 MiB are read.</source>
+        <translation>Dosya %1 bayt; en çok 64 MiB okunur.</translation>
+    </message>
+    <message>
+        <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
+        <translation>Kütle merkezi ve atalet, yanlarında bir &quot;mass&quot; ister.</translation>
+    </message>
+    <message>
+        <source>This is no table of a mechanism: its first row has to name the columns, &quot;element&quot; among them.</source>
+        <translation>Bu bir mekanizma tablosu değil: ilk satırı, aralarında &quot;element&quot; olan sütunları adlandırmalıdır.</translation>
+    </message>
+    <message>
+        <source>There are too many columns.</source>
+        <translation>Sütun sayısı çok fazla.</translation>
+    </message>
+    <message>
+        <source>There is no column &quot;%1&quot;: %2.</source>
+        <translation>&quot;%1&quot; diye bir sütun yok: %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs twice.</source>
+        <translation>&quot;%1&quot; sütunu iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>The column &quot;element&quot; is empty; it says what the row is about.</source>
+        <translation>&quot;element&quot; sütunu boş; satırın ne hakkında olduğunu o söyler.</translation>
+    </message>
+    <message>
+        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
+        <translation>&quot;%1&quot; diye bir öğe yok: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load veya balance.</translation>
+    </message>
+    <message>
+        <source>This cell is in a column without a name.</source>
+        <translation>Bu hücre adsız bir sütunda.</translation>
+    </message>
+    <message>
+        <source>This row has more cells than there are columns.</source>
+        <translation>Bu satırda sütun sayısından fazla hücre var.</translation>
+    </message>
+    <message>
+        <source>There is one row &quot;document&quot; at most.</source>
+        <translation>En çok bir &quot;document&quot; satırı olur.</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1.</source>
+        <translation>Bir belgede en çok 100.000 %1 olur.</translation>
+    </message>
+    <message>
+        <source>The row names a &quot;joint&quot; or a &quot;link&quot;, one of them.</source>
+        <translation>Satır bir &quot;joint&quot; ya da bir &quot;link&quot; adlandırır, ikisinden birini.</translation>
+    </message>
+    <message>
+        <source>An &quot;axis&quot; is named beside a &quot;link&quot;; a joint has its own.</source>
+        <translation>&quot;axis&quot;, bir &quot;link&quot; yanında yazılır; mafsalın kendi ekseni vardır.</translation>
+    </message>
+    <message>
+        <source>A load has a &quot;torque&quot;, or a force (dx, dy, dz) at a point (x, y, z).</source>
+        <translation>Bir yükün &quot;torque&quot; değeri ya da (x, y, z) noktasında bir kuvveti (dx, dy, dz) vardır.</translation>
+    </message>
+    <message>
+        <source>A force acts on a &quot;link&quot;: it has dx, dy, dz and a point x, y, z, and no axis.</source>
+        <translation>Kuvvet bir &quot;link&quot; üzerine etkir: dx, dy, dz ve x, y, z noktası vardır, ekseni yoktur.</translation>
+    </message>
+    <message>
+        <source>More problems follow; only the first 100 are listed.</source>
+        <translation>Başka sorunlar da var; yalnız ilk 100 tanesi listelendi.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; is empty; expected %2.</source>
+        <translation>&quot;%1&quot; sütunu boş; beklenen: %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has %2; expected %3.</source>
+        <translation>&quot;%1&quot; sütununda %2 var; beklenen: %3.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; has no meaning for the element &quot;%2&quot;.</source>
+        <translation>&quot;%1&quot; sütununun &quot;%2&quot; öğesi için anlamı yok.</translation>
+    </message>
+    <message>
+        <source>an id of at most 1,000 characters</source>
+        <translation>en çok 1.000 karakterlik bir kimlik</translation>
+    </message>
+    <message>
+        <source>at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between</source>
+        <translation>dikey çizgiyle (|) ayrılmış, 1-1.000 karakterlik en çok 100.000 kimlik</translation>
+    </message>
+    <message>
+        <source>a number, such as 12, -1.5, 1e-3 or 22/7</source>
+        <translation>12, -1.5, 1e-3 veya 22/7 gibi bir sayı</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>bir sayı</translation>
+    </message>
+    <message>
+        <source>a number of teeth</source>
+        <translation>bir diş sayısı</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 100,000</source>
+        <translation>1 ile 100.000 arasında bir tam sayı</translation>
+    </message>
+    <message>
+        <source>external, internal or bevel</source>
+        <translation>external, internal veya bevel</translation>
+    </message>
+    <message>
+        <source>yes, no or nothing</source>
+        <translation>yes, no ya da boş</translation>
+    </message>
+    <message>
+        <source>an id</source>
+        <translation>bir kimlik</translation>
+    </message>
+    <message>
+        <source>a number, as its neighbours have one</source>
+        <translation>komşularında olduğu gibi bir sayı</translation>
+    </message>
+    <message>
+        <source>an attached 3D file</source>
+        <translation>ekli bir 3B dosya</translation>
+    </message>
+    <message>
+        <source>%1 attached 3D files</source>
+        <translation>%1 ekli 3B dosya</translation>
+    </message>
+    <message>
+        <source>the view (places in the drawings, camera of the 3D view)</source>
+        <translation>görünüm (çizimlerdeki yerler, 3B görünümün kamerası)</translation>
+    </message>
+    <message>
+        <source>members that this program does not know</source>
+        <translation>bu programın bilmediği üyeler</translation>
+    </message>
+    <message>
+        <source>the empty name of the unit, which becomes &quot;mm&quot;</source>
+        <translation>birimin boş adı, &quot;mm&quot; olur</translation>
+    </message>
+    <message>
+        <source>a path that stays in the folder of this document</source>
+        <translation>bu belgenin klasöründe kalan bir yol</translation>
+    </message>
+    <message>
+        <source>an object of points by the id of their link</source>
+        <translation>uzuv kimliğine göre noktalar nesnesi</translation>
+    </message>
+    <message>
+        <source>expected the point of a node: a list of two numbers, x to the right and y down.</source>
+        <translation>beklenen: bir düğümün noktası, iki sayılık bir liste, x sağa ve y aşağı.</translation>
+    </message>
+    <message>
+        <source>a list of notes</source>
+        <translation>bir not listesi</translation>
+    </message>
+    <message>
+        <source>the text of the note</source>
+        <translation>notun metni</translation>
+    </message>
+    <message>
+        <source>the middle of the note</source>
+        <translation>notun ortası</translation>
+    </message>
+    <message>
+        <source>a list of two numbers, x to the right and y down</source>
+        <translation>iki sayılık bir liste, x sağa ve y aşağı</translation>
+    </message>
+    <message>
+        <source>the point that the camera looks at</source>
+        <translation>kameranın baktığı nokta</translation>
+    </message>
+    <message>
+        <source>an angle in degrees</source>
+        <translation>derece cinsinden bir açı</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>0&apos;dan büyük bir sayı</translation>
+    </message>
+    <message>
+        <source>The axis would coincide with the one that its wheels mesh with.</source>
+        <translation>Eksen, dişlilerinin birlikte çalıştığı eksenle çakışırdı.</translation>
+    </message>
+    <message>
+        <source>There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. What fits: a smaller change, or other teeth first.</source>
+        <translation>%1 ekseni için, %2 dişli çiftlerinin dişlilerinin bu diş sayılarıyla değeceği bir yer yok. Daha küçük bir değişiklik ya da önce başka diş sayıları uyar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is no bevel pair: only bevels have an apex with two sides.</source>
+        <translation>%1 dişli çifti konik değil: iki yanı olan bir tepe yalnız koniklerde vardır.</translation>
+    </message>
+    <message>
+        <source>A module is more than 0: the pitch diameter over the teeth.</source>
+        <translation>Modül 0&apos;dan büyüktür: taksimat dairesi çapı bölü diş sayısı.</translation>
+    </message>
+    <message>
+        <source>Modules can be set where every mesh has its place, in trains of up to %1 meshes. Resolve the reported problems first.</source>
+        <translation>Modüller, her dişli çiftinin yeri belliyse ve en çok %1 dişli çifti olan takımlarda verilebilir. Önce bildirilen sorunları giderin.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 is pinned. What fits: unpin it, or another change.</source>
+        <translation>%1 dişli çifti izleyemiyor: %2 sabitlenmiş. Sabitlemeyi kaldırın ya da başka bir değişiklik yapın.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 cannot follow: %2 are pinned. What fits: unpin one of them, or another change.</source>
+        <translation>%1 dişli çifti izleyemiyor: %2 sabitlenmiş. Birinin sabitlemesini kaldırın ya da başka bir değişiklik yapın.</translation>
+    </message>
+    <message>
+        <source>The module of mesh %1 is pinned, and would change. What fits: unpin it, or another change.</source>
+        <translation>%1 dişli çiftinin modülü sabitlenmiş ve değişecekti. Sabitlemeyi kaldırın ya da başka bir değişiklik yapın.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is pinned. What fits: unpin it to move it.</source>
+        <translation>%1 ekseni sabitlenmiş. Kaydırmak için sabitlemeyi kaldırın.</translation>
+    </message>
+    <message>
+        <source>gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.</source>
+        <translation>%1 dişlisinin eş eksenli kalması için %2 dişi olmalı. Daha küçük bir değişiklik uyar.</translation>
+    </message>
+    <message>
+        <source>an internal pair needs different tooth counts, the ring the larger one.</source>
+        <translation>iç çiftte diş sayıları farklı olmalı, büyük olan çemberde.</translation>
+    </message>
+    <message>
+        <source>The comment has no end.</source>
+        <translation>Yorumun sonu yok.</translation>
+    </message>
+    <message>
+        <source>This character is no part of DOT.</source>
+        <translation>Bu karakter DOT&apos;a ait değil.</translation>
+    </message>
+    <message>
+        <source>The quote has no end.</source>
+        <translation>Tırnağın sonu yok.</translation>
+    </message>
+    <message>
+        <source>The text in angle brackets has no end.</source>
+        <translation>Açılı ayraç içindeki metnin sonu yok.</translation>
+    </message>
+    <message>
+        <source>This is no number.</source>
+        <translation>Bu bir sayı değil.</translation>
+    </message>
+    <message>
+        <source>The text is not UTF-8.</source>
+        <translation>Metin UTF-8 değil.</translation>
+    </message>
+    <message>
+        <source>Behind the graph is something else; a file with one graph is read.</source>
+        <translation>Graftan sonra başka bir şey var; tek grafı olan dosya okunur.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found the end.</source>
+        <translation>Beklenen: %1, bulunan: dosya sonu.</translation>
+    </message>
+    <message>
+        <source>Expected %1, found %2.</source>
+        <translation>Beklenen: %1, bulunan: %2.</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>bir ad</translation>
+    </message>
+    <message>
+        <source>a quoted text</source>
+        <translation>tırnak içinde bir metin</translation>
+    </message>
+    <message>
+        <source>Groups are nested deeper than 64.</source>
+        <translation>Gruplar 64 düzeyden derin iç içe geçmiş.</translation>
+    </message>
+    <message>
+        <source>An edge between groups is not read; write an edge for each joint and mesh.</source>
+        <translation>Gruplar arasındaki kenar okunmaz; her mafsal ve dişli çifti için bir kenar yazın.</translation>
+    </message>
+    <message>
+        <source>An edge of a directed graph is written -&gt;.</source>
+        <translation>Yönlü bir grafın kenarı -&gt; ile yazılır.</translation>
+    </message>
+    <message>
+        <source>The graph is strict, and a second edge leads from %1 to %2: it would be one with the first. Leave out &quot;strict&quot;.</source>
+        <translation>Graf &quot;strict&quot; ve %1 ile %2 arasında ikinci bir kenar var: birincisiyle aynı sayılırdı. &quot;strict&quot; sözcüğünü çıkarın.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 200,000 edges is read.</source>
+        <translation>En çok 200.000 kenarlı graf okunur.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes is read.</source>
+        <translation>En çok 100.000 düğümlü graf okunur.</translation>
+    </message>
+    <message>
+        <source>The graph is undirected, so that it does not say which link of a joint or mesh is tail and which is head: the signs and the teeth of each gear depend on it. Make it directed.</source>
+        <translation>Graf yönsüz; bu yüzden bir mafsalın veya dişli çiftinin hangi uzvunun kuyruk, hangisinin baş olduğunu söylemiyor: işaretler ve her dişlinin diş sayısı buna bağlıdır. Grafı yönlü yapın.</translation>
+    </message>
+    <message>
+        <source>This is no XML: %1.</source>
+        <translation>Bu XML değil: %1.</translation>
+    </message>
+    <message>
+        <source>There is no &lt;graph&gt; in the file.</source>
+        <translation>Dosyada &lt;graph&gt; yok.</translation>
+    </message>
+    <message>
+        <source>A file with a document type (&lt;!DOCTYPE&gt;) is not read; leave it out.</source>
+        <translation>Belge türü (&lt;!DOCTYPE&gt;) olan dosya okunmaz; onu çıkarın.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; lacks the attribute &quot;%2&quot;.</source>
+        <translation>&lt;%1&gt; öğesinde &quot;%2&quot; özniteliği eksik.</translation>
+    </message>
+    <message>
+        <source>Elements are nested deeper than 64.</source>
+        <translation>Öğeler 64 düzeyden derin iç içe geçmiş.</translation>
+    </message>
+    <message>
+        <source>This is no GraphML: it begins with &lt;%1&gt;.</source>
+        <translation>Bu GraphML değil: &lt;%1&gt; ile başlıyor.</translation>
+    </message>
+    <message>
+        <source>A hyperedge is not read; a joint and a mesh are edges between two nodes.</source>
+        <translation>Hiperkenar okunmaz; mafsal ve dişli çifti iki düğüm arasında bir kenardır.</translation>
+    </message>
+    <message>
+        <source>A file with one graph is read, without graphs inside its nodes.</source>
+        <translation>Düğümlerinin içinde graf olmayan, tek graflı dosya okunur.</translation>
+    </message>
+    <message>
+        <source>The graph has no node; the first one is the ground.</source>
+        <translation>Grafın düğümü yok; ilki sabit uzuvdur.</translation>
+    </message>
+    <message>
+        <source>The graph has version %1, but this program reads version %2: read it with a newer GearGraph.</source>
+        <translation>Grafın sürümü %1, bu program ise %2 sürümünü okur: daha yeni bir GearGraph ile okuyun.</translation>
+    </message>
+    <message>
+        <source>The ground is the first node, %1.</source>
+        <translation>Sabit uzuv ilk düğümdür: %1.</translation>
+    </message>
+    <message>
+        <source>The edge %1 (%2)</source>
+        <translation>%1 kenarı (%2)</translation>
+    </message>
+    <message>
+        <source>The edge %1</source>
+        <translation>%1 kenarı</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;kind&quot;; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: &quot;kind&quot; özniteliği eksik; beklenen: &quot;turning&quot; veya &quot;mesh&quot;.</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2, so this is a T-T graph; the digraph (--view digraph) is read back.</source>
+        <translation>%1: &quot;kind&quot; değeri %2, yani bu bir T-T grafı; geri okunan yönlü graftır (--view digraph).</translation>
+    </message>
+    <message>
+        <source>%1: its &quot;kind&quot; is %2; expected &quot;turning&quot; or &quot;mesh&quot;.</source>
+        <translation>%1: &quot;kind&quot; değeri %2; beklenen: &quot;turning&quot; veya &quot;mesh&quot;.</translation>
+    </message>
+    <message>
+        <source>As a document the graph has more than 64 MiB.</source>
+        <translation>Graf belge olarak 64 MiB&apos;tan büyük.</translation>
+    </message>
+    <message>
+        <source>%1, %2: expected a list or an object as JSON, found %3.</source>
+        <translation>%1, %2: beklenen: JSON olarak bir liste veya nesne, bulunan: %3.</translation>
+    </message>
+    <message>
+        <source>The graph</source>
+        <translation>Graf</translation>
+    </message>
+    <message>
+        <source>The node %1</source>
+        <translation>%1 düğümü</translation>
+    </message>
+    <message>
+        <source>%1 is in the graph twice.</source>
+        <translation>%1 grafta iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>The graph has no places of axes: %1 are placed from the tooth counts.</source>
+        <translation>Grafta eksenlerin yeri yok: %1 diş sayılarından yerleştirilir.</translation>
+    </message>
+    <message>
+        <source>1 mesh has no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>1 dişli çiftinde &quot;meshKind&quot; yok: paralel eksenler arasında dış, kesişen eksenler arasında konik.</translation>
+    </message>
+    <message>
+        <source>%1 meshes have no &quot;meshKind&quot;: external between parallel axes, bevel between intersecting ones.</source>
+        <translation>%1 dişli çiftinde &quot;meshKind&quot; yok: paralel eksenler arasında dış, kesişen eksenler arasında konik.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the name of the axis that the joint turns about, the same for joints on one axis.</source>
+        <translation>%1: &quot;%2&quot; özniteliği eksik: mafsalın etrafında döndüğü eksenin adı; aynı eksendeki mafsallarda aynıdır.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its first node.</source>
+        <translation>%1: &quot;%2&quot; özniteliği eksik: ilk düğümdeki dişlinin diş sayısı.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the attribute &quot;%2&quot;: the number of teeth of the gear on its second node.</source>
+        <translation>%1: &quot;%2&quot; özniteliği eksik: ikinci düğümdeki dişlinin diş sayısı.</translation>
+    </message>
+    <message>
+        <source>%1: there is no node %2.</source>
+        <translation>%1: %2 düğümü yok.</translation>
+    </message>
+    <message>
+        <source>Attributes without a meaning for the mechanism were not read: %1.</source>
+        <translation>Mekanizma için anlamı olmayan öznitelikler okunmadı: %1.</translation>
+    </message>
+    <message>
+        <source>A graph of at most 100,000 nodes and 200,000 edges is read.</source>
+        <translation>En çok 100.000 düğümlü ve 200.000 kenarlı graf okunur.</translation>
+    </message>
+    <message>
+        <source>This is no node-link graph: it is an object with the lists &quot;nodes&quot; and &quot;links&quot;.</source>
+        <translation>Bu bir node-link grafı değil: o, &quot;nodes&quot; ve &quot;links&quot; listeleri olan bir nesnedir.</translation>
+    </message>
+    <message>
+        <source>Expected an object with &quot;%1&quot;, a text or a number that names a node.</source>
+        <translation>Beklenen: bir düğümü adlandıran metin veya sayı olan &quot;%1&quot; üyeli bir nesne.</translation>
+    </message>
+    <message>
+        <source>%1 link</source>
+        <translation>%1 uzuv</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 eklendi</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 kaldırıldı</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 değişti</translation>
+    </message>
+    <message>
+        <source>axes changed</source>
+        <translation>eksenler değişti</translation>
+    </message>
+    <message>
+        <source>inputs changed</source>
+        <translation>girişler değişti</translation>
+    </message>
+    <message>
+        <source>links moved in the drawing</source>
+        <translation>uzuvlar çizimde kaydırıldı</translation>
+    </message>
+    <message>
+        <source>other properties changed</source>
+        <translation>başka özellikler değişti</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>hiçbir şey</translation>
+    </message>
+    <message>
+        <source>There is no &quot;%1&quot; in %2.</source>
+        <translation>%2 içinde &quot;%1&quot; yok.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>%1 uzvundan %2 uzvuna bir döner mafsal çevrim kapatırdı. Döner mafsallar ağaç olmalıdır: yerine bir dişli çifti çizin.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joint %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>%1 uzvundan %2 uzvuna bir döner mafsal, %3 mafsalıyla çevrim kapatırdı. Döner mafsallar ağaç olmalıdır: yerine bir dişli çifti çizin.</translation>
+    </message>
+    <message>
+        <source>A turning joint from link %1 to link %2 would close a loop with joints %3. The turning joints have to be a tree: draw a gear mesh instead.</source>
+        <translation>%1 uzvundan %2 uzvuna bir döner mafsal, %3 mafsallarıyla çevrim kapatırdı. Döner mafsallar ağaç olmalıdır: yerine bir dişli çifti çizin.</translation>
+    </message>
+    <message>
+        <source>A turning joint needs two different links.</source>
+        <translation>Döner mafsal iki ayrı uzuv ister.</translation>
+    </message>
+    <message>
+        <source>A gear mesh needs two different links.</source>
+        <translation>Dişli çifti iki ayrı uzuv ister.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted; make another link the ground first.</source>
+        <translation>Sabit uzuv silinemez; önce başka bir uzvu sabit uzuv yapın.</translation>
+    </message>
+    <message>
+        <source>Only links and axes bear names; the others bear the paper&apos;s labels.</source>
+        <translation>Yalnız uzuvlar ve eksenler ad taşır; ötekiler makaledeki etiketleri taşır.</translation>
+    </message>
+    <message>
+        <source>An axis needs a name.</source>
+        <translation>Eksen bir ad ister.</translation>
+    </message>
+    <message>
+        <source>There is an axis &quot;%1&quot; already.</source>
+        <translation>&quot;%1&quot; ekseni zaten var.</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth, not %1.</source>
+        <translation>Bir dişlinin 1 ile 100.000 arası dişi olur, %1 olmaz.</translation>
+    </message>
+    <message>
+        <source>The direction of axis %1 has length 0.</source>
+        <translation>%1 ekseninin doğrultusunun uzunluğu 0.</translation>
+    </message>
+    <message>
+        <source>The joint is an input already.</source>
+        <translation>Mafsal zaten bir giriş.</translation>
+    </message>
+    <message>
+        <source>Loads or balances act on this link, and the ground can have none: remove them first.</source>
+        <translation>Bu uzva yükler veya dengeler etkiyor; sabit uzuvda olamazlar: önce onları kaldırın.</translation>
+    </message>
+    <message>
+        <source>There is no link or note in what was copied.</source>
+        <translation>Kopyalananda uzuv ya da not yok.</translation>
+    </message>
+    <message>
+        <source>A name has at most 1,000 characters; this one has %1.</source>
+        <translation>Bir ad en çok 1.000 karakter olur; bu %1 karakter.</translation>
+    </message>
+    <message>
+        <source>A document has at most 100,000 %1; this one has %2.</source>
+        <translation>Bir belgede en çok 100.000 %1 olur; bunda %2 var.</translation>
+    </message>
+    <message>
+        <source>expected a coordinate from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir koordinat.</translation>
+    </message>
+    <message>
+        <source>expected a number from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir sayı.</translation>
+    </message>
+    <message>
+        <source>expected a component from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir bileşen.</translation>
+    </message>
+    <message>
+        <source>expected a length from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir uzunluk.</translation>
+    </message>
+    <message>
+        <source>expected a density from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir yoğunluk.</translation>
+    </message>
+    <message>
+        <source>expected a mass from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir kütle.</translation>
+    </message>
+    <message>
+        <source>expected a moment from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir atalet momenti.</translation>
+    </message>
+    <message>
+        <source>expected a torque from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir tork.</translation>
+    </message>
+    <message>
+        <source>expected a force from -1e15 to 1e15.</source>
+        <translation>beklenen: -1e15 ile 1e15 arasında bir kuvvet.</translation>
+    </message>
+    <message>
+        <source>expected a direction with a component of at least 1e-15.</source>
+        <translation>beklenen: bir bileşeni en az 1e-15 olan bir doğrultu.</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0, in kg.</source>
+        <translation>Kütle en az 0&apos;dır, kg cinsinden.</translation>
+    </message>
+    <message>
+        <source>No body has this inertia: each principal moment is at least 0 and at most the sum of the other two. The numbers are xx, yy, zz, xy, xz, yz in kg m², about the centre of mass.</source>
+        <translation>Hiçbir cismin ataleti böyle değildir: her asal moment en az 0 ve en çok öteki ikisinin toplamıdır. Sayılar xx, yy, zz, xy, xz, yz; kg m² cinsinden, kütle merkezine göre.</translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, but %3 has no such id.</source>
+        <translation>%1, &quot;%2&quot; adını anıyor, ama %3 içinde böyle bir kimlik yok.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: %1 are on moving links. Name one of those.</source>
+        <translation>Sabit uzuv her yükü karşılar: %1 hareketli uzuvlar içindir. Onlardan birini yazın.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%1&quot; occurs twice in %2.</source>
+        <translation>&quot;%1&quot; kimliği %2 içinde iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>The joint &quot;%1&quot; occurs twice in %2.</source>
+        <translation>&quot;%1&quot; mafsalı %2 içinde iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; occurs twice in %2.</source>
+        <translation>&quot;%1&quot; uzvu %2 içinde iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>A mesh has an efficiency or a coefficient of friction, not both.</source>
+        <translation>Bir dişli çiftinin ya verimi ya sürtünme katsayısı olur, ikisi birden olmaz.</translation>
+    </message>
+    <message>
+        <source>A coefficient of friction is from 0 to 1.</source>
+        <translation>Sürtünme katsayısı 0 ile 1 arasındadır.</translation>
+    </message>
+    <message>
+        <source>A density is above 0, in kg/m³.</source>
+        <translation>Yoğunluk 0&apos;dan büyüktür, kg/m³ cinsinden.</translation>
+    </message>
+    <message>
+        <source>There is no note &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; diye bir not yok.</translation>
+    </message>
+    <message>
+        <source>A document has at most 1,000 notes; this one has %1.</source>
+        <translation>Bir belgede en çok 1.000 not olur; bunda %1 var.</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters; this one has %1.</source>
+        <translation>Bir not en çok 1.000 karakter olur; bu %1 karakter.</translation>
+    </message>
+    <message>
+        <source>A note needs a text.</source>
+        <translation>Not bir metin ister.</translation>
+    </message>
+    <message>
+        <source>A note is lines of text without control characters.</source>
+        <translation>Not, denetim karakteri içermeyen metin satırlarıdır.</translation>
+    </message>
+    <message>
+        <source>There is no axis, link or mesh &quot;%1&quot; to pin.</source>
+        <translation>Sabitlenecek &quot;%1&quot; diye bir eksen, uzuv veya dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the folder of the document: save the document first, then copy the 3D file into its folder.</source>
+        <translation>&quot;%1&quot; belgenin klasöründe değil: önce belgeyi kaydedin, sonra 3B dosyayı onun klasörüne kopyalayın.</translation>
+    </message>
+    <message>
+        <source>The scale of a 3D file has to be above 0.</source>
+        <translation>3B dosyanın ölçeği 0&apos;dan büyük olmalıdır.</translation>
+    </message>
+    <message>
+        <source>There is a coupling &quot;%1&quot; already.</source>
+        <translation>&quot;%1&quot; adlı fren veya kavrama zaten var.</translation>
+    </message>
+    <message>
+        <source>The ground does not move: a brake is for a moving link.</source>
+        <translation>Sabit uzuv hareket etmez: fren hareketli bir uzuv içindir.</translation>
+    </message>
+    <message>
+        <source>A clutch needs two different links.</source>
+        <translation>Kavrama iki ayrı uzuv ister.</translation>
+    </message>
+    <message>
+        <source>A coupling needs a name.</source>
+        <translation>Fren veya kavrama bir ad ister.</translation>
+    </message>
+    <message>
+        <source>A state needs a name.</source>
+        <translation>Durum bir ad ister.</translation>
+    </message>
+    <message>
+        <source>There is a state &quot;%1&quot; already.</source>
+        <translation>&quot;%1&quot; durumu zaten var.</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice.</source>
+        <translation>&quot;%1&quot; elemanı iki kez yazılmış.</translation>
+    </message>
+    <message>
+        <source>A mechanism needs at least the ground.</source>
+        <translation>Mekanizmada en azından sabit uzuv olmalıdır.</translation>
+    </message>
+    <message>
+        <source>An id may not be empty.</source>
+        <translation>Kimlik boş olamaz.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; names &quot;%3&quot;, but %4 has no such id.</source>
+        <translation>%1 &quot;%2&quot;, &quot;%3&quot; adını anıyor, ama %4 içinde böyle bir kimlik yok.</translation>
+    </message>
+    <message>
+        <source>The 3D file of a link is a path that stays in the folder of the document, not &quot;%1&quot;.</source>
+        <translation>Bir uzvun 3B dosyası, belgenin klasöründe kalan bir yoldur, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>Turning joint &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>&quot;%1&quot; döner mafsalı &quot;%2&quot; uzvunu kendisine bağlıyor; iki uzuv ister.</translation>
+    </message>
+    <message>
+        <source>Gear mesh &quot;%1&quot; ties link &quot;%2&quot; to itself; it needs two links.</source>
+        <translation>&quot;%1&quot; dişli çifti &quot;%2&quot; uzvunu kendisine bağlıyor; iki uzuv ister.</translation>
+    </message>
+    <message>
+        <source>The face width of a gear mesh is above 0.</source>
+        <translation>Dişli çiftinin diş genişliği 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>A gear has 1 to 100,000 teeth; mesh &quot;%1&quot; says %2.</source>
+        <translation>Bir dişlinin 1 ile 100.000 arası dişi olur; &quot;%1&quot; dişli çifti %2 diyor.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; is on link &quot;%2&quot;, but its wheel &quot;%3&quot; is on link &quot;%4&quot;.</source>
+        <translation>&quot;%1&quot; dişli çifti &quot;%2&quot; uzvunda, ama dişlisi &quot;%3&quot;, &quot;%4&quot; uzvunda.</translation>
+    </message>
+    <message>
+        <source>A brake names one link, a clutch two.</source>
+        <translation>Fren bir uzuv, kavrama iki uzuv adlandırır.</translation>
+    </message>
+    <message>
+        <source>Clutch &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
+        <translation>&quot;%1&quot; kavraması &quot;%2&quot; uzvunu kendisine bağlıyor.</translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; occurs twice in %2.</source>
+        <translation>&quot;%1&quot; adı %2 içinde iki kez geçiyor.</translation>
+    </message>
+    <message>
+        <source>Coupling &quot;%1&quot; is listed twice in %2.</source>
+        <translation>&quot;%1&quot; elemanı %2 içinde iki kez yazılmış.</translation>
+    </message>
+    <message>
+        <source>The distance of the camera has to be above 0.</source>
+        <translation>Kameranın uzaklığı 0&apos;dan büyük olmalıdır.</translation>
+    </message>
+    <message>
+        <source>The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the second at least 0, and not both 0.</source>
+        <translation>Bir mafsalın sınırları, referans konumdan derece cinsinden iki açıdır: ilki en çok 0, ikincisi en az 0, ikisi birden 0 olamaz.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis, with opposite directions.</source>
+        <translation>%1 ve %2 eksenleri ortak bir uzvun tuttuğu tek bir doğrudur: zıt yönlü tek eksen sayılırlar.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are one line held by a common link: they are treated as one axis.</source>
+        <translation>%1 ve %2 eksenleri ortak bir uzvun tuttuğu tek bir doğrudur: tek eksen sayılırlar.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is named by joints that share no link on it (%2 ...): they coincide in the drawn pose only and are treated as different axes. Give each its own axis.</source>
+        <translation>%1 eksenini, üzerinde ortak uzvu olmayan mafsallar anıyor (%2 ...): yalnız çizilen konumda çakışırlar ve ayrı eksenler sayılırlar. Her birine kendi eksenini verin.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) joins two gears on the same axis %3: coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.</source>
+        <translation>%1 dişli çifti (%2) aynı %3 eksenindeki iki dişliyi bağlıyor: eş eksenli dişliler birlikte çalışamaz. Birini başka bir eksene alın ya da dişli çiftini silin.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 (%2) has no carrier: the path between its gears changes axis more than once, %3. One link must carry both axes, so that their distance is constant.</source>
+        <translation>%1 dişli çiftinin (%2) taşıyıcısı yok: dişlileri arasındaki yol ekseni birden çok kez değiştiriyor, %3. Aralarındaki uzaklık sabit kalsın diye iki ekseni de bir uzuv taşımalıdır.</translation>
+    </message>
+    <message>
+        <source>the drawings</source>
+        <translation>çizimler</translation>
+    </message>
+    <message>
+        <source>the matrices</source>
+        <translation>matrisler</translation>
+    </message>
+    <message>
+        <source>the exercises</source>
+        <translation>alıştırmalar</translation>
+    </message>
+    <message>
+        <source>the key of the exercises</source>
+        <translation>alıştırmaların anahtarı</translation>
+    </message>
+    <message>
+        <source>the mechanism&apos;s data</source>
+        <translation>mekanizmanın verileri</translation>
+    </message>
+    <message>
+        <source>the still picture</source>
+        <translation>durağan resim</translation>
+    </message>
+    <message>
+        <source>the solids</source>
+        <translation>katı modeller</translation>
+    </message>
+    <message>
+        <source>The handout would have %1 MB; a page has at most 3 MB. The largest part: %2.</source>
+        <translation>Ders notu %1 MB olurdu; bir sayfa en çok 3 MB&apos;tır. En büyük bölüm: %2.</translation>
+    </message>
+    <message>
+        <source>Reading it took longer than %1 s.</source>
+        <translation>Okuma %1 s&apos;den uzun sürdü.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed, and was confined.</source>
+        <translation>Bozuk ya da zarar vermek için yapılmış: onu okuyan program çöktü, kısıtlı çalışıyordu.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: the program that reads it crashed. This system does not confine it.</source>
+        <translation>Dosya bozuk veya zarar vermek için yapılmış: onu okuyan program çöktü. Bu sistem onu yalıtmıyor.</translation>
+    </message>
+    <message>
+        <source>Reading it was stopped.</source>
+        <translation>Okuma durduruldu.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh cannot be run.</source>
+        <translation>geargraph-mesh programı çalıştırılamıyor.</translation>
+    </message>
+    <message>
+        <source>There are too many open files.</source>
+        <translation>Çok fazla açık dosya var.</translation>
+    </message>
+    <message>
+        <source>It is not there.</source>
+        <translation>Yerinde değil.</translation>
+    </message>
+    <message>
+        <source>It cannot be opened.</source>
+        <translation>Açılamıyor.</translation>
+    </message>
+    <message>
+        <source>It is no file.</source>
+        <translation>Bir dosya değil.</translation>
+    </message>
+    <message>
+        <source>It has %1 bytes, more than the limit of %2.</source>
+        <translation>%1 bayt; sınır olan %2 baytı aşıyor.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or made to do harm: what the program that reads it answers is no solid.</source>
+        <translation>Bozuk ya da zarar vermek için yapılmış: onu okuyan programın yanıtı katı model değil.</translation>
+    </message>
+    <message>
+        <source>It is none of STL, OBJ, PLY and GLB.</source>
+        <translation>STL, OBJ, PLY veya GLB değil.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-mesh, which reads 3D files, is missing.</source>
+        <translation>3B dosyaları okuyan geargraph-mesh programı eksik.</translation>
+    </message>
+    <message>
+        <source>Too wide for this page; the web page and LaTeX hold it whole.</source>
+        <translation>Bu sayfaya sığmayacak kadar geniş; web sayfası ve LaTeX tümünü içerir.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the pages.</source>
+        <translation>Sayfalar için yeterli bellek yok.</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. On Debian, the package libgl1-mesa-dri brings what is missing.</source>
+        <translation>3B resim yok: %1. Debian&apos;da eksik olanı libgl1-mesa-dri paketi getirir.</translation>
+    </message>
+    <message>
+        <source>EGL finds no device</source>
+        <translation>EGL aygıt bulamıyor</translation>
+    </message>
+    <message>
+        <source>EGL has no desktop OpenGL</source>
+        <translation>EGL&apos;de masaüstü OpenGL yok</translation>
+    </message>
+    <message>
+        <source>EGL has no OpenGL configuration</source>
+        <translation>EGL&apos;de OpenGL yapılandırması yok</translation>
+    </message>
+    <message>
+        <source>there is no OpenGL 3.3 core</source>
+        <translation>OpenGL 3.3 çekirdeği yok</translation>
+    </message>
+    <message>
+        <source>the driver cannot paint without a window</source>
+        <translation>sürücü pencere olmadan çizemiyor</translation>
+    </message>
+    <message>
+        <source>No 3D pictures: %1. Install a driver with OpenGL 3.3 or newer.</source>
+        <translation>3B resim yok: %1. OpenGL 3.3 veya daha yeni bir sürücü kurun.</translation>
+    </message>
+    <message>
+        <source>the driver has no %1</source>
+        <translation>sürücüde %1 yok</translation>
+    </message>
+    <message>
+        <source>the driver offers OpenGL %1</source>
+        <translation>sürücü OpenGL %1 sunuyor</translation>
+    </message>
+    <message>
+        <source>the driver rejects a shader: %1</source>
+        <translation>sürücü bir gölgelendiriciyi reddediyor: %1</translation>
+    </message>
+    <message>
+        <source>The picture would be more than %1 pixels wide or high: give it a smaller size, or write SVG or PDF.</source>
+        <translation>Resim %1 pikselden geniş ya da yüksek olurdu: daha küçük bir boyut verin ya da SVG veya PDF yazın.</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 kayıp</translation>
+    </message>
+    <message>
+        <source>* shared by equal stiffness: an assumption</source>
+        <translation>* eşit rijitlikle paylaşıldı: bir kabul</translation>
+    </message>
+    <message>
+        <source>? W: shared in unknown parts, not determined</source>
+        <translation>? W: bilinmeyen paylarla bölüşülüyor, belirli değil</translation>
+    </message>
+    <message>
+        <source>circulates: links %1, meshes %2</source>
+        <translation>dolaşır: uzuvlar %1, dişli çiftleri %2</translation>
+    </message>
+    <message>
+        <source>seen from the ground</source>
+        <translation>sabit uzuvdan bakıldığında</translation>
+    </message>
+    <message>
+        <source>seen from link %1</source>
+        <translation>%1 uzvundan bakıldığında</translation>
+    </message>
+    <message>
+        <source>Balance in joint %1</source>
+        <translation>%1 mafsalındaki dengeleme</translation>
+    </message>
+    <message>
+        <source>Balance on link %1</source>
+        <translation>%1 uzvundaki dengeleme</translation>
+    </message>
+    <message>
+        <source>%1: not determined, it shares the loads in unknown parts.</source>
+        <translation>%1: belirlenemez, yükler bilinmeyen oranlarda paylaşılıyor.</translation>
+    </message>
+    <message>
+        <source>%1: found, it holds the loads with %2 N m.</source>
+        <translation>%1: bulundu, yükleri %2 N m ile tutar.</translation>
+    </message>
+    <message>
+        <source>It feeds %1 into the train.</source>
+        <translation>Düzeneğe %1 verir.</translation>
+    </message>
+    <message>
+        <source>It takes %1 out of the train.</source>
+        <translation>Düzenekten %1 alır.</translation>
+    </message>
+    <message>
+        <source>T shared</source>
+        <translation>Ortak T</translation>
+    </message>
+    <message>
+        <source>Both methods give the same fractions: all %1 entries agree.</source>
+        <translation>İki yöntem aynı kesirleri verir: %1 öğenin hepsi uyuşuyor.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Adım adım</translation>
+    </message>
+    <message>
+        <source>Matroid method</source>
+        <translation>Matroid yöntemi</translation>
+    </message>
+    <message>
+        <source>T-T graph method</source>
+        <translation>T-T graf yöntemi</translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation>İlişki</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh</source>
+        <translation>Dişli çifti dişli çifti</translation>
+    </message>
+    <message>
+        <source>For each mesh, above: its row of $P$, divided by the radius of the head&apos;s gear. Below: its terminal equation with both circuits put in, times $N_{tail} / N_{head}$.</source>
+        <translation>Her dişli çifti için üstte $P$ matrisindeki satırı, baştaki dişlinin yarıçapına bölünmüş olarak; altta iki çevrimi yerine konmuş uç denklemi, $N_{tail} / N_{head}$ ile çarpılmış olarak.</translation>
+    </message>
+    <message>
+        <source>too long to write</source>
+        <translation>yazılamayacak kadar uzun</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Sayılmış</translation>
+    </message>
+    <message>
+        <source>Products and quotients, sums and differences of the calculation by hand for this mechanism; those with $0$ and $\pm 1$ cost nothing.</source>
+        <translation>Bu mekanizma için elle hesabın çarpma ve bölmeleri, toplama ve çıkarmaları; $0$ ve $\pm 1$ ile olanlar sayılmaz.</translation>
+    </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Bilinmeyenler</translation>
+    </message>
+    <message>
+        <source>Equations</source>
+        <translation>Denklemler</translation>
+    </message>
+    <message>
+        <source>Matrix of the equations</source>
+        <translation>Denklemlerin matrisi</translation>
+    </message>
+    <message>
+        <source>Entries that are not 0</source>
+        <translation>0 olmayan öğeler</translation>
+    </message>
+    <message>
+        <source>From the drawing to the equations</source>
+        <translation>Çizimden denklemlere</translation>
+    </message>
+    <message>
+        <source>From the equations to the solution</source>
+        <translation>Denklemlerden çözüme</translation>
+    </message>
+    <message>
+        <source>The same in gear ratios</source>
+        <translation>Aynısı dişli oranlarıyla</translation>
+    </message>
+    <message>
+        <source>With more links</source>
+        <translation>Daha çok uzuvla</translation>
+    </message>
+    <message>
+        <source>The same counted on larger trains. The chain of substitutions grows with the number of meshes times that of the inputs; the inverse of $P_r$ holds all products along the way and grows with its square.</source>
+        <translation>Aynısı daha büyük takımlarda sayıldı. Yerine koyma zinciri dişli çifti sayısı çarpı giriş sayısı ile büyür; $P_r$ matrisinin tersi yol boyunca bütün çarpımları içerir ve bunun karesiyle büyür.</translation>
+    </message>
+    <message>
+        <source>Train</source>
+        <translation>Dişli takımı</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Dişli çiftleri</translation>
+    </message>
+    <message>
+        <source>Inverse and product</source>
+        <translation>Ters ve çarpım</translation>
+    </message>
+    <message>
+        <source>Substitution</source>
+        <translation>Yerine koyma</translation>
+    </message>
+    <message>
+        <source>Multiplications and additions from the equations to the solution</source>
+        <translation>Denklemlerden çözüme çarpmalar ve toplamalar</translation>
+    </message>
+    <message>
+        <source>moving links</source>
+        <translation>hareketli uzuvlar</translation>
+    </message>
+    <message>
+        <source>What the paper concludes</source>
+        <translation>Makalenin vardığı sonuçlar</translation>
+    </message>
+    <message>
+        <source>For it: %1</source>
+        <translation>Lehine: %1</translation>
+    </message>
+    <message>
+        <source>Against it: %1</source>
+        <translation>Aleyhine: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism</source>
+        <translation>Mekanizma</translation>
+    </message>
+    <message>
+        <source>It has %1, %2 and %3, $k = t + c = %4$ joints in all. The ground is link 0; the other links, the turning joints and the meshes are numbered on from there.</source>
+        <translation>%1, %2 ve %3 var; toplam $k = t + c = %4$ mafsal. Sabit uzuv 0 numaralı uzuvdur; öteki uzuvlar, döner mafsallar ve dişli çiftleri oradan başlayarak numaralanır.</translation>
+    </message>
+    <message>
+        <source>$%1$ moving link ($n = %1$)</source>
+        <translation>$%1$ hareketli uzuv ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ moving links ($n = %1$)</source>
+        <translation>$%1$ hareketli uzuv ($n = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joint ($t = %1$)</source>
+        <translation>$%1$ döner mafsal ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ turning joints ($t = %1$)</source>
+        <translation>$%1$ döner mafsal ($t = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear mesh ($c = %1$)</source>
+        <translation>$%1$ dişli çifti ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>$%1$ gear meshes ($c = %1$)</source>
+        <translation>$%1$ dişli çifti ($c = %1$)</translation>
+    </message>
+    <message>
+        <source>Digraph and matrices</source>
+        <translation>Yönlü graf ve matrisler</translation>
+    </message>
+    <message>
+        <source>Each link becomes a node, each turning joint a solid arrow from its tail to its head, each gear mesh a dashed one.</source>
+        <translation>Her uzuv bir düğüm, her döner mafsal kuyruğundan başına düz bir ok, her dişli çifti kesikli bir ok olur.</translation>
+    </message>
+    <message>
+        <source>In the incidence matrix an edge&apos;s column holds $-1$ in the row of the link that it leaves and $1$ in the row of the link that it reaches.</source>
+        <translation>Bağlantı matrisinde bir kenarın sütunu, çıktığı uzvun satırında $-1$, vardığı uzvun satırında $1$ içerir.</translation>
+    </message>
+    <message>
+        <source>Without the row of the ground its rows are independent: $G$ for the turning joints, $G^*$ for the meshes.</source>
+        <translation>Sabit uzvun satırı olmadan satırları bağımsızdır: $G$ döner mafsallar, $G^*$ dişli çiftleri içindir.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree of this digraph, so there is nothing more to derive: see the findings above.</source>
+        <translation>Döner mafsallar bu yönlü grafın kapsayan ağacı değil; türetilecek başka bir şey yok: yukarıdaki bulgulara bakın.</translation>
+    </message>
+    <message>
+        <source>The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it.</source>
+        <translation>Döner mafsallar bir kapsayan ağaçtır. Yol matrisi her uzuv için sabit uzva giden yolundaki mafsalları içerir: yol oku izliyorsa $1$, oka karşı gidiyorsa $-1$.</translation>
+    </message>
+    <message>
+        <source>Each mesh closes a fundamental cycle with the joints between its two links. They follow from both matrices.</source>
+        <translation>Her dişli çifti, iki uzvu arasındaki mafsallarla bir temel çevrim kapatır. Çevrimler iki matristen çıkar.</translation>
+    </message>
+    <message>
+        <source>With the meshes themselves, each once, this is the cycle-basis matrix.</source>
+        <translation>Dişli çiftlerinin kendileriyle, her biri bir kez, bu çevrim tabanı matrisidir.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Nereden</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nereye</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>tr</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Vidalar</translation>
+    </message>
+    <message>
+        <source>The screw of joint $k$ about the pitch point of mesh $c$ is the unit vector along the joint&apos;s axis, $u_k$, with its moment about that point, $r_{c,k} = l_{c,k} \times u_k$, where $l_{c,k}$ leads from the pitch point to the axis:</source>
+        <translation>$k$ mafsalının $c$ dişli çiftinin hatve noktasına göre vidası, mafsal ekseni boyunca birim vektör $u_k$ ile onun bu noktaya göre momenti $r_{c,k} = l_{c,k} \times u_k$ olur; $l_{c,k}$ hatve noktasından eksene gider:</translation>
+    </message>
+    <message>
+        <source>For the joints of each cycle, lengths in %1:</source>
+        <translation>Her çevrimin mafsalları için, uzunluklar %1 cinsinden:</translation>
+    </message>
+    <message>
+        <source>Equations of the meshes</source>
+        <translation>Dişli çiftlerinin denklemleri</translation>
+    </message>
+    <message>
+        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
+        <translation>Bir çevrimin mafsallarının hız vidaları $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ toplamı sıfırdır. Dişli çiftinin kendi hatve noktasına göre momenti yoktur; bu yüzden döner mafsalların momentleri, her biri $T$ içindeki işaretiyle, tek başına sıfır verir:</translation>
+    </message>
+    <message>
+        <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
+        <translation>Hepsi tek bir doğru boyuncadır: dişli çiftinin iki eksenini içeren düzlemin normali. Her birinden bir sayı yeter, bu normal boyunca bileşeni $P_{c,t}$; her dişli çifti bir denklem verir:</translation>
+    </message>
+    <message>
+        <source>With lengths in %1,</source>
+        <translation>Uzunluklar %1 cinsinden,</translation>
+    </message>
+    <message>
+        <source>The entries of a row are the radii of its two gears. Divided by the radius of the head&apos;s gear, the ratios are left:</source>
+        <translation>Bir satırın öğeleri iki dişlisinin yarıçaplarıdır. Baştaki dişlinin yarıçapına bölününce oranlar kalır:</translation>
+    </message>
+    <message>
+        <source>Engaged couplings</source>
+        <translation>Devredeki fren ve kavramalar</translation>
+    </message>
+    <message>
+        <source>An engaged brake holds its link against the ground, an engaged clutch makes two links turn as one. The rates of the joints between them add up to zero, once for each direction of their axes: rows below those of the meshes, which stay as they are.</source>
+        <translation>Devredeki fren uzvunu sabit uzva bağlar, devredeki kavrama iki uzvu birlikte döndürür. Aralarındaki mafsalların hızları, eksenlerinin her doğrultusu için bir kez, sıfıra toplanır: dişli çiftlerininkilerin altında satırlar; onlar olduğu gibi kalır.</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Fren veya kavrama</translation>
+    </message>
+    <message>
+        <source>Equation</source>
+        <translation>Denklem</translation>
+    </message>
+    <message>
+        <source>The input is joint %1.</source>
+        <translation>Giriş %1 mafsalıdır.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1.</source>
+        <translation>Girişler %1 mafsallarıdır.</translation>
+    </message>
+    <message>
+        <source>The input is joint %1, chosen by the program because the document names none.</source>
+        <translation>Giriş %1 mafsalıdır; belge adlandırmadığı için program seçti.</translation>
+    </message>
+    <message>
+        <source>The inputs are joints %1, chosen by the program because the document names none.</source>
+        <translation>Girişler %1 mafsallarıdır; belge adlandırmadığı için program seçti.</translation>
+    </message>
+    <message>
+        <source>Freedom and inputs</source>
+        <translation>Serbestlik ve girişler</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>Fren ve kavrama satırlarıyla $P$ matrisinin rankı, kesin hesapla, $r = %1$. Buna göre mekanizmanın</translation>
+    </message>
+    <message>
+        <source>The rank of $P$, in exact arithmetic, is $r = %1$. The mechanism therefore has</source>
+        <translation>$P$ matrisinin rankı, kesin hesapla, $r = %1$. Buna göre mekanizmanın</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c - h = %1$, with the $h$ rows of couplings, differs, because %2 of the equations follow from the others.</source>
+        <translation>serbestlik derecesi vardır. $h$ fren ve kavrama satırıyla Kutzbach sayımı $n - c - h = %1$ farklıdır, çünkü denklemlerin %2 tanesi ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom. Kutzbach&apos;s count $n - c = %1$ differs, because the equations of %2 of the meshes follow from the others.</source>
+        <translation>serbestlik derecesi vardır. Kutzbach sayımı $n - c = %1$ farklıdır, çünkü dişli çiftlerinden %2 tanesinin denklemleri ötekilerden çıkar.</translation>
+    </message>
+    <message>
+        <source>degrees of freedom: as many inputs have to be given.</source>
+        <translation>serbestlik derecesi vardır: o kadar giriş verilmelidir.</translation>
+    </message>
+    <message>
+        <source>With the inputs first, and in gear ratios, the equations are</source>
+        <translation>Girişler başta ve dişli oranlarıyla denklemler şöyledir:</translation>
+    </message>
+    <message>
+        <source>Solved for the outputs,</source>
+        <translation>Çıkışlara göre çözülünce</translation>
+    </message>
+    <message>
+        <source>there is nothing that turns: without a freedom all rates are $0$.</source>
+        <translation>dönen hiçbir şey yoktur: serbestlik olmadan bütün hızlar $0$ olur.</translation>
+    </message>
+    <message>
+        <source>With the teeth of this mechanism:</source>
+        <translation>Bu mekanizmanın diş sayılarıyla:</translation>
+    </message>
+    <message>
+        <source>Written out, some entries are too long to read. One joint after the other they are</source>
+        <translation>Açık yazıldığında bazı öğeler okunamayacak kadar uzundur. Mafsal mafsal şöyledir:</translation>
+    </message>
+    <message>
+        <source>At these speeds of the inputs, in rad/s,</source>
+        <translation>Girişlerin rad/s cinsinden bu hızlarında</translation>
+    </message>
+    <message>
+        <source>the outputs turn at</source>
+        <translation>çıkışlar şu hızlarla döner:</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Uyarılar</translation>
+    </message>
+    <message>
+        <source>Worked out by the Matroid and the T-T graph method</source>
+        <translation>Matroid ve T-T graf yöntemleriyle çıkarılmıştır</translation>
+    </message>
+    <message>
+        <source>Both methods compared</source>
+        <translation>İki yöntemin karşılaştırması</translation>
+    </message>
+    <message>
+        <source>It has $%1 \times %2$ entries, too many to print: &quot;export --to csv --matrix %3&quot; writes them.</source>
+        <translation>$%1 \times %2$ öğesi var, basılamayacak kadar çok: &quot;export --to csv --matrix %3&quot; onları yazar.</translation>
+    </message>
+    <message>
+        <source>Statics</source>
+        <translation>Statik</translation>
+    </message>
+    <message>
+        <source>What holds the loads follows from the same matrices, read down their columns. A starred number belongs to the equation of the kinematics beside it. A torque $\tau_e$ acts in joint $e$, by its tail on its head, about the direction of its axis; $\ell_e$ is the power of the loads on links beyond the joint for its rate $1$; $F_c$ is the tangential force of mesh $c$, by the tail&apos;s gear on the head&apos;s.</source>
+        <translation>Yükleri tutan şey, sütunlarından okunan aynı matrislerden çıkar. Yıldızlı numara, yanındaki kinematik denklemine aittir. $\tau_e$ torku $e$ mafsalında, kuyruğundan başına, ekseninin doğrultusu etrafında etkir; $\ell_e$, mafsalın hızı $1$ iken onun ötesindeki uzuvlardaki yüklerin gücüdür; $F_c$, $c$ dişli çiftinin kuyruktaki dişliden baştakine teğetsel kuvvetidir.</translation>
+    </message>
+    <message>
+        <source>Cutset equations</source>
+        <translation>Kesitleme denklemleri</translation>
+    </message>
+    <message>
+        <source>Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its fundamental cutset. It crosses each cycle as often along the cycle as against it:</source>
+        <translation>$e$ mafsalı olmadan ağaç iki parçaya ayrılır. Birinden ötekine giden kenarlar onun temel kesitlemesidir. Her çevrimi, çevrim yönünde ve ona ters yönde eşit sayıda keser:</translation>
+    </message>
+    <message>
+        <source>So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the forces of the meshes that cross the cutset. Their moments about the joint&apos;s axis are the entries of its column of $P$; forces along the line of centres or along an axis do no work and are in no equation:</source>
+        <translation>Buna göre mafsalın ötesindeki parça, mafsaldaki tork ve yükler kesitlemeyi kesen dişli çiftlerinin kuvvetlerini karşılıyorsa dengededir. Bunların mafsal eksenine göre momentleri $P$ matrisindeki sütununun öğeleridir; merkezler doğrusu veya bir eksen boyunca kuvvetler iş yapmaz ve hiçbir denklemde yer almaz:</translation>
+    </message>
+    <message>
+        <source>There are too many to print: &quot;export --to csv --matrix cutset-equations&quot; writes them.</source>
+        <translation>Basılamayacak kadar çok: &quot;export --to csv --matrix cutset-equations&quot; onları yazar.</translation>
+    </message>
+    <message>
+        <source>An engaged coupling is a further edge of the graph, with its torque $T$.</source>
+        <translation>Devredeki fren veya kavrama, $T$ torkuyla grafın bir kenarı daha olur.</translation>
+    </message>
+    <message>
+        <source>With lengths in %1, so that torques are in N %1, joint by joint,</source>
+        <translation>Uzunluklar %1, dolayısıyla torklar N %1 cinsinden, mafsal mafsal,</translation>
+    </message>
+    <message>
+        <source>The transposed solution</source>
+        <translation>Devrik çözüm</translation>
+    </message>
+    <message>
+        <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
+        <translation>Dengelenen mafsallardaki torklar $\tau_E$, ötekilerdeki $\tau_r$ torklarını tutar. $P$ matrisinin sütunları hızlardaki sırayla alınınca</translation>
+    </message>
+    <message>
+        <source>which in ratios is (25) transposed, with the opposite sign:</source>
+        <translation>bu, oranlarla (25) denkleminin ters işaretli devriğidir:</translation>
+    </message>
+    <message>
+        <source>Torques under the loads</source>
+        <translation>Yükler altında torklar</translation>
+    </message>
+    <message>
+        <source>The loads of the document are held by these torques, in N m, in a train without losses:</source>
+        <translation>Kayıpsız bir takımda belgenin yüklerini N m cinsinden şu torklar tutar:</translation>
+    </message>
+    <message>
+        <source>The tangential forces of the meshes, in N, are</source>
+        <translation>Dişli çiftlerinin N cinsinden teğetsel kuvvetleri şöyledir:</translation>
+    </message>
+    <message>
+        <source>The same by the T-T graph</source>
+        <translation>Aynısı T-T grafıyla</translation>
+    </message>
+    <message>
+        <source>A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in the inverse ratio of their speeds:</source>
+        <translation>Dişli çifti iki kapısında güç yitirmez; bu yüzden dişlilerindeki torklar, taşıyıcıdan bakıldığında, hızlarıyla ters orantılıdır:</translation>
+    </message>
+    <message>
+        <source>Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that the branch belongs to:</source>
+        <translation>Ağacın her dalının, dalın ait olduğu çevrimlerin katsayılarıyla bir temel kesitlemesi vardır:</translation>
+    </message>
+    <message>
+        <source>These cutsets as the rows of a matrix, the torques in the branches before the line, those of the chords after it; loads and engaged couplings come in addition:</source>
+        <translation>Bu kesitlemeler bir matrisin satırları olarak; çizgiden önce dallardaki, sonra kirişlerdeki torklar; yükler ve devredeki fren ve kavramalar bunlara eklenir:</translation>
+    </message>
+    <message>
+        <source>The Matroid method&apos;s $Q$ has the same rows. A mesh is one edge there and has a chord to each gear here, so its column of $Q$ is that of the chord of the head&apos;s gear less that of the tail&apos;s:</source>
+        <translation>Matroid yönteminin $Q$ matrisinin satırları aynıdır. Dişli çifti orada tek kenardır, burada her dişliye bir kirişi vardır; bu yüzden $Q$ içindeki sütunu, baştaki dişlinin kirişininkinden kuyruktakininki çıkarılarak bulunur:</translation>
+    </message>
+    <message>
+        <source>The chain runs from the loads back to the motors: a cutset with one unknown left gives it, the terminal equation of its mesh the other torque.</source>
+        <translation>Zincir yüklerden motorlara doğru gider: tek bilinmeyeni kalan kesitleme onu verir, dişli çiftinin uç denklemi öteki torku.</translation>
+    </message>
+    <message>
+        <source>Torque by torque, both methods give the same fractions: all %1 entries agree.</source>
+        <translation>Tork tork, iki yöntem aynı kesirleri verir: %1 öğenin hepsi uyuşuyor.</translation>
+    </message>
+    <message>
+        <source>The two methods differ by up to %1 N m.</source>
+        <translation>İki yöntem arasındaki fark en çok %1 N m.</translation>
+    </message>
+    <message>
+        <source>In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give the torque matrix of (25) transposed, entry by entry.</source>
+        <translation>Simgelerle de: dişli oranlarıyla yok etme yapılınca T-T grafının kesitlemeleri, öğe öğe, (25) denkleminin devriği olan tork matrisini verir.</translation>
+    </message>
+    <message>
+        <source>In symbols the two torque matrices differ.</source>
+        <translation>Simgelerle iki tork matrisi farklı.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Düzeyler</translation>
+    </message>
+    <message>
+        <source>The turning joints are the branches of the graph&apos;s tree. Each carries the letter of its axis, its level.</source>
+        <translation>Döner mafsallar grafın ağacının dallarıdır. Her biri ekseninin harfini, yani düzeyini taşır.</translation>
+    </message>
+    <message>
+        <source>Carriers</source>
+        <translation>Taşıyıcılar</translation>
+    </message>
+    <message>
+        <source>From one gear of a mesh through the branches to the other, the level changes at one link: the transfer vertex, which carries both gears. A mesh is written as its gear pair and its carrier.</source>
+        <translation>Bir dişli çiftinin bir dişlisinden dallar boyunca ötekine giderken düzey bir uzuvda değişir: iki dişliyi de taşıyan aktarma düğümü. Dişli çifti, dişlileri ve taşıyıcısıyla yazılır.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Dişli çifti</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Yol</translation>
+    </message>
+    <message>
+        <source>Pair and carrier</source>
+        <translation>Çift ve taşıyıcı</translation>
+    </message>
+    <message>
+        <source>no transfer vertex</source>
+        <translation>aktarma düğümü yok</translation>
+    </message>
+    <message>
+        <source>Terminal equations</source>
+        <translation>Uç denklemleri</translation>
+    </message>
+    <message>
+        <source>Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their teeth, with a plus sign where both turn the same way, each seen along its own axis:</source>
+        <translation>Taşıyıcısından bakıldığında çiftin bir dişlisi, ötekinin hızı çarpı diş oranı kadar hızlı döner; her biri kendi ekseni boyunca bakıldığında ikisi aynı yönde dönüyorsa işaret artıdır:</translation>
+    </message>
+    <message>
+        <source>Fundamental circuits</source>
+        <translation>Temel çevrimler</translation>
+    </message>
+    <message>
+        <source>Each of these velocities closes a circuit with branches of the tree, and is the sum along the branches:</source>
+        <translation>Bu hızların her biri ağacın dallarıyla bir çevrim kapatır ve dallar boyunca toplamdır:</translation>
+    </message>
+    <message>
+        <source>An engaged brake or clutch is one more edge of the graph, from the link that it holds to the ground or to the other link. Its velocity is zero, so the branches of its fundamental circuit add up to zero, once for each direction of their axes:</source>
+        <translation>Devredeki fren veya kavrama, tuttuğu uzuvdan sabit uzva ya da öteki uzva giden bir kenar daha olur. Hızı sıfırdır; bu yüzden temel çevriminin dalları, eksenlerinin her doğrultusu için bir kez, sıfıra toplanır:</translation>
+    </message>
+    <message>
+        <source>Solution by substitution</source>
+        <translation>Yerine koyarak çözüm</translation>
+    </message>
+    <message>
+        <source>Given is %1.</source>
+        <translation>Verilen: %1.</translation>
+    </message>
+    <message>
+        <source>Given are %1.</source>
+        <translation>Verilenler: %1.</translation>
+    </message>
+    <message>
+        <source>Mesh by mesh, the equations give the others.</source>
+        <translation>Denklemler, dişli çifti dişli çifti, ötekileri verir.</translation>
+    </message>
+    <message>
+        <source>One after the other, the equations give the others.</source>
+        <translation>Denklemler, birbiri ardına, ötekileri verir.</translation>
+    </message>
+    <message>
+        <source>Equations %1 give %2:</source>
+        <translation>%1 denklemleri %2 büyüklüğünü verir:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes and couplings, solved together, give %1:</source>
+        <translation>Birkaç dişli çiftinin ve elemanın denklemleri birlikte çözülünce %1 bulunur:</translation>
+    </message>
+    <message>
+        <source>The equations of several meshes, solved together, give %1:</source>
+        <translation>Birkaç dişli çiftinin denklemleri birlikte çözülünce %1 bulunur:</translation>
+    </message>
+    <message>
+        <source>Together:</source>
+        <translation>Birlikte:</translation>
+    </message>
+    <message>
+        <source>With the names of the ratios that the matroid method uses,</source>
+        <translation>Oranların matroid yöntemindeki adlarıyla,</translation>
+    </message>
+    <message>
+        <source>this is</source>
+        <translation>bu</translation>
+    </message>
+    <message>
+        <source>a mechanism without errors, and at most 250,000 entries</source>
+        <translation>hatasız bir mekanizma ve en çok 250.000 öğe</translation>
+    </message>
+    <message>
+        <source>a carrier and a sign of every mesh</source>
+        <translation>her dişli çiftinin taşıyıcısı ve işareti</translation>
+    </message>
+    <message>
+        <source>a geometry of every mesh</source>
+        <translation>her dişli çiftinin geometrisi</translation>
+    </message>
+    <message>
+        <source>balances in joints that hold all loads, and at most 250,000 entries</source>
+        <translation>bütün yükleri tutan mafsal dengeleri ve en çok 250.000 öğe</translation>
+    </message>
+    <message>
+        <source>loads, and balances that hold them</source>
+        <translation>yükler ve onları tutan dengeler</translation>
+    </message>
+    <message>
+        <source>states of a gearbox</source>
+        <translation>vites kutusu durumları</translation>
+    </message>
+    <message>
+        <source>a spanning tree</source>
+        <translation>kapsayan ağaç</translation>
+    </message>
+    <message>
+        <source>The handout has no still picture: %1</source>
+        <translation>Ders notunda durağan resim yok: %1</translation>
+    </message>
+    <message>
+        <source>About %1 triangles are more than the limit of %2</source>
+        <translation>Yaklaşık %1 üçgen, %2 sınırını aşıyor</translation>
+    </message>
+    <message>
+        <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
+        <translation>Dosya bunun ilk %1 s&apos;sini, kendi hızında gösterir; başladığı yerde bitmez.</translation>
+    </message>
+    <message>
+        <source>A mechanism with errors has no gears</source>
+        <translation>Hatalı bir mekanizmanın dişlileri olmaz</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot; with solids</source>
+        <translation>Katı modeli olan &quot;%1&quot; diye bir uzuv yok</translation>
+    </message>
+    <message>
+        <source>There is no gear &quot;%1&quot;; gears are named like 15:tail, 15:head</source>
+        <translation>&quot;%1&quot; diye bir dişli yok; dişliler 15:tail, 15:head gibi adlanır</translation>
+    </message>
+    <message>
+        <source>the assembly</source>
+        <translation>montaj</translation>
+    </message>
+    <message>
+        <source>(pinned)</source>
+        <translation>(sabitlenmiş)</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 is like %3.</source>
+        <translation>%1 özdeş gezegenden biri çizildi: %2, %3 gibidir.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal planets is drawn: %2 are like %3.</source>
+        <translation>%1 özdeş gezegenden biri çizildi: %2, %3 gibidir.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 is like %3.</source>
+        <translation>%1 özdeş gezegen grubundan biri çizildi: %2, %3 gibidir.</translation>
+    </message>
+    <message>
+        <source>One of %1 equal sets of planets is drawn: %2 are like %3.</source>
+        <translation>%1 özdeş gezegen grubundan biri çizildi: %2, %3 gibidir.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. Radii are not to scale.</source>
+        <translation>Açınım: eksenler tek düzlemde değil. Yarıçaplar ölçekli değil.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 is turned into the sheet.</source>
+        <translation>Açınım: eksenler tek düzlemde değil. %1 çizim düzlemine döndürüldü.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 are turned into the sheet.</source>
+        <translation>Açınım: eksenler tek düzlemde değil. %1 çizim düzlemine döndürüldü.</translation>
+    </message>
+    <message>
+        <source>Unfolded: the axes do not lie in one plane. %1 of them are turned into the sheet.</source>
+        <translation>Açınım: eksenler tek düzlemde değil. %1 tanesi çizim düzlemine döndürüldü.</translation>
+    </message>
+    <message>
+        <source>Wheels that a dashed line joins mesh, though they do not touch here.</source>
+        <translation>Kesikli çizgiyle birleşen dişliler, burada değmeseler de birlikte çalışır.</translation>
+    </message>
+    <message>
+        <source>Link %1 is not drawn: no turning joint ties it to the ground.</source>
+        <translation>%1 uzvu çizilmedi: onu sabit uzva bağlayan döner mafsal yok.</translation>
+    </message>
+    <message>
+        <source>Links %1 are not drawn: no turning joint ties them to the ground.</source>
+        <translation>%1 uzuvları çizilmedi: onları sabit uzva bağlayan döner mafsal yok.</translation>
+    </message>
+    <message>
+        <source>Joint %1 closes a loop and is not drawn.</source>
+        <translation>%1 mafsalı bir çevrim kapatır ve çizilmedi.</translation>
+    </message>
+    <message>
+        <source>Joints %1 close a loop and are not drawn.</source>
+        <translation>%1 mafsalları bir çevrim kapatır ve çizilmedi.</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 puan</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puan</translation>
+    </message>
+    <message>
+        <source>%1, variant %2</source>
+        <translation>%1, %2. seçenek</translation>
+    </message>
+    <message>
+        <source>%1: solution</source>
+        <translation>%1: çözüm</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Ad: %1</translation>
+    </message>
+    <message>
+        <source>%1 question</source>
+        <translation>%1 soru</translation>
+    </message>
+    <message>
+        <source>%1 questions</source>
+        <translation>%1 soru</translation>
+    </message>
+    <message>
+        <source>Brake or clutch</source>
+        <translation>Fren veya kavrama</translation>
+    </message>
+    <message>
+        <source>Engaged, it holds</source>
+        <translation>Devredeyken tuttuğu</translation>
+    </message>
+    <message>
+        <source>link %1 against the ground</source>
+        <translation>%1 uzvunu sabit uzva</translation>
+    </message>
+    <message>
+        <source>links %1 together</source>
+        <translation>%1 uzuvlarını birbirine</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Yanıt</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>Açısal hız</translation>
+    </message>
+    <message>
+        <source>Traced points</source>
+        <translation>İzlenen noktalar</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>sabit uzuv</translation>
+    </message>
+    <message>
+        <source>point %1 of %2</source>
+        <translation>%2 üzerinde %1. nokta</translation>
+    </message>
+    <message>
+        <source>link %1: %2</source>
+        <translation>uzuv %1: %2</translation>
+    </message>
+    <message>
+        <source>Shared by equal stiffness of all teeth: an assumption.</source>
+        <translation>Tüm dişlerin eşit rijitliğine göre paylaştırıldı: bir varsayım.</translation>
+    </message>
+    <message>
+        <source>Loads: %1.</source>
+        <translation>Yükler: %1.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2°</source>
+        <translation>%1 mafsalı %2°&apos;de</translation>
+    </message>
+    <message>
+        <source>It is not in the folder of the document: copy it there.</source>
+        <translation>Belgenin klasöründe değil: oraya kopyalayın.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the pictures.</source>
+        <translation>Resimler için bellek yetmiyor.</translation>
+    </message>
+    <message>
+        <source>The driver painted nothing.</source>
+        <translation>Sürücü hiçbir şey çizmedi.</translation>
+    </message>
+    <message>
+        <source>The memory does not suffice for the labels.</source>
+        <translation>Etiketler için bellek yetmiyor.</translation>
+    </message>
+    <message>
+        <source>The file could not be written.</source>
+        <translation>Dosya yazılamadı.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be written.</source>
+        <translation>&quot;%1&quot; yazılamadı.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder.</source>
+        <translation>&quot;%1&quot; bir klasör değil.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; is not empty; nothing was written.</source>
+        <translation>&quot;%1&quot; klasörü boş değil; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>No folder could be made beside &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; yanında klasör oluşturulamadı.</translation>
+    </message>
+    <message>
+        <source>The driver paints pictures of up to %1 pixels a side; choose a smaller size.</source>
+        <translation>Sürücü kenarı en çok %1 piksel olan resimler çizer; daha küçük bir boyut seçin.</translation>
+    </message>
+    <message>
+        <source>Gear %1 has %2 teeth, too fine to be distinguished: it is shown without them.</source>
+        <translation>%1 dişlisinin %2 dişi var, ayırt edilemeyecek kadar ince: dişsiz gösterilir.</translation>
+    </message>
+    <message>
+        <source>Link %1 wears &quot;%2&quot;, which is not shown: %3</source>
+        <translation>%1 uzvuna &quot;%2&quot; ekli, ama gösterilmiyor: %3</translation>
+    </message>
+    <message>
+        <source>A train of %1 gears: its wheels are plain discs, its shafts and arms are straight and pass through what they meet (up to %2 gears they are routed past it).</source>
+        <translation>%1 dişlili bir takım: dişlileri düz diskler olarak gösterilir, milleri ve kolları düzdür ve önlerine çıkanın içinden geçer (%2 dişliye kadar çevresinden dolaştırılırlar).</translation>
+    </message>
+    <message>
+        <source>gears in a row</source>
+        <translation>sıralı dişli</translation>
+    </message>
+    <message>
+        <source>planetary sets in line</source>
+        <translation>art arda planet dişli takımı</translation>
+    </message>
+    <message>
+        <source>arms of a bevel-gear wrist</source>
+        <translation>konik dişli bileğin kolu</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 ve %2</translation>
+    </message>
+    <message>
+        <source>%1 equation</source>
+        <translation>%1 denklem</translation>
+    </message>
+    <message>
+        <source>%1 equations</source>
+        <translation>%1 denklem</translation>
+    </message>
+    <message>
+        <source>%1 unknown</source>
+        <translation>%1 bilinmeyen</translation>
+    </message>
+    <message>
+        <source>%1 unknowns</source>
+        <translation>%1 bilinmeyen</translation>
+    </message>
+    <message>
+        <source>%1 product</source>
+        <translation>%1 çarpma</translation>
+    </message>
+    <message>
+        <source>%1 products</source>
+        <translation>%1 çarpma</translation>
+    </message>
+    <message>
+        <source>%1 sum</source>
+        <translation>%1 toplama</translation>
+    </message>
+    <message>
+        <source>%1 sums</source>
+        <translation>%1 toplama</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Graf</translation>
+    </message>
+    <message>
+        <source>digraph: a node for each link, an oriented line for each joint and mesh (Figs. 2, 3)</source>
+        <translation>yönlü graf: her uzuv için bir düğüm, her mafsal ve dişli çifti için yönlü bir çizgi (Şekil 2, 3)</translation>
+    </message>
+    <message>
+        <source>oriented graph: the same nodes and branches, and for each mesh two chords to its carrier (Figs. 4 to 6)</source>
+        <translation>yönlü graf: aynı düğümler ve dallar, her dişli çifti için taşıyıcısına iki kiriş (Şekil 4-6)</translation>
+    </message>
+    <message>
+        <source>The turning joints are the tree in both, the meshes close its cycles.</source>
+        <translation>İkisinde de döner mafsallar ağaçtır, dişli çiftleri çevrimleri kapatır.</translation>
+    </message>
+    <message>
+        <source>Tree and cycles</source>
+        <translation>Ağaç ve çevrimler</translation>
+    </message>
+    <message>
+        <source>incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)</source>
+        <translation>bağlantı matrisi (1), (2), yol matrisi $Z$ (3), kapsayan ağaç (4), $C$ (5)</translation>
+    </message>
+    <message>
+        <source>levels of the branches; f-circuits of the chords (31)-(38)</source>
+        <translation>dalların düzeyleri; kirişlerin f-çevrimleri (31)-(38)</translation>
+    </message>
+    <message>
+        <source>The cycle of a mesh is the circuit of its tail&apos;s chord less that of its head&apos;s chord.</source>
+        <translation>Bir dişli çiftinin çevrimi, kuyruk kirişinin çevriminden baş kirişininki çıkarılarak bulunur.</translation>
+    </message>
+    <message>
+        <source>Carrier</source>
+        <translation>Taşıyıcı</translation>
+    </message>
+    <message>
+        <source>not named: it drops out of the moments about the pitch point</source>
+        <translation>adlandırılmaz: hatve noktasına göre momentlerden düşer</translation>
+    </message>
+    <message>
+        <source>transfer vertex: where the level changes on the walk between the gears</source>
+        <translation>aktarma düğümü: dişliler arasındaki yolda düzeyin değiştiği yer</translation>
+    </message>
+    <message>
+        <source>The moments of a cycle&apos;s joints lie on one line because the carrier holds both axes.</source>
+        <translation>Bir çevrimin mafsallarının momentleri tek bir doğrudadır, çünkü iki ekseni de taşıyıcı tutar.</translation>
+    </message>
+    <message>
+        <source>screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail&apos;s axis, $\pm 1$ on the head&apos;s</source>
+        <translation>hatve noktasına göre vidalar (6)-(13), $P$ matrisinin bir satırı (16)-(19): kuyruğun ekseninde $i_c$, başınkinde $\pm 1$</translation>
+    </message>
+    <message>
+        <source>terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign</source>
+        <translation>uç denklemi (26)-(30): taşıyıcıdan görülen hızlar, bir oran ve bir işaret</translation>
+    </message>
+    <message>
+        <source>The terminal equation with its two circuits put in is the row of $P$.</source>
+        <translation>İki çevrimi yerine konmuş uç denklemi, $P$ matrisinin satırıdır.</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>İşaret</translation>
+    </message>
+    <message>
+        <source>comes with the diameters in the reference frame</source>
+        <translation>referans eksen takımındaki çaplarla gelir</translation>
+    </message>
+    <message>
+        <source>from the turning senses of the two gears, seen along their axes</source>
+        <translation>iki dişlinin eksenleri boyunca görülen dönme yönlerinden</translation>
+    </message>
+    <message>
+        <source>The signs agree: both are that of the product of the two moments.</source>
+        <translation>İşaretler uyuşur: ikisi de iki momentin çarpımının işaretidir.</translation>
+    </message>
+    <message>
+        <source>rank of $P$, $E = t - r$ (21); bases of the dual matroid are the valid inputs</source>
+        <translation>$P$ matrisinin rankı, $E = t - r$ (21); eş matroidin tabanları geçerli girişlerdir</translation>
+    </message>
+    <message>
+        <source>not asked: the inputs are taken as given</source>
+        <translation>sorulmaz: girişler verilmiş sayılır</translation>
+    </message>
+    <message>
+        <source>What can be driven is read from $P$.</source>
+        <translation>Neyin tahrik edilebileceği $P$ matrisinden okunur.</translation>
+    </message>
+    <message>
+        <source>$-P_r^{-1} P_E$ (22)-(25)</source>
+        <translation>$-P_r^{-1} P_E$ (22)-(25)</translation>
+    </message>
+    <message>
+        <source>one mesh after the other, substituted (39)-(42), then (43)-(45)</source>
+        <translation>dişli çiftleri sırayla, yerine koyarak (39)-(42), sonra (43)-(45)</translation>
+    </message>
+    <message>
+        <source>The same matrix, by joint.</source>
+        <translation>Aynı matris, mafsallara göre.</translation>
+    </message>
+    <message>
+        <source>Relative velocities</source>
+        <translation>Bağıl hızlar</translation>
+    </message>
+    <message>
+        <source>of the two gears of a mesh to each other (15), after the solution</source>
+        <translation>bir dişli çiftinin iki dişlisinin birbirine göre hızı (15), çözümden sonra</translation>
+    </message>
+    <message>
+        <source>of each gear to its carrier: the chords, on the way to the solution</source>
+        <translation>her dişlinin taşıyıcısına göre hızı: kirişler, çözüme giderken</translation>
+    </message>
+    <message>
+        <source>(15) is the difference of the two chords, as vectors.</source>
+        <translation>(15), iki kirişin vektörel farkıdır.</translation>
+    </message>
+    <message>
+        <source>columns of $P$ (not in the paper)</source>
+        <translation>$P$ matrisinin sütunları (makalede yok)</translation>
+    </message>
+    <message>
+        <source>complementary terminal variables and f-cutsets (not worked out in the paper)</source>
+        <translation>tümleyici uç değişkenleri ve f-kesitlemeler (makalede işlenmemiş)</translation>
+    </message>
+    <message>
+        <source>The cutset matrix $Q$ serves both.</source>
+        <translation>Kesitleme matrisi $Q$ ikisine de yarar.</translation>
+    </message>
+    <message>
+        <source>&quot;The kinematic equations can be obtained more easily by the T-T graph method.&quot;</source>
+        <translation>&quot;Kinematik denklemler T-T graf yöntemiyle daha kolay elde edilebilir.&quot;</translation>
+    </message>
+    <message>
+        <source>From its equations to the solution of this mechanism the chain of substitutions takes %1, the inverse of $P_r$ and its product %2.</source>
+        <translation>Denklemlerinden bu mekanizmanın çözümüne yerine koyma zinciri %1 ister, $P_r$ matrisinin tersi ve çarpımı %2.</translation>
+    </message>
+    <message>
+        <source>It needs teeth and turning senses; the rows of $P$ need coordinates of axes and pitch points, and %1 from them.</source>
+        <translation>Diş sayıları ve dönme yönleri yeter; $P$ matrisinin satırları eksenlerin ve hatve noktalarının koordinatlarını ve onlardan %1 ister.</translation>
+    </message>
+    <message>
+        <source>It writes %1 in %2, the Matroid method %3 in %4.</source>
+        <translation>%2 içinde %1 yazar; matroid yöntemi %4 içinde %3.</translation>
+    </message>
+    <message>
+        <source>Once a row of $P$ is divided by a radius it is the terminal equation with its circuits put in: solved in the same order, both take the same steps.</source>
+        <translation>$P$ matrisinin bir satırı bir yarıçapa bölününce, çevrimleri yerine konmuş uç denklemi olur: aynı sırayla çözülürse ikisi aynı adımları atar.</translation>
+    </message>
+    <message>
+        <source>&quot;The only advantage of the Matroid method is the derivation of the relative velocities of the gears with respect to the carrier arm.&quot;</source>
+        <translation>&quot;Matroid yönteminin tek üstünlüğü, dişlilerin taşıyıcı kola göre bağıl hızlarının türetilmesidir.&quot;</translation>
+    </message>
+    <message>
+        <source>(15) gives them as vectors, for skew and meeting axes alike.</source>
+        <translation>(15) onları vektör olarak verir, aykırı ve kesişen eksenler için de.</translation>
+    </message>
+    <message>
+        <source>The chords of the T-T graph are velocities relative to the carrier, too.</source>
+        <translation>T-T grafının kirişleri de taşıyıcıya göre hızlardır.</translation>
+    </message>
+    <message>
+        <source>The rank of $P$ gives the degrees of freedom, redundant meshes and every valid set of inputs; the T-T graph takes the inputs as given.</source>
+        <translation>$P$ matrisinin rankı serbestlik derecesini, fazlalık dişli çiftlerini ve her geçerli giriş kümesini verir; T-T grafı girişleri verilmiş sayar.</translation>
+    </message>
+    <message>
+        <source>&quot;The sign of the gear ratio is obtained directly, without considering the turning direction.&quot;</source>
+        <translation>&quot;Dişli oranının işareti, dönme yönü düşünülmeden doğrudan elde edilir.&quot;</translation>
+    </message>
+    <message>
+        <source>The sign of each entry of $P$ is that of a difference of coordinates.</source>
+        <translation>$P$ matrisinin her öğesinin işareti bir koordinat farkının işaretidir.</translation>
+    </message>
+    <message>
+        <source>The senses have to be seen once a mesh: here %1 of %2 turn against each other, seen along their axes.</source>
+        <translation>Dönme yönleri her dişli çifti için bir kez görülmelidir: burada eksenleri boyunca bakıldığında %2 içinden %1 ters yönde döner.</translation>
+    </message>
+    <message>
+        <source>%1 pair</source>
+        <translation>%1 çift</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 çift</translation>
+    </message>
+    <message>
+        <source>Mesh %1</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 points to link %2: its arrow ends there.</source>
+        <translation>%1, %2 uzvuna yönelir: oku orada biter.</translation>
+    </message>
+    <message>
+        <source>%1 leaves link %2: its arrow begins there.</source>
+        <translation>%1, %2 uzvundan çıkar: oku orada başlar.</translation>
+    </message>
+    <message>
+        <source>%1 goes from link %2 to link %3 and does not touch link %4.</source>
+        <translation>%1, %2 uzvundan %3 uzvuna gider ve %4 uzvuna değmez.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground does not use %2.</source>
+        <translation>%1 uzvundan sabit uzva giden yol %2 üzerinden geçmez.</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs along %2 (from %3 to %4).</source>
+        <translation>%1 uzvundan sabit uzva giden yol %2 ile aynı yönde geçer (%3 ucundan %4 ucuna).</translation>
+    </message>
+    <message>
+        <source>The walk from link %1 to the ground runs against %2 (from %3 to %4).</source>
+        <translation>%1 uzvundan sabit uzva giden yol %2 ile ters yönde geçer (%3 ucundan %4 ucuna).</translation>
+    </message>
+    <message>
+        <source>%1 is the cycle that %2 closes, walked along its arrow (from %3 to %4).</source>
+        <translation>%1, %2 ile kapanan ve okunun yönünde (%3 ucundan %4 ucuna) dolaşılan çevrimdir.</translation>
+    </message>
+    <message>
+        <source>A cycle of the basis holds one mesh, its own: %1 holds %2, not %3.</source>
+        <translation>Tabanın bir çevriminde tek dişli çifti vardır, kendisininki: %1 içinde %2 var, %3 yok.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 does not use %5.</source>
+        <translation>%1, %2 boyunca dolaşılırken %3 ucundan %4 ucuna dönen yol %5 üzerinden geçmez.</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs along %5 (from %6 to %7).</source>
+        <translation>%1, %2 boyunca dolaşılırken %3 ucundan %4 ucuna dönen yol %5 ile aynı yönde geçer (%6 ucundan %7 ucuna).</translation>
+    </message>
+    <message>
+        <source>Walking %1 along %2, the path from %3 back to %4 runs against %5 (from %6 to %7).</source>
+        <translation>%1, %2 boyunca dolaşılırken %3 ucundan %4 ucuna dönen yol %5 ile ters yönde geçer (%6 ucundan %7 ucuna).</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; its own arrow counts as 1.</source>
+        <translation>%1 olmadan ağaç iki yarıya ayrılır; kendi oku 1 sayılır.</translation>
+    </message>
+    <message>
+        <source>A cutset holds one turning joint, its own: %1, not %2.</source>
+        <translation>Bir kesitlemede tek döner mafsal vardır, kendisininki: %1, %2 değil.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 stays in one of them.</source>
+        <translation>%1 olmadan ağaç iki yarıya ayrılır; %2 bunlardan birinde kalır.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over in the direction of %1.</source>
+        <translation>%1 olmadan ağaç iki yarıya ayrılır; %2, %1 yönünde karşıya geçer.</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; %2 crosses over against %1.</source>
+        <translation>%1 olmadan ağaç iki yarıya ayrılır; %2, %1 yönüne ters karşıya geçer.</translation>
+    </message>
+    <message>
+        <source>Cutset of %1, %2</source>
+        <translation>%1 kesitlemesi, %2</translation>
+    </message>
+    <message>
+        <source>%1, link %2</source>
+        <translation>%1, %2 uzvu</translation>
+    </message>
+    <message>
+        <source>Not in the paper.</source>
+        <translation>Makalede yok.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the tail&apos;s gear, which leaves the ratio i%2 = %3.</source>
+        <translation>Baştaki dişlinin yarıçapına bölünmüş satır: %1 kuyruktaki dişlinin ekseninde döner, geriye i%2 = %3 oranı kalır.</translation>
+    </message>
+    <message>
+        <source>The row divided by the radius of the head&apos;s gear: %1 turns about the axis of the head&apos;s gear, which leaves 1.</source>
+        <translation>Baştaki dişlinin yarıçapına bölünmüş satır: %1 baştaki dişlinin ekseninde döner, geriye 1 kalır.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the tail&apos;s gear.</source>
+        <translation>T çarpı %1 ekseninin %2 dişli çiftinin hatve noktasına göre momenti, çiftin normali boyunca: kuyruktaki dişlinin yarıçapı.</translation>
+    </message>
+    <message>
+        <source>T times the moment of %1&apos;s axis about the pitch point of mesh %2, along the normal of the mesh: the radius of the head&apos;s gear.</source>
+        <translation>T çarpı %1 ekseninin %2 dişli çiftinin hatve noktasına göre momenti, çiftin normali boyunca: baştaki dişlinin yarıçapı.</translation>
+    </message>
+    <message>
+        <source>%1 does not use %2, so it has no part in the equation of mesh %3.</source>
+        <translation>%1 çevrimi %2 üzerinden geçmez, bu yüzden %3 dişli çiftinin denkleminde yeri yoktur.</translation>
+    </message>
+    <message>
+        <source>f-circuit matrix of the T–T graph</source>
+        <translation>T–T grafının f-devre matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each f-circuit of the T–T graph: 1 for its own chord; a branch that counts with plus in the chord&apos;s velocity is −1, one that counts with minus is 1. Engaged couplings are chords, too. B ω = 0 holds for every motion.</source>
+        <translation>T–T grafının her f-devresi için bir satır: kendi kirişi için 1; kirişin hızında artı ile sayılan dal −1, eksi ile sayılan dal 1&apos;dir. Bağlı kavramalar da kiriştir. B ω = 0 her hareket için geçerlidir.</translation>
+    </message>
+    <message>
+        <source>f-cutset matrix of the T–T graph</source>
+        <translation>T–T grafının f-kesitleme matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each branch of the T–T graph: 1 for its own torque, and the chords that cross the cut, with minus their entries in the f-circuits. Its rows are the equations of the T–T graph&apos;s statics, and B Q′ᵀ = 0.</source>
+        <translation>T–T grafının her dalı için bir satır: kendi momenti için 1 ve kesiti geçen kirişler, f-devrelerindeki girdilerinin eksilisiyle. Satırları T–T grafının statik denklemleridir ve B Q′ᵀ = 0&apos;dır.</translation>
+    </message>
+    <message>
+        <source>T-T circuit matrix</source>
+        <translation>T-T çevrim matrisi</translation>
+    </message>
+    <message>
+        <source>T-T cutset matrix</source>
+        <translation>T-T kesitleme matrisi</translation>
+    </message>
+    <message>
+        <source>The %1 component of the unit vector u along the axis of %2. Eqs. (7)-(9)</source>
+        <translation>%2 ekseni boyunca u birim vektörünün %1 bileşeni. Denk. (7)-(9)</translation>
+    </message>
+    <message>
+        <source>The %1 component of the moment of %2&apos;s axis about the pitch point of %3: how fast that point moves for one unit of speed. Eqs. (10)-(12)</source>
+        <translation>%2 ekseninin %3 hatve noktasına göre momentinin %1 bileşeni: birim hızda o noktanın ne kadar hızlı hareket ettiği. Denk. (10)-(12)</translation>
+    </message>
+    <message>
+        <source>Joint %1 over joint %2: %3</source>
+        <translation>%1 mafsalı bölü %2 mafsalı: %3</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2.</source>
+        <translation>%1 mafsalı %2 girişinden etkilenmez.</translation>
+    </message>
+    <message>
+        <source>How fast joint %1 turns for one unit of speed at joint %2, the other inputs at rest.</source>
+        <translation>Öteki girişler dururken %2 mafsalının birim hızında %1 mafsalının ne kadar hızlı döndüğü.</translation>
+    </message>
+    <message>
+        <source>With these teeth: %1.</source>
+        <translation>Bu diş sayılarıyla: %1.</translation>
+    </message>
+    <message>
+        <source>the chord of coupling %1</source>
+        <translation>%1 kavramasının kirişi</translation>
+    </message>
+    <message>
+        <source>the chord %1 from gear %2 to carrier %3</source>
+        <translation>%2 dişlisinden %3 taşıyıcısına %1 kirişi</translation>
+    </message>
+    <message>
+        <source>f-circuit of %1, %2: %3</source>
+        <translation>%1 f-devresi, %2: %3</translation>
+    </message>
+    <message>
+        <source>Eqs. (31) to (38)</source>
+        <translation>Denklem (31)–(38)</translation>
+    </message>
+    <message>
+        <source>The f-circuit that %1 closes: the chord itself counts as 1.</source>
+        <translation>Kapattığı f-devresi (%1): kirişin kendisi 1 sayılır.</translation>
+    </message>
+    <message>
+        <source>An f-circuit holds one chord, its own: here %1.</source>
+        <translation>Bir f-devresi tek bir kiriş içerir, kendininkini: burada %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not between the ends of %2.</source>
+        <translation>%1, şunun uçları arasında değil: %2.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with plus. On one side with the chord it is −1.</source>
+        <translation>Hız (%1) dalların toplamıdır; içinde %2 artı ile sayılır. Kirişle aynı yanda −1 olur.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is a sum of branches, in which %2 counts with minus. On one side with the chord it is 1.</source>
+        <translation>Hız (%1) dalların toplamıdır; içinde %2 eksi ile sayılır. Kirişle aynı yanda 1 olur.</translation>
+    </message>
+    <message>
+        <source>f-cutset of joint %1, %2: %3</source>
+        <translation>%1 mafsalının f-kesiti, %2: %3</translation>
+    </message>
+    <message>
+        <source>Without %1 the tree falls into two halves; the torque in the joint itself counts as 1.</source>
+        <translation>%1 olmadan ağaç iki yarıya ayrılır; mafsalın kendi momenti 1 sayılır.</translation>
+    </message>
+    <message>
+        <source>An f-cutset holds one branch, its own: %1, not %2.</source>
+        <translation>Bir f-kesiti tek bir dal içerir, kendininkini: %1, %2 değil.</translation>
+    </message>
+    <message>
+        <source>Both ends of %1 are in the same half without %2: its torque is not in this equation.</source>
+        <translation>%2 olmadan iki uç da aynı yarıdadır (%1): momenti bu denklemde yok.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, in the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>Moment (%1) kesitin iki yanı arasında etkir, %2 yönünde: f-devresindeki girdisinin eksilisi.</translation>
+    </message>
+    <message>
+        <source>The torque of %1 acts across the cut, against the sense of %2: minus its entry in the f-circuit.</source>
+        <translation>Moment (%1) kesitin iki yanı arasında etkir, %2 yönüne ters: f-devresindeki girdisinin eksilisi.</translation>
+    </message>
+    <message>
+        <source>The centre of mass in the reference pose, in the base frame.</source>
+        <translation>Referans konumda kütle merkezi, temel eksen takımında.</translation>
+    </message>
+    <message>
+        <source>The moment of inertia about the centre of mass, about the direction of this axis of the base frame, in the reference pose.</source>
+        <translation>Kütle merkezine göre, temel eksen takımının bu ekseni doğrultusundaki atalet momenti, referans konumda.</translation>
+    </message>
+    <message>
+        <source>The link, by its number.</source>
+        <translation>Uzuv, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>kütle</translation>
+    </message>
+    <message>
+        <source>The mass: of the link&apos;s solids at the density, or as it is stated.</source>
+        <translation>Kütle: uzvun katı modellerinden, yoğunlukla, ya da verildiği gibi.</translation>
+    </message>
+    <message>
+        <source>Where the mass comes from: the link&apos;s solids, or the document, which states it.</source>
+        <translation>Kütlenin kaynağı: uzvun katı modelleri ya da onu veren belge.</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>%1 mafsalında</translation>
+    </message>
+    <message>
+        <source>The inertia that the link has at the motor of joint %1 while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>Öteki girişler dururken uzvun %1 mafsalının motorundaki ataleti: tek eksende dönen bir uzuv için atalet momenti çarpı oranının karesi.</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>toplam</translation>
+    </message>
+    <message>
+        <source>The joint of the input, by its number.</source>
+        <translation>Giriş mafsalı, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>The generalised inertia: the torque in the row&apos;s joint for each rad/s² of joint %1.</source>
+        <translation>Genelleştirilmiş atalet: %1 mafsalının her rad/s² ivmesi için satırdaki mafsalın torku.</translation>
+    </message>
+    <message>
+        <source>What motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight.</source>
+        <translation>Sabit hızlarda motorların Coriolis ve merkezkaç kuvvetleri ile ağırlık için vermesi gereken.</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>yük</translation>
+    </message>
+    <message>
+        <source>What the loads contribute, as a torque in the row&apos;s joint.</source>
+        <translation>Yüklerin katkısı, satırdaki mafsalda tork olarak.</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>tutan</translation>
+    </message>
+    <message>
+        <source>The torque of the motor that keeps the speeds constant: h less the load.</source>
+        <translation>Hızları sabit tutan motor torku: h eksi yük.</translation>
+    </message>
+    <message>
+        <source>no solid: massless</source>
+        <translation>katı model yok: kütlesiz</translation>
+    </message>
+    <message>
+        <source>solids</source>
+        <translation>katı modeller</translation>
+    </message>
+    <message>
+        <source>stated, spread as its solids</source>
+        <translation>verilmiş, katı modelleri gibi dağıtılmış</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>verilmiş</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 to 2^64 - 1, in quotes.</source>
+        <translation>Tohum, tırnak içinde 0 ile 2^64 - 1 arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>The sheet was made by another version of the program, whose questions this one cannot make again.</source>
+        <translation>Sayfa, programın başka bir sürümüyle hazırlanmış; bu sürüm onun sorularını yeniden üretemez.</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 1,000 variants.</source>
+        <translation>Bir sayfanın 1 ile 1.000 arası sürümü olur.</translation>
+    </message>
+    <message>
+        <source>There is no kind of question &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; diye bir soru türü yok.</translation>
+    </message>
+    <message>
+        <source>A sheet has 1 to 100 questions.</source>
+        <translation>Bir sayfada 1 ile 100 arası soru olur.</translation>
+    </message>
+    <message>
+        <source>%1 = 0, shared in unknown parts</source>
+        <translation>%1 = 0, bilinmeyen paylarla bölüşülüyor</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: no mesh crosses.</source>
+        <translation>%1 mafsalı %2 uzvunu ayırır: kesen dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: mesh %3 crosses.</source>
+        <translation>%1 mafsalı %2 uzvunu ayırır: %3 dişli çifti keser.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off link %2: meshes %3 cross.</source>
+        <translation>%1 mafsalı %2 uzvunu ayırır: %3 dişli çiftleri keser.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: no mesh crosses.</source>
+        <translation>%1 mafsalı %2 uzuvlarını ayırır: kesen dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: mesh %3 crosses.</source>
+        <translation>%1 mafsalı %2 uzuvlarını ayırır: %3 dişli çifti keser.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cuts off links %2: meshes %3 cross.</source>
+        <translation>%1 mafsalı %2 uzuvlarını ayırır: %3 dişli çiftleri keser.</translation>
+    </message>
+    <message>
+        <source>T(link %1)</source>
+        <translation>T(uzuv %1)</translation>
+    </message>
+    <message>
+        <source>loads</source>
+        <translation>yükler</translation>
+    </message>
+    <message>
+        <source>Which gear drives in mesh %1 depends on how the load is shared.</source>
+        <translation>%1 dişli çiftinde hangi dişlinin tahrik ettiği yükün nasıl paylaşıldığına bağlıdır.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it bears no load.</source>
+        <translation>%1 dişli çiftinde tahrik eden dişli yok: sabit uzuvdan bakıldığında yük taşımaz.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it bears no load.</source>
+        <translation>%1 dişli çiftinde tahrik eden dişli yok: %2 taşıyıcısından bakıldığında yük taşımaz.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from the ground, it does not roll.</source>
+        <translation>%1 dişli çiftinde tahrik eden dişli yok: sabit uzuvdan bakıldığında yuvarlanmaz.</translation>
+    </message>
+    <message>
+        <source>No gear drives in mesh %1: seen from carrier %2, it does not roll.</source>
+        <translation>%1 dişli çiftinde tahrik eden dişli yok: %2 taşıyıcısından bakıldığında yuvarlanmaz.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from the ground, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>%3 dişli çiftinde %1 dişlisi %2 dişlisini tahrik eder: sabit uzuvdan bakıldığında, dişlerin ona uyguladığı torka karşı döner ve %4 W iletir.</translation>
+    </message>
+    <message>
+        <source>Gear %1 drives gear %2 in mesh %3: seen from carrier %5, it turns against the teeth&apos;s torque on it and passes %4 W.</source>
+        <translation>%3 dişli çiftinde %1 dişlisi %2 dişlisini tahrik eder: %5 taşıyıcısından bakıldığında, dişlerin ona uyguladığı torka karşı döner ve %4 W iletir.</translation>
+    </message>
+    <message>
+        <source>efficiency of every mesh</source>
+        <translation>her dişli çiftinin verimi</translation>
+    </message>
+    <message>
+        <source>speed of joint %1 / joint %2</source>
+        <translation>%1 mafsalının hızı / %2 mafsalının hızı</translation>
+    </message>
+    <message>
+        <source>What the efficiency is followed over.</source>
+        <translation>Verimin neye göre izlendiği.</translation>
+    </message>
+    <message>
+        <source>efficiency backward</source>
+        <translation>ters yönde verim</translation>
+    </message>
+    <message>
+        <source>The same with every known torque reversed: the output drives.</source>
+        <translation>Aynısı, bilinen her tork ters çevrilmiş: çıkış tahrik eder.</translation>
+    </message>
+    <message>
+        <source>torque at %1</source>
+        <translation>tork: %1</translation>
+    </message>
+    <message>
+        <source>What holds the loads there.</source>
+        <translation>Yükleri orada tutan.</translation>
+    </message>
+    <message>
+        <source>load and balance</source>
+        <translation>yük ve denge</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <translation>denge</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>serbest</translation>
+    </message>
+    <message>
+        <source>A turning joint, by its label, or a link on which a load or a balance acts from outside.</source>
+        <translation>Etiketiyle bir döner mafsal ya da dışarıdan yük veya denge etkiyen bir uzuv.</translation>
+    </message>
+    <message>
+        <source>The link beyond the joint, seen from the ground.</source>
+        <translation>Sabit uzuvdan bakıldığında mafsalın ötesindeki uzuv.</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <translation>taşıyan</translation>
+    </message>
+    <message>
+        <source>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</source>
+        <translation>Torku veren: belirtilen bir yük, bulunan bir denge, ya da hiçbiri: serbest mafsal.</translation>
+    </message>
+    <message>
+        <source>lossless</source>
+        <translation>kayıpsız</translation>
+    </message>
+    <message>
+        <source>The torque that the joint&apos;s tail exerts on its head about the axis, of a train without losses.</source>
+        <translation>Kayıpsız bir takımda mafsalın kuyruğunun başına eksen etrafında uyguladığı tork.</translation>
+    </message>
+    <message>
+        <source>exact torque</source>
+        <translation>kesin tork</translation>
+    </message>
+    <message>
+        <source>The same with the losses of the meshes, where they are given.</source>
+        <translation>Aynısı, verilmişse dişli çiftlerinin kayıplarıyla.</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>tork</translation>
+    </message>
+    <message>
+        <source>The same as a decimal.</source>
+        <translation>Aynısı ondalık olarak.</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>hız</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail.</source>
+        <translation>Başın kuyruğa göre ne kadar hızlı döndüğü.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>güç</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what load or balance feed into the train here; below 0: what they take.</source>
+        <translation>Tork çarpı hız: yük veya dengenin burada takıma verdiği güç; 0&apos;ın altında: aldığı.</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>kuvvet</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>fren veya kavrama</translation>
+    </message>
+    <message>
+        <source>A brake or clutch that is engaged.</source>
+        <translation>Devredeki bir fren veya kavrama.</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>tutar</translation>
+    </message>
+    <message>
+        <source>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</source>
+        <translation>Frenin tuttuğu uzuv; kavramanın birleştirdiği iki uzuv, tork birincisine etkir.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>eksen</translation>
+    </message>
+    <message>
+        <source>The axis that the torque is about, the first one on the way to the ground.</source>
+        <translation>Torkun etrafında etkidiği eksen, sabit uzva giden yoldaki ilk eksen.</translation>
+    </message>
+    <message>
+        <source>The torque on that link, with the losses where they are given.</source>
+        <translation>O uzuvdaki tork, verilmişse kayıplarla.</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>iletilen</translation>
+    </message>
+    <message>
+        <source>The power that a clutch delivers to the first link; a brake passes none.</source>
+        <translation>Kavramanın birinci uzva verdiği güç; fren güç iletmez.</translation>
+    </message>
+    <message>
+        <source>The gear mesh, by its label.</source>
+        <translation>Dişli çifti, etiketiyle.</translation>
+    </message>
+    <message>
+        <source>The link of the tail&apos;s gear.</source>
+        <translation>Kuyruktaki dişlinin uzvu.</translation>
+    </message>
+    <message>
+        <source>The link of the head&apos;s gear.</source>
+        <translation>Baştaki dişlinin uzvu.</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>taşıyıcı</translation>
+    </message>
+    <message>
+        <source>The link that holds both gears&apos; axes, from which the mesh is seen.</source>
+        <translation>İki dişlinin eksenini tutan ve dişli çiftinin görüldüğü uzuv.</translation>
+    </message>
+    <message>
+        <source>on tail</source>
+        <translation>kuyrukta</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the tail&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>Dişli çiftinin kuyruktaki dişliye, onun kendi ekseni etrafında uyguladığı tork, taşıyıcıdan bakıldığında.</translation>
+    </message>
+    <message>
+        <source>on head</source>
+        <translation>başta</translation>
+    </message>
+    <message>
+        <source>The torque of the mesh on the head&apos;s gear about its own axis, seen from the carrier.</source>
+        <translation>Dişli çiftinin baştaki dişliye, onun kendi ekseni etrafında uyguladığı tork, taşıyıcıdan bakıldığında.</translation>
+    </message>
+    <message>
+        <source>tangential</source>
+        <translation>teğetsel</translation>
+    </message>
+    <message>
+        <source>The force along the pitch circles&apos; tangent, of the tail&apos;s gear on the head&apos;s.</source>
+        <translation>Taksimat dairelerinin teğeti boyunca, kuyruktaki dişliden baştakine kuvvet.</translation>
+    </message>
+    <message>
+        <source>separating</source>
+        <translation>ayırıcı</translation>
+    </message>
+    <message>
+        <source>The force that presses the gears apart: the tangential one times the tangent of the operating pressure angle.</source>
+        <translation>Dişlileri birbirinden iten kuvvet: teğetsel kuvvet çarpı işletme kavrama açısının tanjantı.</translation>
+    </message>
+    <message>
+        <source>The whole tooth force on the head&apos;s gear, in the base frame.</source>
+        <translation>Baştaki dişliye etkiyen toplam diş kuvveti, temel eksen takımında.</translation>
+    </message>
+    <message>
+        <source>Power delivered over power taken, seen from the carrier.</source>
+        <translation>Verilen güç bölü alınan güç, taşıyıcıdan bakıldığında.</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>tahrik eder</translation>
+    </message>
+    <message>
+        <source>The gear that delivers the power to the teeth, seen from the carrier.</source>
+        <translation>Taşıyıcıdan bakıldığında dişlere gücü veren dişli.</translation>
+    </message>
+    <message>
+        <source>rolling power</source>
+        <translation>yuvarlanma gücü</translation>
+    </message>
+    <message>
+        <source>What the teeth pass from tail to head, seen from the carrier: the latent power.</source>
+        <translation>Taşıyıcıdan bakıldığında dişlerin kuyruktan başa ilettiği: gizli güç.</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>kayıp</translation>
+    </message>
+    <message>
+        <source>One minus the efficiency, times the rolling power.</source>
+        <translation>Bir eksi verim, çarpı yuvarlanma gücü.</translation>
+    </message>
+    <message>
+        <source>to tail</source>
+        <translation>kuyruğa</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the tail&apos;s gear, seen from the ground.</source>
+        <translation>Sabit uzuvdan bakıldığında dişli çiftinin kuyruktaki dişliye verdiği.</translation>
+    </message>
+    <message>
+        <source>to head</source>
+        <translation>başa</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the head&apos;s gear, seen from the ground.</source>
+        <translation>Sabit uzuvdan bakıldığında dişli çiftinin baştaki dişliye verdiği.</translation>
+    </message>
+    <message>
+        <source>to carrier</source>
+        <translation>taşıyıcıya</translation>
+    </message>
+    <message>
+        <source>What the mesh delivers to the carrier, seen from the ground.</source>
+        <translation>Sabit uzuvdan bakıldığında dişli çiftinin taşıyıcıya verdiği.</translation>
+    </message>
+    <message>
+        <source>The turning joint, whose bearing holds its head on its tail.</source>
+        <translation>Yatağı, başını kuyruğunda tutan döner mafsal.</translation>
+    </message>
+    <message>
+        <source>The size of the force of the tail on the head.</source>
+        <translation>Kuyruğun başa uyguladığı kuvvetin büyüklüğü.</translation>
+    </message>
+    <message>
+        <source>The force of the tail on the head, in the base frame.</source>
+        <translation>Kuyruğun başa uyguladığı kuvvet, temel eksen takımında.</translation>
+    </message>
+    <message>
+        <source>The moment of the tail on the head about the point, with the joint&apos;s own torque.</source>
+        <translation>Kuyruğun başa, noktaya göre uyguladığı moment, mafsalın kendi torkuyla.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn: the point that the moment is about, in the document&apos;s unit.</source>
+        <translation>Mafsalın çizildiği yer: momentin alındığı nokta, belgenin biriminde.</translation>
+    </message>
+    <message>
+        <source>Where the joint is drawn, in the document&apos;s unit.</source>
+        <translation>Mafsalın çizildiği yer, belgenin biriminde.</translation>
+    </message>
+    <message>
+        <source>A mesh, a joint, an engaged coupling, a load or a balance.</source>
+        <translation>Bir dişli çifti, mafsal, devredeki fren veya kavrama, yük ya da denge.</translation>
+    </message>
+    <message>
+        <source>The link that it acts on.</source>
+        <translation>Etkidiği uzuv.</translation>
+    </message>
+    <message>
+        <source>exact power</source>
+        <translation>kesin güç</translation>
+    </message>
+    <message>
+        <source>What the element delivers to the link, seen from the ground; below 0: what it takes from it. The sum at every link is 0.</source>
+        <translation>Sabit uzuvdan bakıldığında öğenin uzva verdiği; 0&apos;ın altında: uzuvdan aldığı. Her uzuvdaki toplam 0&apos;dır.</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>pay</translation>
+    </message>
+    <message>
+        <source>Of the power fed into the train.</source>
+        <translation>Takıma verilen güce göre.</translation>
+    </message>
+    <message>
+        <source>load on link %1</source>
+        <translation>%1 uzvundaki yük</translation>
+    </message>
+    <message>
+        <source>balance on link %1</source>
+        <translation>%1 uzvundaki denge</translation>
+    </message>
+    <message>
+        <source>The least power on the loop: what goes round beside what goes through.</source>
+        <translation>Çevrimdeki en küçük güç: geçenin yanında dolaşan.</translation>
+    </message>
+    <message>
+        <source>The shafts of the loop.</source>
+        <translation>Çevrimin milleri.</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <translation>dişli çiftleri</translation>
+    </message>
+    <message>
+        <source>The meshes of the gear sets of the loop.</source>
+        <translation>Çevrimdeki dişli takımlarının dişli çiftleri.</translation>
+    </message>
+    <message>
+        <source>Bearings</source>
+        <translation>Yataklar</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Güç</translation>
+    </message>
+    <message>
+        <source>Circulating power</source>
+        <translation>Dolaşan güç</translation>
+    </message>
+    <message>
+        <source>The state of the gearbox, by its name.</source>
+        <translation>Vites kutusunun durumu, adıyla.</translation>
+    </message>
+    <message>
+        <source>The torque that the brake exerts on its link while it is engaged.</source>
+        <translation>Fren devredeyken uzvuna uyguladığı tork.</translation>
+    </message>
+    <message>
+        <source>The torque that the clutch exerts on the first of its links while it is engaged; the second one has the reaction.</source>
+        <translation>Kavrama devredeyken birinci uzvuna uyguladığı tork; ikincisi tepkiyi alır.</translation>
+    </message>
+    <message>
+        <source>exact ratio</source>
+        <translation>kesin oran</translation>
+    </message>
+    <message>
+        <source>The speed of the drive over that of the driven link.</source>
+        <translation>Tahrik eden uzvun hızı bölü tahrik edilenin hızı.</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>bulunan</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
+        <translation>Yükleri tutan tork, çoğunlukla tahrik edilen uzuvda; belgede orada yük yoksa tahrik eden uzuv 1 N m alır.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving.</source>
+        <translation>Alınan güç bölü verilen güç, giriş tahrik ederken.</translation>
+    </message>
+    <message>
+        <source>The same with all known torques reversed: the output drives.</source>
+        <translation>Aynısı, bilinen bütün torklar ters çevrilmiş: çıkış tahrik eder.</translation>
+    </message>
+    <message>
+        <source>latent</source>
+        <translation>gizli</translation>
+    </message>
+    <message>
+        <source>The power that all meshes pass, seen from their carriers, over the power fed.</source>
+        <translation>Bütün dişli çiftlerinin taşıyıcılarından görülen gücü bölü verilen güç.</translation>
+    </message>
+    <message>
+        <source>circulating</source>
+        <translation>dolaşan</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed.</source>
+        <translation>Verilen her watt için bir çevrimde dolaşan en büyük güç.</translation>
+    </message>
+    <message>
+        <source>locks</source>
+        <translation>kilitler</translation>
+    </message>
+    <message>
+        <source>An object is needed here.</source>
+        <translation>Burada bir nesne gerekli.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is missing.</source>
+        <translation>&quot;%1&quot; üyesi eksik.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is of the wrong type.</source>
+        <translation>&quot;%1&quot; üyesinin türü yanlış.</translation>
+    </message>
+    <message>
+        <source>A whole number is needed here.</source>
+        <translation>Burada bir tam sayı gerekli.</translation>
+    </message>
+    <message>
+        <source>An array is needed here.</source>
+        <translation>Burada bir dizi gerekli.</translation>
+    </message>
+    <message>
+        <source>A text is needed here.</source>
+        <translation>Burada bir metin gerekli.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no list of the document with an id.</source>
+        <translation>&quot;%1&quot;, belgenin kimlikli bir listesi değil.</translation>
+    </message>
+    <message>
+        <source>This is no file of the format &quot;%1&quot;.</source>
+        <translation>Bu, &quot;%1&quot; biçiminde bir dosya değil.</translation>
+    </message>
+    <message>
+        <source>Version %1 is not known to this program.</source>
+        <translation>Bu program %1 sürümünü bilmiyor.</translation>
+    </message>
+    <message>
+        <source>field left empty</source>
+        <translation>alan boş bırakılmış</translation>
+    </message>
+    <message>
+        <source>text that is no number</source>
+        <translation>sayı olmayan metin</translation>
+    </message>
+    <message>
+        <source>comma that may be a decimal or a thousand</source>
+        <translation>ondalık ya da binlik olabilecek virgül</translation>
+    </message>
+    <message>
+        <source>text that the question does not offer</source>
+        <translation>sorunun sunmadığı metin</translation>
+    </message>
+    <message>
+        <source>incidence with + and − exchanged</source>
+        <translation>+ ve − yer değiştirmiş bağlantı</translation>
+    </message>
+    <message>
+        <source>tail and head of an arrow exchanged</source>
+        <translation>bir okun kuyruğu ve başı yer değiştirmiş</translation>
+    </message>
+    <message>
+        <source>signs left out</source>
+        <translation>işaretler yazılmamış</translation>
+    </message>
+    <message>
+        <source>an end of an arrow left out</source>
+        <translation>bir okun bir ucu yazılmamış</translation>
+    </message>
+    <message>
+        <source>a link that is no end of the arrow</source>
+        <translation>okun ucu olmayan bir uzuv</translation>
+    </message>
+    <message>
+        <source>ground row left in</source>
+        <translation>sabit uzuv satırı bırakılmış</translation>
+    </message>
+    <message>
+        <source>ground row left out</source>
+        <translation>sabit uzuv satırı atılmış</translation>
+    </message>
+    <message>
+        <source>rows and columns exchanged</source>
+        <translation>satır ve sütunlar yer değiştirmiş</translation>
+    </message>
+    <message>
+        <source>entry that is not −1, 0 or 1</source>
+        <translation>−1, 0 veya 1 olmayan öğe</translation>
+    </message>
+    <message>
+        <source>arrow walked against its direction</source>
+        <translation>okta ters yönde gidilmiş</translation>
+    </message>
+    <message>
+        <source>joint of the walk left out</source>
+        <translation>yoldaki mafsal atlanmış</translation>
+    </message>
+    <message>
+        <source>joint that is not on the walk</source>
+        <translation>yolda olmayan mafsal</translation>
+    </message>
+    <message>
+        <source>another cycle&apos;s row</source>
+        <translation>başka bir çevrimin satırı</translation>
+    </message>
+    <message>
+        <source>cycle walked against its mesh</source>
+        <translation>çevrim, dişli çiftine ters yönde dolaşılmış</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s own mesh left out</source>
+        <translation>çevrimin kendi dişli çifti yazılmamış</translation>
+    </message>
+    <message>
+        <source>another mesh in the cycle</source>
+        <translation>çevrimde başka bir dişli çifti</translation>
+    </message>
+    <message>
+        <source>walked from the ground instead of to it</source>
+        <translation>sabit uzva doğru değil, ondan gidilmiş</translation>
+    </message>
+    <message>
+        <source>another link&apos;s walk</source>
+        <translation>başka bir uzvun yolu</translation>
+    </message>
+    <message>
+        <source>another joint&apos;s cutset</source>
+        <translation>başka bir mafsalın kesitlemesi</translation>
+    </message>
+    <message>
+        <source>signs of the cycle instead of the cutset</source>
+        <translation>kesitleme yerine çevrimin işaretleri</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset does not cut</source>
+        <translation>kesitlemenin kesmediği dişli çifti</translation>
+    </message>
+    <message>
+        <source>mesh that the cutset cuts left out</source>
+        <translation>kesitlemenin kestiği dişli çifti yazılmamış</translation>
+    </message>
+    <message>
+        <source>edge that crosses the cut the other way</source>
+        <translation>kesiti öbür yönde geçen kenar</translation>
+    </message>
+    <message>
+        <source>another turning joint in the cutset</source>
+        <translation>kesitlemede başka bir döner mafsal</translation>
+    </message>
+    <message>
+        <source>mesh listed among the turning joints</source>
+        <translation>dişli çifti döner mafsallar arasında sayılmış</translation>
+    </message>
+    <message>
+        <source>both paths followed to the ground</source>
+        <translation>iki yol da sabit uzva kadar izlenmiş</translation>
+    </message>
+    <message>
+        <source>path of one gear only</source>
+        <translation>yalnız bir dişlinin yolu</translation>
+    </message>
+    <message>
+        <source>too few edges for a spanning tree</source>
+        <translation>kapsayan ağaç için çok az kenar</translation>
+    </message>
+    <message>
+        <source>too many edges for a spanning tree</source>
+        <translation>kapsayan ağaç için çok fazla kenar</translation>
+    </message>
+    <message>
+        <source>edges that close a loop</source>
+        <translation>döngü kapatan kenarlar</translation>
+    </message>
+    <message>
+        <source>the required edge is not in the tree</source>
+        <translation>istenen kenar ağaçta değil</translation>
+    </message>
+    <message>
+        <source>senses that do not follow one walk</source>
+        <translation>tek bir tura uymayan yönler</translation>
+    </message>
+    <message>
+        <source>ratio upside down</source>
+        <translation>oran ters</translation>
+    </message>
+    <message>
+        <source>internal mesh with an external sign</source>
+        <translation>iç dişli çifti, dış çift işaretiyle</translation>
+    </message>
+    <message>
+        <source>external mesh with an internal sign</source>
+        <translation>dış dişli çifti, iç çift işaretiyle</translation>
+    </message>
+    <message>
+        <source>sign of a bevel mesh</source>
+        <translation>konik dişli çiftinin işareti</translation>
+    </message>
+    <message>
+        <source>sign wrong and ratio upside down</source>
+        <translation>işaret yanlış ve oran ters</translation>
+    </message>
+    <message>
+        <source>row of C in place of P</source>
+        <translation>P yerine C satırı</translation>
+    </message>
+    <message>
+        <source>coefficients without the signs of the cycle</source>
+        <translation>çevrimin işaretleri olmadan katsayılar</translation>
+    </message>
+    <message>
+        <source>teeth of another wheel on the same link</source>
+        <translation>aynı uzuvdaki başka bir dişlinin dişleri</translation>
+    </message>
+    <message>
+        <source>chord followed from the carrier to the gear</source>
+        <translation>kiriş, taşıyıcıdan dişliye izlenmiş</translation>
+    </message>
+    <message>
+        <source>circuit of the other chord</source>
+        <translation>öteki kirişin çevrimi</translation>
+    </message>
+    <message>
+        <source>circuit followed to the ground instead of the carrier</source>
+        <translation>çevrim taşıyıcı yerine sabit uzva kadar izlenmiş</translation>
+    </message>
+    <message>
+        <source>circuit of the whole walk between the gears</source>
+        <translation>dişliler arasındaki bütün yolun çevrimi</translation>
+    </message>
+    <message>
+        <source>levels of the two gears exchanged</source>
+        <translation>iki dişlinin düzeyleri yer değiştirmiş</translation>
+    </message>
+    <message>
+        <source>transfer vertex where the level does not change</source>
+        <translation>düzeyin değişmediği yerde aktarma düğümü</translation>
+    </message>
+    <message>
+        <source>gear taken for the carrier</source>
+        <translation>dişli taşıyıcı sanılmış</translation>
+    </message>
+    <message>
+        <source>ground taken for the carrier</source>
+        <translation>sabit uzuv taşıyıcı sanılmış</translation>
+    </message>
+    <message>
+        <source>carrier that is not on the path</source>
+        <translation>yolda olmayan taşıyıcı</translation>
+    </message>
+    <message>
+        <source>level that is not on the path</source>
+        <translation>yolda olmayan düzey</translation>
+    </message>
+    <message>
+        <source>velocity relation used for torques</source>
+        <translation>tork için hız bağıntısı kullanılmış</translation>
+    </message>
+    <message>
+        <source>port torque with the wrong sign</source>
+        <translation>bağlantı torku yanlış işaretle</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s count where a mesh is redundant</source>
+        <translation>fazlalık dişli çifti varken Kutzbach sayımı</translation>
+    </message>
+    <message>
+        <source>ground counted as a moving link</source>
+        <translation>sabit uzuv hareketli uzuv sayılmış</translation>
+    </message>
+    <message>
+        <source>rank and degrees of freedom exchanged</source>
+        <translation>rank ve serbestlik derecesi yer değiştirmiş</translation>
+    </message>
+    <message>
+        <source>two freedoms taken by a mesh</source>
+        <translation>bir dişli çiftine iki serbestlik aldırılmış</translation>
+    </message>
+    <message>
+        <source>meshes ignored</source>
+        <translation>dişli çiftleri göz ardı edilmiş</translation>
+    </message>
+    <message>
+        <source>degrees of freedom that are not t − r</source>
+        <translation>t − r olmayan serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>too few inputs</source>
+        <translation>çok az giriş</translation>
+    </message>
+    <message>
+        <source>inputs that depend on each other</source>
+        <translation>birbirine bağlı girişler</translation>
+    </message>
+    <message>
+        <source>a joint that can never turn as input</source>
+        <translation>hiç dönemeyen mafsal giriş seçilmiş</translation>
+    </message>
+    <message>
+        <source>a joint that no mesh drives is not an input</source>
+        <translation>hiçbir dişli çiftinin tahrik etmediği mafsal giriş alınmamış</translation>
+    </message>
+    <message>
+        <source>mesh on which no other depends</source>
+        <translation>başka hiçbirinin bağlı olmadığı dişli çifti</translation>
+    </message>
+    <message>
+        <source>no mesh taken for redundant</source>
+        <translation>hiçbir dişli çifti fazlalık sayılmamış</translation>
+    </message>
+    <message>
+        <source>number of redundant meshes</source>
+        <translation>fazlalık dişli çiftlerinin sayısı</translation>
+    </message>
+    <message>
+        <source>sign of the speed lost</source>
+        <translation>hızın işareti kaybolmuş</translation>
+    </message>
+    <message>
+        <source>an input ignored</source>
+        <translation>bir giriş göz ardı edilmiş</translation>
+    </message>
+    <message>
+        <source>sign of one mesh in the chain</source>
+        <translation>zincirdeki bir dişli çiftinin işareti</translation>
+    </message>
+    <message>
+        <source>absolute speed in place of the joint&apos;s rate</source>
+        <translation>mafsalın hızı yerine mutlak hız</translation>
+    </message>
+    <message>
+        <source>motion of the carrier ignored</source>
+        <translation>taşıyıcının hareketi göz ardı edilmiş</translation>
+    </message>
+    <message>
+        <source>whole ratio upside down</source>
+        <translation>toplam oran ters</translation>
+    </message>
+    <message>
+        <source>number of teeth out of the range</source>
+        <translation>aralık dışında diş sayısı</translation>
+    </message>
+    <message>
+        <source>teeth that do not make the ratio</source>
+        <translation>oranı vermeyen dişler</translation>
+    </message>
+    <message>
+        <source>teeth of the ring added</source>
+        <translation>çember dişlinin dişleri toplanmış</translation>
+    </message>
+    <message>
+        <source>planet counted once in the ring</source>
+        <translation>gezegen çemberde bir kez sayılmış</translation>
+    </message>
+    <message>
+        <source>couplings of another gear</source>
+        <translation>başka bir vitesin elemanları</translation>
+    </message>
+    <message>
+        <source>couplings that lock the drive</source>
+        <translation>şanzımanı kilitleyen elemanlar</translation>
+    </message>
+    <message>
+        <source>too few couplings to leave one freedom</source>
+        <translation>tek serbestlik bırakmaya yetmeyen elemanlar</translation>
+    </message>
+    <message>
+        <source>couplings that make another ratio</source>
+        <translation>başka bir oran veren elemanlar</translation>
+    </message>
+    <message>
+        <source>brake or clutch that is released</source>
+        <translation>devrede olmayan fren veya kavrama</translation>
+    </message>
+    <message>
+        <source>a smaller torque taken for the largest</source>
+        <translation>daha küçük bir tork en büyük sanılmış</translation>
+    </message>
+    <message>
+        <source>the fastest clutch instead of that of the largest torque</source>
+        <translation>en büyük torklu yerine en hızlı kavrama</translation>
+    </message>
+    <message>
+        <source>the largest ratio instead of the largest torque</source>
+        <translation>en büyük tork yerine en büyük oran</translation>
+    </message>
+    <message>
+        <source>torques added without their signs</source>
+        <translation>torklar işaretsiz toplanmış</translation>
+    </message>
+    <message>
+        <source>torque of another brake, clutch or state</source>
+        <translation>başka bir fren, kavrama veya durumun torku</translation>
+    </message>
+    <message>
+        <source>torque of the load in place of that of the brake</source>
+        <translation>fren torku yerine yükün torku</translation>
+    </message>
+    <message>
+        <source>torque of the drive in place of that of the brake</source>
+        <translation>fren torku yerine tahrikin torku</translation>
+    </message>
+    <message>
+        <source>torque on the housing in place of that on the link</source>
+        <translation>uzuv yerine gövdeye etkiyen tork</translation>
+    </message>
+    <message>
+        <source>brake that turns link and housing in the same sense</source>
+        <translation>uzvu ve gövdeyi aynı yönde döndüren fren</translation>
+    </message>
+    <message>
+        <source>efficiency forward in place of backward</source>
+        <translation>geri yerine ileri yönde verim</translation>
+    </message>
+    <message>
+        <source>losses left out</source>
+        <translation>kayıplar hesaba katılmamış</translation>
+    </message>
+    <message>
+        <source>losses of a planetary train as of fixed axes</source>
+        <translation>planet takımının kayıpları sabit eksenliymiş gibi</translation>
+    </message>
+    <message>
+        <source>efficiency upside down</source>
+        <translation>verim ters</translation>
+    </message>
+    <message>
+        <source>self-locking train taken for one that turns</source>
+        <translation>kendini kilitleyen takım döner sanılmış</translation>
+    </message>
+    <message>
+        <source>train that turns taken for a self-locking one</source>
+        <translation>dönen takım kendini kilitler sanılmış</translation>
+    </message>
+    <message>
+        <source>efficiency of a train that locks itself</source>
+        <translation>kendini kilitleyen takımın verimi</translation>
+    </message>
+    <message>
+        <source>right row, wrong column</source>
+        <translation>doğru satır, yanlış sütun</translation>
+    </message>
+    <message>
+        <source>right column, wrong row</source>
+        <translation>doğru sütun, yanlış satır</translation>
+    </message>
+    <message>
+        <source>an entry that is right</source>
+        <translation>doğru olan bir öğe</translation>
+    </message>
+    <message>
+        <source>right place, wrong correction</source>
+        <translation>doğru yer, yanlış düzeltme</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known here.</source>
+        <translation>&quot;%1&quot; burada bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its question.</source>
+        <translation>Bu bölüm sorusunun alanlarına uymuyor.</translation>
+    </message>
+    <message>
+        <source>Answers are kept by the number of their question.</source>
+        <translation>Yanıtlar sorularının numarasıyla tutulur.</translation>
+    </message>
+    <message>
+        <source>An answer is a text or a number.</source>
+        <translation>Yanıt bir metin ya da sayıdır.</translation>
+    </message>
+    <message>
+        <source>There is no example &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; diye bir örnek yok.</translation>
+    </message>
+    <message>
+        <source>The glossary has no term &quot;%1&quot;.</source>
+        <translation>Sözlükte &quot;%1&quot; terimi yok.</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted.</source>
+        <translation>Çözüm kabul edilmiyor.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field.</source>
+        <translation>Yanıtta her alan için bir metin bulunur.</translation>
+    </message>
+    <message>
+        <source>This answer is accepted as right.</source>
+        <translation>Bu yanıt doğru kabul ediliyor.</translation>
+    </message>
+    <message>
+        <source>This answer gets another reason: &quot;%1&quot;</source>
+        <translation>Bu yanıta başka bir gerekçe veriliyor: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The document of the step fulfils them already: nothing is left to draw.</source>
+        <translation>Adımın belgesi bunları zaten sağlıyor: çizilecek bir şey kalmıyor.</translation>
+    </message>
+    <message>
+        <source>The solution is not accepted: %1</source>
+        <translation>Çözüm kabul edilmiyor: %1</translation>
+    </message>
+    <message>
+        <source>This drawing is accepted as right.</source>
+        <translation>Bu çizim doğru kabul ediliyor.</translation>
+    </message>
+    <message>
+        <source>The first condition that fails is %1.</source>
+        <translation>Sağlanmayan ilk koşul: %1.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph or schematic.</source>
+        <translation>Görünüm digraph, tt-graph veya schematic olur.</translation>
+    </message>
+    <message>
+        <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
+        <translation>Kimlik küçük harf, rakam ve tirelerden oluşur, örneğin &quot;cycle-basis&quot;.</translation>
+    </message>
+    <message>
+        <source>A lesson takes 1 to 60 minutes.</source>
+        <translation>Bir ders 1 ile 60 dakika sürer.</translation>
+    </message>
+    <message>
+        <source>A lesson has 1 to %1 steps.</source>
+        <translation>Bir derste 1 ile %1 arası adım olur.</translation>
+    </message>
+    <message>
+        <source>Either an example is named or a document is given, not both.</source>
+        <translation>Ya bir örnek adı ya da bir belge verilir, ikisi birden değil.</translation>
+    </message>
+    <message>
+        <source>A step explains in at most %1 words; these are %2.</source>
+        <translation>Bir adım en çok %1 sözcükle anlatır; burada %2 var.</translation>
+    </message>
+    <message>
+        <source>Neither the step nor its lesson names an example or gives a document.</source>
+        <translation>Ne adım ne de dersi bir örnek adı veya belge veriyor.</translation>
+    </message>
+    <message>
+        <source>A step gives at least one hint.</source>
+        <translation>Bir adım en az bir ipucu verir.</translation>
+    </message>
+    <message>
+        <source>This part does not fit the fields of its task.</source>
+        <translation>Bu bölüm görevinin alanlarına uymuyor.</translation>
+    </message>
+    <message>
+        <source>What the analysis gives here is no answer to this field.</source>
+        <translation>Çözümlemenin burada verdiği, bu alan için yanıt değil.</translation>
+    </message>
+    <message>
+        <source>An answer has a text for each field: %1, not %2.</source>
+        <translation>Yanıtta her alan için bir metin bulunur: %2 değil %1.</translation>
+    </message>
+    <message>
+        <source>There is no such field.</source>
+        <translation>Böyle bir alan yok.</translation>
+    </message>
+    <message>
+        <source>The field &quot;%1&quot; cannot hold &quot;%2&quot;.</source>
+        <translation>&quot;%1&quot; alanına &quot;%2&quot; yazılamaz.</translation>
+    </message>
+    <message>
+        <source>The document gives no exercise of this kind: %1.</source>
+        <translation>Belge bu türden alıştırma vermiyor: %1.</translation>
+    </message>
+    <message>
+        <source>No exercise of this kind is about this element.</source>
+        <translation>Bu türden hiçbir alıştırma bu öğeyle ilgili değil.</translation>
+    </message>
+    <message>
+        <source>A mechanism is missing here.</source>
+        <translation>Burada bir mekanizma eksik.</translation>
+    </message>
+    <message>
+        <source>The document has no such element.</source>
+        <translation>Belgede böyle bir öğe yok.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Çiz</translation>
+    </message>
+    <message>
+        <source>Your task</source>
+        <translation>Göreviniz</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Hesapla</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Seç</translation>
+    </message>
+    <message>
+        <source>Pick in the drawing</source>
+        <translation>Çizimde seç</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Öngör</translation>
+    </message>
+    <message>
+        <source>Find the mistake</source>
+        <translation>Hatayı bul</translation>
+    </message>
+    <message>
+        <source>The degrees of freedom are not defined yet: the document has errors.</source>
+        <translation>Serbestlik derecesi henüz tanımlı değil: belgede hatalar var.</translation>
+    </message>
+    <message>
+        <source>This quantity is not known.</source>
+        <translation>Bu büyüklük bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>The document has no turning joint &quot;%1&quot;.</source>
+        <translation>Belgede &quot;%1&quot; döner mafsalı yok.</translation>
+    </message>
+    <message>
+        <source>The speeds are not determined yet: see Problems.</source>
+        <translation>Hızlar henüz belirli değil: Sorunlar&apos;a bakın.</translation>
+    </message>
+    <message>
+        <source>The solution was cancelled.</source>
+        <translation>Çözüm iptal edildi.</translation>
+    </message>
+    <message>
+        <source>The document has no state &quot;%1&quot;.</source>
+        <translation>Belgede &quot;%1&quot; durumu yok.</translation>
+    </message>
+    <message>
+        <source>The document has errors: no state has a ratio.</source>
+        <translation>Belgede hatalar var: hiçbir durumun oranı yok.</translation>
+    </message>
+    <message>
+        <source>State &quot;%1&quot; has no ratio.</source>
+        <translation>&quot;%1&quot; durumunun oranı yok.</translation>
+    </message>
+    <message>
+        <source>The document has errors: torques are not determined.</source>
+        <translation>Belgede hatalar var: torklar belirli değil.</translation>
+    </message>
+    <message>
+        <source>The loads are not held: torques are not determined.</source>
+        <translation>Yükler tutulmuyor: torklar belirli değil.</translation>
+    </message>
+    <message>
+        <source>The torque of &quot;%1&quot; is not determined as a fraction.</source>
+        <translation>&quot;%1&quot; için tork kesir olarak belirli değil.</translation>
+    </message>
+    <message>
+        <source>The document has no balance or engaged coupling &quot;%1&quot;.</source>
+        <translation>Belgede &quot;%1&quot; dengesi veya devredeki elemanı yok.</translation>
+    </message>
+    <message>
+        <source>The document has no gear mesh &quot;%1&quot;.</source>
+        <translation>Belgede &quot;%1&quot; dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree: meshes close no cycles.</source>
+        <translation>Döner mafsallar kapsayan ağaç oluşturmuyor: dişli çiftleri çevrim kapatmıyor.</translation>
+    </message>
+    <message>
+        <source>Mesh &quot;%1&quot; has no transfer vertex.</source>
+        <translation>&quot;%1&quot; dişli çiftinin aktarma düğümü yok.</translation>
+    </message>
+    <message>
+        <source>A number or a fraction such as &quot;-2/3&quot; is needed here.</source>
+        <translation>Burada bir sayı ya da &quot;-2/3&quot; gibi bir kesir gerekli.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no quantity that the analysis gives.</source>
+        <translation>&quot;%1&quot; çözümlemenin verdiği bir büyüklük değil.</translation>
+    </message>
+    <message>
+        <source>The quantity &quot;%1&quot; is of the whole document.</source>
+        <translation>&quot;%1&quot; büyüklüğü bütün belgeye aittir.</translation>
+    </message>
+    <message>
+        <source>What can be picked is links, turningJoints or gearMeshes.</source>
+        <translation>Seçilebilenler links, turningJoints veya gearMeshes olur.</translation>
+    </message>
+    <message>
+        <source>What can be picked is named here.</source>
+        <translation>Nelerin seçilebileceği burada belirtilir.</translation>
+    </message>
+    <message>
+        <source>A field is an integer, a number, a choice or a set.</source>
+        <translation>Alan bir tam sayı, sayı, seçim veya küme olur.</translation>
+    </message>
+    <message>
+        <source>A choice or a set has options, a number has none.</source>
+        <translation>Seçimin veya kümenin seçenekleri olur, sayının olmaz.</translation>
+    </message>
+    <message>
+        <source>A mistake is told by answers or by conditions, not by both.</source>
+        <translation>Bir hata ya yanıtlarla ya da koşullarla anlatılır, ikisiyle birden değil.</translation>
+    </message>
+    <message>
+        <source>A reason is a sentence.</source>
+        <translation>Gerekçe bir cümledir.</translation>
+    </message>
+    <message>
+        <source>A mistake has at least one condition.</source>
+        <translation>Bir hatanın en az bir koşulu olur.</translation>
+    </message>
+    <message>
+        <source>A mistake that conditions tell needs an example of an answer.</source>
+        <translation>Koşullarla anlatılan bir hata örnek bir yanıt ister.</translation>
+    </message>
+    <message>
+        <source>A prediction names the quantity of the analysis that it is compared with.</source>
+        <translation>Öngörü, karşılaştırıldığı çözümleme büyüklüğünü belirtir.</translation>
+    </message>
+    <message>
+        <source>A choice needs two options or more.</source>
+        <translation>Seçim en az iki seçenek ister.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong answer.</source>
+        <translation>Bir görev en az bir yanlış yanıtın gerekçesini verir.</translation>
+    </message>
+    <message>
+        <source>What is right is told in one way: by &quot;accepted&quot;, by &quot;conditions&quot;, or by &quot;is&quot; of every field.</source>
+        <translation>Neyin doğru olduğu tek yolla söylenir: &quot;accepted&quot;, &quot;conditions&quot; veya her alanın &quot;is&quot; üyesiyle.</translation>
+    </message>
+    <message>
+        <source>Conditions need a solution that fulfils them.</source>
+        <translation>Koşullar, onları sağlayan bir çözüm ister.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no kind of exercise; `geargraph-cli exercises kinds` lists them.</source>
+        <translation>&quot;%1&quot; bir alıştırma türü değil; `geargraph-cli exercises kinds` onları listeler.</translation>
+    </message>
+    <message>
+        <source>A drawing is judged by numbers.</source>
+        <translation>Çizim sayılarla değerlendirilir.</translation>
+    </message>
+    <message>
+        <source>Either one value is given or bounds, not both.</source>
+        <translation>Ya bir değer ya da sınırlar verilir, ikisi birden değil.</translation>
+    </message>
+    <message>
+        <source>A condition has &quot;equals&quot;, &quot;least&quot; or &quot;most&quot;.</source>
+        <translation>Koşulda &quot;equals&quot;, &quot;least&quot; veya &quot;most&quot; bulunur.</translation>
+    </message>
+    <message>
+        <source>A drawing has to fulfil something.</source>
+        <translation>Çizim bir koşulu sağlamalıdır.</translation>
+    </message>
+    <message>
+        <source>This is the position of a condition, counted from 0.</source>
+        <translation>Bu, bir koşulun 0&apos;dan sayılan sırasıdır.</translation>
+    </message>
+    <message>
+        <source>A task gives its reason for at least one wrong drawing.</source>
+        <translation>Bir görev en az bir yanlış çizimin gerekçesini verir.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; is not known here.</source>
+        <translation>&quot;%1&quot; üyesi burada bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>The document has a fault: %1</source>
+        <translation>Belgede bir hata var: %1</translation>
+    </message>
+    <message>
+        <source>A task is one of type, choose, pick, predict, find, exercise and draw.</source>
+        <translation>Görev şu türlerden biridir: type, choose, pick, predict, find, exercise, draw.</translation>
+    </message>
+    <message>
+        <source>An equation between velocities has no number without one: write the input&apos;s velocity.</source>
+        <translation>Hızlar arasındaki denklem, hız yazılmadan sayı vermez: girişin hızını yazın.</translation>
+    </message>
+    <message>
+        <source>This equation has no velocity: write θ or ω with a label.</source>
+        <translation>Bu denklemde hız yok: etiketli bir θ veya ω yazın.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth and not for all: it holds another mesh&apos;s ratio.</source>
+        <translation>Denklem bu dişler için doğru, bütün dişler için değil: içinde başka bir dişli çiftinin oranı var.</translation>
+    </message>
+    <message>
+        <source>The sign of the term with %1 is wrong: with the other one the equation holds.</source>
+        <translation>%1 teriminin işareti yanlış: öbürüyle denklem sağlanır.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down: it is N of the tail over N of the head.</source>
+        <translation>%1 oranı ters: kuyruğun N&apos;si bölü başın N&apos;sidir.</translation>
+    </message>
+    <message>
+        <source>The ratio %1 is upside down, and a sign is wrong besides.</source>
+        <translation>%1 oranı ters, ayrıca bir işaret yanlış.</translation>
+    </message>
+    <message>
+        <source>The number before %1 is upside down.</source>
+        <translation>%1 önündeki sayı ters.</translation>
+    </message>
+    <message>
+        <source>A term with θ%1 is left out.</source>
+        <translation>θ%1 içeren bir terim eksik.</translation>
+    </message>
+    <message>
+        <source>In place of %1 there should be θ%2.</source>
+        <translation>%1 yerine θ%2 olmalı.</translation>
+    </message>
+    <message>
+        <source>With θ%1 = 1 and the other inputs at rest the left side is greater than the right one by %2.</source>
+        <translation>θ%1 = 1 ve öbür girişler dururken sol taraf sağdan %2 kadar büyük.</translation>
+    </message>
+    <message>
+        <source>The equation is true for these teeth only.</source>
+        <translation>Denklem yalnız bu dişler için doğru.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no motion to check an equation against.</source>
+        <translation>Bu mekanizmanın, denklemin sınanacağı bir hareketi yok.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1.</source>
+        <translation>Şunun satır ve sütunlarını yer değiştirdiniz: %1.</translation>
+    </message>
+    <message>
+        <source>You leave out the minus of (23): what is on the other side of the equation changes its sign.</source>
+        <translation>(23)&apos;ün eksisini yazmadınız: denklemin öbür tarafındaki işaret değiştirir.</translation>
+    </message>
+    <message>
+        <source>You write all entries without their signs: −1 where a walk runs against an arrow.</source>
+        <translation>Bütün öğeleri işaretsiz yazdınız: yol bir oka ters gidiyorsa −1.</translation>
+    </message>
+    <message>
+        <source>You exchange rows and columns of %1, and + and − besides.</source>
+        <translation>Şunun satır ve sütunlarını, ayrıca + ve −&apos;yi yer değiştirdiniz: %1.</translation>
+    </message>
+    <message>
+        <source>These are the rows of T: P multiplies each entry by the joint&apos;s coefficient.</source>
+        <translation>Bunlar T&apos;nin satırları: P her öğeyi mafsalın katsayısıyla çarpar.</translation>
+    </message>
+    <message>
+        <source>These are the signs of P alone: each is to be multiplied by the ratio of its gear.</source>
+        <translation>Bunlar yalnız P&apos;nin işaretleri: her biri dişlisinin oranıyla çarpılmalı.</translation>
+    </message>
+    <message>
+        <source>Your ratios are upside down: a joint on the axis of the tail&apos;s gear has i, one on the head&apos;s has 1.</source>
+        <translation>Oranlarınız ters: kuyruk dişlisinin eksenindeki mafsal i, baş dişlisinin eksenindeki 1 alır.</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>belirsiz</translation>
+    </message>
+    <message>
+        <source>another matrix than the one asked for</source>
+        <translation>istenenden başka bir matris</translation>
+    </message>
+    <message>
+        <source>size that the matrix does not have</source>
+        <translation>matrisin sahip olmadığı boyut</translation>
+    </message>
+    <message>
+        <source>minus of the solution left out</source>
+        <translation>çözümün eksisi yazılmamış</translation>
+    </message>
+    <message>
+        <source>row of another output</source>
+        <translation>başka bir çıkışın satırı</translation>
+    </message>
+    <message>
+        <source>ratio of another mesh with the same value</source>
+        <translation>aynı değerde başka bir dişli çiftinin oranı</translation>
+    </message>
+    <message>
+        <source>input that the output does not feel</source>
+        <translation>çıkışın etkilenmediği giriş</translation>
+    </message>
+    <message>
+        <source>entry that differs</source>
+        <translation>farklı öğe</translation>
+    </message>
+    <message>
+        <source>velocity left out of the equation</source>
+        <translation>denklemde eksik hız</translation>
+    </message>
+    <message>
+        <source>velocity of another joint or link</source>
+        <translation>başka bir mafsalın veya uzvun hızı</translation>
+    </message>
+    <message>
+        <source>equation that does not follow from the mechanism</source>
+        <translation>mekanizmadan çıkmayan denklem</translation>
+    </message>
+    <message>
+        <source>This is %1, not %2.</source>
+        <translation>Bu %1; %2 değil.</translation>
+    </message>
+    <message>
+        <source>%1 has the size %2 for this mechanism, and yours is %3.</source>
+        <translation>%1 bu mekanizmada %2 boyutunda, sizinki %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No matrix of this mechanism has the size %1: %2.</source>
+        <translation>Bu mekanizmanın hiçbir matrisi %1 boyutunda değil: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no label of %2, or occurs twice: its rows are %3, its columns %4.</source>
+        <translation>%1, şunun etiketi değil ya da iki kez geçiyor: %2. Satırları %3, sütunları %4.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no %1.</source>
+        <translation>Bu mekanizmada şu yok: %1.</translation>
+    </message>
+    <message>
+        <source>These inputs depend on each other, so there is no solution for them.</source>
+        <translation>Bu girişler birbirine bağlı, bu yüzden onlar için çözüm yok.</translation>
+    </message>
+    <message>
+        <source>You turn the arrow of edge %1 round: it points from link %2 to link %3.</source>
+        <translation>%1 kenarının okunu ters çevirdiniz: %2 uzvundan %3 uzvuna doğrudur.</translation>
+    </message>
+    <message>
+        <source>The number is right for these teeth and the formula is not: it holds another mesh&apos;s ratio.</source>
+        <translation>Sayı bu dişler için doğru, formül değil: içinde başka bir dişli çiftinin oranı var.</translation>
+    </message>
+    <message>
+        <source>This is the row of %1, not of %2.</source>
+        <translation>Bu satır %1 için; %2 için değil.</translation>
+    </message>
+    <message>
+        <source>You exchange the gears of mesh %1: i%1 belongs to the joints on the tail&apos;s axis.</source>
+        <translation>%1 dişli çiftinin dişlilerini yer değiştirdiniz: i%1, kuyruğun eksenindeki mafsallara aittir.</translation>
+    </message>
+    <message>
+        <source>The sign of bevel mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>%1 konik dişli çiftinin işareti, iki eksenden bakıldığında hatve noktasından çıkar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is internal: its gears turn the same way, seen from the carrier.</source>
+        <translation>%1 dişli çifti içtir: taşıyıcıdan bakıldığında dişlileri aynı yönde döner.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is external: its gears turn opposite ways, seen from the carrier.</source>
+        <translation>%1 dişli çifti dıştır: taşıyıcıdan bakıldığında dişlileri ters yönlerde döner.</translation>
+    </message>
+    <message>
+        <source>The ratio of mesh %1 is upside down and its sign is wrong.</source>
+        <translation>%1 dişli çiftinin oranı ters ve işareti yanlış.</translation>
+    </message>
+    <message>
+        <source>This is the row of the cycle: in P its signs are multiplied by the coefficients of mesh %1.</source>
+        <translation>Bu çevrimin satırı: P&apos;de işaretleri %1 dişli çiftinin katsayılarıyla çarpılır.</translation>
+    </message>
+    <message>
+        <source>You leave out the signs of the cycle of mesh %1, which walks against some arrows.</source>
+        <translation>Bazı oklara ters giden %1 dişli çiftinin çevriminin işaretlerini yazmadınız.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns the other way: the sign of one mesh of its chain is wrong.</source>
+        <translation>%1 mafsalı öbür yöne döner: zincirindeki bir dişli çiftinin işareti yanlış.</translation>
+    </message>
+    <message>
+        <source>The row of joint %1 is upside down: it is output over input.</source>
+        <translation>%1 mafsalının satırı ters: çıkış bölü giriştir.</translation>
+    </message>
+    <message>
+        <source>In the sense that you walk it, the entry is %1.</source>
+        <translation>Sizin dolaştığınız yönde öğe %1.</translation>
+    </message>
+    <message>
+        <source>So the entry is %1.</source>
+        <translation>Öyleyse öğe %1.</translation>
+    </message>
+    <message>
+        <source>Entries of this matrix are −1, 0 or 1.</source>
+        <translation>Bu matrisin öğeleri −1, 0 veya 1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not on cycle %2, so its coefficient is 0.</source>
+        <translation>%1 mafsalı %2 çevriminde değil, bu yüzden katsayısı 0.</translation>
+    </message>
+    <message>
+        <source>In the multiple of row %1 that you write, joint %2 has %3.</source>
+        <translation>%1 satırının yazdığınız katında %2 mafsalının değeri %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not feel input %2: 0.</source>
+        <translation>%1 mafsalı %2 girişinden etkilenmez: 0.</translation>
+    </message>
+    <message>
+        <source>With input %1 alone, joint %2 turns at %3 times its speed.</source>
+        <translation>Yalnız %1 girişiyle %2 mafsalı, onun hızının %3 katıyla döner.</translation>
+    </message>
+    <message>
+        <source>Without labels it may be either: write the labels of rows and columns.</source>
+        <translation>Etiketsiz ikisi de olabilir: satır ve sütun etiketlerini yazın.</translation>
+    </message>
+    <message>
+        <source>Your rows are in another order: %1.</source>
+        <translation>Satırlarınız başka bir sırada: %1.</translation>
+    </message>
+    <message>
+        <source>Your columns are in another order: %1.</source>
+        <translation>Sütunlarınız başka bir sırada: %1.</translation>
+    </message>
+    <message>
+        <source>You walk %1 the other way, which is as good: all signs of the row change.</source>
+        <translation>Şunu öbür yönde dolaşıyorsunuz: %1. Bu da doğrudur: satırın bütün işaretleri değişir.</translation>
+    </message>
+    <message>
+        <source>You take another spanning tree, of the edges %1: for it the matrix is right.</source>
+        <translation>Başka bir kapsayan ağaç alıyorsunuz, kenarları %1: onun için matris doğru.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no ratio %1.</source>
+        <translation>Bu mekanizmada %1 oranı yok.</translation>
+    </message>
+    <message>
+        <source>Link %1 has no gear, so %2 has no value.</source>
+        <translation>%1 uzvunun dişlisi yok, bu yüzden %2 değersiz.</translation>
+    </message>
+    <message>
+        <source>Link %1 has several gears: write %2&apos; or %2&apos;&apos;, in the order of its meshes.</source>
+        <translation>%1 uzvunun birkaç dişlisi var: dişli çiftlerinin sırasıyla %2&apos; veya %2&apos;&apos; yazın.</translation>
+    </message>
+    <message>
+        <source>The diameter %1 is no fraction: use numbers of teeth.</source>
+        <translation>%1 çapı kesir değil: diş sayılarını kullanın.</translation>
+    </message>
+    <message>
+        <source>This mechanism has no turning joint %1, so no %2.</source>
+        <translation>Bu mekanizmada %1 döner mafsalı yok, bu yüzden %2 de yok.</translation>
+    </message>
+    <message>
+        <source>%1 names no links of this mechanism: write ω with two labels, as ω5_1.</source>
+        <translation>%1 bu mekanizmanın uzuvlarını göstermiyor: ω&apos;yı iki etiketle yazın, örneğin ω5_1.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, so no velocity follows from them.</source>
+        <translation>Döner mafsallar kapsayan ağaç oluşturmuyor, bu yüzden onlardan hız çıkmaz.</translation>
+    </message>
+    <message>
+        <source>The velocity of link %1 relative to link %2 has several directions: write one equation for each level.</source>
+        <translation>%1 uzvunun %2 uzvuna göre hızının birkaç doğrultusu var: her düzey için bir denklem yazın.</translation>
+    </message>
+    <message>
+        <source>An entry is missing here.</source>
+        <translation>Burada bir öğe eksik.</translation>
+    </message>
+    <message>
+        <source>This formula is too long.</source>
+        <translation>Bu formül çok uzun.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read: write a number, a fraction or names such as i15, n41, N4, θ8 or ω51.</source>
+        <translation>“%1” okunamıyor: bir sayı, kesir ya da i15, n41, N4, θ8, ω51 gibi adlar yazın.</translation>
+    </message>
+    <message>
+        <source>A velocity is multiplied by a velocity here.</source>
+        <translation>Burada bir hız başka bir hızla çarpılıyor.</translation>
+    </message>
+    <message>
+        <source>Something is divided by a velocity here.</source>
+        <translation>Burada bir şey bir hıza bölünüyor.</translation>
+    </message>
+    <message>
+        <source>Something is divided by 0 here.</source>
+        <translation>Burada bir şey 0&apos;a bölünüyor.</translation>
+    </message>
+    <message>
+        <source>This formula has too many parentheses inside each other.</source>
+        <translation>Bu formülde çok fazla iç içe ayraç var.</translation>
+    </message>
+    <message>
+        <source>A power needs a whole number of at most %1.</source>
+        <translation>Üs, en çok %1 olan bir tam sayı olmalıdır.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as a thousand or as a decimal: write it without the comma.</source>
+        <translation>“%1” binlik ya da ondalık okunabilir: virgülsüz yazın.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>“%1” bir sayı değil.</translation>
+    </message>
+    <message>
+        <source>“%1” holds a velocity, and an entry of a matrix is a number.</source>
+        <translation>“%1” içinde hız var; matrisin öğesi ise sayıdır.</translation>
+    </message>
+    <message>
+        <source>The text has more than %1 bytes.</source>
+        <translation>Metin %1 bayttan uzun.</translation>
+    </message>
+    <message>
+        <source>There is no matrix and no equation.</source>
+        <translation>Ne matris ne de denklem var.</translation>
+    </message>
+    <message>
+        <source>This \begin has no name in braces.</source>
+        <translation>Bu \begin için süslü ayraçta ad yok.</translation>
+    </message>
+    <message>
+        <source>\begin{%1} has no \end{%1}.</source>
+        <translation>\begin{%1} için \end{%1} yok.</translation>
+    </message>
+    <message>
+        <source>This bracket is not closed.</source>
+        <translation>Bu ayraç kapatılmamış.</translation>
+    </message>
+    <message>
+        <source>The matrix has more than %1 entries.</source>
+        <translation>Matrisin %1 öğeden fazlası var.</translation>
+    </message>
+    <message>
+        <source>The matrix has no rows.</source>
+        <translation>Matrisin satırı yok.</translation>
+    </message>
+    <message>
+        <source>Row %1 has 1 entry, the first has %2.</source>
+        <translation>%1. satırda 1 öğe, ilkinde %2 öğe var.</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 entries, the first has %3.</source>
+        <translation>%1. satırda %2 öğe, ilkinde %3 öğe var.</translation>
+    </message>
+    <message>
+        <source>This row has a label and no entry.</source>
+        <translation>Bu satırın etiketi var, öğesi yok.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 columns.</source>
+        <translation>%2 sütun için %1 etiket var.</translation>
+    </message>
+    <message>
+        <source>There are %1 labels for %2 rows.</source>
+        <translation>%2 satır için %1 etiket var.</translation>
+    </message>
+    <message>
+        <source>There is no equation.</source>
+        <translation>Denklem yok.</translation>
+    </message>
+    <message>
+        <source>This line has no equals sign.</source>
+        <translation>Bu satırda eşittir işareti yok.</translation>
+    </message>
+    <message>
+        <source>A side of this equation is empty.</source>
+        <translation>Bu denklemin bir tarafı boş.</translation>
+    </message>
+    <message>
+        <source>The symbolic solution has %1 entries; it was left out.</source>
+        <translation>Simgesel çözümün %1 öğesi var; çıkarılmadı.</translation>
+    </message>
+    <message>
+        <source>The equations of this mechanism are so coupled that the symbolic solution would fill pages; it was left out.</source>
+        <translation>Bu mekanizmanın denklemleri o kadar bağlaşık ki simgesel çözüm sayfalar tutardı; çıkarılmadı.</translation>
+    </message>
+    <message>
+        <source>%1 entries of the symbolic solution are left as a chain of substitutions: expanded, one has over %2 terms, or all together over %3 factors.</source>
+        <translation>Simgesel çözümün %1 öğesi yerine koyma zinciri olarak kaldı: açıldığında biri %2 terimi, ya da hepsi birlikte %3 çarpanı aşıyor.</translation>
+    </message>
+    <message>
+        <source>Masses need lengths in metres, and &quot;%1&quot; is no unit of length that is known: use mm, cm, m or in.</source>
+        <translation>Kütleler metre cinsinden uzunluk ister, &quot;%1&quot; ise bilinen bir uzunluk birimi değil: mm, cm, m veya in kullanın.</translation>
+    </message>
+    <message>
+        <source>It ends where joint %1 reaches the end of its range.</source>
+        <translation>%1 mafsalı aralığının sonuna vardığında biter.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: torques determine no acceleration.</source>
+        <translation>Girişlerin bir hareketi hiçbir kütleyi hareket ettirmiyor: torklar ivme belirlemez.</translation>
+    </message>
+    <message>
+        <source>It ends where speeds grow beyond what can be followed.</source>
+        <translation>Hızlar izlenebilecek sınırı aştığında biter.</translation>
+    </message>
+    <message>
+        <source>The ratio of an input to joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give a ratio that it can.</source>
+        <translation>Bir girişin %1 mafsalına oranı, çözümlemenin tutabildiği en büyük sayıyı, 1.79e308&apos;i aşıyor. Birbirine yakın diş sayıları ya da art arda daha az dişli çifti tutabileceği bir oran verir.</translation>
+    </message>
+    <message>
+        <source>The speed of joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>%1 mafsalının hızı, çözümlemenin tutabildiği en büyük sayıyı, 1.79e308&apos;i aşıyor. Girişlerin hızlarını düşürün.</translation>
+    </message>
+    <message>
+        <source>The speed of the link that turns about joint %1 is beyond the largest number that the analysis can hold, 1.79e308. Lower the speeds of the inputs.</source>
+        <translation>%1 mafsalında dönen uzvun hızı, çözümlemenin tutabildiği en büyük sayıyı, 1.79e308&apos;i aşıyor. Girişlerin hızlarını düşürün.</translation>
+    </message>
+    <message>
+        <source>In state %1: %2</source>
+        <translation>%1 durumunda: %2</translation>
+    </message>
+    <message>
+        <source>In states %1: %2</source>
+        <translation>%1 durumlarında: %2</translation>
+    </message>
+    <message>
+        <source>No load is given: all torques are 0.</source>
+        <translation>Yük verilmedi: bütün torklar 0.</translation>
+    </message>
+    <message>
+        <source>The drive of state %1, link %2, gets 1 N m, as no load acts on it or on the driven link.</source>
+        <translation>%1 durumunun tahrik eden uzvu %2, ne ona ne de tahrik edilen uzva yük etkidiği için 1 N m alır.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out, and so are loads that are forces. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>&quot;%1&quot; uzunluk biriminin büyüklüğü bilinmiyor: diş ve yatak kuvvetleri ile kuvvet olan yükler dışarıda bırakılır. Birimler nm, um, mm, cm, dm, m, mil, in ve ft.</translation>
+    </message>
+    <message>
+        <source>The unit of length, &quot;%1&quot;, has no known size: forces of teeth and bearings are left out. Units are nm, um, mm, cm, dm, m, mil, in and ft.</source>
+        <translation>&quot;%1&quot; uzunluk biriminin büyüklüğü bilinmiyor: diş ve yatak kuvvetleri dışarıda bırakılır. Birimler nm, um, mm, cm, dm, m, mil, in ve ft.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Hızlar belirli değil: güçler ve verimler dışarıda bırakılır. Girişlere hızlarını verin ya da bir serbestlik dereceli bir durum seçin.</translation>
+    </message>
+    <message>
+        <source>No mesh has an efficiency: give `efficiency` or `friction` in the document, or --eta.</source>
+        <translation>Hiçbir dişli çiftinin verimi yok: belgede `efficiency` veya `friction`, ya da --eta verin.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joint %1 turns freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Bu hareketi tutan bir şey yok: %1 mafsalı şuradaki yük altında serbestçe döner: %2. %3 mafsalına bir denge ekleyin.</translation>
+    </message>
+    <message>
+        <source>Nothing holds this motion: joints %1 turn freely under the load on %2. Add a balance at joint %3.</source>
+        <translation>Bu hareketi tutan bir şey yok: %1 mafsalları şuradaki yük altında serbestçe döner: %2. %3 mafsalına bir denge ekleyin.</translation>
+    </message>
+    <message>
+        <source>coupling %1</source>
+        <translation>%1 elemanı</translation>
+    </message>
+    <message>
+        <source>couplings %1</source>
+        <translation>%1 elemanları</translation>
+    </message>
+    <message>
+        <source>balances</source>
+        <translation>dengeler</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (1 self-stress).</source>
+        <translation>%1 yükü, rijitlik ve boşluğun belirlediği oranlarda paylaşır (1 öz gerilme durumu).</translation>
+    </message>
+    <message>
+        <source>%1 share the load in proportions that stiffness and clearance decide (%2 self-stresses).</source>
+        <translation>%1 yükü, rijitlik ve boşluğun belirlediği oranlarda paylaşır (%2 öz gerilme durumu).</translation>
+    </message>
+    <message>
+        <source>Torques outside are determined.</source>
+        <translation>Dışarıdaki torklar belirlidir.</translation>
+    </message>
+    <message>
+        <source>Torques that do not depend on them are determined.</source>
+        <translation>Onlara bağlı olmayan torklar belirlidir.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load needs no balance.</source>
+        <translation>%1 mafsalı dönemez: yükü denge istemez.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by mesh %2.</source>
+        <translation>%1 mafsalı dönemez: yükünü %2 dişli çifti taşır.</translation>
+    </message>
+    <message>
+        <source>Joint %1 cannot turn: its load is carried by meshes %2.</source>
+        <translation>%1 mafsalı dönemez: yükünü %2 dişli çiftleri taşır.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction.</source>
+        <translation>Şuradaki hiçbir tork bu yükü hareket ettirmez: %1. Dişli takımı bu yönde kendini kilitler.</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins below eta = %2).</source>
+        <translation>Şuradaki hiçbir tork bu yükü hareket ettirmez: %1. Dişli takımı bu yönde kendini kilitler (eta = %2 altında başlar).</translation>
+    </message>
+    <message>
+        <source>No torque at %1 moves this load: the train is self-locking in this direction (it begins at %2 % of these losses).</source>
+        <translation>Şuradaki hiçbir tork bu yükü hareket ettirmez: %1. Dişli takımı bu yönde kendini kilitler (bu kayıpların % %2 kadarında başlar).</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
+        <translation>Hangi dişlilerin tahrik ettiği belirlenemedi: tahmin turları yerleşmiyor ve %1, hepsini denemeye yetmeyecek kadar çok olasılık bırakıyor. Güçler kayıpsız olanlardır.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
+        <translation>%1 dişli çifti, taşıyıcısından bakıldığında verilen gücün %2 katını iletir.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 pass up to %2 times the power fed, seen from their carriers.</source>
+        <translation>%1 dişli çiftleri, taşıyıcılarından bakıldığında verilen gücün %2 katına kadarını iletir.</translation>
+    </message>
+    <message>
+        <source>%1 W of each W fed circulate through %2 and %3.</source>
+        <translation>Verilen her W başına %1 W dolaşır: %2 ve %3 üzerinden.</translation>
+    </message>
+    <message>
+        <source>links %1</source>
+        <translation>%1 uzuvları</translation>
+    </message>
+    <message>
+        <source>Turning joints %1 name one axis (%2) but do not all hang together on it by common links: they coincide only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its own entry in axes.</source>
+        <translation>%1 döner mafsalları tek bir ekseni (%2) anıyor, ama üzerinde hepsi ortak uzuvlarla bağlı değil: yalnız çizilen konumda çakışırlar ve ayrı eksenler sayılırlar (%3). Mekanizmanın her eksenine axes içinde kendi kaydını verin.</translation>
+    </message>
+    <message>
+        <source>Axes %1 are one line held by common links: they are treated as one axis (%2).</source>
+        <translation>%1 eksenleri ortak uzuvların tuttuğu tek bir doğrudur: tek eksen sayılırlar (%2).</translation>
+    </message>
+    <message>
+        <source>The opposite direction of %1 is minded.</source>
+        <translation>%1 ekseninin ters yönü hesaba katılır.</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>not</translation>
+    </message>
+    <message>
+        <source>New note here</source>
+        <translation>Burada yeni not</translation>
+    </message>
+    <message>
+        <source>Change the text</source>
+        <translation>Metni değiştir</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Not ekle</translation>
+    </message>
+    <message>
+        <source>Delete note</source>
+        <translation>Notu sil</translation>
+    </message>
+    <message>
+        <source>Change note</source>
+        <translation>Notu değiştir</translation>
+    </message>
+    <message>
+        <source>Text of the note</source>
+        <translation>Notun metni</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Metin</translation>
+    </message>
+    <message>
+        <source>Return takes the text, Shift+Return begins a new line, Esc leaves it as it was</source>
+        <translation>Enter metni alır, Shift+Enter yeni satıra geçer, Esc eski hâliyle bırakır</translation>
+    </message>
+    <message>
+        <source>A note has at most 1,000 characters.</source>
+        <translation>Bir not en çok 1.000 karakter olabilir.</translation>
+    </message>
+    <message>
+        <source>Move note</source>
+        <translation>Notu taşı</translation>
+    </message>
+    <message>
+        <source>Notes are written on the sheet of the digraph</source>
+        <translation>Notlar yönlü grafın sayfasına yazılır</translation>
+    </message>
+    <message>
+        <source>Never self-locking, however large the losses</source>
+        <translation>Kayıplar ne kadar büyük olursa olsun kendini kilitlemez</translation>
+    </message>
+    <message>
+        <source>Moves up to %1 % of these losses; beyond, not decided</source>
+        <translation>Bu kayıpların % %1 değerine kadar hareket eder; ötesi belirsiz</translation>
+    </message>
+    <message>
+        <source>Moves backward up to %1 % of these losses; beyond, not decided</source>
+        <translation>Bu kayıpların % %1 değerine kadar geri hareket eder; ötesi belirsiz</translation>
+    </message>
+    <message>
+        <source>Moves down to η = %1; below, not decided</source>
+        <translation>η = %1 değerine kadar hareket eder; altı belirsiz</translation>
+    </message>
+    <message>
+        <source>Moves backward down to η = %1; below, not decided</source>
+        <translation>η = %1 değerine kadar geri hareket eder; altı belirsiz</translation>
+    </message>
+    <message>
+        <source>Self-locking from %1 % of these losses on</source>
+        <translation>Bu kayıpların % %1 değerinden sonra kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Self-locking backward from %1 % of these losses on</source>
+        <translation>Bu kayıpların % %1 değerinden sonra geri yönde kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Where a train locks itself, no torque of what holds the loads moves them, however large.</source>
+        <translation>Bir düzenek kendini kilitlediğinde, yükleri tutanın momenti ne kadar büyük olursa olsun onları hareket ettirmez.</translation>
+    </message>
+    <message>
+        <source>The meshes state different efficiencies: all their losses, 1 − η, are multiplied by one factor.</source>
+        <translation>Dişli çiftleri farklı verimler belirtiyor: tüm kayıpları, 1 − η, tek bir katsayıyla çarpılır.</translation>
+    </message>
+    <message>
+        <source>The efficiency counts as the same in all meshes.</source>
+        <translation>Verim tüm dişli çiftlerinde aynı sayılır.</translation>
+    </message>
+    <message>
+        <source>At %1 % it moves, at %2 % no choice of driving gears solves it.</source>
+        <translation>% %1 değerinde hareket eder, % %2 değerinde hiçbir tahrik dişlisi seçimi çözüm vermez.</translation>
+    </message>
+    <message>
+        <source>At η = %1 it moves, at %2 no choice of driving gears solves it.</source>
+        <translation>η = %1 değerinde hareket eder, %2 değerinde hiçbir tahrik dişlisi seçimi çözüm vermez.</translation>
+    </message>
+    <message>
+        <source>Of that many meshes not all choices were tried.</source>
+        <translation>Bu kadar çok dişli çiftinde tüm seçimler denenmedi.</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 not</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 not</translation>
+    </message>
+    <message>
+        <source>Select links or notes to copy; the ground stays where it is.</source>
+        <translation>Kopyalanacak uzuvları ya da notları seçin; sabit uzuv yerinde kalır.</translation>
+    </message>
+    <message>
+        <source>Rename a link, change a note</source>
+        <translation>Uzvu yeniden adlandır, notu değiştir</translation>
+    </message>
+    <message>
+        <source>Write a note on the sheet of the digraph: click where it should be; a double click changes one</source>
+        <translation>Yönlü grafın sayfasına not yazın: olacağı yere tıklayın; çift tıklama bir notu değiştirir</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it, or one note to change it.</source>
+        <translation>Yeniden adlandırmak için bir uzuv, değiştirmek için bir not seçin.</translation>
+    </message>
+    <message>
+        <source>Move its axis</source>
+        <translation>Eksenini taşı</translation>
+    </message>
+    <message>
+        <source>Move its axis (%1)</source>
+        <translation>Eksenini taşı (%1)</translation>
+    </message>
+    <message>
+        <source>A mesh has no carrier in the T–T graph, or its kind is not known.</source>
+        <translation>Bir dişli çiftinin T–T grafında taşıyıcısı yok ya da türü bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>Select one note to change its text.</source>
+        <translation>Metnini değiştirmek için tek bir not seçin.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Not</translation>
+    </message>
+    <message>
+        <source>The text on the sheet of the digraph</source>
+        <translation>Yönlü grafın sayfasındaki metin</translation>
+    </message>
+    <message>
+        <source>z = %1. Esc puts back</source>
+        <translation>z = %1. Esc geri koyar</translation>
+    </message>
+    <message>
+        <source>z = %1</source>
+        <translation>z = %1</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Not: %1</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it or the rim of a gear for its teeth. The program lays the drawing out</source>
+        <translation>Seçmek için tıklayın; taşımak için ekseni, diş sayısı için dişlinin kenarını sürükleyin. Çizimi program yerleştirir</translation>
+    </message>
+    <message>
+        <source>Note: click on an empty area, or on a note to change it</source>
+        <translation>Not: boş alana tıklayın, ya da değiştirmek için bir nota</translation>
+    </message>
+    <message>
+        <source>Handle of %1</source>
+        <translation>Tutamaç: %1</translation>
+    </message>
+    <message>
+        <source>Drag to move %1, or use the arrow keys (with Shift: finer). Alt places freely, Esc puts back</source>
+        <translation>%1 sürüklenerek ya da ok tuşlarıyla taşınır (Shift ile: daha ince). Alt serbest yerleştirir, Esc geri koyar</translation>
+    </message>
+    <message>
+        <source>the axis of joint %1</source>
+        <translation>%1 mafsalının ekseni</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>motor</translation>
+    </message>
+    <message>
+        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
+        <translation>csv: matrisler; html, latex, md, pdf: işlenmiş türetim; handout: girişleri oynatılabilen, tarayıcılar için bir sayfa; scorm: o sayfa, öğrenme ortamları için paket olarak (SCORM 1.2); --view ile svg, png, pdf: resim; stl, obj, ply, glb, 3mf: dişliler; assembly: denetim için dişliler; mjcf, urdf: simülatörler için model; modelica: mafsalların modeli; dot, graphml, node-link: graf</translation>
+    </message>
+    <message>
+        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
+        <translation>--to şunlardan biridir: csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
     </message>
 </context>
 <context>
