@@ -6,20 +6,19 @@
 #include <cstdio>
 
 #include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/power_drawing/power_legend.h"
 #include "core/presentation/power_drawing/sheet_obstacles.h"
 
 namespace geargraph::inline power_drawing {
 namespace {
 
 constexpr double kHairline = 1;
-constexpr double kLeastShown = 0.01;  ///< of the greatest power: below it a hairline without a label
+constexpr double kLeastShown = kLeastShownPower;
 constexpr double kLabelSize = 11;
 constexpr double kLabelGap = 3;  ///< between a label and all else
 constexpr double kRoomAround = 120;
-constexpr std::size_t kMostLoopsNamed = 3;
 
 double lengthOf(const std::vector<SheetPoint>& course) {
   double length = 0;
@@ -58,17 +57,6 @@ std::string decimal(const char* format, double value) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, value);
   return spokenNumber(buffer.data());
-}
-
-std::string percentText(double part) {
-  return decimal(part >= 0.9995 ? "%.4g" : "%.3g", 100 * part) + " %";
-}
-
-std::string labels(const std::vector<int>& numbers) {
-  std::vector<std::string> names;
-  for (const int number : numbers) names.push_back(std::to_string(number));
-  constexpr std::size_t kMostNames = 12;
-  return listed(names, kMostNames);
 }
 
 }  // namespace
@@ -199,9 +187,8 @@ void BandPainter::label(const Band& band) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return distance(a.from, a.to) > distance(b.from, b.to) + 1e-6;
   });
-  const bool hasPart = band.isKnown && m_picture.fed > 0;
-  const std::string part = hasPart ? percentText(band.power / m_picture.fed) : std::string();
-  const std::string value = band.isKnown ? powerText(band.power) + (band.isAssumed ? "*" : "") : "? W";
+  const std::string part = band.isKnown ? shareText(m_picture, band.power) : std::string();
+  const std::string value = flowText(band.power, band.isKnown, band.isAssumed);
   const double gap = (band.isKnown ? widthOf(band.power) : kHairline) / 2 + 4;
   constexpr std::size_t kMostPieces = 14;
   for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i) {
@@ -252,33 +239,33 @@ void BandPainter::drawLegend() {
     put({}, Text{text, {from + width / 2, line}, kLabelSize, bold, tint}, kBandDepth + 2);
     return from + width;
   };
-  if (std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return b.isAssumed; })) {
-    write(translated("* shared by equal stiffness: an assumption"), left, false, ColorRole::secondary);
+  const auto any = [&](auto is) { return std::any_of(m_bands.begin(), m_bands.end(), is); };
+  std::vector<LegendLine> lines =
+      powerLegend(m_picture, m_largest, any([](const Band& b) { return !b.isKnown; }),
+                  any([](const Band& b) { return b.isAssumed; }));
+  std::reverse(lines.begin(), lines.end());
+  for (const LegendLine& each : lines) {
+    using Mark = LegendLine::Mark;
+    const Polyline mark{{{left, line}, {left + 26, line}}, false};
+    if (each.mark == Mark::none) {
+      write(each.plain, left, false, ColorRole::secondary);
+    } else if (each.mark == Mark::unknown) {
+      put({}, Stroke{mark, ColorRole::secondary, kHairline, Dash::dashed});
+      write(each.plain, left + 34, false, ColorRole::secondary);
+    } else if (each.mark == Mark::circulating) {
+      put({}, Stroke{mark, Tint(ColorRole::accent).softened(), 8, Dash::solid});
+      const double next = write(each.bold, left + 34, true, ColorRole::accent);
+      write(each.plain, next + 5, false, ColorRole::ink);
+    } else {
+      put({}, Stroke{Polyline{{{left, line - 4}, {left + 20, line - 4}}, false},
+                     Tint(ColorRole::secondary).softened(), kWidestBand, Dash::solid});
+      put({}, Fill{arrowOf({left + 20, line - 4}, {left + 34, line - 4}, kWidestBand / 2 + 4),
+                   Tint(ColorRole::secondary).softened()});
+      const double next = write(each.bold, left + 42, true, ColorRole::ink);
+      write(each.plain, next + 10, false, ColorRole::secondary);
+    }
     line -= 18;
   }
-  if (std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return !b.isKnown; })) {
-    put({}, Stroke{Polyline{{{left, line}, {left + 26, line}}, false}, ColorRole::secondary, kHairline,
-                   Dash::dashed});
-    write(translated("? W: shared in unknown parts, not determined"), left + 34, false, ColorRole::secondary);
-    line -= 18;
-  }
-  for (std::size_t i = std::min(m_picture.loops.size(), kMostLoopsNamed); i-- > 0;) {
-    const DrawnLoop& loop = m_picture.loops[i];
-    put({}, Stroke{Polyline{{{left, line}, {left + 26, line}}, false}, Tint(ColorRole::accent).softened(), 8,
-                   Dash::solid});
-    const double next = write(powerText(loop.power), left + 34, true, ColorRole::accent);
-    write(translated("circulates: links %1, meshes %2", {labels(loop.links), labels(loop.meshes)}), next + 5,
-          false, ColorRole::ink);
-    line -= 18;
-  }
-  put({}, Stroke{Polyline{{{left, line - 4}, {left + 20, line - 4}}, false},
-                 Tint(ColorRole::secondary).softened(), kWidestBand, Dash::solid});
-  put({}, Fill{arrowOf({left + 20, line - 4}, {left + 34, line - 4}, kWidestBand / 2 + 4),
-               Tint(ColorRole::secondary).softened()});
-  const double next = write(powerText(m_largest), left + 42, true, ColorRole::ink);
-  write(m_picture.observer == 0 ? translated("seen from the ground")
-                                : translated("seen from link %1", {std::to_string(m_picture.observer)}),
-        next + 10, false, ColorRole::secondary);
 }
 
 DisplayList BandPainter::finish() && {

@@ -4,12 +4,10 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/power_drawing/band_marks.h"
 #include "core/presentation/power_drawing/power_drawing.h"
+#include "core/presentation/power_drawing/power_legend.h"
 
 namespace geargraph::inline power_drawing {
 namespace {
-
-/// The greater of two ends is within this part of the other where both are one band.
-constexpr double kAsOne = 0.02;
 
 class DigraphBands {
  public:
@@ -27,14 +25,7 @@ class DigraphBands {
     if (flow.element.kind == ElementKind::link) addAtLink(flow);
   }
 
-  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
-  /// That of the link which delivers most; where none does, of the one that takes most.
-  [[nodiscard]] Tint tintOf(const DrawnFlow& flow) const {
-    const auto [least, most] =
-        std::minmax_element(flow.ports.begin(), flow.ports.end(),
-                            [](const DrawnPort& a, const DrawnPort& b) { return a.power < b.power; });
-    return tintOf(least->power < 0 ? least->link : most->link);
-  }
+  [[nodiscard]] Tint tintOf(const DrawnFlow& flow) const { return tintOfFlow(flow, m_mechanism); }
   static const DrawnPort* portAt(const DrawnFlow& flow, int link) {
     for (const DrawnPort& port : flow.ports)
       if (port.link == link) return &port;
@@ -61,7 +52,7 @@ class DigraphBands {
     const double to = head == nullptr ? 0 : head->power;
     const double fromLoop = tail == nullptr ? 0 : tail->circulating;
     const double toLoop = head == nullptr ? 0 : head->circulating;
-    const bool isOne = std::abs(from - to) <= kAsOne * std::max(std::abs(from), std::abs(to)) &&
+    const bool isOne = std::abs(from - to) <= kAsOneFlow * std::max(std::abs(from), std::abs(to)) &&
                        (fromLoop == 0) == (toLoop == 0);
     const bool isMotor = !edge.isMesh() && (from == 0 || to == 0);  // the ground is at rest
     if (isOne || isMotor) {
