@@ -8,6 +8,7 @@
 #include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
 #include "core/presentation/stage/force_arrow_shape.h"
+#include "core/presentation/train_stage/power_overlay.h"
 #include "core/presentation/train_stage/train_forces.h"
 
 namespace geargraph::inline train_stage {
@@ -179,13 +180,14 @@ std::vector<std::string> wrapped(const std::string& text, double room) {
   return lines;
 }
 
-/// From this line on, on a plate of the sheet's colour, its lines below each other in the middle.
-void addCaption(DisplayList& list, const StagePainter& painter, const std::string& caption, double line) {
+/// From this line on, on a plate of the sheet's colour, its lines below each other in the middle. Returns
+/// where the next line is.
+double addCaption(DisplayList& list, const StagePainter& painter, const std::string& caption, double line) {
   constexpr double kWidestCaption = 380;
   constexpr double kLineHeight = 16;
   const double room = painter.shot().size.width / painter.pixelRatio() - 2 * kFromEdge;
   const std::vector<std::string> lines = wrapped(caption, std::min(kWidestCaption, room));
-  if (lines.empty()) return;
+  if (lines.empty()) return line;
   double half = 0;
   for (const std::string& text : lines) half = std::max(half, textWidth(text, kTextSize, false) / 2);
   const double height = kLineHeight * static_cast<double>(lines.size());
@@ -197,6 +199,7 @@ void addCaption(DisplayList& list, const StagePainter& painter, const std::strin
         {ElementId(), MarkRole::label, 0, Text{text, {middle.x, line}, kTextSize, false, ColorRole::ink}});
     line += kLineHeight;
   }
+  return line + 4;
 }
 
 }  // namespace
@@ -217,7 +220,13 @@ DisplayList StageLabels::over(StagePainter& painter) {
     if (place.hasLine()) addLine(list, stage, place);
   }
   for (const LabelPlate& place : places) addLabel(list, stage, place);
-  if (m_choice.forces) addCaption(list, painter, m_caption, addForceLabels(list, painter, ground));
+  double line = kFromEdge;
+  if (m_choice.forces) line = addForceLabels(list, painter, ground);
+  if (m_choice.forces || m_choice.power) line = addCaption(list, painter, m_caption, line);
+  if (m_choice.power && m_power) {
+    const DisplayList arrows = powerOver(*m_power, ground, basePose(stage, painter.seen().view()), line);
+    list.marks.insert(list.marks.end(), arrows.marks.begin(), arrows.marks.end());
+  }
   if (m_choice.scaleBar) addScaleBar(list, painter);
   return list;
 }

@@ -5,6 +5,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/stage/label_places.h"
 #include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/train_stage/train_power.h"
 
 namespace geargraph::inline train_stage {
 
@@ -15,7 +16,8 @@ struct OverlayChoice {
   bool axes = false;
   bool scaleBar = false;
   bool forces = false;  ///< labels and legend of the forces that the view shows
-  [[nodiscard]] bool any() const { return links || joints || axes || scaleBar || forces; }
+  bool power = false;   ///< arrows along the path of the power, and their legend
+  [[nodiscard]] bool any() const { return links || joints || axes || scaleBar || forces || power; }
 };
 
 /// The labels and the scale bar of the 3D view as a drawing, one picture of a film after the other: a link's
@@ -26,11 +28,14 @@ class StageLabels {
   explicit StageLabels(const OverlayChoice& choice);
   /// With the forces, below their legend: which are missing and why. Wrapped to the picture's width.
   void setCaption(std::string caption) { m_caption = std::move(caption); }
+  /// Shown where the choice wants power; null: there is none, and the caption says why.
+  void setPower(StagePowerPtr power) { m_power = std::move(power); }
   [[nodiscard]] DisplayList over(StagePainter& painter);
 
  private:
   OverlayChoice m_choice;
   std::string m_caption;
+  StagePowerPtr m_power;
   LabelPlaces m_places;
 };
 
