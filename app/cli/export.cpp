@@ -168,7 +168,7 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--show", "NAMES",
          toTranslate("labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,"
-                     "velocities,forces"),
+                     "velocities,forces,power"),
          kOf3D},
         kPicture | kAnimation},
     ExportOption{{"--hide", "LABELS", toTranslate("links that are left out: 2,5; also with glb"), kOf3D},

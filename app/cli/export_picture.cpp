@@ -17,6 +17,7 @@
 #include "core/presentation/train_stage/forces_caption.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_forces.h"
+#include "core/presentation/train_stage/train_power.h"
 #include "core/presentation/train_stage/train_stage.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -84,6 +85,49 @@ std::variant<ShownForces, int> forcesOf(const SnapshotPtr& snapshot, const Argum
   return shown;
 }
 
+/// What `--show power` adds to a picture.
+struct ShownPower {
+  StagePowerPtr power;  ///< null where there is none
+  std::string caption;  ///< why
+  bool areUnheld = false;
+};
+
+std::string whyNoPower(const StaticsReport* report) {
+  if (report == nullptr || report->loads.empty())
+    return translated("No power without loads: add one in Forces.");
+  if (!report->isSolved || !report->lossless.isBalanced())
+    return translated("No power: the loads are not in balance. Forces names what is missing.");
+  if (!report->flow) return translated("No power without a motion.");
+  return {};
+}
+
+/// The power under the document's loads, seen from the ground. Where there is none the picture says why, and
+/// so does standard error. The exit status where the time is over.
+std::variant<ShownPower, int> powerOf(const SnapshotPtr& snapshot, const StagePtr& stage,
+                                      const Arguments& arguments) {
+  const SolvedStaticsPtr solved = solvedStatics(snapshot, arguments.value("--state"), false, arguments.stop);
+  if (!solved) return outOfTime(arguments, translated("the torques"));
+  const StaticsReport* const report = solved->report ? &*solved->report : nullptr;
+  ShownPower shown;
+  shown.caption = whyNoPower(report);
+  shown.areUnheld = report != nullptr && hasErrors(report->diagnostics);
+  if (!shown.caption.empty()) {
+    if (report != nullptr) std::cerr << diagnosticLines(arguments.files.front(), report->diagnostics);
+    std::cerr << "geargraph-cli: --show power: " << shown.caption << '\n';
+    return shown;
+  }
+  const Mechanism& mechanism = *snapshot->mechanism;
+  const auto& kinematics = *solved->snapshot->kinematics;
+  shown.power = std::make_shared<const StagePower>(
+      stagePower(powerPicture(mechanism, *kinematics.model, kinematics.placement(), *report), mechanism,
+                 kinematics.placement(), *stage));
+  if (shown.power->picture.isEmpty()) {
+    shown.caption = translated("No power flows: the loads and what holds them do no work in this motion.");
+    std::cerr << "geargraph-cli: --show power: " << shown.caption << '\n';
+  }
+  return shown;
+}
+
 int failure(const Arguments& arguments, const ShotFailure& why) {
   if (why.kind == ShotFailure::Kind::stopped) return outOfTime(arguments, translated("the picture"));
   if (why.kind == ShotFailure::Kind::file) return fileFailure(why.message);
@@ -141,6 +185,13 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
     shown = std::get<ShownForces>(std::move(forces));
     shot.view.forces = shown.forces;
   }
+  const OverlayChoice overlay = overlayOf(arguments);
+  ShownPower power;
+  if (overlay.power && !asSolids) {
+    auto found = powerOf(snapshot, stage, arguments);
+    if (const int* status = std::get_if<int>(&found)) return *status;
+    power = std::get<ShownPower>(std::move(found));
+  }
   if (asSolids) {
     MeshWriteOptions options;
     options.stop = arguments.stop;
@@ -150,11 +201,12 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
     ShotRun run;
     run.stop = arguments.stop;
     run.mayOverwrite = arguments.has("--force");
-    const OverlayChoice overlay = overlayOf(arguments);
     if (overlay.any()) {
       const Theme theme = arguments.has("--dark") ? Theme::dark : Theme::light;
       StageLabels over(overlay);
-      over.setCaption(shown.caption);
+      const bool both = !shown.caption.empty() && !power.caption.empty();
+      over.setCaption(shown.caption + (both ? " " : "") + power.caption);
+      over.setPower(power.power);
       run.finish = [labels = std::move(over), theme](Image& image, StagePainter& painter) mutable {
         const bool painted = paintOver(image.rgba, image.width, image.height, labels.over(painter),
                                        painter.pixelRatio(), theme);
@@ -165,7 +217,7 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
         arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
     if (why) return failure(arguments, *why);
   }
-  return hasErrors(snapshot->diagnostics) || shown.areUnheld ? kMechanismErrors : kFine;
+  return hasErrors(snapshot->diagnostics) || shown.areUnheld || power.areUnheld ? kMechanismErrors : kFine;
 }
 
 }  // namespace geargraph::cli

@@ -117,7 +117,7 @@ class ShotReader {
       if (m_arguments.has("--show") && !isKnown) {
         wrong(translated(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
-            "instant-axes, velocities, forces, with commas."));
+            "instant-axes, velocities, forces, power, with commas."));
       }
     }
   }

@@ -296,6 +296,16 @@ class TestCliStatics : public QObject {
             still.errors.find("--show forces: No forces without loads") != std::string::npos);
     // The caption is in the picture: without --show forces it is another one.
     QVERIFY(still.output != run({"export", unloaded, "--to", "png", "--view", "3d", "-o", "-"}).output);
+    // So with power.
+    const auto power3d = [&](const QString& document, const char* shown) {
+      return run({"export", document, "--to", "png", "--view", "3d", "--show", shown, "-o", "-"});
+    };
+    const Run powered = power3d(saved(set), "power");
+    QVERIFY2(powered.status == 0 && powered.errors.find("--show power") == std::string::npos,
+             powered.errors.c_str());
+    QVERIFY(powered.output.starts_with("\x89PNG") && powered.output != power3d(saved(set), "labels").output);
+    QVERIFY(power3d(unloaded, "power").errors.find("--show power: No power without loads") !=
+            std::string::npos);
     // What nothing holds is an error of the document: the picture is written all the same.
     const Run loose = in3d(saved(open), "png");
     QCOMPARE(loose.status, 1);

@@ -127,7 +127,7 @@ class Exports:
             "lines" leaves hidden edges out.
         show : iterable of str, optional
             "labels", "joint-labels", "axis-labels", "scale", "pitch-circles", "pitch-points",
-            "axes", "instant-axes", "velocities".
+            "axes", "instant-axes", "velocities", "forces", "power".
         hide : iterable of Link, str or int, optional
             Links that are left out.
         ride : Link, str or int, optional

@@ -27,9 +27,9 @@ constexpr std::array kMarks = {MarkName{"pitch-circles", &MarkChoice::pitchCircl
 
 using OverlayName = std::pair<std::string_view, bool OverlayChoice::*>;
 constexpr std::array kOverlays = {
-    OverlayName{"labels", &OverlayChoice::links}, OverlayName{"joint-labels", &OverlayChoice::joints},
+    OverlayName{"labels", &OverlayChoice::links},     OverlayName{"joint-labels", &OverlayChoice::joints},
     OverlayName{"axis-labels", &OverlayChoice::axes}, OverlayName{"scale", &OverlayChoice::scaleBar},
-    OverlayName{"forces", &OverlayChoice::forces}};
+    OverlayName{"forces", &OverlayChoice::forces},    OverlayName{"power", &OverlayChoice::power}};
 
 template <class Value, std::size_t Count>
 std::optional<Value> named(const std::array<std::pair<std::string_view, Value>, Count>& values,

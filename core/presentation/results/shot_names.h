@@ -21,7 +21,7 @@ namespace geargraph::inline results {
 /// "pitch-circles", "pitch-points", "axes", "instant-axes", "velocities"; false for another name.
 bool showMark(MarkChoice& marks, std::string_view name);
 
-/// "labels", "joint-labels", "axis-labels", "scale"; false for another name.
+/// "labels", "joint-labels", "axis-labels", "scale", "forces", "power"; false for another name.
 bool showOverlay(OverlayChoice& overlay, std::string_view name);
 
 }  // namespace geargraph::inline results
