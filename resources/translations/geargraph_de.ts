@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Inertia at the motors</source>
-        <translation>Trägheit an den Motoren</translation>
+        <translation>Reduzierte Trägheit</translation>
     </message>
     <message>
         <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>

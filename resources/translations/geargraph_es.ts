@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Inertia at the motors</source>
-        <translation>Inercia en los motores</translation>
+        <translation>Inercia reflejada</translation>
     </message>
     <message>
         <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>
@@ -469,7 +469,7 @@
     </message>
     <message>
         <source>Equation of motion</source>
-        <translation>Ecuación de movimiento</translation>
+        <translation>Ecuación</translation>
     </message>
     <message>
         <source>Generalised inertia, Coriolis and centrifugal torques, weight and loads in the inputs</source>

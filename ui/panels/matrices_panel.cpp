@@ -196,7 +196,7 @@ void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString&
   chip->setObjectName(QStringLiteral("chip.") + name);
   chip->setToolTip(tipOf(term));
   chip->setCheckable(true);
-  chip->setProperty("look", "chip");
+  chip->setProperty("look", "symbol");
   m_chips->addButton(chip, id);
   layout->addWidget(chip);
 }

@@ -48,10 +48,11 @@ QLabel[look="toast"] { background: @ink@; color: @sheet@; border-radius: 8px; pa
 QFrame[look="rule"] { background: @hairline@; border: none; }
 QFrame[look="banner"] { background: @chosen@; border: 1px solid @hairline@; border-radius: 6px; }
 
-QToolButton[look="chip"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 11px;
+QToolButton[look="chip"], QToolButton[look="symbol"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 11px;
                            padding: 2px 9px; min-height: 17px; }
-QToolButton[look="chip"]:hover { border-color: @accent@; }
-QToolButton[look="chip"]:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
+QToolButton[look="symbol"] { padding: 2px 5px; min-width: 18px; }
+QToolButton[look="chip"]:hover, QToolButton[look="symbol"]:hover { border-color: @accent@; }
+QToolButton[look="chip"]:checked, QToolButton[look="symbol"]:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
 QToolButton[look="count"], QToolButton[look="strongCount"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 10px;
                             padding: 1px 12px; font-weight: bold; font-size: @small@px; }
 QToolButton[look="count"]:hover { border-color: @accent@; }

@@ -39,6 +39,7 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
   m_save->setAutoRaise(true);
   auto* hint = new QLabel(tr("Select joints or links; trace points in the 3D view."), this);
   hint->setProperty("look", "hint");
+  hint->setWordWrap(true);
   m_empty->setAlignment(Qt::AlignCenter);
   m_empty->setWordWrap(true);
   m_empty->hide();  // until it is known that there is nothing

@@ -119,6 +119,24 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     QCOMPARE(QLocale().decimalPoint(), QStringLiteral("."));
   }
 
+  void theWindowFitsAProjector_data() {
+    QTest::addColumn<QString>("code");
+    for (const QString& code : languageCodes()) QTest::newRow(qPrintable(code)) << code;
+  }
+  /// Where long words of a panel need more room than there is, the window grows past the screen.
+  void theWindowFitsAProjector() {
+    QFETCH(QString, code);
+    useLanguage(code);
+    for (const char* example : {"robot", "eight-speed-gearbox"}) {
+      MainWindow window;
+      window.resize(1280, 720);
+      window.show();
+      QVERIFY(window.openDocument(QStringLiteral(":/examples/%1.geargraph").arg(QLatin1String(example))));
+      QTRY_VERIFY(window.isSettled());
+      QCOMPARE(window.size(), QSize(1280, 720));
+    }
+  }
+
   void filesAreTheSameInEveryLanguage() {
     const QString english = written(QStringLiteral("en.geargraph"), 3);
     useLanguage(QStringLiteral("de"));

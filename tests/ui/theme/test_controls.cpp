@@ -127,6 +127,8 @@ const Row kRows[] = {
     {"note on the picture", kText, [] { return looking(new QLabel("Text"), "note3d"); }},
     {"toast", kText, [] { return looking(new QLabel("Text"), "toast"); }},
     {"chip", kText, [] { return static_cast<QWidget*>(toolButton("chip")); }},
+    {"symbol", kText, [] { return static_cast<QWidget*>(toolButton("symbol")); }},
+    {"chosen symbol", kText, [] { return static_cast<QWidget*>(chosenButton("symbol")); }},
     {"chosen chip", kText, [] { return static_cast<QWidget*>(chosenButton("chip")); }},
     {"control", kText, [] { return static_cast<QWidget*>(toolButton("control")); }},
     {"chosen control", kText, [] { return static_cast<QWidget*>(chosenButton("control")); }},
