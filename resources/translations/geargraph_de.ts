@@ -8385,10 +8385,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>shaded, lines (verdeckte weggelassen) oder edges (alle)</translation>
     </message>
     <message>
-        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
-        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
-    </message>
-    <message>
         <source>links that are left out: 2,5; also with glb</source>
         <translation>Glieder, die weggelassen werden: 2,5; auch mit glb</translation>
     </message>
@@ -9221,10 +9217,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>--faces is one of shaded, lines, edges.</source>
         <translation>--faces ist eines von shaded, lines, edges.</translation>
-    </message>
-    <message>
-        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
-        <translation>--show nennt labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, durch Kommas getrennt.</translation>
     </message>
     <message>
         <source>Give --turntable or --motion, not both.</source>
@@ -14029,6 +14021,30 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
         <translation>--to ist eines von csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
+    </message>
+    <message>
+        <source>No power without loads: add one in Forces.</source>
+        <translation>Keine Leistung ohne Lasten: unter Kräfte eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>No power: the loads are not in balance. Forces names what is missing.</source>
+        <translation>Keine Leistung: Die Lasten sind nicht im Gleichgewicht. Unter Kräfte steht, was fehlt.</translation>
+    </message>
+    <message>
+        <source>No power without a motion.</source>
+        <translation>Keine Leistung ohne Bewegung.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power, with commas.</source>
+        <translation>--show nennt labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
+        <translation>2→3: von Glied 2 zu Glied 3; in der Farbe des abgebenden Glieds</translation>
     </message>
 </context>
 <context>

@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Inertia at the motors</source>
-        <translation>Inercia reflejada</translation>
+        <translation>Inercia reducida</translation>
     </message>
     <message>
         <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>
@@ -8385,10 +8385,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>shaded, lines (sin las ocultas) o edges (todas)</translation>
     </message>
     <message>
-        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
-        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
-    </message>
-    <message>
         <source>links that are left out: 2,5; also with glb</source>
         <translation>eslabones que se omiten: 2,5; también con glb</translation>
     </message>
@@ -9221,10 +9217,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>--faces is one of shaded, lines, edges.</source>
         <translation>--faces es uno de shaded, lines, edges.</translation>
-    </message>
-    <message>
-        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
-        <translation>--show nombra labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, con comas.</translation>
     </message>
     <message>
         <source>Give --turntable or --motion, not both.</source>
@@ -14029,6 +14021,30 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
         <translation>--to es uno de csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
+    </message>
+    <message>
+        <source>No power without loads: add one in Forces.</source>
+        <translation>No hay potencia sin cargas: añada una en Fuerzas.</translation>
+    </message>
+    <message>
+        <source>No power: the loads are not in balance. Forces names what is missing.</source>
+        <translation>No hay potencia: las cargas no están en equilibrio. Fuerzas indica qué falta.</translation>
+    </message>
+    <message>
+        <source>No power without a motion.</source>
+        <translation>No hay potencia sin movimiento.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power, with commas.</source>
+        <translation>--show nombra labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power, con comas.</translation>
+    </message>
+    <message>
+        <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
+        <translation>2→3: del eslabón 2 al eslabón 3; en el color del eslabón que entrega</translation>
     </message>
 </context>
 <context>

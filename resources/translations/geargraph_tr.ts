@@ -8384,10 +8384,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>shaded, lines (gizliler olmadan) veya edges (hepsi)</translation>
     </message>
     <message>
-        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</source>
-        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces</translation>
-    </message>
-    <message>
         <source>links that are left out: 2,5; also with glb</source>
         <translation>dışarıda bırakılan uzuvlar: 2,5; glb ile de</translation>
     </message>
@@ -9220,10 +9216,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>--faces is one of shaded, lines, edges.</source>
         <translation>--faces şunlardan biridir: shaded, lines, edges.</translation>
-    </message>
-    <message>
-        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, with commas.</source>
-        <translation>--show virgüllerle labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces adlandırır.</translation>
     </message>
     <message>
         <source>Give --turntable or --motion, not both.</source>
@@ -14028,6 +14020,30 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
         <translation>--to şunlardan biridir: csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
+    </message>
+    <message>
+        <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
+        <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
+    </message>
+    <message>
+        <source>No power without loads: add one in Forces.</source>
+        <translation>Yük olmadan güç yok: Kuvvetler&apos;de bir yük ekleyin.</translation>
+    </message>
+    <message>
+        <source>No power: the loads are not in balance. Forces names what is missing.</source>
+        <translation>Güç yok: yükler dengede değil. Eksik olan Kuvvetler&apos;de yazar.</translation>
+    </message>
+    <message>
+        <source>No power without a motion.</source>
+        <translation>Hareket olmadan güç yok.</translation>
+    </message>
+    <message>
+        <source>--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power, with commas.</source>
+        <translation>--show virgüllerle labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, instant-axes, velocities, forces, power adlandırır.</translation>
+    </message>
+    <message>
+        <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
+        <translation>2→3: 2 numaralı uzuvdan 3 numaralı uzva; gücü veren uzvun renginde</translation>
     </message>
 </context>
 <context>

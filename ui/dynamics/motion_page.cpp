@@ -13,6 +13,7 @@
 #include "core/theory/dynamics/motion_table.h"
 #include "core/theory/pose/joint_limits.h"
 #include "ui/dynamics/motors_form.h"
+#include "ui/forces/sideways_scroll.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/control_button.h"
@@ -42,7 +43,7 @@ MotionPage::MotionPage(Selection* selection, View3D* view, QWidget* parent)
   m_pages->addWidget(m_plot);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
-  right->addWidget(makeBar());
+  right->addWidget(new SidewaysScroll(makeBar(), this));
   right->addWidget(m_pages, 1);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

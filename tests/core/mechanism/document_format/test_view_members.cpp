@@ -40,8 +40,9 @@ class TestViewMembers : public QObject {
     m.view.notes = {{NoteId("N1"), "two lines\n\"quoted\" ↦ عربي", {1.5, -2}, {{"color", "\"red\""}}},
                     {NoteId("mine"), "x", {-0.0, 4}}};
     QVERIFY(readMechanism(writeMechanism(m)).value() == m);
-    const std::string written = "{\"id\": \"N1\", \"text\": \"two lines\\n\\\"quoted\\\" ↦ عربي\", "
-                                "\"at\": [1.5, -2], \"color\": \"red\"}";
+    const std::string written =
+        "{\"id\": \"N1\", \"text\": \"two lines\\n\\\"quoted\\\" ↦ عربي\", "
+        "\"at\": [1.5, -2], \"color\": \"red\"}";
     QVERIFY(writeMechanism(m).find(written) != std::string::npos);
     QVERIFY(isSameButForView(m, robot()));  // nothing is analysed anew for a note
     QVERIFY(differenceOf(robot(), m).other);
