@@ -25,6 +25,7 @@
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_clipboard.h"
+#include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
@@ -363,7 +364,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 
 bool MainWindow::isSettled() const {
   return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate() && m_power->isSettled();
+         m_ttGraph->isUpToDate() && m_power->isSettled() && findChild<PowerArrows*>()->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {

@@ -74,8 +74,9 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     const SeenMap seen = (*painter)->seenForLabels();
     if (image.width > 0) {
       const SeenStage& shown = (*painter)->seen();
-      overlay.paint(image, (*painter)->labelGround(seen),
-                    {shown.view().forces, shown.forceArrows(), {}, content.seen->forcesCaption});
+      const ShownForces forces{shown.view().forces, shown.forceArrows(), {}, content.seen->forcesCaption};
+      overlay.paint(image, (*painter)->labelGround(seen), forces);
+      paintLayer(image, (*painter)->labelGround(seen), shown.view(), content.seen->over, false, forces);
     }
     const auto bytes = pngBytes(image, stop);
     picture.png =

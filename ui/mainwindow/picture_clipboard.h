@@ -9,6 +9,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/service/service.h"
+#include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view_options.h"
 
 namespace geargraph::inline mainwindow {
@@ -23,6 +24,7 @@ struct CopiedContent {
     StageShot shot;
     ViewOptions options;
     QString forcesCaption;  ///< with forces: which are missing and why
+    PaintOver over;         ///< what lies over the view; empty: nothing
   };
   std::optional<Seen> seen;
 };

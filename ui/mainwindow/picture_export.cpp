@@ -15,6 +15,7 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/schematic/schematic_view.h"
 #include "ui/view3d/overlay.h"
+#include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view3d.h"
 #include "ui/workbench/workbench.h"
 
@@ -23,17 +24,18 @@ namespace {
 
 /// The view's picture or film, with its labels, as a job for another thread.
 ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, const QString& forcesCaption,
-                        bool dark, SolidForm form, const QString& path) {
+                        const PaintOver& over, bool dark, SolidForm form, const QString& path) {
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
     ShotRun how;
     how.progress = progress;
     how.stop = stop;
     const auto overlay = std::make_shared<PictureOverlay>(options, dark);
     const QString caption = options.marks.forces ? forcesCaption : QString();
-    how.finish = [overlay, caption](Image& image, StagePainter& painter) {
+    how.finish = [overlay, caption, over, dark](Image& image, StagePainter& painter) {
       const SeenMap seen = painter.seenForLabels();
-      overlay->paint(image, painter.labelGround(seen),
-                     {painter.seen().view().forces, painter.seen().forceArrows(), {}, caption});
+      const ShownForces forces{painter.seen().view().forces, painter.seen().forceArrows(), {}, caption};
+      overlay->paint(image, painter.labelGround(seen), forces);
+      paintLayer(image, painter.labelGround(seen), painter.seen().view(), over, dark, forces);
     };
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)
@@ -52,6 +54,12 @@ ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QS
     return failure ? QString::fromStdString(failure->message) : QString();
   };
   return {path, false, run};
+}
+
+/// What lies over the view; empty: nothing.
+PaintOver paintingOver(const View3D& view) {
+  const auto* layer = view.findChild<const OverlayLayer*>();
+  return layer != nullptr ? layer->painting() : PaintOver();
 }
 
 QString suffixOf(const PictureWish& wish) {
@@ -112,7 +120,7 @@ void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
   shot.fits = wish.isFitted;
   shot.film = wish.film;
   m_jobs->add(shotJob(shot, m_views.view3d->options(), m_views.view3d->forcesCaption(),
-                      look.theme == Theme::dark, wish.solid, path));
+                      paintingOver(*m_views.view3d), look.theme == Theme::dark, wish.solid, path));
 }
 
 void WindowExports::copyPicture(const QString& view) {
@@ -135,7 +143,10 @@ void WindowExports::copyView3D() {
   if (!stage || stage->scene.instances.empty())
     return emit refused(tr("The 3D view is empty: there is nothing to copy."));
   const ViewOptions options = m_views.view3d->options();
-  CopiedContent::Seen seen{{}, options, options.marks.forces ? m_views.view3d->forcesCaption() : QString()};
+  CopiedContent::Seen seen{{},
+                           options,
+                           options.marks.forces ? m_views.view3d->forcesCaption() : QString(),
+                           paintingOver(*m_views.view3d)};
   seen.shot.stage = stage;
   seen.shot.view = m_views.view3d->view();
   seen.shot.view.look = pictureLook(Theme::light, true);

@@ -22,6 +22,7 @@
 #include "ui/mainwindow/history_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
+#include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
@@ -192,6 +193,8 @@ void MainWindow::wireActions() {
     m_power->setOn(on);
   });
   a.powerFlow->setChecked(QSettings().value(QStringLiteral("powerFlow"), false).toBool());
+  const auto* arrows = new PowerArrows(*m_workbench, *m_view3d, *m_power, *a.powerFlow, m_power);
+  connect(arrows, &PowerArrows::changed, this, &MainWindow::tellWhenSettled);
   connect(a.presentation, &QAction::triggered, m_presentation, &Presentation::setOn);
   connect(a.attachGear, &QAction::triggered, this, [this] { drawing().attachGear(); });
   connect(a.shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);

@@ -6,6 +6,7 @@
 
 #include "core/presentation/painting/gl_renderer.h"
 #include "ui/view3d/overlay.h"
+#include "ui/view3d/overlay_layer.h"
 
 namespace geargraph::inline view3d {
 GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
@@ -89,6 +90,7 @@ void GlCanvas::paintGL() {
   const LabelGround ground{*m_viewer->stage(), frame.poses, frame.showing,          frame.camera,
                            viewport,           ratio,       seen ? &*seen : nullptr};
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
+  paintLayer(painter, ground, *m_viewer, m_dark);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/view3d/overlay.h"
+#include "ui/view3d/overlay_layer.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -253,6 +254,7 @@ void ImageCanvas::addOverlay() {
   QPainter painter(&m_shown.image);
   painter.setFont(font());
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
+  paintLayer(painter, ground, *m_viewer, m_dark);
 }
 
 void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer) {

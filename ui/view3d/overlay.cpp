@@ -74,10 +74,28 @@ QString legendOf(ForceKind kind) {
   return QString::fromStdString(base::translated(forceLegend(kind)));
 }
 
+constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
+
+constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+/// Where the caption stands, wrapped, from this line on.
+QRectF captionBox(const QFontMetricsF& metrics, const LabelGround& ground, const QString& caption,
+                  double line) {
+  constexpr double kWidestCaption = 380;
+  const double room = ground.viewport.width / ground.pixelRatio - 2 * kLegendLeft;
+  const double wide = std::max(40.0, std::min(kWidestCaption, room) - 12);
+  const QRectF needed = metrics.boundingRect(QRectF(0, 0, wide, 1000), kWrapped, caption);
+  return {kLegendLeft, line, needed.width() + 14, needed.height() + 4};
+}
+
+QFont forceFont(const QPainter& painter) {
+  QFont font = painter.font();
+  font.setPixelSize(12);
+  return font;
+}
+
 /// What the colours of arrows mean, on the upper left, and what is not drawn. Returns where it is.
 QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
-  constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
-  constexpr double kWidestCaption = 380;
   const QColor sheet = sheetOf(dark);
   const QFontMetricsF metrics(painter.font());
   double line = kLegendTop;
@@ -94,11 +112,7 @@ QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const Show
     all |= row;
   }
   if (shown.caption.isEmpty()) return all;
-  const double room = ground.viewport.width / ground.pixelRatio - 2 * kLegendLeft;
-  const double wide = std::max(40.0, std::min(kWidestCaption, room) - 12);
-  constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-  const QRectF needed = metrics.boundingRect(QRectF(0, 0, wide, 1000), kWrapped, shown.caption);
-  const QRectF box(kLegendLeft, line, needed.width() + 14, needed.height() + 4);
+  const QRectF box = captionBox(metrics, ground, shown.caption, line);
   painter.fillRect(box, sheet);
   painter.setPen(inkOf(dark));
   painter.drawText(box.adjusted(6, 2, 0, 0), kWrapped, shown.caption);
@@ -109,8 +123,7 @@ QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const Show
 void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
   if (shown.arrows.empty() && shown.caption.isEmpty()) return;
   const QColor sheet = sheetOf(dark);
-  QFont font = painter.font();
-  font.setPixelSize(12);
+  const QFont font = forceFont(painter);
   painter.setFont(font);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -157,6 +170,13 @@ void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labe
   paintForces(painter, enlarged, forces, dark);
   if (scaleBar) paintScaleBar(painter, enlarged, kBarOverPlayback / scale, dark);
   painter.restore();
+}
+
+double bottomOfForceLegend(const QPainter& painter, const LabelGround& ground, const ShownForces& shown) {
+  double line = kLegendTop + (shown.arrows.empty() ? 0 : 2 * kLegendLine);
+  if (!shown.caption.isEmpty())
+    line = captionBox(QFontMetricsF(forceFont(painter)), ground, shown.caption, line).bottom();
+  return line;
 }
 
 PictureOverlay::PictureOverlay(const ViewOptions& options, bool dark)

@@ -23,6 +23,10 @@ struct ShownForces {
 void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark,
                   const ShownForces& forces = {});
 
+/// Below the legend and the caption of forces, which the painter has painted; where they begin without any.
+[[nodiscard]] double bottomOfForceLegend(const QPainter& painter, const LabelGround& ground,
+                                         const ShownForces& shown);
+
 /// The labels of these options over the pictures of a film, one after the other. Any one thread may use it.
 class PictureOverlay {
  public:

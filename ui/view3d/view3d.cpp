@@ -19,6 +19,7 @@
 #include "ui/view3d/canvas_surface.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/image_canvas.h"
+#include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/playback_bar.h"
 #include "ui/view3d/section_bar.h"
 
@@ -267,6 +268,8 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->note->setAttribute(Qt::WA_TransparentForMouseEvents);
   d->note->hide();
   d->painter->setObjectName("view3dPainter");
+  d->viewer.setParent(this);
+  new OverlayLayer(&d->viewer);
   d->painter->setProperty("look", "hint");
   d->painter->move(12, 10);
   d->painter->hide();

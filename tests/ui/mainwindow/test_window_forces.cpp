@@ -17,10 +17,12 @@
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/twin_line.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
+#include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -304,6 +306,34 @@ class WindowForcesTest : public QObject {
     QVERIFY(window->view3d().view().forces == nullptr);
     QVERIFY2(window->view3d().forcesCaption().contains("without loads"),
              qPrintable(window->view3d().forcesCaption()));
+  }
+
+  /// With the bands of the drawings arrows are over the solids, as the same link sees the power.
+  void powerIn3D() {
+    open(set());
+    const auto& arrows = *window->findChild<PowerArrows*>();
+    const auto& layer = *window->view3d().findChild<OverlayLayer*>();
+    QVERIFY(arrows.shown() == nullptr && !layer.painting());
+    setPower(true);
+    QTRY_VERIFY(arrows.shown() != nullptr && layer.painting());
+    QVERIFY(!arrows.shown()->arrows.empty());
+    QCOMPARE(arrows.shown()->picture.fed, 1000.0);
+    QCOMPARE(arrows.shown()->picture.observer, 0);
+    QMenu observers;
+    window->findChild<PowerView*>()->fillObservers(observers);
+    observers.actions()[3]->trigger();
+    QTRY_COMPARE(arrows.shown()->picture.observer, 3);
+    // It follows the loads, and is a painting of its own.
+    change([](const Mechanism& before) {
+      return withLoadAction(before, 0, JointTorque{before.turningJoints[0].id, Number(20)});
+    });
+    QTRY_COMPARE(arrows.shown()->picture.fed, 2000.0);
+    setPower(false);
+    QTRY_VERIFY(arrows.shown() == nullptr && !layer.painting());
+    setPower(true);
+    QTRY_VERIFY(arrows.shown() != nullptr);
+    change([](const Mechanism& before) { return withoutLoad(before, 0); });
+    QVERIFY(arrows.shown() == nullptr && !layer.painting());
   }
 
   /// Where forces are shared the picture says which are missing, and how they are found.

@@ -1,0 +1,81 @@
+#include "ui/mainwindow/power_arrows.h"
+
+#include <QAction>
+#include <QPainter>
+
+#include "core/presentation/power_drawing/power_picture.h"
+#include "core/presentation/train_stage/power_overlay.h"
+#include "ui/canvas/mark_painter.h"
+#include "ui/mainwindow/power_view.h"
+#include "ui/view3d/overlay_layer.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph::inline mainwindow {
+namespace {
+
+/// The middle of the legend's first line is below the upper edge by this, px.
+constexpr double kFirstLine = 14;
+
+PaintOver paintingOf(const StagePowerPtr& power) {
+  return [power](QPainter& painter, const OverlayPlace& place) {
+    const Pose base = basePose(place.ground.stage, place.view);
+    const DisplayList list = powerOver(*power, place.ground, base, place.top + kFirstLine, place.lit);
+    paintMarks(painter, list.marks, place.isDark ? Theme::dark : Theme::light, 1);
+  };
+}
+
+}  // namespace
+
+PowerArrows::PowerArrows(Workbench& workbench, View3D& view, PowerView& power, const QAction& isOn,
+                         QObject* parent)
+    : QObject(parent),
+      m_workbench(workbench),
+      m_view(view),
+      m_power(power),
+      m_isOn(isOn),
+      m_layer(view.findChild<OverlayLayer*>()),
+      m_service(new Arrows(&PowerArrows::find, this, {.same = [](const Request& before, const Request& now) {
+        return before.forces == now.forces && before.stage == now.stage && before.observer == now.observer;
+      }})) {
+  m_service->onAnswer(this, [this](const StagePowerPtr& found) { show(found); });
+  m_workbench.forces().onAnswer(this, [this](const ForcesPtr&) { renew(); });
+  connect(&view, &View3D::contentChanged, this, &PowerArrows::renew);
+  connect(&power, &PowerView::shown, this, &PowerArrows::renew);  // another link sees it
+  connect(&isOn, &QAction::toggled, this, &PowerArrows::renew);
+  renew();
+}
+
+PowerArrows::~PowerArrows() = default;
+
+void PowerArrows::find(const Request& request, const Arrows::Responder& respond) {
+  const Forces& forces = *request.forces;
+  const Mechanism& mechanism = *forces.solved->mechanism;
+  int observer = 0;
+  for (std::size_t link = 0; link < mechanism.links.size(); ++link)
+    if (mechanism.links[link].id == request.observer) observer = static_cast<int>(link);
+  const auto& kinematics = *forces.solved->kinematics;
+  PowerPicture picture =
+      powerPicture(mechanism, *kinematics.model, kinematics.placement(), *forces.report, observer);
+  if (respond.stop().stop_requested()) return;
+  respond(std::make_shared<const StagePower>(
+      stagePower(std::move(picture), mechanism, kinematics.placement(), *request.stage)));
+}
+
+void PowerArrows::renew() {
+  const ForcesPtr& forces = m_workbench.forces().answer();
+  const bool isThere = m_isOn.isChecked() && m_view.stage() && m_power.whyNone().isEmpty();
+  if (isThere) {
+    m_service->request({forces, m_view.stage(), m_power.observer()});
+    return;
+  }
+  m_service->cancel();
+  if (m_shown) show(nullptr);
+}
+
+void PowerArrows::show(StagePowerPtr power) {
+  m_shown = std::move(power);
+  m_layer->setPainting(m_shown && !m_shown->arrows.empty() ? paintingOf(m_shown) : PaintOver());
+  emit changed();
+}
+
+}  // namespace geargraph::inline mainwindow

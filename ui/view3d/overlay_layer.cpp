@@ -1,0 +1,46 @@
+#include "ui/view3d/overlay_layer.h"
+
+#include <QFont>
+#include <QImage>
+#include <QPainter>
+
+#include "ui/view3d/label_layer.h"
+#include "ui/view3d/viewer.h"
+
+namespace geargraph::inline view3d {
+
+OverlayLayer::OverlayLayer(Viewer* viewer) : QObject(viewer), m_viewer(viewer) {}
+
+void OverlayLayer::setPainting(PaintOver painting) {
+  if (!painting && !m_painting) return;
+  m_painting = std::move(painting);
+  emit m_viewer->viewChanged();
+}
+
+void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& viewer, bool isDark) {
+  const auto* layer = viewer.findChild<const OverlayLayer*>();
+  if (layer == nullptr || !layer->painting() || ground.stage.scene.instances.empty()) return;
+  const double scale = overlayScale();
+  const LabelGround enlarged{ground.stage,  ground.poses,    ground.showing,
+                             ground.camera, ground.viewport, ground.pixelRatio * scale,
+                             ground.seen};
+  const ShownForces forces = viewer.shownForces();
+  painter.save();
+  painter.scale(scale, scale);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double top = bottomOfForceLegend(painter, enlarged, forces);
+  layer->painting()(painter, {enlarged, viewer.view(), top, isDark, forces.lit});
+  painter.restore();
+}
+
+void paintLayer(Image& image, const LabelGround& ground, const StageView& view, const PaintOver& painting,
+                bool isDark, const ShownForces& forces) {
+  if (!painting || image.width <= 0) return;
+  QImage pixels(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
+  pixels.setDevicePixelRatio(ground.pixelRatio);
+  QPainter painter(&pixels);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painting(painter, {ground, view, bottomOfForceLegend(painter, ground, forces), isDark, {}});
+}
+
+}  // namespace geargraph::inline view3d

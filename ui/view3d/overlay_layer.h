@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <set>
+
+#include "core/presentation/painting/image.h"
+#include "core/presentation/stage/label_anchors.h"
+#include "core/presentation/stage/stage_view.h"
+#include "ui/view3d/overlay.h"
+
+class QPainter;
+
+namespace geargraph::inline view3d {
+
+class Viewer;
+
+/// Where more is painted over a picture of the solids.
+struct OverlayPlace {
+  const LabelGround& ground;  ///< logical pixels of the painter
+  const StageView& view;
+  double top;  ///< below what stands at the upper left already
+  bool isDark;
+  std::set<ElementId> lit;  ///< elements that are selected or pointed at
+};
+
+/// Paints on any one thread at a time.
+using PaintOver = std::function<void(QPainter& painter, const OverlayPlace& place)>;
+
+/// What others lay over a 3D view, above labels and forces. It is a child of the view: findChild().
+class OverlayLayer : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit OverlayLayer(Viewer* viewer);
+
+  /// Empty: nothing. The view is painted anew.
+  void setPainting(PaintOver painting);
+  [[nodiscard]] const PaintOver& painting() const { return m_painting; }
+
+ private:
+  Viewer* m_viewer;
+  PaintOver m_painting;
+};
+
+/// Paints the layer of a viewer's view; nothing where it has none.
+void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& viewer, bool isDark);
+/// Paints it over a picture of its own; nothing without a painting.
+void paintLayer(Image& image, const LabelGround& ground, const StageView& view, const PaintOver& painting,
+                bool isDark, const ShownForces& forces);
+
+}  // namespace geargraph::inline view3d
