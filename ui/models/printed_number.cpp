@@ -1,5 +1,7 @@
 #include "ui/models/printed_number.h"
 
+#include "core/foundations/base/spoken.h"
+
 namespace geargraph::inline models {
 namespace {
 
@@ -12,7 +14,8 @@ QString withPrintedMinus(QString text) {
 }  // namespace
 
 QString printedNumber(double value) {
-  return withPrintedMinus(QString::number(value, 'g', 6));
+  return withPrintedMinus(
+      QString::fromStdString(spokenNumber(QByteArray::number(value, 'g', 6).toStdString())));
 }
 
 QString printedFraction(const Rational& value) {

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -210,8 +211,11 @@ class InputsAndResultsTest : public QObject {
     QCOMPARE(
         ratio->text(),
         QStringLiteral("Ratio joint 6 (planet) : joint 4 (sun) = −3/4 (−0.75), inverse −4/3 (−1.33333)"));
+    setDecimalSign(',');
     selection.clear();
     QVERIFY(ratio->text().contains(QStringLiteral("carrier")));
+    QVERIFY2(ratio->text().contains(QStringLiteral("1/4 (0,25)")), qPrintable(ratio->text()));
+    setDecimalSign('.');
     document->replace(test::robot(), {});
     settle();
     QVERIFY(ratio->isHidden());
