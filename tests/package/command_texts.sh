@@ -37,7 +37,7 @@ expect() {
 }
 expect analyze ana
 expect '--no-symbolic' analyze robot.geargraph --no-s
-expect 'md mjcf' export robot.geargraph --to m
+expect 'md mjcf modelica' export robot.geargraph --to m
 expect 'geargraph graphml' convert robot.csv --to g
 expect 'ttgraph' export robot.geargraph --view t
 expect 'stiffness' statics robot.geargraph --share s

@@ -254,7 +254,7 @@ class WindowClipboardTest : public QObject {
     QTest::newRow("other json") << "{\"a\": 1}"
                                 << "holds no links: ";
     QTest::newRow("the ground alone")
-        << QString::fromStdString(writeMechanism(emptyMechanism())) << "no link in what was copied";
+        << QString::fromStdString(writeMechanism(emptyMechanism())) << "no link or note in what was copied";
     QTest::newRow("bad reference")
         << R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}, {"id": "1"}], "axes": [],
               "turningJoints": [{"id": "2", "tail": "0", "head": "7", "axis": "z"}], "gearMeshes": []})"
