@@ -19,17 +19,17 @@ struct Agreement {
   std::vector<int> joints;     ///< whose rates differ, ascending
 };
 
-/// Of two solutions that are there. Different inputs or outputs do not agree, nor does a matrix that is not
-/// determined.
+/// Compares two solutions. Solutions with different inputs or outputs, or with an undetermined matrix, do not
+/// agree.
 [[nodiscard]] Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph);
-/// Of the rates of all joints, by joint, at the same input speeds.
+/// Compares the rates of all joints, by joint, at the same input speeds.
 [[nodiscard]] Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rational> ttGraph);
 
 /// Solves the T-T graph for the inputs of the matroid method's solution and compares exactly: the whole
-/// matrices, or where the solution leaves its matrix out for its size, the rates at its speeds.
+/// matrices, or, where the solution omits its matrix because of its size, the rates at `speeds`.
 ///
 /// None where `stop` was requested. Cost: that of the T-T solution.
-/// @pre graph.isComplete(); the solution is the same mechanism's, found at these speeds
+/// @pre graph.isComplete(); the solution is that of the same mechanism at these speeds, one per input
 [[nodiscard]] std::optional<Agreement> agreementWith(const TtGraph& graph, const ExactSolution& matroid,
                                                      std::span<const Rational> speeds,
                                                      const std::stop_token& stop = {});

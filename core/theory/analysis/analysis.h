@@ -19,14 +19,13 @@ namespace geargraph::inline analysis {
 
 /// Everything that is computed from one mechanism: an immutable value that all views read. Matrices are those
 /// of the train; freedom, inputs, solutions and motion are those of the train as the document engages its
-/// couplings; `states` has the ratios of all states whatever is engaged. A stage that fails
-/// leaves its part empty and does not fail the snapshot, so a half-drawn mechanism still shows its incidence
-/// matrix.
+/// couplings; `states` has the ratios of all states whatever is engaged. A stage that fails leaves its part
+/// empty and does not fail the snapshot, so a half-drawn mechanism still has its incidence matrix.
 ///
-/// It comes in two steps: the live part at once, the exact and symbolic solutions (`solved`) when they are
-/// there. Nothing in the live part changes with the second step but that diagnostics are added.
+/// It is computed in two steps: first the live part, then the exact and symbolic solutions (`solved`). The
+/// second step only adds diagnostics to the live part and changes nothing else of it.
 struct AnalysisSnapshot {
-  std::uint64_t revision = 0;
+  std::uint64_t revision = 0;  ///< of the document, as given by the caller
   MechanismPtr mechanism;
   /// Placement, wheels, train and its diagnostics, which are computed on demand and once; never null.
   DerivedGeometryPtr geometry;
@@ -45,7 +44,7 @@ struct AnalysisSnapshot {
   [[nodiscard]] const IntegerMatrixPtr& matrix(MatrixKind kind) const {
     return matrices[static_cast<std::size_t>(kind)];
   }
-  /// What the matroid method says; null where the mechanism has errors that leave nothing to solve.
+  /// The result of the matroid method; null where the mechanism has errors that leave nothing to solve.
   [[nodiscard]] const MatroidAnalysis* matroid() const {
     return kinematics && kinematics->matroid ? &*kinematics->matroid : nullptr;
   }
@@ -54,30 +53,31 @@ struct AnalysisSnapshot {
 using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 
 /// The first step: digraph, tree, matrices, and both methods in doubles with exact zeros, rank and freedom.
-/// Pure; null when `stop` was requested meanwhile.
+/// Pure; null if `stop` was requested meanwhile.
 /// Cost: near linear in n + t + c and the sum of the cycle lengths.
 /// @pre the mechanism is well formed
 [[nodiscard]] SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision = 0,
                                       const std::stop_token& stop = {});
-/// The same of a mechanism of which nothing has been derived yet.
+/// The same for a mechanism from which no geometry has been derived yet.
 [[nodiscard]] SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision = 0,
                                       const std::stop_token& stop = {});
 
-/// The diagnostics of the train of a mechanism without errors (DerivedGeometry::diagnostics()). Its share of
-/// the second step. None if `stop` was requested meanwhile.
+/// The diagnostics of the train of a mechanism without errors (DerivedGeometry::diagnostics()). Part of the
+/// second step. Empty if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop = {});
 
-/// The states of the document solved, and their findings: the same snapshot with them. Null when `stop` was
-/// requested meanwhile.
+/// Returns the snapshot with the states of the document solved and their diagnostics added. Null if `stop`
+/// was requested meanwhile.
 [[nodiscard]] SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options = {},
                                         const std::stop_token& stop = {});
 
-/// The second step: the states, exact fractions by both methods, their agreement, and symbols; what the
-/// teeth have to say. The same snapshot with them. Null when `stop` was requested meanwhile.
+/// The second step: returns the snapshot with the states, the exact solutions by both methods, their
+/// agreement, the symbolic solutions and the diagnostics of the teeth added. Null if `stop` was requested
+/// meanwhile.
 [[nodiscard]] SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options = {},
                                        const std::stop_token& stop = {});
 
-/// Both steps.
+/// Both steps, one after the other. Null if `stop` was requested meanwhile.
 [[nodiscard]] SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision = 0,
                                   const std::stop_token& stop = {}, const SolveOptions& options = {});
 

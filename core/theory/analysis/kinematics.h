@@ -16,12 +16,13 @@
 
 namespace geargraph::inline analysis {
 
-/// What both methods tell at once, during editing, about the train as the document engages its couplings.
+/// What both methods compute after every edit, fast enough for dragging, for the train as the document
+/// engages its couplings.
 struct LiveKinematics {
   PlacedMechanism placed;
   std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
   std::optional<KinematicModel> model;     ///< none where a mesh has no geometry
-  /// With the model; none also where an engaged coupling closes a linkage.
+  /// None without the model, or where an engaged coupling closes a linkage.
   std::optional<MatroidAnalysis> matroid;
   Diagnostics engagement;  ///< turning-loop of engaged couplings
 
@@ -30,7 +31,7 @@ struct LiveKinematics {
 
 using LiveKinematicsPtr = std::shared_ptr<const LiveKinematics>;
 
-/// Null when `stop` was requested. Cost: near linear in n + t + c.
+/// Null if `stop` was requested. Cost: near linear in n + t + c.
 /// @pre the placement has a tree
 [[nodiscard]] LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed,
                                                const std::stop_token& stop = {});
@@ -42,7 +43,8 @@ struct SolveOptions {
 /// The exact and symbolic solutions by both methods, and their agreement, for the inputs of the live
 /// solution.
 struct SolvedKinematics {
-  /// Larger solutions than this (outputs x inputs) get no symbols, and say so.
+  /// With more entries than this (outputs x inputs) there is no symbolic solution, and a diagnostic
+  /// symbolic-skipped.
   static constexpr std::size_t kMostSymbolicEntries = 20'000;
 
   std::optional<ExactSolution> exact;
@@ -59,7 +61,7 @@ struct SolvedKinematics {
 
 using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;
 
-/// Null when `stop` was requested.
+/// Null if `stop` was requested.
 /// @pre the live analysis of the same mechanism has a solution
 [[nodiscard]] SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinematics& live,
                                                    const SolveOptions& options = {},

@@ -18,17 +18,18 @@ struct MechanismDynamics {
 };
 
 /// The dynamics of a mechanism as engaged, with its loads and its gravity. Lengths are converted to metres
-/// and taken from a point of the train, so that a far place costs no digits.
+/// and measured from a point of the train, so that a train far from the origin loses no precision.
 ///
-/// Fails with unknown-unit where the unit of length is not known. Nothing where `stop` was requested.
+/// Fails with unknown-unit where the unit of length is not known. std::nullopt if `stop` was requested.
 /// Cost: linkInertias().
-/// @pre all of one mechanism without errors; the analysis has a solution, and its matrix
+/// @pre all arguments belong to one mechanism without errors; the analysis has a solution with its matrix
 [[nodiscard]] std::optional<Expected<MechanismDynamics>> dynamicsOf(
     const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
     const MatroidAnalysis& analysis, const GearTrain& train, const std::stop_token& stop = {});
 
 /// The loads of a document as they act on a moving train. Torques on links turn about the line of an axis as
-/// it moves with the link that carries it; forces keep their direction and take their point along.
+/// it moves with the link that carries it; forces keep their direction, and their point moves with the link.
+/// `metres`: in one of the document's length unit.
 /// @pre the placement has a tree; loads name elements of the mechanism
 [[nodiscard]] std::vector<MovingLoad> movingLoads(const Mechanism& mechanism, const Placement& placement,
                                                   std::span<const Load> loads, double metres);

@@ -14,7 +14,7 @@ namespace geargraph::inline dynamics {
 /// A load that acts on a moving train. Torques N m, forces N, lengths m; directions and points in the
 /// reference pose, base frame.
 struct MovingLoad {
-  /// In a turning joint, by its tail on its head; -1: on a link.
+  /// The turning joint that it acts in, by its tail on its head; -1: it acts on `link`.
   int joint = -1;
   int link = 0;
   /// In a joint: the torque is its first component. On a link: a couple, whose direction moves with
@@ -26,12 +26,12 @@ struct MovingLoad {
   Eigen::Vector3d point{0, 0, 0};
 };
 
-/// What a train of rigid links is made of, as dynamics needs it. Lengths in m.
+/// A train of rigid links with the data that dynamics needs. Lengths in m.
 struct DynamicTrain {
   SpanningTreePtr tree;
   std::vector<TurningLine> lines;     ///< by joint, reference pose
   Eigen::MatrixXd gains;              ///< K, joints x inputs: theta_joint = K theta_inputs
-  std::vector<MassProperties> links;  ///< by link, reference pose; the ground's does not matter
+  std::vector<MassProperties> links;  ///< by link, reference pose; that of the ground is not used
   Eigen::Vector3d gravity{0, 0, 0};   ///< acceleration of free fall
   std::vector<MovingLoad> loads;
 
@@ -45,14 +45,14 @@ struct DynamicTrain {
 struct EquationOfMotion {
   /// M_E = sum over the links of J_l^T diag(m, I) J_l, E x E, kg m²: symmetric, positive semidefinite.
   Eigen::MatrixXd inertia;
-  /// h: what motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight; N m.
+  /// h: the torques that constant speeds need, against Coriolis and centrifugal forces and weight; N m.
   Eigen::VectorXd bias;
   Eigen::VectorXd load;  ///< of the loads, N m
   double kinetic = 0;    ///< energy, J
   double potential = 0;  ///< of weight, J; 0 with all centres of mass at the origin of `lines`
 };
 
-/// Evaluates the equation of motion; keeps its memory from one call to the next. Not for two threads at once.
+/// Evaluates the equation of motion; reuses its buffers from one call to the next, so it is not thread-safe.
 class TrainDynamics {
  public:
   explicit TrainDynamics(DynamicTrain train);
@@ -61,19 +61,20 @@ class TrainDynamics {
 
   /// At these angles and speeds of the inputs (rad, rad/s). Identities: M is the Hessian of the kinetic
   /// energy by the speeds; d(kinetic + potential)/dt = (tau + load) . theta'.
-  /// Cost: O(n E²). Where `stop` is requested meanwhile, what it returns is good for nothing.
+  /// Valid until the next call; the result is meaningless if `stop` was requested meanwhile.
+  /// Cost: O(n E²).
   /// @pre an angle and a speed for each input
   const EquationOfMotion& at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds,
                              const std::stop_token& stop = {});
 
-  /// The inertia that each link has at each motor while the others stand still, links x inputs, kg m²: for a
-  /// link that turns about one axis its moment of inertia times the square of its ratio. The sum of a column
-  /// is the diagonal entry of M.
+  /// The inertia of each link reflected to each motor while the other motors are at rest, links x inputs, kg
+  /// m²: for a link that turns about one axis its moment of inertia times the square of its ratio. The sum of
+  /// a column is the diagonal entry of M.
   /// Cost: O(n E).
   [[nodiscard]] Eigen::MatrixXd reflectedInertias(const Eigen::VectorXd& angles);
 
  private:
-  using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< angular, linear of the origin's point
+  using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< angular; linear of the point at the origin
   using Twist = Eigen::Matrix<double, 6, 1>;
 
   void place(const Eigen::VectorXd& angles);

@@ -18,6 +18,7 @@ enum class MassSource : std::uint8_t {
   scaled,  ///< a stated mass, spread as the solids are
   stated,  ///< the document states mass and inertia, or there is no solid: then a point mass
 };
+/// "none", "solids", "scaled", "stated".
 [[nodiscard]] const char* massSourceName(MassSource source);
 
 /// A link as a rigid body: kg, m, kg m², in the reference pose, base frame.
@@ -31,8 +32,8 @@ struct LinkInertia {
 /// files do not count. A stated mass without a centre is at the centre of the solids; without solids on the
 /// link's axis.
 ///
-/// Of no use when `stop` was requested meanwhile. `metres`: in one of the document's unit.
-/// Cost: O(triangles), a millisecond a wheel.
+/// The result is meaningless if `stop` was requested meanwhile. `metres`: in one of the document's unit.
+/// Cost: O(triangles), about a millisecond per wheel.
 /// @pre the train is the mechanism's, the placement has a tree
 [[nodiscard]] std::vector<LinkInertia> linkInertias(const Mechanism& mechanism, const Placement& placement,
                                                     const GearTrain& train, double metres,

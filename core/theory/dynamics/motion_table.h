@@ -18,11 +18,11 @@ namespace geargraph::inline dynamics {
 /// "complete", "limit", "massless", "unbounded", "stopped".
 [[nodiscard]] std::string_view endName(SimulationEnd end);
 /// Why a motion ends before its time, as a sentence; empty where it does not, or was stopped. `limitJoint`:
-/// the label of the simulation's.
+/// the label of Simulation::limitJoint.
 [[nodiscard]] std::string endSentence(SimulationEnd end, std::string_view limitJoint);
 
-/// By how much kinetic and potential energy grow more than the work done, J, at most of all samples: 0 but
-/// for the tolerance of the integration.
+/// The largest excess, over all samples, of the growth of kinetic and potential energy over the work done, J:
+/// 0 but for the tolerance of the integration.
 [[nodiscard]] double energyDefect(const Simulation& simulation);
 
 }  // namespace geargraph::inline dynamics

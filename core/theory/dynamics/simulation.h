@@ -24,7 +24,7 @@ struct SimulationOptions {
   std::vector<Motor> motors;        ///< by input
   Eigen::VectorXd angles;           ///< at time 0, of the inputs, rad
   Eigen::VectorXd speeds;           ///< at time 0, rad/s
-  double seconds = 1;               ///< how long, above 0
+  double seconds = 1;               ///< duration, above 0
   double interval = 0.01;           ///< between samples, s
   double tolerance = 1e-9;          ///< of a step, relative and (rad, rad/s, J) absolute
   std::vector<AngleLimits> limits;  ///< by joint; empty: none
@@ -60,20 +60,20 @@ constexpr int kMostSteps = 2'000'000;
 constexpr std::size_t kMostSamples = 1'000'000;
 
 /// Forward dynamics: the motion that the motors' torques, the loads and weight cause from a start. Integrated
-/// by the method of Dormand and Prince of order 5 with steps of its own choice; samples are interpolated to
-/// order 4, the end of a joint's range is found on the same interpolation. `progress`, where it is given, is
-/// called with the time that was reached.
+/// by the method of Dormand and Prince of order 5 with adaptive steps; samples are interpolated to order 4,
+/// and the time at which a joint reaches its limit is found on the same interpolation. `progress`, if given,
+/// is called with the time reached.
 ///
 /// Identity: kinetic + potential - work is the same at all samples, but for the tolerance.
-/// Cost: some steps a second of free motion, more with high speeds or strong damping; a step evaluates
-/// TrainDynamics::at() six times and solves E x E.
+/// Cost: a few steps per second of free motion, more with high speeds or strong damping; a step evaluates
+/// TrainDynamics::at() six times and solves an E x E system each time.
 /// @pre a motor, an angle and a speed for each input; seconds, interval and tolerance above 0; at most
 ///      kMostSamples samples
 [[nodiscard]] Simulation simulate(TrainDynamics& dynamics, const SimulationOptions& options,
                                   const std::stop_token& stop = {},
                                   const std::function<void(double)>& progress = {});
 
-/// The accelerations for these torques (motors and loads), by M theta'' = torques - h. Nothing where M is
+/// The accelerations for these torques (motors and loads), by M theta'' = torques - h. std::nullopt if M is
 /// singular to rounding: a motion moves no mass.
 [[nodiscard]] std::optional<Eigen::VectorXd> accelerationsFor(const EquationOfMotion& equation,
                                                               const Eigen::VectorXd& motorTorques);

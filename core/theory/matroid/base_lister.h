@@ -12,9 +12,9 @@ namespace geargraph::inline matroid {
 
 /// The bases of the linear matroid of these sparse rows of length `rank`, in lexicographic order, `limit` at
 /// most.
-/// @pre the rows have that rank Nothing where `stop` was requested or the work went over the budget of some
-/// 100 million steps.
-/// Cost: a dense elimination for each step into the tree of choices; no step is in vain.
+/// std::nullopt if `stop` was requested or the work exceeded its budget of some 100 million steps.
+/// Cost: a dense elimination for each node of the search tree; every branch ends in a basis.
+/// @pre the rows have that rank
 [[nodiscard]] std::optional<std::vector<std::vector<int>>> listBases(
     const PrimeField& field, int rank,
     const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows, std::size_t limit,

@@ -21,16 +21,16 @@ struct Representation {
 
 /// The sum over all bases of the product of their elements' weights.
 ///
-/// Elements are decided one by one: in the basis (contracted) or not (deleted). What is left is a space of
-/// rows over the remaining elements, kept in reduced echelon form; equal spaces are one state, so a train
-/// whose parts hang together loosely has few states at a time. A state writes down only the rows that
-/// decisions have changed. Rank 2 has a closed form.
+/// Elements are decided one by one: in the basis (contracted) or not (deleted). What remains is a row space
+/// over the undecided elements, kept in reduced echelon form; equal spaces are one state, so a train with
+/// loosely coupled parts has few states at a time. A state stores only the rows that decisions have changed.
+/// Rank 2 has a closed form.
 class BaseSweep {
  public:
-  /// Refers to both.
+  /// Both arguments outlive it.
   BaseSweep(const PrimeField& field, const Representation& elements) : m_field(field), m_given(elements) {}
 
-  /// Counts `steps` down; nothing once there are none left, or `stop` was requested.
+  /// Counts `steps` down; std::nullopt once none are left, or if `stop` was requested.
   /// @pre the vectors have rank `rank`
   [[nodiscard]] std::optional<Rational> count(long& steps, const std::stop_token& stop);
 
@@ -38,8 +38,8 @@ class BaseSweep {
   using Residue = PrimeField::Residue;
   using Row = std::vector<std::pair<int, Residue>>;  ///< (element, value), by element; the first value is 1
 
-  /// Rows by their numbers, by ascending first element: the changed ones, and then those of the beginning
-  /// from number `next` on. The changed ones do not end with the number before `next`.
+  /// Rows by number, in ascending order of their first elements: first the changed rows, then the initial
+  /// rows from number `next` on. The last of the changed rows never has the number before `next`.
   struct State {
     std::vector<int> changed;
     int next = 0;
@@ -55,7 +55,7 @@ class BaseSweep {
   [[nodiscard]] int rowsOf(const State& state) const {
     return static_cast<int>(state.changed.size()) + m_given.rank - state.next;
   }
-  /// The number of its row at this place. @pre there is one
+  /// The number of the state's row at this place. @pre there is one
   [[nodiscard]] static int numberAt(const State& state, std::size_t place) {
     const std::size_t changed = state.changed.size();
     return place < changed ? state.changed[place] : state.next + static_cast<int>(place - changed);

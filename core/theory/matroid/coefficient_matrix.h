@@ -11,7 +11,7 @@ namespace geargraph::inline matroid {
 /// where P_c,e is the component along e_c, the normal of the plane of the mesh's two axes, of the moment of
 /// joint e about the pitch point.
 ///
-/// Shape    c x t. Rows are answered when asked for; nothing is stored.
+/// Shape    c x t. Rows are computed on demand; nothing is stored.
 /// Units    lengths of the document; normalised rows are numbers.
 /// Identity P theta = 0 for every motion; a normalised row is the row of lengths divided by |P_c,e| of the
 ///          head's gear, and the row of tooth counts divided by N_head.
@@ -33,10 +33,11 @@ class CoefficientMatrix {
   [[nodiscard]] int columns() const { return m_model.t(); }
   /// The non-zeros of a row, by joint.
   [[nodiscard]] std::vector<Entry> row(int mesh) const;
-  /// The same, put behind what is there.
+  /// The same, appended to `entries`.
   void appendRow(int mesh, std::vector<Entry>& entries) const;
 
-  /// |P_c,e| of the joints on the tail's axis (or the head's) in fractions; nothing where it is irrational.
+  /// |P_c,e| of the joints on the tail's axis (or the head's) as a fraction; std::nullopt if it is
+  /// irrational.
   [[nodiscard]] std::optional<Rational> exactRadius(int mesh, bool tail) const;
   /// i of the mesh, N_tail / N_head [AU, Eq. (20)].
   [[nodiscard]] Rational ratio(int mesh) const;

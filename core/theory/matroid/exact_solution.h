@@ -15,14 +15,14 @@ struct ExactSolution {
   std::vector<int> outputs;  ///< the other joints, by label
   std::vector<Rational>
       matrix;  ///< theta_outputs = matrix * theta_inputs, row by row; empty above kMostExactEntries
-  std::vector<Rational> rates;  ///< by joint, for the given speeds
+  std::vector<Rational> rates;  ///< by joint, for the given speeds, rad/s
 
   static constexpr std::size_t kMostExactEntries = 250'000;
 };
 
-/// Nothing where `stop` was requested.
+/// std::nullopt if `stop` was requested.
 /// @pre the inputs are valid (chooseInputs(), solveLive()); a speed for each
-/// Cost: near linear in n + c, times E, times the digits that come up.
+/// Cost: near linear in n + c, times E, times the size of the fractions that arise.
 [[nodiscard]] std::optional<ExactSolution> solveExact(const KinematicModel& model,
                                                       std::span<const int> inputs,
                                                       std::span<const Rational> speeds,

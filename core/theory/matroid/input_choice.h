@@ -9,11 +9,11 @@
 
 namespace geargraph::inline matroid {
 
-/// A valid set of inputs near what somebody wanted: E joints whose rates determine all others, a basis of the
+/// A valid set of inputs close to the wanted one: E joints whose rates determine all others, a basis of the
 /// dual matroid of P.
 struct InputChoice {
   std::vector<int> joints;    ///< the set: wanted ones in their order, then added ones by label
-  std::vector<int> rejected;  ///< wanted ones that follow from the wanted ones before them, or stand still
+  std::vector<int> rejected;  ///< wanted ones that follow from the wanted ones before them, or cannot turn
   std::vector<int> added;     ///< what completes the set
   [[nodiscard]] bool wantedIsValid() const { return rejected.empty() && added.empty(); }
 };
@@ -22,8 +22,8 @@ struct InputChoice {
 /// out then; none may be missing, and none wanted twice.
 [[nodiscard]] bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted);
 
-/// Takes the wanted joints one by one where they are independent of those before, then fills up in the order
-/// of labels. Nothing where `stop` was requested. Cost: O(t E) sparse steps; joints that no mesh constrains
+/// Takes each wanted joint that is independent of those before it, then completes the set in the order of
+/// labels. std::nullopt if `stop` was requested. Cost: O(t E) sparse steps; joints that no mesh constrains
 /// cost nothing.
 [[nodiscard]] std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
                                                       const Structure& structure, std::span<const int> wanted,

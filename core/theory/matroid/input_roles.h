@@ -9,8 +9,8 @@
 
 namespace geargraph::inline matroid {
 
-/// The outputs whose rates depend on the input, by label: K(y, x) is not 0. They are also those that may be
-/// driven in its place, the others staying. Zeros of the live solution are exact.
+/// The outputs whose rates depend on the input, by label: K(y, x) is not 0. Each of them may also be driven
+/// in its place while the other inputs stay. Zeros of the live solution are exact.
 /// @pre the solution has its matrix; `input` is one of its inputs
 [[nodiscard]] std::vector<int> commandedBy(const LiveSolution& solution, int input);
 
@@ -23,9 +23,9 @@ namespace geargraph::inline matroid {
 /// @pre the solution has its matrix
 [[nodiscard]] std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution);
 
-/// A valid set of inputs with all of `wanted` in it, in that order, filled up with present ones: what turns
-/// given motions of an end-effector's joints into motors to be read. Nothing where the wanted joints are not
-/// independent.
+/// A valid set of inputs with all of `wanted` in it, in that order, completed from `present`. With the joints
+/// of an end-effector as `wanted`, the solution gives the motor speeds for a given motion of the
+/// end-effector. std::nullopt if the wanted joints are not independent.
 [[nodiscard]] std::optional<std::vector<int>> inputsWith(const KinematicModel& model,
                                                          std::span<const int> wanted,
                                                          std::span<const int> present);

@@ -12,12 +12,11 @@
 
 namespace geargraph::inline matroid {
 
-/// The mechanism as whole numbers, in axis-group coordinates: phi_v is the speed of link v about its class's
-/// line, relative to the class's top. Every mesh is then a row of three links at most, whatever its cycle's
-/// length:
-///     N_tail (phi_i - phi_k) - s N_head (phi_j - phi_k) = 0,  terms of a class's top drop out,
-/// and a joint's rate is a difference of two phi. Same solutions as the paper's P, better conditioned,
-/// shorter.
+/// The kinematics with integer coefficients, in axis-group coordinates: phi_v is the speed of link v about
+/// the line of its axis class, relative to the root link of the class. Every mesh is then a row over at most
+/// three links, however long its cycle:
+/// N_tail (phi_i - phi_k) - s N_head (phi_j - phi_k) = 0, terms of a root link drop out, and a joint's rate
+/// is a difference of two phi. Same solutions as the paper's P, better conditioned, shorter.
 ///
 /// Links and joints are ordinals of the digraph; unknown v - 1 is phi_v.
 class KinematicModel {
@@ -30,28 +29,29 @@ class KinematicModel {
     int headTeeth = 1;
     int sign = 1;  ///< s
   };
-  /// theta = sign * (phi_child - phi_parent); parent 0: it is the class's top and drops out.
+  /// theta = sign * (phi_child - phi_parent); parent 0: the parent is the root link of the class and drops
+  /// out.
   struct JointRate {
     int child = 0;
     int parent = 0;
     int sign = 1;
   };
-  /// What an engaged coupling holds about one direction: a sum of speeds that is 0. A named row below those
-  /// of the meshes; P itself keeps the rows of the meshes alone.
+  /// The constraint of an engaged coupling about one direction: a sum of speeds that is 0. These rows follow
+  /// those of the meshes; P itself has the rows of the meshes only.
   struct HeldRow {
     struct Term {
       int of = 0;      ///< a link, or a joint
       int factor = 1;  ///< +1 or -1
     };
     int coupling = 0;  ///< position in the document
-    int from = 0;      ///< the links that it ties; the ground of a brake
+    int from = 0;      ///< the links that it holds together; for a brake the ground
     int to = 0;
     int axisClass = 0;         ///< about the direction of its line
     std::vector<Term> links;   ///< over the phi
     std::vector<Term> joints;  ///< the same over the rates of the joints on the way
   };
 
-  /// Nothing where the joints are no spanning tree or a mesh has no geometry.
+  /// std::nullopt if the joints are no spanning tree or a mesh has no geometry.
   /// @pre graph, tree and placement are of one mechanism
   /// Cost: O(n + c).
   [[nodiscard]] static std::optional<KinematicModel> of(DigraphPtr graph, SpanningTreePtr tree,
@@ -62,10 +62,10 @@ class KinematicModel {
   [[nodiscard]] int n() const { return m_graph->n(); }
   [[nodiscard]] int t() const { return m_graph->t(); }
   [[nodiscard]] int c() const { return m_graph->c(); }
-  /// The rows that hold: those of the c meshes, then those of the engaged couplings.
+  /// The number of rows: c meshes, then the engaged couplings.
   [[nodiscard]] int equations() const { return c() + static_cast<int>(m_held.size()); }
   [[nodiscard]] const std::vector<HeldRow>& held() const { return m_held; }
-  /// The train as engaged: these rows hold too.
+  /// Sets the rows of the engaged couplings, in place of any set before.
   void hold(std::vector<HeldRow> rows) { m_held = std::move(rows); }
 
   [[nodiscard]] const MeshRow& meshRow(int mesh) const { return m_rows[static_cast<std::size_t>(mesh)]; }
@@ -77,8 +77,8 @@ class KinematicModel {
     return m_rates[static_cast<std::size_t>(joint)];
   }
 
-  /// The mesh's row over the phi, added to `rows` (the row is not ended): its entries are +-tail and +-head,
-  /// the field's numbers for N_tail and N_head.
+  /// Adds the mesh's entries over the phi to the current row of `rows` (without ending it): its entries are
+  /// +-tail and +-head, the field's numbers for N_tail and N_head.
   template <class Field>
   void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field,
                   const typename Field::Value& tail, const typename Field::Value& head) const {
@@ -97,12 +97,12 @@ class KinematicModel {
     const MeshRow& row = meshRow(mesh);
     addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
   }
-  /// The row of an engaged coupling, added likewise.
+  /// Adds the entries of an engaged coupling likewise.
   template <class Field>
   static void addHeldRow(SparseRows<typename Field::Value>& rows, const HeldRow& row, const Field& field) {
     for (const HeldRow::Term& term : row.links) rows.add(term.of - 1, field.fromInteger(term.factor));
   }
-  /// The joint's rate over the phi, added likewise.
+  /// Adds the joint's rate over the phi likewise.
   template <class Field>
   void addRateRow(SparseRows<typename Field::Value>& rows, int joint, const Field& field) const {
     const JointRate& rate = jointRate(joint);
@@ -111,7 +111,7 @@ class KinematicModel {
   }
 
   /// The joint's rate, from the phi of all links, `width` solutions side by side as in substitute().
-  /// @pre phi has a place for every unknown
+  /// @pre phi has `width` places for every unknown
   template <class Field>
   [[nodiscard]] typename Field::Value rateOf(const Field& field, int joint,
                                              std::span<const typename Field::Value> phi,

@@ -10,8 +10,9 @@
 
 namespace geargraph::inline matroid {
 
-/// Some equations with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
-/// of it solves the mechanism, and tells whether the inputs are valid.
+/// The rows of these equations, then one row per input, theta_input - u = 0, with the inputs' rates u as
+/// given columns n, n+1, ... One elimination of them solves the mechanism and decides whether the inputs are
+/// valid.
 template <class Field>
 [[nodiscard]] SparseRows<typename Field::Value> inputRows(
     const KinematicModel& model, const Field& field, std::span<const int> equations,
@@ -40,18 +41,18 @@ template <class Field>
 struct LiveSolution {
   std::vector<int> inputs;    ///< joints, in column order
   std::vector<int> outputs;   ///< the other joints, by label
-  std::vector<double> rates;  ///< by joint, for the given speeds
+  std::vector<double> rates;  ///< by joint, for the given speeds, rad/s
   /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMostLiveEntries.
   std::vector<double> matrix;
 
   int rank = 0;
-  std::vector<char> dead;  ///< by joint; a MatroidAnalysis takes it over
+  std::vector<char> dead;  ///< by joint: it can never turn; MatroidAnalysis takes it over
   int redundant = 0;       ///< equations that depend on others
 
   static constexpr std::size_t kMostLiveEntries = 2'000'000;
 };
 
-/// Nothing where the inputs are not valid, or `stop` was requested.
+/// std::nullopt if the inputs are not valid, or `stop` was requested.
 /// Cost: near linear in n + c, times E for the matrix.
 /// @pre a speed for each input
 [[nodiscard]] std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedField& field,
@@ -59,6 +60,7 @@ struct LiveSolution {
                                                     std::span<const Rational> speeds,
                                                     const std::stop_token& stop = {});
 
+/// 0 .. equations() - 1: the meshes and the engaged couplings.
 [[nodiscard]] std::vector<int> allEquations(const KinematicModel& model);
 
 /// The joints that are not among the inputs, by label.

@@ -11,11 +11,11 @@ namespace geargraph::inline matroid {
 /// Equations that together hold a joint still: the loop of meshes, and of engaged couplings, that locks it.
 struct LockedLoop {
   std::vector<int> equations;  ///< ascending; from c() on rows of engaged couplings
-  std::vector<int> joints;     ///< dead joints for which these equations alone are the reason, ascending
+  std::vector<int> joints;     ///< dead joints that these equations alone lock, ascending
 };
 
 /// The loops behind the dead joints, none of them part of another. Looks at the first 200 dead joints at
-/// most. Nothing where `stop` was requested. Cost: an elimination, and O(n + c) for each dead joint.
+/// most. std::nullopt if `stop` was requested. Cost: an elimination, and O(n + c) for each dead joint.
 [[nodiscard]] std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model,
                                                                  const FusedField& field,
                                                                  const std::vector<char>& dead,

@@ -11,7 +11,7 @@
 
 namespace geargraph::inline matroid {
 
-/// What the matroid method says about a mechanism, live: everything but the exact and symbolic solutions
+/// The result of the matroid method after each edit: everything but the exact and symbolic solutions
 /// (exact_solution.h, symbolic_solution.h) and the list of input sets (input_sets.h).
 struct MatroidAnalysis {
   int rank = 0;         ///< r of P with the rows of engaged couplings below it
@@ -21,8 +21,8 @@ struct MatroidAnalysis {
   std::vector<char> dead;  ///< by joint: can never turn
   std::vector<char> idle;  ///< by joint: on no cycle of a mesh or of an engaged coupling
   std::vector<Redundancy> redundancies;
-  std::vector<int> independentMeshes;  ///< the others; their number is the rank of P
-  std::vector<int> independentHeld;    ///< the equations of couplings among the others
+  std::vector<int> independentMeshes;  ///< those that are not redundant; their number is the rank of P
+  std::vector<int> independentHeld;    ///< the equations of engaged couplings that are not redundant
   std::vector<LockedLoop> lockedLoops;
   std::vector<std::vector<int>> rigidBlocks;  ///< links
 
@@ -32,20 +32,19 @@ struct MatroidAnalysis {
   InputChoice choice;
   std::vector<Rational> speeds;  ///< of choice.joints: as given; 1 for those that were added
 
-  /// Solved for `choice`. None where the document's inputs are not valid: a mechanism with errors gets no
-  /// numbers.
+  /// For `choice`. None where the document's inputs are not valid: a mechanism with errors gets no numbers.
   std::optional<LiveSolution> solution;
-  std::vector<Vector3> linkVelocities;  ///< by link, base frame; with the solution
+  std::vector<Vector3> linkVelocities;  ///< by link, base frame, rad/s; empty without the solution
 
-  /// Independent meshes and couplings: rows for solveSymbolic().
+  /// The independent meshes, then the independent couplings: the rows for solveSymbolic().
   [[nodiscard]] std::vector<int> independentEquations() const;
 
   /// redundant-mesh, redundant-coupling, locked, dead-joint, idle-joint, no-meshes, invalid-inputs.
   Diagnostics diagnostics;
 };
 
-/// Nothing where `stop` was requested.
-/// Cost: near linear in n + t + c; what is redundant or locked costs more to explain.
+/// std::nullopt if `stop` was requested.
+/// Cost: near linear in n + t + c; explaining redundant equations and locked joints costs more.
 [[nodiscard]] std::optional<MatroidAnalysis> analyzeMatroid(const Mechanism& mechanism,
                                                             const KinematicModel& model,
                                                             const Placement& placement,

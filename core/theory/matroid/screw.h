@@ -8,7 +8,7 @@ namespace geargraph::inline matroid {
 template <class Scalar>
 struct Screw {
   Triple<Scalar> direction;  ///< (L M N): the joint's axis, length 1 for the paper's screw
-  Triple<Scalar> moment;     ///< (P Q R): velocity of the pitch point for one turn of speed, Eq. (10)
+  Triple<Scalar> moment;     ///< (P Q R): velocity of the pitch point at the rate 1, Eq. (10)
 };
 
 /// The screw times a joint's rate [AU, Eq. (13)]: angular velocity, and velocity at the pitch point.

@@ -10,8 +10,8 @@
 
 namespace geargraph::inline matroid {
 
-/// What the coefficient matrix P, with the rows of engaged couplings below it, says without any choice of
-/// inputs [AU, Eq. (21)].
+/// What follows from the coefficient matrix P, with the rows of engaged couplings below it, before any choice
+/// of inputs [AU, Eq. (21)].
 ///
 /// Identity  dof = t - rank; the equations that depend on others are equations() - rank.
 struct Structure {
@@ -21,19 +21,19 @@ struct Structure {
   std::vector<char> dead;  ///< by joint: it can never turn
   std::vector<char> idle;  ///< by joint: no mesh's or coupling's cycle contains it, so it has to be an input
 
-  /// The elimination behind it, modulo the first prime: free unknowns are free phi.
+  /// The elimination that it was found with, modulo the first prime: free unknowns are free phi.
   Elimination<Fused> system;
 };
 
 /// Rank, freedom, dead and idle joints, modulo a 61-bit prime and confirmed with a second one where rank
-/// falls short of the number of meshes. Nothing where `stop` was requested. Cost: near linear in n + c.
+/// falls short of the number of meshes. std::nullopt if `stop` was requested. Cost: near linear in n + c.
 [[nodiscard]] std::optional<Structure> structureOf(const KinematicModel& model, const FusedField& field,
                                                    const std::stop_token& stop = {});
 
-/// By joint: on no mesh's or engaged coupling's cycle. Cost: O(n + c).
+/// By joint: 1 if it is on no cycle of a mesh or an engaged coupling. Cost: O(n + c).
 [[nodiscard]] std::vector<char> idleJoints(const KinematicModel& model);
 
-/// Links that turn as one in every motion: components of at least two links held together by dead joints, the
+/// Links that turn as one in every motion: components of at least two links connected by dead joints, the
 /// links ascending.
 [[nodiscard]] std::vector<std::vector<int>> rigidBlocks(const KinematicModel& model,
                                                         const std::vector<char>& dead);

@@ -10,8 +10,8 @@
 
 namespace geargraph::inline matroid {
 
-/// One line of the solution as it is found: theta_joint = sum of coefficient * theta of joints known by then
-/// (inputs, or of lines before).
+/// One line of the substitution: theta_joint = sum of coefficient * theta over joints that are known by then
+/// (inputs, and joints of earlier lines).
 struct SymbolicLine {
   struct Term {
     int joint = 0;
@@ -32,17 +32,17 @@ struct SymbolicSolution {
   std::vector<int> inputs;   ///< joints, in column order
   std::vector<int> outputs;  ///< the other joints, by label
   std::vector<SymbolicLine> lines;
-  /// theta_outputs = matrix * theta_inputs, row by row; none where an entry went over the budget: the lines
-  /// say it.
+  /// theta_outputs = matrix * theta_inputs, row by row; none for an entry that exceeded the budget: `lines`
+  /// still define it.
   std::vector<std::optional<RationalFunction>> matrix;
-  int skipped = 0;  ///< entries that went over the budget
+  int skipped = 0;  ///< entries that exceeded the budget
 };
 
 /// The ring of the mechanism's ratios with their values.
 [[nodiscard]] RatioRingPtr ratioRingOf(const Mechanism& mechanism);
 
-/// Nothing where `stop` was requested, or the coupled core of the equations alone went over what anybody
-/// reads. `equations`: independent ones, r of them (MatroidAnalysis::independentEquations()).
+/// std::nullopt if `stop` was requested, or the coupled core of the equations alone exceeded the budget.
+/// `equations`: independent ones, r of them (MatroidAnalysis::independentEquations()).
 /// @pre the inputs are valid
 [[nodiscard]] std::optional<SymbolicSolution> solveSymbolic(
     const Mechanism& mechanism, const KinematicModel& model, const CoefficientMatrix& matrix,

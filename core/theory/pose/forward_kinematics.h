@@ -15,7 +15,8 @@ struct TurningLine {
 };
 
 /// Where every link is, from the angles of the turning joints: T_child = T_parent Exp(u, p, theta), one pass
-/// down the spanning tree. Lines stay as they are in the reference pose, so no step is ever added to another.
+/// down the spanning tree. Lines are those of the reference pose, so rounding errors do not accumulate from
+/// one pose to the next.
 ///
 /// A pose is the displacement from the reference pose: a point that was at x is at pose * x.
 class ForwardKinematics {
@@ -25,9 +26,10 @@ class ForwardKinematics {
 
   /// Poses by node for these joint angles (rad, by joint; positive turns the head about +direction relative
   /// to the tail). Angles may be of any size; they are brought within one turn first. Identity: all angles 0
-  /// give the identity; each link moves against its parent as its joint's angle says. Cost: O(n).
+  /// give identity poses; each link is turned against its parent by its joint's angle. Cost: O(n).
   /// @pre one angle a joint, one pose a link
   void place(std::span<const double> jointAngles, std::span<Eigen::Isometry3d> poses) const;
+  /// The same as a new vector, by node.
   [[nodiscard]] std::vector<Eigen::Isometry3d> poses(std::span<const double> jointAngles) const;
 
   [[nodiscard]] int linkCount() const { return static_cast<int>(m_steps.size()) + 1; }
@@ -42,7 +44,7 @@ class ForwardKinematics {
     double sense = 1;  ///< +1 where the joint's arrow leads away from the ground
   };
   std::vector<TurningLine> m_lines;
-  std::vector<Step> m_steps;  ///< every node behind its parent
+  std::vector<Step> m_steps;  ///< every node after its parent
 };
 
 }  // namespace geargraph::inline pose

@@ -15,11 +15,11 @@ namespace geargraph::inline pose {
 /// How a point of a link moves with the inputs: twist = J * input rates.
 ///
 /// Shape  6 x E. Rows 0-2 the angular velocity of the link, rows 3-5 the velocity of the point, base frame;
-/// column
-///        i for input i at 1 rad/s and the others at rest. Units 1 and the document's length.
+/// column i for input i at 1 rad/s and the others at rest.
+/// Units  1 and the document's length.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// In the pose that `poses` holds.
+/// The Jacobian of a point of a link in the pose given by `poses` (by node).
 ///
 /// `gains`, joints x inputs: theta_joint = gains * theta_inputs. `point`: where the point is in the reference
 /// pose. Cost: O(depth of the link * E).
@@ -34,7 +34,7 @@ struct JacobianRank {
   friend bool operator==(const JacobianRank&, const JacobianRank&) = default;
 };
 
-/// The mechanism as far as a Jacobian's rank needs it.
+/// What the exact rank of a Jacobian is computed from.
 struct ExactMotion {
   const SpanningTree& tree;
   std::span<const ExactLine> lines;                    ///< by joint
@@ -46,11 +46,11 @@ struct ExactMotion {
 /// of the directions have their square roots, so a rank is never too large, and too small with a chance near
 /// 2^-60.
 ///
-/// Nothing where no such prime was found: more than a dozen unlike square roots on one link's path.
+/// Nothing where no such prime was found: more than a dozen different square roots on one link's path.
 [[nodiscard]] std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, int link,
                                                                 const ExactVector3& point);
 
-/// The rank in almost all poses; where the reference pose has less, it is singular. Evaluated in a random
+/// The rank in almost all poses; a reference pose with a smaller rank is singular. Evaluated in a random
 /// pose: the inputs' angles are random points of the unit circle modulo the prime, the joints' their exact
 /// multiples.
 [[nodiscard]] std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, int link,

@@ -17,13 +17,13 @@ struct AngleLimits {
 /// The limits of all turning joints, by joint. Cost: O(t).
 [[nodiscard]] std::vector<AngleLimits> angleLimits(const Mechanism& mechanism);
 
-/// The times that a motion may take when every joint turns at a constant rate: s, infinite where nothing
-/// limits it. `from` <= 0 <= `to` where the angles at time 0 are within the limits; `from` > `to` where no
-/// time suits all joints.
+/// The interval of time, s, in which all joints stay within their limits when each turns at a constant rate;
+/// infinite where nothing limits it. `from` <= 0 <= `to` where the angles at time 0 are within the limits;
+/// `from` > `to` where there is no such time.
 struct MotionRange {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
-  int fromJoint = -1;  ///< the joint that is at its limit there; -1: none
+  int fromJoint = -1;  ///< the joint that reaches its limit then; -1: none
   int toJoint = -1;
 
   [[nodiscard]] bool isLimited() const { return fromJoint >= 0 || toJoint >= 0; }
@@ -31,7 +31,7 @@ struct MotionRange {
 
 /// For joints that are at `start` (rad) at time 0 and turn at `rates` (rad/s). Joints at rest limit nothing.
 /// Cost: O(t).
-/// @pre one of each a joint
+/// @pre one of each per joint
 [[nodiscard]] MotionRange motionRange(std::span<const AngleLimits> limits, std::span<const double> start,
                                       std::span<const double> rates);
 

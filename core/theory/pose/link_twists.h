@@ -9,8 +9,8 @@
 
 namespace geargraph::inline pose {
 
-/// How a link moves at a moment, base frame: its angular velocity, and the velocity of its point that is at
-/// the origin. Units rad/s, mm/s.
+/// The instantaneous motion of a link, base frame: its angular velocity (rad/s), and the velocity of its
+/// point at the origin (the document's length unit per second).
 struct LinkTwist {
   Eigen::Vector3d angular{0, 0, 0};
   Eigen::Vector3d linear{0, 0, 0};
@@ -19,9 +19,9 @@ struct LinkTwist {
   }
 };
 
-/// Twists by node in the poses that are given: the parent's and the joint's own about its line as it lies
-/// now. Identity: the derivative of ForwardKinematics::poses by time. Cost: O(n).
-/// @pre one pose a link, one rate (rad/s) a joint
+/// Twists by node in these poses: the parent's twist plus that of the joint about its line in the pose.
+/// Identity: the derivative of ForwardKinematics::poses by time. Cost: O(n).
+/// @pre one pose per link, one rate (rad/s) per joint
 [[nodiscard]] std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinematics& kinematics,
                                                 std::span<const Eigen::Isometry3d> poses,
                                                 std::span<const double> jointRates);

@@ -11,9 +11,9 @@
 namespace geargraph::inline pose {
 
 /// Lines, rotations and displacements modulo a prime p with p = 3 (mod 4), in which the directions have
-/// length 1. A rank over these residues is the rank over the algebraic numbers that they stand for, but for a
-/// chance near 1/p. (Which of its two roots a length takes does not matter: that is another embedding of the
-/// same numbers.)
+/// length 1. A rank over these residues is the rank over the algebraic numbers that they represent, except
+/// with a probability near 1/p. (Which of its two roots a length takes does not matter: that is another
+/// embedding of the same numbers.)
 class ModularGeometry {
  public:
   using Residue = PrimeField::Residue;
@@ -34,13 +34,14 @@ class ModularGeometry {
     Vector shift;
   };
 
-  /// Looks for a prime in which the lengths of these joints' directions have roots.
+  /// Searches for a prime in which the lengths of these joints' directions have roots; std::nullopt if none
+  /// is found.
   [[nodiscard]] static std::optional<ModularGeometry> forLines(std::span<const ExactLine> lines,
                                                                std::span<const PathStep> joints);
 
   [[nodiscard]] const PrimeField& field() const { return m_field; }
   [[nodiscard]] const Line& line(std::size_t step) const { return m_lines[step]; }
-  /// Nothing where the prime divides a denominator.
+  /// std::nullopt if the prime divides a denominator.
   [[nodiscard]] std::optional<Vector> vector(const ExactVector3& exact) const;
 
   [[nodiscard]] Vector sum(const Vector& a, const Vector& b) const;
@@ -50,10 +51,11 @@ class ModularGeometry {
   [[nodiscard]] Vector rotated(const Rotation& rotation, const Vector& a) const;
   [[nodiscard]] Vector moved(const Displacement& displacement, const Vector& point) const;
 
-  /// A point of the unit circle, other than where all angles are 0.
+  /// A random point of the unit circle, other than that of the angle 0.
   [[nodiscard]] Turn randomTurn(ResidueStream& random) const;
   [[nodiscard]] Turn product(const Turn& a, const Turn& b) const;
-  /// The angle taken a whole number of times. Cost: O(60 steps): the circle has p + 1 points.
+  /// A rational multiple of the angle: the circle has p + 1 points, so the denominator is inverted modulo its
+  /// order. Cost: some 60 doublings.
   [[nodiscard]] Turn multiple(const Turn& angle, const Rational& times) const;
 
   [[nodiscard]] Displacement identity() const;
@@ -72,13 +74,13 @@ class ModularGeometry {
 /// The Jacobian of a point modulo a prime, in the reference pose or in a random one.
 class ModularJacobian {
  public:
-  /// Nothing where the prime divides a denominator.
+  /// std::nullopt if the prime divides a denominator.
   [[nodiscard]] static std::optional<ModularJacobian> of(const ModularGeometry& geometry,
                                                          const ExactMotion& motion,
                                                          std::span<const PathStep> path,
                                                          const ExactVector3& point, bool isReference);
 
-  /// Of the first `rows` rows.
+  /// The rank of the first `rows` rows.
   [[nodiscard]] int rank(int rows) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace geargraph::inline pose {
 
-/// The lines of all turning joints, by joint, as the placement has their axes. Each joint keeps the sense of
-/// its own axis. Cost: O(t).
+/// The lines of all turning joints, by joint, in the reference pose; each points as the joint's own axis
+/// does. Cost: O(t).
 /// @pre the placement has a tree
 [[nodiscard]] std::vector<TurningLine> turningLines(const Placement& placement);
 

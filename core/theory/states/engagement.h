@@ -29,7 +29,7 @@ struct Engagement {
   std::vector<KinematicModel::HeldRow> rows;
   Diagnostics diagnostics;  ///< turning-loop for each coupling that closes a linkage; then there are no rows
 };
-/// `state`: whose couplings they are, for the words of findings; null: those of the document's `engaged`.
+/// `state`: the state that engages them, named in the diagnostics; null: the document's `engaged`.
 [[nodiscard]] Engagement engagementOf(const Mechanism& mechanism, const Placement& placement,
                                       std::span<const int> couplings, const ShiftState* state = nullptr);
 

@@ -12,8 +12,8 @@ namespace geargraph::inline states {
 /// The angular velocity of one link relative to another, as sums over the phi of the kinematic model
 /// (kinematic_model.h), one sum a direction: w = sum over the parts of (sum of factor * phi[link]) * u.
 ///
-/// Directions count as one where they are parallel in the reference pose (placement's tolerance); along a
-/// stretch of parallel axes they stay so in every motion.
+/// Directions count as one where they are parallel in the reference pose (placement's tolerance); along a run
+/// of parallel axes they stay so in every motion.
 struct RelativeSpeed {
   struct Term {
     int link = 0;
@@ -24,7 +24,8 @@ struct RelativeSpeed {
     std::vector<Term> terms;
   };
   std::vector<Part> parts;
-  /// How often the direction changes along the path, plus one; 0 for a link against itself.
+  /// The runs of parallel axes along the path: the changes of direction plus one; 0 for a link against
+  /// itself.
   int stretches = 0;
 
   /// Of `to` against `from`; from the ground (0) it is the absolute velocity.
@@ -32,21 +33,21 @@ struct RelativeSpeed {
   /// @pre the placement has a tree
   [[nodiscard]] static RelativeSpeed between(const Placement& placement, int from, int to);
 
-  /// Do constant coefficients say when it is 0? On three stretches or fewer, every part has to vanish: two
-  /// directions are independent, and three links of a spherical chain that closes are a rigid triangle, even
-  /// where their axes lie in one plane for an instant. Four directions or more make a linkage that moves and
-  /// whose speeds depend on the pose.
+  /// Do constant coefficients decide when the speed is 0? On three runs or fewer, every part has to vanish:
+  /// two directions are independent, and three links of a spherical chain that closes are a rigid triangle,
+  /// even where their axes are momentarily in one plane. Four directions or more make a linkage that moves
+  /// and whose speeds depend on the pose.
   [[nodiscard]] bool closesWithoutLinkage() const { return stretches <= 3; }
 };
 
-/// A part of an absolute angular velocity: so much about the line of a class.
+/// A component of an absolute angular velocity: `speed` about the line of an axis class, rad/s.
 struct SpeedAbout {
   int axisClass = 0;
   Rational speed;
 };
 
-/// The absolute angular velocity of a link as sums about pairwise different directions, those that are 0 left
-/// out; nothing left: it stands still. Cost: O(joints to the ground).
+/// The absolute angular velocity of a link as components about pairwise different directions, without those
+/// that are 0; empty if the link is at rest. Cost: O(joints to the ground).
 /// @pre the placement has a tree; a rate for every joint
 [[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
                                                     std::span<const Rational> rates, int link);
@@ -55,7 +56,7 @@ struct SpeedAbout {
 /// parallel.
 [[nodiscard]] int directionSign(const Placement& placement, int oneClass, int otherClass);
 
-/// A part's sum, from the phi of all links.
+/// The value of a part, from the phi of all links.
 template <class Field>
 [[nodiscard]] typename Field::Value valueOf(const Field& field, const RelativeSpeed::Part& part,
                                             const std::vector<typename Field::Value>& phi) {
@@ -66,7 +67,7 @@ template <class Field>
   return sum;
 }
 
-/// A part's sum as entries of a row over the phi; the row is not ended.
+/// Adds a part as entries over the phi to the current row, without ending it.
 template <class Field>
 void addPart(SparseRows<typename Field::Value>& rows, const RelativeSpeed::Part& part, const Field& field) {
   for (const RelativeSpeed::Term& term : part.terms) rows.add(term.link - 1, field.fromInteger(term.factor));

@@ -7,8 +7,8 @@
 
 namespace geargraph::inline states {
 
-/// state-locked: `locking` are the engaged couplings without any one of which the drive would turn; empty
-/// where no single one is to blame, or where the train itself is locked.
+/// state-locked: `locking` are the engaged couplings each of which, released alone, would let the drive turn;
+/// empty where no single one does, or where the train itself is locked (`byTrain`).
 [[nodiscard]] Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state,
                                      const std::vector<int>& locking, bool byTrain);
 
@@ -16,8 +16,8 @@ namespace geargraph::inline states {
 [[nodiscard]] Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
                                    const std::vector<int>& links);
 
-/// turning-loop: the coupling ties links over four directions or more. `state`: in which it is engaged; null:
-/// in the document's current engagement.
+/// turning-loop: the coupling connects links across four directions of axes or more. `state`: in which it is
+/// engaged; null: in the document's current engagement.
 [[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
                                          const ShiftState* state);
 

@@ -23,13 +23,14 @@ struct StateSolution {
   int rank = 0;              ///< of the rows of meshes and engaged couplings
   int dof = 0;
 
-  bool driveTurns = false;      ///< false where nothing is driven, too
-  bool drivenStands = false;    ///< with joint speeds: driven turns at 0, the ratio is infinite
+  bool driveTurns = false;      ///< false also where nothing is driven
+  bool drivenStands = false;    ///< the speeds are known and `driven` is at rest: the ratio is infinite
   std::vector<Rational> rates;  ///< by joint, for `drive` at 1; empty unless dof is 1 and the drive turns
-  /// Absolute speed of `drive` over that of `driven`, about their common direction; where they turn about
-  /// different ones, each about its own axis. None where there are no rates, or driven stands or tumbles.
+  /// Absolute speed of `drive` over that of `driven`, about their common direction; where the directions
+  /// differ, each about its own axis. None where there are no rates, or `driven` is at rest or turns about
+  /// several directions at once.
   std::optional<Rational> ratio;
-  /// The same in the gear ratios i_k; none also where it went over the budget.
+  /// The same in the gear ratios i_k; none also where it exceeded the budget.
   std::optional<RationalFunction> symbolicRatio;
   /// state-locked, state-free; turning-loop for a coupling that closes a linkage (then nothing is solved).
   Diagnostics diagnostics;
@@ -37,7 +38,7 @@ struct StateSolution {
   [[nodiscard]] bool isSolved() const { return !rates.empty(); }
 };
 
-/// Every state of the document, in its order. Nothing where `stop` was requested.
+/// Every state of the document, in its order. std::nullopt if `stop` was requested.
 /// Cost: an exact elimination of the whole train for each state, near linear in n + c; `symbolic` another.
 /// @pre model and placement are the mechanism's
 [[nodiscard]] std::optional<std::vector<StateSolution>> solveStates(const Mechanism& mechanism,
@@ -46,7 +47,7 @@ struct StateSolution {
                                                                     bool symbolic = true,
                                                                     const std::stop_token& stop = {});
 
-/// The state at this position alone. Nothing where `stop` was requested. @pre there is such a state; as
+/// The state at this position alone. std::nullopt if `stop` was requested. @pre there is such a state; as
 /// solveStates()
 [[nodiscard]] std::optional<StateSolution> solveState(const Mechanism& mechanism, const KinematicModel& model,
                                                       const Placement& placement, int state,

@@ -12,7 +12,7 @@ namespace geargraph::inline states {
 
 /// The rows of the meshes, then those of couplings, then the drive's speed as the given column n.
 struct StateSystem {
-  std::vector<KinematicModel::HeldRow> held;  ///< what engaged couplings keep at 0
+  std::vector<KinematicModel::HeldRow> held;  ///< the rows of the engaged couplings
   std::optional<RelativeSpeed::Part> drive;
 
   /// `meshWeights(mesh, tail)`: the field's number for N_tail or N_head of the mesh, as in
@@ -43,7 +43,7 @@ struct StateSystem {
   }
 };
 
-/// The system in fractions, in order of substitution. Nothing where `stop` was requested.
+/// The system eliminated in fractions. std::nullopt if `stop` was requested.
 [[nodiscard]] inline std::optional<Elimination<Rational>> eliminated(const StateSystem& system,
                                                                      const KinematicModel& model,
                                                                      const std::stop_token& stop) {
@@ -55,7 +55,7 @@ struct StateSystem {
                    stop);
 }
 
-/// Is the drive's speed a free choice? `x` becomes the motion for the drive at 1 with the free phi at 0.
+/// Can the drive's speed be chosen freely? `x` is set to the motion for the drive at 1 and the free phi at 0.
 [[nodiscard]] inline bool driveIsFree(const Elimination<Rational>& system, std::vector<Rational>& x) {
   const RationalField field;
   x.assign(static_cast<std::size_t>(system.columns), Rational(0));

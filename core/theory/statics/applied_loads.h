@@ -11,11 +11,11 @@
 namespace geargraph::inline statics {
 
 /// Where a torque of statics acts: in a turning joint, by its tail on its head about +direction of its axis;
-/// or on a link about a direction of the base frame, the ground taking the reaction.
+/// or on a link about a direction of the base frame, with the reaction on the ground.
 struct TorquePlace {
   int joint = -1;            ///< ordinal; -1: on a link
   int link = 0;              ///< ordinal
-  int axis = -1;             ///< of the document, whose direction it is; -1: in a joint
+  int axis = -1;             ///< position of the document's axis that gives the direction; -1: in a joint
   ExactVector3 direction{};  ///< of any length above 0; on a link
 
   [[nodiscard]] bool inJoint() const { return joint >= 0; }
@@ -49,20 +49,20 @@ struct StaticsProblem {
 [[nodiscard]] TorquePlace onLink(const Mechanism& mechanism, const Placement& placement, int link,
                                  std::optional<AxisId> axis);
 
-/// Adds the loads, as the document's: their torques, and their forces.
+/// Adds the torques and forces of these loads, which refer to elements of the document, to the problem.
 /// @pre the loads name elements of the mechanism; the placement has a tree
 void addLoads(const Mechanism& mechanism, const Placement& placement, std::span<const Load> loads,
               StaticsProblem& problem);
-/// The places of balances, as the document's. @pre as addLoads()
+/// Where the torques of these balances act. @pre as addLoads()
 [[nodiscard]] std::vector<TorquePlace> placesOf(const Mechanism& mechanism, const Placement& placement,
                                                 std::span<const Balance> balances);
 
-/// Metres in one of the document's unit; none where the unit is none that is known.
+/// Metres in one of the document's unit; std::nullopt if the unit is not known.
 [[nodiscard]] std::optional<Rational> metresPerUnit(const Mechanism& mechanism);
 
-/// The power of the loads for unit speeds, in both coordinates of a motion. The loads hold each other, with
-/// the torques in meshes, couplings and balances, exactly if they do no work in any motion (d'Alembert,
-/// Lagrange).
+/// The power of the loads for unit speeds, in both coordinates of a motion. The loads are in equilibrium with
+/// the torques in meshes, couplings and balances if and only if all of them together do no work in any motion
+/// (principle of virtual work).
 struct LoadPower {
   /// By link v, the power for phi_v = 1 of the kinematic model, W per rad/s = N m.
   RadicalColumns byLink;
@@ -72,7 +72,7 @@ struct LoadPower {
   RadicalColumns byJoint;
 
   /// Forces are left out where the unit of length is not known.
-  /// Cost: O(joints to the ground) a load.
+  /// Cost: O(joints to the ground) per load.
   [[nodiscard]] static LoadPower of(const Mechanism& mechanism, const KinematicModel& model,
                                     const Placement& placement, const StaticsProblem& problem);
 };

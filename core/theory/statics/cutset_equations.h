@@ -19,8 +19,8 @@ namespace geargraph::inline statics {
 /// tau_e is the torque in joint e, by its tail on its head, about +direction of its axis (N m); ell_e the
 /// power of the loads on links beyond the joint for the joint's rate 1; F_c the tangential force of mesh c
 /// along e_c, by the tail's gear on the head's (N, for P in metres). A force along the line of centres or
-/// along an axis of the mesh is reciprocal to every joint screw of the cycle: it does no work and is in no
-/// equation.
+/// along an axis of the mesh is reciprocal to every joint screw of the cycle: it does no work and appears in
+/// no equation.
 class CutsetEquations {
  public:
   struct Term {

@@ -4,10 +4,10 @@
 
 namespace geargraph::inline statics {
 
-/// What an efficiency is followed over.
+/// The variable of an efficiency curve.
 enum class CurveAxis {
   speedRatio,     ///< speed of the second input over that of the first; of trains with two inputs
-  meshEfficiency  ///< one efficiency of all meshes, whatever they state
+  meshEfficiency  ///< one efficiency for all meshes, instead of their own
 };
 
 struct CurveRange {
@@ -16,10 +16,10 @@ struct CurveRange {
   int points = 2;  ///< at least 2, evenly spaced, with both ends
 };
 
-/// The train at one place of the curve. Nothing has a value where nothing is fed (a motion at rest), or the
-/// drivers are not decided.
+/// One point of the curve. The efficiencies are empty where no power is fed (a motion at rest), or it is
+/// undecided which gears drive.
 struct EfficiencyPoint {
-  Rational at;
+  Rational at;  ///< the value of the variable
   std::optional<double> forward;
   std::optional<double> backward;  ///< all known torques reversed
   bool isLocked = false;           ///< forward: no torque of the balances moves the loads
@@ -34,16 +34,16 @@ struct EfficiencyCurve {
   std::vector<EfficiencyPoint> points;
 };
 
-/// The axes that a solved problem can be followed over, the more telling one first: the ratio of speeds needs
-/// two inputs, no state and losses; both need loads in balance, a motion, and no shares that stiffness
-/// decides.
+/// The variables for which a solved problem has a curve, the more informative one first: the ratio of speeds
+/// needs two inputs, no state, and losses; both need loads in equilibrium, a motion, and no load sharing
+/// decided by stiffness.
 [[nodiscard]] std::vector<CurveAxis> curveAxes(const MatroidAnalysis& analysis, const StaticsReport& report,
                                                const StaticsOptions& options);
-/// What is shown of an axis where nothing else is wanted: -2 to 2 for speeds, 0.5 to 1 for efficiencies.
+/// The default range: -2 to 2 for the speed ratio, 0.5 to 1 for the efficiency.
 [[nodiscard]] CurveRange usualRange(CurveAxis axis);
 
-/// Efficiency and torques of balances along an axis; the loads stay as they are. Nothing where `stop` was
-/// requested. Cost: a few exact eliminations a point.
+/// Efficiencies and torques of balances over a variable; the loads stay as they are. std::nullopt if `stop`
+/// was requested. Cost: a few exact eliminations per point.
 /// @pre all of one mechanism; the axis is one of curveAxes(), `options` are those of the report
 [[nodiscard]] std::optional<EfficiencyCurve> efficiencyCurve(
     const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,

@@ -36,13 +36,12 @@ struct ToothForce {
                                                   std::span<const char> determined,
                                                   std::span<const double> pressureAngles);
 
-/// What holds a link in a turning joint, the tail on the head, at the point where the joint is drawn: W_e of
+/// The reaction in a turning joint, of the tail on the head, at the point where the joint is drawn: W_e of
 ///
 ///     W_e - sum over meshes c of T_ce W_c + sum over links l beyond e of L_l = 0      (14*)
 ///
 /// Five of its six components are the reactions of an ideal bearing, the one about the axis is tau_e. It
-/// belongs to the tree that is drawn: a coaxial gear hung on another member leaves all torques and moves
-/// reactions.
+/// depends on the tree as drawn: attaching a coaxial gear to another member changes reactions, but no torque.
 struct BearingReaction {
   Vector3 point{};   ///< in the document's unit
   Vector3 force{};   ///< N; 0 where the unit is not known
@@ -50,14 +49,14 @@ struct BearingReaction {
   bool isDetermined = true;
 };
 
-/// What the torques and forces of a solved problem do to the links.
+/// The forces of a solved problem on gears and bearings.
 struct StaticsForces {
   std::vector<ToothForce> meshes;         ///< by mesh; empty where the unit of length is not known
   std::vector<BearingReaction> bearings;  ///< by joint; empty likewise
 };
 
-/// `values`, `determined`: by unknown, as of StaticsSolution. `losses`: by mesh, or empty. The torque that a
-/// lossy mesh misses is a couple on the driven gear about its axis, with its reaction on the carrier.
+/// `values`, `determined`: by unknown, as of StaticsSolution. `losses`: by mesh, or empty. The torque lost in
+/// a mesh is a couple on the driven gear about its axis, with its reaction on the carrier.
 /// Cost: O(n + c). @pre all of one mechanism
 [[nodiscard]] StaticsForces forcesOf(const Mechanism& mechanism, const KinematicModel& model,
                                      const Placement& placement, const StaticsProblem& problem,
@@ -65,8 +64,8 @@ struct StaticsForces {
                                      std::span<const char> determined, std::span<const MeshLoss> losses,
                                      std::span<const double> pressureAngles);
 
-/// The vector of least length that has these components along the directions (of length 1), by
-/// orthogonalisation (Gram and Schmidt); a direction that depends on those before it counts for nothing.
+/// The vector of least length that has these components along the directions (of length 1), by Gram-Schmidt
+/// orthogonalisation; a direction that depends linearly on those before it is ignored.
 [[nodiscard]] Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components);
 
 }  // namespace geargraph::inline statics

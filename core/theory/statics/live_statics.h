@@ -10,8 +10,8 @@
 
 namespace geargraph::inline statics {
 
-/// The torques of StaticsSolution live: in doubles, beside their residues modulo a prime that decide what is
-/// held, what is determined and what is 0.
+/// The torques of StaticsSolution, fast enough for dragging: in doubles, with residues modulo a prime that
+/// decide what is held, what is determined and what is 0.
 struct LiveStatics {
   bool isBalanced = true;
   int rank = 0;
@@ -20,7 +20,7 @@ struct LiveStatics {
   std::vector<char> determined;  ///< by unknown
 };
 
-/// Returns nothing where `stop` was requested. Cost: one live elimination, near linear in n + c.
+/// std::nullopt if `stop` was requested. Cost: one live elimination, near linear in n + c.
 [[nodiscard]] std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model,
                                                           const FusedField& field,
                                                           std::span<const HeldPart> held,

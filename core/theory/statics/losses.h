@@ -18,8 +18,8 @@ struct MeshEfficiency {
 };
 
 /// The efficiencies that the document states, by mesh: its own, else that of gearDefaults, else `otherwise`,
-/// else 1. From a coefficient of friction mu it is 1 - mu H_v (toothLossFactor()), of a mesh without
-/// contact 1. `contacts`: by mesh; needed where hasFriction().
+/// else 1. From a coefficient of friction mu it is 1 - mu H_v (toothLossFactor()), and 1 for a mesh without
+/// contact. `contacts`: by mesh; needed where hasFriction().
 [[nodiscard]] std::vector<MeshEfficiency> efficienciesOf(
     const Mechanism& mechanism, std::span<const std::optional<MeshContact>> contacts = {},
     const std::optional<Rational>& otherwise = {});
@@ -37,13 +37,13 @@ struct PortTorques {
                                       std::span<const MeshLoss> losses, int mesh);
 
 /// +1 where the joint next to the gear on the way to the carrier points as the class's line does, -1 against
-/// it: the sense in which port torques are shown.
+/// it: the sign with which port torques are shown.
 [[nodiscard]] int senseAt(const Placement& placement, int gear, int axisClass);
 
 /// A steady motion: the rates of all joints, by joint.
 using Motion = std::vector<Rational>;
 
-/// What each mesh passes, and what the loads and the held parts feed, in a motion.
+/// The power through each mesh, and the power fed by the held parts, in a motion.
 struct MeshPowers {
   /// Pi_c = F_c (A_c theta'), W, by mesh: from the tail's gear to the head's, seen from the carrier, taken at
   /// the gear that drives.
@@ -62,15 +62,15 @@ struct MeshPowers {
 /// A_c + eta_c B_c where the tail's gear drives (Pi_c > 0), eta_c A_c + B_c where the head's does, A_c + B_c
 /// where the mesh does not roll or bears nothing; A_c, B_c the tail's and the head's part of row c of P.
 ///
-/// A pattern of drivers counts if its own solution reproduces it and every balance feeds power, or takes it,
-/// as in the train without losses. No proof is known to us that there is one only for several loads and
-/// motors; the drivers that were taken are in `losses`.
+/// A pattern of drivers is accepted if its own solution reproduces it and every balance feeds or takes power
+/// as in the train without losses. Whether that pattern is unique with several loads and motors is not
+/// proven; the drivers that were accepted are in `losses`.
 struct LossySolution {
   enum class Outcome {
     solved,
-    selfLocking,   ///< no pattern counts: the balances cannot move the loads in this direction
+    selfLocking,   ///< no pattern is accepted: the balances cannot move the loads in this direction
     patternLimit,  ///< too many meshes to try all patterns
-    undecided      ///< the loads are not held, or meshes share them in unknown parts
+    undecided      ///< the loads are not held, or their distribution over meshes is indeterminate
   };
   Outcome outcome = Outcome::undecided;
   std::vector<MeshLoss> losses;  ///< by mesh, of the accepted pattern
@@ -78,13 +78,14 @@ struct LossySolution {
   MeshPowers powers;
 };
 
-/// Of more meshes than this, not all patterns are tried.
+/// With more meshes than this, not all patterns are tried.
 constexpr int kMostPatternMeshes = 14;
 
-/// `lossless` is the solution of the same problem with no losses. `stiffness`: where meshes share loads, they
-/// do it by equal stiffness (stiffness.h); null: then nothing is decided. Nothing where `stop` was requested.
-/// Where the rounds of guesses do not settle, all patterns are tried of at most `mostPatternMeshes` meshes
-/// that lose power, no more than kMostPatternMeshes; with 0 none is, and the outcome is patternLimit.
+/// `lossless` is the solution of the same problem with no losses. `stiffness`: P, to decide indeterminate
+/// load sharing by equal stiffness (stiffness.h); null: then the outcome is undecided. If the iteration does
+/// not converge, all patterns of the lossy meshes are tried, if there are at most `mostPatternMeshes` (not
+/// above kMostPatternMeshes) of these; with 0 none is tried, and the outcome is patternLimit. std::nullopt if
+/// `stop` was requested.
 /// Cost: two or three eliminations; where these cycle, one for each pattern.
 [[nodiscard]] std::optional<LossySolution> solveWithLosses(const KinematicModel& model,
                                                            const StaticsSolution& lossless,
@@ -94,21 +95,23 @@ constexpr int kMostPatternMeshes = 14;
                                                            const std::stop_token& stop = {},
                                                            int mostPatternMeshes = kMostPatternMeshes);
 
-/// Power taken over power fed, over loads and balances. `loads`: each load for itself. None where nothing is
-/// fed.
+/// The power fed into, taken from and lost in a train, over its loads and balances, W.
 struct PowerSums {
   Real fed;
   Real taken;
   Real lost;
+  /// Power taken over power fed; std::nullopt if nothing is fed.
   [[nodiscard]] std::optional<Real> efficiency() const {
     return fed.isZero() ? std::nullopt : std::optional(taken / fed);
   }
 };
+/// `loads`: one entry per load, as each feeds or takes power by itself.
 [[nodiscard]] PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,
                                   std::span<const RadicalColumns> loads, const Motion& motion);
 
-/// The part of the losses, 0 to 1, from which on the train locks itself: all 1 - eta_c are multiplied by it.
-/// None where `stop` was requested. Found by bisection to 1e-6. @pre it is self-locking with all its losses
+/// The fraction of the losses, 0 to 1, from which on the train is self-locking: all 1 - eta_c are multiplied
+/// by it. std::nullopt if `stop` was requested. Found by bisection to 1e-6.
+/// @pre the train is self-locking with all its losses
 [[nodiscard]] std::optional<double> selfLockingPart(const KinematicModel& model,
                                                     const StaticsSolution& lossless,
                                                     const RadicalColumns& loads, const Motion& motion,

@@ -21,7 +21,7 @@ struct ElementPower {
   enum class Kind { mesh, joint, coupling, load, balance };
   Kind kind = Kind::mesh;
   /// The mesh, the joint or the coupling; a load on a link: its position in StaticsProblem::torques, that of
-  /// a force behind those; a balance on a link: in StaticsProblem::balances. Loads and balances in joints are
+  /// a force after those; a balance on a link: in StaticsProblem::balances. Loads and balances in joints are
   /// part of their joint.
   int position = 0;
   /// A mesh: tail's gear, head's gear, carrier. A joint: tail, head. A coupling: the link that it acts on,
@@ -34,8 +34,8 @@ struct ElementPower {
   [[nodiscard]] Real fed() const;
 };
 
-/// Where power goes in a steady motion, seen from one link, the observer: all speeds are relative to it. What
-/// enters a link leaves it: the ports at every link sum to 0 (Kirchhoff's law), the ground's included.
+/// Where power goes in a steady motion, seen from one link, the observer: all speeds are relative to it.
+/// Power is conserved at every link: its ports sum to 0 (Kirchhoff's law), also at the ground.
 ///
 /// A mesh is an element with three terminals: its port torque times the speed of the gear about its own axis,
 /// for either gear, and the reactions of both on the carrier (Chen and Angeles, Mech. Mach. Theory 42(1),
@@ -52,17 +52,17 @@ struct PowerFlow {
   [[nodiscard]] const ElementPower& of(ElementPower::Kind kind, int position) const;
 };
 
-/// The flow of a solved problem. `losses` by mesh, or empty. A mesh that shares its load in unknown parts,
-/// and the joints that pass a part of it, are not determined. Cost: O(n + c) times the number of directions
-/// of axes, and O(depth) a force.
+/// The flow of a solved problem. `losses` by mesh, or empty. A mesh whose load is indeterminate, and the
+/// joints that transmit a part of it, are not determined. Cost: O(n + c) times the number of directions of
+/// axes, and O(depth) per force.
 /// @pre all of one mechanism; the solution has values
 [[nodiscard]] PowerFlow powerFlow(const Mechanism& mechanism, const KinematicModel& model,
                                   const Placement& placement, const StaticsProblem& problem,
                                   const StaticsSolution& solution, std::span<const MeshLoss> losses,
                                   const Motion& motion, int observer = 0);
 
-/// The sum of what all meshes pass, seen from their carriers, over the power fed: the latent ratio. None
-/// where nothing is fed or a mesh is not determined.
+/// The latent ratio: the sum of the powers through all meshes, seen from their carriers, over the power fed.
+/// std::nullopt if nothing is fed or a mesh is not determined.
 [[nodiscard]] std::optional<Real> latentRatio(const StaticsSolution& solution, const MeshPowers& powers,
                                               const Real& fed);
 

@@ -17,13 +17,13 @@ struct StaticsAgreement {
   std::vector<int> held;    ///< held parts that differ, ascending
 };
 
-/// Both solutions of the torques that are determined compared; what is held and what is determined has to be
-/// the same for both.
+/// Compares the determined torques of both solutions; both have to hold the same loads and determine the same
+/// torques.
 /// @pre the solution is one without losses
 [[nodiscard]] StaticsAgreement staticsAgreement(const KinematicModel& model, const StaticsSolution& matroid,
                                                 const TtTorques& ttGraph);
 
-/// The chords of the T-T graph for the held parts.
+/// The held parts as further chords of the T-T graph, one each, in order.
 [[nodiscard]] std::vector<TtChord> chordsOf(std::span<const HeldPart> held);
 
 }  // namespace geargraph::inline statics

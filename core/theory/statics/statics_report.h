@@ -15,10 +15,11 @@
 
 namespace geargraph::inline statics {
 
-/// The T-T graph solves one chain for each loaded joint.
+/// With more loaded joints than this StaticsReport::ttMatrix is omitted: the T-T graph solves one chain for
+/// each.
 constexpr std::size_t kMostTtColumns = 60;
 
-/// What is asked about the torques of a mechanism.
+/// The options of a statics analysis.
 struct StaticsOptions {
   /// Position of the state whose couplings are engaged, instead of those that the document engages; -1:
   /// these.
@@ -27,12 +28,12 @@ struct StaticsOptions {
   std::vector<Load> loads;             ///< beside those of the document
   std::vector<Balance> balances;       ///< instead of those of the document, where there are any
   bool losses = false;                 ///< with the efficiencies of the meshes
-  std::optional<Rational> efficiency;  ///< of meshes that state none
+  std::optional<Rational> efficiency;  ///< for meshes that state none
   bool stiffness = false;              ///< self-stresses by equal stiffness of all teeth
   bool symbolic = true;
 };
 
-/// One load with what it does.
+/// One load with its power.
 struct LoadReport {
   Load load;
   RadicalColumns power;       ///< by link, for unit speeds
@@ -44,7 +45,7 @@ struct StaticsReport {
   StaticsProblem problem;
   std::vector<LoadReport> loads;  ///< all that act
   std::vector<HeldPart> held;     ///< couplings and balances, as in the solutions' unknowns
-  bool isSolved = false;  ///< false: a coupling of the state closes a linkage, `diagnostics` say which
+  bool isSolved = false;          ///< false: a coupling of the state closes a linkage, named in `diagnostics`
   std::optional<Rational> ratio;  ///< of the state that was solved, drive over driven
   std::optional<Motion> motion;   ///< none where the speeds are not determined
   StaticsSolution lossless;
@@ -69,8 +70,8 @@ struct StaticsReport {
   std::optional<RationalFunction> backwardEfficiency;
   Diagnostics diagnostics;
 
-  /// Do both methods give the same torques in symbols? None where one of them gives none, or an entry went
-  /// over its budget.
+  /// Do both methods give the same symbolic torques? std::nullopt if one of them gives none, or an entry
+  /// exceeded its budget.
   [[nodiscard]] std::optional<bool> agreesInSymbols() const;
   /// The solution that is shown: with losses where these are solved.
   [[nodiscard]] const StaticsSolution& solution() const {
@@ -83,7 +84,7 @@ struct StaticsReport {
   }
 };
 
-/// Returns nothing where `stop` was requested.
+/// std::nullopt if `stop` was requested.
 /// Cost: two exact eliminations by the Matroid method and the T-T graph, more with losses and symbols.
 /// @pre all of one mechanism without errors; the state exists, and with one the document engages nothing
 [[nodiscard]] std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism,
@@ -93,12 +94,12 @@ struct StaticsReport {
                                                           const StaticsOptions& options = {},
                                                           const std::stop_token& stop = {});
 
-/// The flow of a solved report as another link sees it. @pre report.flow
+/// The power flow of a solved report with another link as the observer. @pre report.flow
 [[nodiscard]] PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
                                           const Placement& placement, const StaticsReport& report,
                                           int observer);
 
-/// The values of a solution as doubles, for forces.
+/// The values of a solution as doubles, for forcesOf().
 [[nodiscard]] std::vector<double> numbersOf(const StaticsSolution& solution);
 
 }  // namespace geargraph::inline statics

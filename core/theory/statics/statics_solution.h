@@ -13,7 +13,7 @@
 
 namespace geargraph::inline statics {
 
-/// A motion that meshes, couplings and balances allow and on which the loads do work: what nothing holds.
+/// A motion that meshes, couplings and balances allow and in which the loads do work: so nothing holds them.
 struct FreeMotion {
   std::vector<Rational> rates;  ///< by joint
   std::vector<int> joints;      ///< those that turn, ascending
@@ -26,12 +26,12 @@ struct MeshLoss {
   Rational efficiency = 1;
 };
 
-/// The torques in a train at rest or in steady motion, in fractions: (17*) tau + ell = P^T F, one equation a
-/// turning joint, solved in axis-group coordinates (statics_system.h).
+/// The torques in a train at rest or in steady motion, in fractions: (17*) tau + ell = P^T F, one equation
+/// per turning joint, solved in axis-group coordinates (statics_system.h).
 ///
 /// Unknowns are the meshes 0..c-1 (mu, torque per tooth), then the held parts (couplings, balances). One that
-/// is 0 in every null vector is determined; a null vector is a self-stress: torques that hold each other
-/// without any load. Where the loads are not held, nothing has a value.
+/// is 0 in every null vector is determined; a null vector is a self-stress: torques in equilibrium without
+/// any load. Where the loads are not held, there are no values.
 struct StaticsSolution {
   std::vector<HeldPart> held;
   int equations = 0;
@@ -55,7 +55,7 @@ struct StaticsSolution {
   }
 };
 
-/// Returns nothing where `stop` was requested. `losses` by mesh, or empty: none.
+/// std::nullopt if `stop` was requested. `losses` by mesh, or empty: none.
 /// Cost: one exact elimination, near linear in n + c; the self-stresses; where the loads are not held,
 /// another elimination for the motion.
 [[nodiscard]] std::optional<StaticsSolution> solveStatics(const KinematicModel& model,
@@ -65,19 +65,20 @@ struct StaticsSolution {
                                                           const std::stop_token& stop = {});
 
 /// The transposed kinematics: torques that hold a torque 1 N m in each of the loaded joints, row by row,
-/// balanced x loaded; (23*) tau_balanced = -K_r^T tau_loaded with K_r that of the rates, (23). None where
-/// `stop` was requested, or the balances do not hold these loads or are not determined by them.
+/// balanced x loaded; (23*) tau_balanced = -K_r^T tau_loaded with K_r that of the rates, (23).
 struct TorqueMatrix {
   std::vector<int> balanced;  ///< positions of held parts that are balances
   std::vector<int> loaded;    ///< joints
   std::vector<Rational> entries;
 };
+/// std::nullopt if `stop` was requested, or the balances do not hold these loads or are not determined by
+/// them.
 [[nodiscard]] std::optional<TorqueMatrix> torqueMatrix(const KinematicModel& model,
                                                        std::span<const HeldPart> held,
                                                        std::span<const int> loaded,
                                                        const std::stop_token& stop = {});
 
-/// By link, phi of the kinematic model for these rates (0 for the ground).
+/// phi of the kinematic model for these rates of all joints, by link (0 for the ground).
 template <class Value>
 [[nodiscard]] std::vector<Value> phiOf(const KinematicModel& model, std::span<const Value> rates) {
   std::vector<Value> phi(static_cast<std::size_t>(model.n()) + 1, Value(0));

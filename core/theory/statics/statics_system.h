@@ -9,8 +9,8 @@
 
 namespace geargraph::inline statics {
 
-/// The equations of statics in axis-group coordinates: the rows of the kinematics read down the columns. One
-/// torque balance a link v, sign as in (17*) tau + ell = P^T F:
+/// The equations of statics in axis-group coordinates: the transposed rows of the kinematics. One torque
+/// balance per link v, sign as in (17*) tau + ell = P^T F:
 ///
 ///     sum over meshes c of row_c[v] mu_c - sum over held parts h of h[v] lambda_h - sum over loads k g_k[v]
 ///     = 0
@@ -19,7 +19,7 @@ namespace geargraph::inline statics {
 ///          each part of the loads.
 /// Units    mu_c is the torque per tooth, N m: M_ik = -mu_c N_i on the tail's gear, M_jk = s mu_c N_j on the
 ///          head's gear; lambda in N m.
-/// Cost     the entries: four a mesh at most, whatever the lengths of cycles.
+/// Cost     the entries: at most four per mesh, however long its cycle.
 ///
 /// `weights(mesh, tail)`: the field's number for N_i or N_j, times the efficiency on the driven side.
 /// `factor(rational)`: the field's number for a factor of a held part or a load.

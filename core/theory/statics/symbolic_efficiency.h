@@ -8,7 +8,7 @@
 
 namespace geargraph::inline statics {
 
-/// What the efficiency of a solved train is made of.
+/// The data from which the efficiency of a solved train follows.
 struct EfficiencyProblem {
   std::span<const int> meshes;            ///< independent ones, also of the rows of engaged couplings
   std::span<const int> inputs;            ///< joints that drive, at `speeds`
@@ -21,9 +21,10 @@ struct EfficiencyProblem {
 /// with the drivers of the accepted pattern. Which gear drives is that of these teeth; the function holds as
 /// long as the pattern does.
 ///
-/// None where `stop` was requested, the function went over `mostTerms` terms, directions or efficiencies are
-/// irrational, meshes share loads, engaged couplings are redundant, or nothing is fed. Cost: two eliminations
-/// over functions. @pre solution.outcome is solved
+/// std::nullopt if `stop` was requested, the function exceeded `mostTerms` terms, directions or efficiencies
+/// are irrational, meshes share loads indeterminately, engaged couplings are redundant, or nothing is fed.
+/// Cost: two eliminations over functions.
+/// @pre solution.outcome is solved
 [[nodiscard]] std::optional<RationalFunction> symbolicEfficiency(
     const Mechanism& mechanism, const KinematicModel& model, const EfficiencyProblem& problem,
     const LossySolution& solution, const Motion& motion, const std::stop_token& stop = {},

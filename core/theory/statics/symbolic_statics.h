@@ -19,12 +19,13 @@ namespace geargraph::inline statics {
 /// f_c is the torque of mesh c on the head's gear about its axis, up to the sign s. (25*) for the paper's
 /// robot.
 struct SymbolicStatics {
-  /// One line of the solution as it is found: an unknown from joints' loads and unknowns before it.
+  /// A term of a line: the torque of an earlier line, or of a loaded joint.
   struct Term {
     int mesh = -1;   ///< f of this mesh; -1: tau of `joint`
     int joint = -1;  ///< a loaded joint
     RationalFunction coefficient;
   };
+  /// One line of the substitution: an unknown over the joints' loads and the unknowns of earlier lines.
   struct Line {
     int mesh = -1;    ///< f of this mesh; -1: tau of `joint`
     int joint = -1;   ///< a balanced joint
@@ -35,12 +36,12 @@ struct SymbolicStatics {
   std::vector<int> balanced;  ///< joints
   std::vector<int> loaded;    ///< joints
   std::vector<Line> lines;
-  /// tau_balanced = matrix * tau_loaded, row by row; none where an entry went over the budget.
+  /// tau_balanced = matrix * tau_loaded, row by row; none for an entry that exceeded the budget.
   std::vector<std::optional<RationalFunction>> matrix;
   int skipped = 0;  ///< entries over the budget
 };
 
-/// Returns nothing where `stop` was requested, the coupled core of the equations went over its budget, or the
+/// std::nullopt if `stop` was requested, the coupled core of the equations exceeded its budget, or the
 /// balances do not determine the meshes. `meshes`: independent ones, r of them. `loaded`: the joints that
 /// bear loads, none of them balanced. Cost: as solveSymbolic().
 [[nodiscard]] std::optional<SymbolicStatics> solveStaticsSymbolic(

@@ -16,7 +16,7 @@ namespace geargraph::inline ttgraph {
 ///
 /// Two joints are on one level if they share a link and are collinear in the drawn pose, or through others
 /// that are. Lines are never compared across the mechanism: axes 1 and 3 of a robot wrist coincide in the
-/// drawn pose and are two axes. Where an axis has no line of its author's, its id in the document decides.
+/// drawn pose and are two axes. Where the user has given an axis no line, its id in the document decides.
 struct AxisLevels {
   /// The axis of the level's first joint, which gives the level its direction.
   struct Axis {
@@ -27,7 +27,7 @@ struct AxisLevels {
   std::vector<int> ofJoint;  ///< by turning joint: its level
   std::vector<Axis> axes;    ///< by level
   std::set<int> reversed;    ///< joints whose axes point against their levels
-  /// By level: its name where it is not the id, because primes tell apart what an axis splits into.
+  /// By level: its name where it is not the id: primes distinguish the levels that one axis splits into.
   std::map<int, std::string> primedNames;
   Diagnostics diagnostics;  ///< split-axis, merged-axes
 
@@ -47,8 +47,8 @@ struct AxisLevels {
   }
 };
 
-/// Cost: O(t log t), for lines that are not all alike.
-/// @pre `graph` is the mechanism's, `lines` its own or nothing
+/// Cost: O(t log t) if the lines differ.
+/// @pre `graph` is the mechanism's, `lines` are of its placement or empty
 [[nodiscard]] AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph,
                                     const ReferenceLines& lines);
 

@@ -22,11 +22,10 @@ class TtEquations {
   /// "w51'' = w50 - w10" [AU, Eqs. (31)-(38)].
   [[nodiscard]] std::string tailCircuit(int mesh) const;
   [[nodiscard]] std::string headCircuit(int mesh) const;
-  /// "w10 + w21 = 0": the circuit of an engaged coupling, by its place in TtGraph::held().
+  /// "w10 + w21 = 0": the circuit of an engaged coupling, by its position in TtGraph::held().
   [[nodiscard]] std::string heldCircuit(int place) const;
-  /// What a step comes through, each stage one side of "=" [AU, Eqs. (39)-(42)]: "w21", "w21''", "-n52
-  /// w51''",
-  /// "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50". Without the last where it went over the budget.
+  /// The stages of a step, joined by "=" when printed [AU, Eqs. (39)-(42)]: "w21", "w21''", "-n52 w51''",
+  /// "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50". Without the last where it exceeded the budget.
   [[nodiscard]] std::vector<std::string> stages(const SubstitutionStep& step) const;
 
  private:

@@ -14,15 +14,15 @@
 
 namespace geargraph::inline ttgraph {
 
-/// The equations of TtSystem where circuits are too long to write down: along a level, the velocities of its
-/// branches add up like voltages, so each link gets one number, its velocity along its own level against the
-/// level's top. A circuit is then a difference of two of them, a branch too.
+/// The equations of TtSystem for circuits that are too long to store: along a level, the velocities of its
+/// branches add up like voltages, so each link has one unknown, its velocity along its own level relative to
+/// the level's root link. A circuit is then a difference of two unknowns, and so is a branch.
 template <class Field>
 class LevelSystem {
  public:
   using Value = typename Field::Value;
 
-  /// None where `stop` was requested. Cost: O(n + c), and the elimination.
+  /// std::nullopt if `stop` was requested. Cost: O(n + c), and the elimination.
   template <class Weights>
   [[nodiscard]] static std::optional<LevelSystem> of(const Field& field, const TtGraph& graph,
                                                      const SubstitutionPlan& plan, const Weights& weights,
@@ -52,7 +52,7 @@ class LevelSystem {
     return system;
   }
 
-  /// The branches towards the ground of links that the equations leave open. Ascending.
+  /// The joints towards the ground of the links whose velocity the equations leave open, ascending.
   [[nodiscard]] std::vector<int> openJoints() const {
     std::vector<int> joints;
     for (const int column : m_system.freeColumns) joints.push_back(m_graph->tree().jointToParent(column + 1));
@@ -111,7 +111,7 @@ class LevelSystem {
             m_graph->levels().senseOf(joint)};
   }
 
-  /// Has the node an unknown on this level? Its top has none: it stands still there.
+  /// Has the node an unknown on this level? The level's root link has none: it is the reference.
   [[nodiscard]] bool isOn(int node, int level) const {
     if (node == 0) return false;
     const int joint = m_graph->tree().jointToParent(node);
@@ -123,7 +123,7 @@ class LevelSystem {
     if (isOn(against, level)) rows.add(against - 1, m_field->negated(weight));
   }
 
-  /// The sum of the branches, each a difference of two numbers: what two neighbours share drops out.
+  /// The sum of the branches, each a difference of two unknowns: those shared by two neighbours cancel.
   void addHeld(SparseRows<Value>& rows, const HeldCircuit& circuit) const {
     std::map<int, int> factors;  // by node
     for (const CircuitTerm& term : circuit.terms) {

@@ -6,8 +6,8 @@
 
 namespace geargraph::inline ttgraph {
 
-/// What the drawn pose says about one mesh: the axes of its two gears in their carrier, pointing as their
-/// levels do, and where the pitch surfaces touch. Each may be missing. Refers to what it names.
+/// The geometry of one mesh in the drawn pose: the axes of its two gears in their carrier, pointing as their
+/// levels do, and where the pitch surfaces touch. Each may be missing. Does not own what it points to.
 struct MeshPose {
   const AxisLine* tailAxis = nullptr;
   const AxisLine* headAxis = nullptr;
@@ -18,14 +18,15 @@ struct MeshPose {
 /// The sign s of the terminal equation N_i w_ik = s N_j w_jk [AU, below Eq. (26)]: +1 if both gears turn the
 /// same way, seen from the carrier and each along its own axis.
 ///
-/// Parallel axes: external gears turn against each other in space, internal ones together; an axis that
-/// points the other way turns the sign. Without `kind`, the gears are external exactly if the pitch point
-/// lies between the axes.
+/// Parallel axes: external gears turn in opposite directions in space, internal ones in the same; an axis
+/// that points the other way changes the sign. Without `kind`, the gears are external exactly if the pitch
+/// point lies between the axes.
 ///
-/// Axes that meet in an apex: the pitch line from there is a sum of shares of the two axes. If it lies
-/// between the two as they point (shares of one sign), the gears turn against each other; else together.
+/// Axes that intersect in an apex: the direction of the pitch line from there is a linear combination of the
+/// two axes' directions. If both coefficients have the same sign (the pitch line is between the axes), the
+/// gears turn in opposite directions; else in the same.
 ///
-/// None where the drawn pose does not tell: a bevel pair without its pitch point, skew axes.
+/// std::nullopt if the drawn pose does not determine it: a bevel pair without its pitch point, skew axes.
 [[nodiscard]] std::optional<int> meshSign(const MeshPose& pose);
 
 }  // namespace geargraph::inline ttgraph

@@ -26,7 +26,7 @@ struct VelocityName {
 [[nodiscard]] VelocityName tailChordName(const TerminalPair& pair);
 [[nodiscard]] VelocityName headChordName(const TerminalPair& pair);
 
-/// How the ratio N_tail / N_head of each mesh is called in either method [AU, Eq. (44)]: i15 = n41.
+/// The names of the ratio N_tail / N_head of a mesh in both methods [AU, Eq. (44)]: i15 = n41.
 struct RatioNames {
   std::string matroid;  ///< "i15"
   std::string ttGraph;  ///< "n41": tail, head; "n41'" where the same two links mesh a second time
@@ -34,12 +34,13 @@ struct RatioNames {
   std::string inverse;  ///< "n14" = N_head / N_tail
   std::string inverseLatex;
 };
+/// By mesh.
 [[nodiscard]] std::vector<RatioNames> ratioNames(const Digraph& graph);
 
-/// The numbers of the method's equations, counted on from the paper's (26): for its robot they are the
+/// The numbers of the method's equations, continuing after the paper's (26): for its robot they are the
 /// paper's own. First the terminal equations, then the circuits (those of several branches before the
-/// others), those of engaged couplings, then a step of the solution for each unknown, then the matrix, the
-/// names, the matrix in those names.
+/// others), the circuits of engaged couplings, one step of the solution for each unknown, the matrix, the
+/// ratio names, and the matrix in those names.
 class EquationNumbers {
  public:
   static constexpr int kRelation = 26;  ///< the relation between two gears, Eq. (26)

@@ -5,16 +5,15 @@
 
 namespace geargraph::inline ttgraph {
 
-/// Where the T-T graph method looks when it needs the drawn pose: to tell which joints are coaxial and which
-/// way two meshing gears turn. Of a placement it takes where things are, and no more: it finds levels,
-/// carriers and signs by itself.
+/// What the T-T graph method reads of the drawn pose, to find which joints are coaxial and which way two
+/// meshing gears turn: only where axes and pitch points are. It finds levels, carriers and signs by itself.
 class ReferenceLines {
  public:
   ReferenceLines() = default;  ///< nothing is placed
-  /// The completed geometry of the document. Refers to it.
+  /// The completed geometry of the document, which outlives this.
   explicit ReferenceLines(const Placement& placement) : m_placement(&placement) {}
 
-  /// By position in Mechanism::axes; null where nothing says it.
+  /// By position in Mechanism::axes; null where nothing is placed.
   [[nodiscard]] const AxisLine* axis(int position) const {
     return m_placement == nullptr ? nullptr : &m_placement->axes[static_cast<std::size_t>(position)];
   }
@@ -23,12 +22,12 @@ class ReferenceLines {
     if (m_placement == nullptr) return {};
     return m_placement->axes;
   }
-  /// Where things of a mesh are, by position in Mechanism::gearMeshes, seen from the point of the tail's
-  /// line; none where nothing says it.
+  /// Where the parts of a mesh are, relative to the point of the tail's line.
   struct MeshPlaces {
     Vector3 headPoint{};  ///< the point of the head's line
     Vector3 pitchPoint{};
   };
+  /// By position in Mechanism::gearMeshes; std::nullopt if the mesh is not placed.
   [[nodiscard]] std::optional<MeshPlaces> placesOf(int position) const {
     if (m_placement == nullptr) return std::nullopt;
     const auto& mesh = m_placement->meshes[static_cast<std::size_t>(position)];

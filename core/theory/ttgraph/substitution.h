@@ -9,9 +9,8 @@ namespace geargraph::inline ttgraph {
 
 /// The order in which the terminal equations give the unknown joint rates, as in Eqs. (39)-(42) of [AU]: take
 /// a mesh with one unknown left in its terminal and circuit equations, or a coupling with one left in its
-/// circuit, solve, substitute, repeat. No
-/// arithmetic is needed for the order. Where every equation left has two unknowns or more, what is left is
-/// coupled and has to be solved together.
+/// circuit, solve, substitute, repeat. No arithmetic is needed for the order. Where every remaining equation
+/// has two unknowns or more, the rest is coupled and has to be solved together.
 ///
 /// Columns number the joints for the solution: coupled unknowns first, then those that substitution gives,
 /// then the inputs.
@@ -21,12 +20,12 @@ struct SubstitutionPlan {
     int joint = 0;
   };
 
-  /// The circuits are too long to write down: no steps, and no columns; the solution goes by levels
+  /// The circuits are too long to store: no steps and no columns; the solution is found by levels
   /// (level_system.h).
   bool byLevels = false;
   std::vector<int> inputs;            ///< joints, in the order asked for
   std::vector<int> outputs;           ///< the other joints, ascending: the unknowns
-  std::vector<Step> steps;            ///< in order; of several ready equations the first is taken
+  std::vector<Step> steps;            ///< in order; of several solvable equations the first is taken
   std::vector<int> surplusEquations;  ///< all their joints were known when they were reached
   std::vector<int> coupledEquations;  ///< ascending
   int coupledUnknowns = 0;
@@ -38,7 +37,7 @@ struct SubstitutionPlan {
 
 constexpr long long kMostCircuitTerms = 200'000;
 
-/// Cost: the circuit terms, and O(c log c). `mostTerms`: with more, the plan is by levels.
+/// With more circuit terms than `mostTerms` the plan is by levels. Cost: the circuit terms, and O(c log c).
 /// @pre graph.isComplete(); the inputs are joints of the graph, each once
 [[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
                                                 long long mostTerms = kMostCircuitTerms);

@@ -37,14 +37,15 @@ class LevelWalks {
   /// Cost: O(stretches), however long they are.
   [[nodiscard]] std::vector<WalkStretch> walk(int mesh) const;
 
-  /// The vertex where a walk of two stretches changes level; none where it has fewer or more. Cost: O(1).
+  /// The vertex where a walk of two stretches changes level; std::nullopt if it has fewer or more. Cost:
+  /// O(1).
   [[nodiscard]] std::optional<TransferVertex> transferVertex(int mesh) const;
 
  private:
   /// A node's level is that of its branch towards the ground; the ground has none.
   struct Place {
     int level = -1;
-    int top = -1;  ///< the ancestor that the level's branches lead to
+    int top = -1;  ///< the level's root link: the ancestor that its branches lead to
   };
   [[nodiscard]] const Place& at(int node) const { return m_places[static_cast<std::size_t>(node)]; }
   [[nodiscard]] int levelOfBoth(int a, int b) const;
@@ -60,7 +61,7 @@ struct TransferVertices {
 };
 
 /// The transfer vertex of every mesh. It is unique: the links on one level form a subtree, and two subtrees
-/// of a tree that share no branch meet in one node at most.
+/// of a tree that share no branch have at most one node in common.
 ///
 /// Cost: O(n + c), and the walks of meshes without one.
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,

@@ -28,15 +28,15 @@ struct TerminalPair {
   int headTeeth = 0;
 };
 
-/// A turning joint's part in a chord's velocity.
+/// The term of a turning joint in a chord's velocity.
 struct CircuitTerm {
   int joint = 0;
   int coefficient = 0;  ///< +1 or -1
 };
 
-/// An engaged coupling is an edge of the T-T graph whose velocity is 0: the link that it holds against the
-/// ground, or against the other link of a clutch. Its fundamental circuit is one equation for each direction
-/// along the way: there the sum of the branches is 0.
+/// An engaged coupling is an edge of the T-T graph whose velocity is 0: from the link that it holds to the
+/// ground, or to the other link of a clutch. Its fundamental circuit gives one equation for each direction of
+/// axes on the path: the sum of the branches there is 0.
 struct HeldCircuit {
   int coupling = 0;  ///< position in the document
   std::vector<CircuitTerm> terms;
@@ -46,8 +46,8 @@ struct HeldCircuit {
 /// fundamental circuits. An immutable value.
 class TtGraph {
  public:
-  /// Cost: O(n log n + c) for walks over few levels; the circuits are written down when first asked for.
-  /// @pre graph and tree are the mechanism's, `lines` its own or nothing
+  /// Cost: O(n log n + c) for walks over few levels; the circuits are computed on first use.
+  /// @pre graph and tree are the mechanism's, `lines` are of its placement or empty
   TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree, const ReferenceLines& lines);
 
   [[nodiscard]] const Digraph& graph() const { return *m_graph; }
@@ -59,22 +59,23 @@ class TtGraph {
   [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
     return m_terminals[static_cast<std::size_t>(mesh)];
   }
-  /// No more circuit terms than this: the depths of gears and carriers, without walking. Cost: O(n + c).
+  /// An upper bound on the number of circuit terms, from the depths of gears and carriers. Cost: O(n + c).
   [[nodiscard]] long long longestCircuitTerms() const;
-  /// Meshes that have a carrier but no sign: their axes are skew, or a bevel pair's place is not known.
+  /// Meshes that have a carrier but no sign: their axes are skew, or the pitch point of a bevel pair is not
+  /// known.
   [[nodiscard]] const std::vector<int>& unsignedMeshes() const { return m_unsigned; }
   /// Every mesh has its equations.
   [[nodiscard]] bool isComplete() const { return m_complete; }
 
   /// The fundamental circuit of the chord of the tail gear (head gear): the chord's velocity as a sum over
-  /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. Cost: once the sum of the lengths of
-  /// the meshes' walks, from any thread. @pre isComplete()
+  /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. Thread-safe. Cost: O(1) after the
+  /// first call, which costs the sum of the lengths of all walks. @pre isComplete()
   [[nodiscard]] std::span<const CircuitTerm> tailCircuit(int mesh) const { return circuit(2 * mesh); }
   [[nodiscard]] std::span<const CircuitTerm> headCircuit(int mesh) const { return circuit(2 * mesh + 1); }
 
-  /// Of the couplings that the document engages, in its order of them.
+  /// The circuits of the couplings that the document engages, in the document's order.
   [[nodiscard]] const std::vector<HeldCircuit>& held() const { return m_held; }
-  /// The equations of the meshes, c() of them, then those of the engaged couplings.
+  /// The number of equations: c() meshes, then the circuits of the engaged couplings.
   [[nodiscard]] int equations() const { return m_graph->c() + static_cast<int>(m_held.size()); }
   /// @pre equation >= c()
   [[nodiscard]] const HeldCircuit& heldCircuit(int equation) const {

@@ -19,8 +19,8 @@ struct RateMatrix {
   std::vector<int> outputs;  ///< joints by ordinal, ascending
   std::vector<int> inputs;   ///< joints by ordinal, in the order of the document's inputs
   std::vector<std::vector<Value>> entries;
-  /// No rate is left open, and the equations that were not needed hold for every input. False for inputs that
-  /// are not valid: such a matrix is no solution.
+  /// True if no rate is left open and the equations that were not needed hold for every input. False for
+  /// invalid inputs: then the matrix is no solution.
   bool determined = true;
 };
 
@@ -34,33 +34,35 @@ struct TtDetermination {
 };
 
 /// Decided modulo a random prime of 61 bits: where it says valid, it is.
-/// Cost: the circuit terms, and the elimination of the coupled rest. None where `stop` was requested.
+/// Cost: the circuit terms, and the elimination of the coupled rest. std::nullopt if `stop` was requested.
 [[nodiscard]] std::optional<TtDetermination> ttDetermination(const TtGraph& graph,
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});
 
-/// The rates of all joints, by joint, for these rates of the plan's inputs. Exact; none where `stop` was
+/// The rates of all joints, by joint, for these rates of the plan's inputs. Exact; std::nullopt if `stop` was
 /// requested.
 /// @pre the inputs are valid
 [[nodiscard]] std::optional<std::vector<Rational>> ttRates(const TtGraph& graph, const SubstitutionPlan& plan,
                                                            std::span<const Rational> inputRates,
                                                            const std::stop_token& stop = {});
-/// The same live: doubles with their residues modulo a prime, so that zeros are exact.
+/// The same in doubles with their residues modulo a prime, so that zeros are exact; fast enough for dragging.
 [[nodiscard]] std::optional<std::vector<Fused>> ttRates(const FusedField& field, const TtGraph& graph,
                                                         const SubstitutionPlan& plan,
                                                         std::span<const Fused> inputRates,
                                                         const std::stop_token& stop = {});
 
-/// The whole matrix, exact; it says whether the inputs were valid. Cost: as the rates, for each input.
+/// The whole matrix, exact; `determined` is false if the inputs are not valid. std::nullopt if `stop` was
+/// requested. Cost: that of ttRates() for each input.
 [[nodiscard]] std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph,
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});
 
 /// The whole matrix as functions of the gear ratios; an entry is none where it, or the coupled equations that
-/// it comes from, went over the budget; all are none where the plan is by levels.
+/// give it, exceeded the budget; all are none where the plan is by levels. std::nullopt if `stop` was
+/// requested.
 ///
 /// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ttRatioRing() makes one.
-/// Redundant meshes (surplus ones) are left out: their ratios are bound to the others.
+/// Redundant (surplus) meshes are left out: their ratios depend on the others.
 /// @pre the inputs are valid
 [[nodiscard]] std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,

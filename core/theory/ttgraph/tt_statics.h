@@ -17,14 +17,14 @@ namespace geargraph::inline ttgraph {
 // M_ik w_ik + M_jk w_jk is 0. M_ik is the torque by the mesh on the tail's gear i about its axis, seen from
 // the carrier k, M_jk that on the head's gear j; the carrier has the reactions.
 //
-// One f-cutset a tree branch e, with the coefficients of the f-circuits of its chords (31)-(38):
+// One f-cutset per tree branch e, with the coefficients of the f-circuits of its chords (31)-(38):
 //
 //     M_e + sum over the chords through the cutset of B(chord, e) M_chord + ell_e = 0,
 //
 // M_e the torque in joint e, by its tail on its head, about +direction of its axis; ell_e the power of loads
 // on links beyond e for the joint's rate 1. Torques that hold links together (couplings, balances) are
 // further chords. The chain runs from the loads back to the motors, the reverse of (39)-(42): take a cutset
-// with one unknown left, then the terminal equation of its mesh, and go on; what is coupled is solved
+// with one unknown left, then the terminal equation of its mesh, and repeat; coupled unknowns are solved
 // together.
 
 /// A further chord: the coefficient of each branch in its f-circuit, (joint, coefficient).
@@ -40,7 +40,7 @@ struct TtStaticStep {
 
 /// Port torques and torques of further chords, in N m.
 struct TtTorques {
-  bool isBalanced = true;       ///< false: the loads are not held, nothing has a value
+  bool isBalanced = true;       ///< false: the loads are not held, the values are meaningless
   std::vector<Real> tailPorts;  ///< M_ik by mesh, 0 for what is free in self-stresses
   std::vector<Real> headPorts;  ///< M_jk by mesh
   std::vector<Real> chords;
@@ -49,9 +49,9 @@ struct TtTorques {
   std::vector<TtStaticStep> steps;    ///< empty where the equations are taken by levels
 };
 
-/// `loads`: by branch e, the loads tau_e + ell_e. Exact. None where `stop` was requested.
-/// Where the circuits have more than `mostTerms` terms, cutsets along a level are subtracted from each other,
-/// which leaves one balance a link.
+/// `loads`: by branch e, the loads tau_e + ell_e. Exact. std::nullopt if `stop` was requested. Where the
+/// circuits have more than `mostTerms` terms, cutsets along a level are subtracted from each other, which
+/// leaves one balance per link.
 /// Cost: the circuit terms, or O(n + c); one elimination.
 /// @pre graph.isComplete()
 [[nodiscard]] std::optional<TtTorques> ttTorques(const TtGraph& graph, std::span<const TtChord> chords,

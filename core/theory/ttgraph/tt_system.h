@@ -12,13 +12,13 @@
 
 namespace geargraph::inline ttgraph {
 
-/// What a system does without.
+/// Equations and columns that a system leaves out.
 struct LeftOut {
-  std::vector<char> equations;  ///< 1: its row; empty: none
+  std::vector<char> equations;  ///< by equation, 1: its row is left out; empty: none
   std::vector<char> columns;  ///< by column, 1: its terms in the coupled rest, for its rate is 0; empty: none
 };
 
-/// The terminal equations with their circuits put in, one row a mesh, in some arithmetic:
+/// The terminal equations with their circuits substituted, one row per mesh, over a field:
 ///
 ///     tail(mesh) * (tail circuit) + head(mesh) * (head circuit) = 0
 ///
@@ -31,7 +31,7 @@ class TtSystem {
  public:
   using Value = typename Field::Value;
 
-  /// `left`: of the coupled rest only. None where `stop` was requested.
+  /// `left` concerns the coupled rest only. std::nullopt if `stop` was requested.
   /// Cost: the circuit terms, and the elimination of the coupled rest.
   template <class Weights>
   [[nodiscard]] static std::optional<TtSystem> of(const Field& field, const TtGraph& graph,
@@ -60,7 +60,7 @@ class TtSystem {
     return system;
   }
 
-  /// The arithmetic to go on with: the one it was made with, or one like it that lives longer.
+  /// Replaces the field by an equal one that lives longer.
   void setField(const Field& field) { m_field = &field; }
 
   /// Unknowns that the equations leave open: too few inputs, or dependent ones. Ascending.
@@ -82,7 +82,7 @@ class TtSystem {
     return equations;
   }
 
-  /// The rates of all joints, by joint, for these input rates; open joints stand still.
+  /// The rates of all joints, by joint, for these input rates; open joints are at rest.
   /// Cost: the non-zeros.
   [[nodiscard]] std::vector<Value> rates(std::span<const Value> inputRates) const {
     std::vector<Value> x = columns(inputRates);
@@ -91,7 +91,7 @@ class TtSystem {
     return byJoint(std::move(x));
   }
 
-  /// The rates, and whether every equation that gave no unknown holds.
+  /// The rates of all joints, and whether every equation that gave no unknown holds.
   [[nodiscard]] std::pair<std::vector<Value>, bool> solve(std::span<const Value> inputRates) const {
     std::vector<Value> found = rates(inputRates);
     const bool all = holds(found);
@@ -129,7 +129,7 @@ class TtSystem {
     return equations;
   }
 
-  /// By column: 0 but for the inputs.
+  /// The values by column: those of the inputs, else 0.
   [[nodiscard]] std::vector<Value> columns(std::span<const Value> inputRates) const {
     std::vector<Value> x(m_plan->jointAt.size(), m_field->fromInteger(0));
     std::copy(inputRates.begin(), inputRates.end(), x.begin() + m_plan->firstInputColumn());

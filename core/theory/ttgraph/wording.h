@@ -4,7 +4,7 @@
 
 namespace geargraph::inline ttgraph {
 
-/// As many names as a sentence about axes and transfer vertices bears.
+/// The most names that one sentence about axes and transfer vertices lists.
 constexpr std::size_t kMostNames = 8;
 
 /// "three" up to twelve, digits beyond.
