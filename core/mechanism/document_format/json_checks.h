@@ -11,21 +11,22 @@
 
 namespace geargraph::inline document_format {
 
-/// The findings about one JSON text, gathered with their places.
+/// Collects the diagnostics of one JSON text with their positions.
 class JsonFindings {
  public:
   explicit JsonFindings(const JsonDocument& document) : m_document(document) {}
 
-  /// `pointer` is the JSON pointer of what is wrong; `at` is it, or what surrounds it where it is missing.
+  /// `pointer` is the JSON pointer of the wrong value; `at` is that value, or the one that should contain it
+  /// if it is missing.
   void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer,
            JsonValue at);
 
-  /// Is there a finding about this pointer, or about something that contains it? Then another one at this
-  /// place would only be its consequence.
+  /// Is there a diagnostic for this pointer, or for a value that contains it? Then a further one here would
+  /// only be its consequence.
   [[nodiscard]] bool covers(std::string_view pointer) const;
 
   [[nodiscard]] bool empty() const { return m_findings.empty(); }
-  /// All of them in the order of the text, with line and column; schema findings say their pointer.
+  /// All diagnostics in the order of the text, with line and column; those of `schema` include their pointer.
   /// Cost: O(text + k log k).
   [[nodiscard]] Diagnostics inOrder() const;
 
@@ -39,8 +40,8 @@ class JsonFindings {
   std::unordered_set<std::string> m_pointers;
 };
 
-/// What no JSON file may have, whatever its members mean: a list of more than kLongestList elements, a member
-/// name twice in one object, a number too large for a double. One `schema` finding each. Cost: O(values).
+/// Checks that apply whatever the members mean: lists of more than kLongestList elements, a member name twice
+/// in one object, numbers too large for a double. One `schema` diagnostic each. Cost: O(values).
 void checkJson(const JsonDocument& document, JsonFindings& findings);
 
 /// One step of a JSON pointer (RFC 6901), with its slash.

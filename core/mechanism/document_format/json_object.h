@@ -13,24 +13,25 @@
 
 namespace geargraph::inline document_format {
 
-/// Reads the members of one object of the file. A member of the wrong type makes a finding that says what was
-/// expected and what was found, and reads as its default, so that all problems of a file are found in one go.
-/// What nobody asked for is unknown().
+/// Reads the members of one object of the file. A member of the wrong type adds a diagnostic with the
+/// expected and the actual type and reads as its default, so that all problems of a file are found in one
+/// pass. Members that were never read are unknown().
 class JsonObject {
  public:
-  /// Makes a finding where the value is no object; then every member reads as absent, without a finding.
+  /// Adds a diagnostic if the value is no object; then every member reads as absent, without further
+  /// diagnostics.
   JsonObject(JsonFindings& findings, JsonValue value, std::string pointer);
 
-  /// From here on, findings blame this element.
+  /// From here on, diagnostics name this element.
   void blame(const ElementId& element) { m_blamed = {element}; }
   [[nodiscard]] const std::string& pointer() const { return m_pointer; }
 
   [[nodiscard]] std::optional<JsonValue> member(std::string_view name);
-  /// As member(), with a finding where it is missing: what is expected, marked by toTranslate().
+  /// As member(), with a diagnostic if it is missing. `expected` is marked by toTranslate().
   [[nodiscard]] std::optional<JsonValue> required(std::string_view name, std::string_view expected);
 
-  /// An id, or a reference to one: a string, or a whole number that is read as its decimal digits. Empty
-  /// where there is none.
+  /// An id, or a reference to one: a string, or a whole number that is read as its decimal digits. Empty,
+  /// with a diagnostic, if it is missing.
   [[nodiscard]] Atom requiredId(std::string_view name);
   [[nodiscard]] std::optional<Atom> id(std::string_view name);
   [[nodiscard]] std::optional<std::vector<Atom>> ids(std::string_view name);
@@ -44,12 +45,12 @@ class JsonObject {
   /// The ends of a range: a list of two, each a number or null.
   using Ends = std::array<std::optional<Number>, 2>;
   [[nodiscard]] std::optional<Ends> ends(std::string_view name);
-  /// A whole number of the range, required; `lowest` where there is none.
+  /// A required whole number in lowest..highest; `lowest`, with a diagnostic, otherwise.
   [[nodiscard]] int requiredWhole(std::string_view name, int lowest, int highest);
 
-  /// Adds a finding at a member of this object: what is expected, marked by toTranslate() or translated.
+  /// Adds a diagnostic at a member of this object. `expected` is marked by toTranslate(), or translated.
   void wrong(std::string_view name, JsonValue found, std::string_view expected);
-  /// The members that were not asked for, in the order of the file.
+  /// The members that were not read, in the order of the file.
   [[nodiscard]] UnknownMembers unknown() const;
 
  private:

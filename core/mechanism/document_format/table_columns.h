@@ -25,9 +25,9 @@ constexpr std::array<std::string_view, 3> kPlaceColumns = {"x", "y", "z"};
 constexpr std::array<std::string_view, 3> kDirectionColumns = {"dx", "dy", "dz"};
 constexpr std::array<std::string_view, 6> kInertiaColumns = {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
 
-// What the columns of an element are: one description, which the writer's and the reader's row both follow,
-// so that they cannot drift apart. A row has `kReads` and, for each kind of value, a function that writes or
-// reads one cell (TableRowWriter, TableRowReader).
+// The columns of each element: one description for both the writer and the reader, so that they cannot
+// diverge. A row type has `kReads` and, for each kind of value, a function that writes or reads one cell
+// (TableRowWriter, TableRowReader).
 
 template <class Row, class OneDocument>
 void documentColumns(Row& row, OneDocument& document) {
@@ -48,7 +48,7 @@ void documentColumns(Row& row, OneDocument& document) {
   row.text("notes", document.notes);
 }
 
-/// A mass as its cells; of these an inertia or a centre needs a mass.
+/// The cells of a mass; an inertia or a centre is valid only together with a mass.
 struct MassCells {
   std::optional<Number> mass;
   std::optional<NumberTriple> center;
@@ -126,7 +126,7 @@ void inputColumns(Row& row, OneInput& input) {
   row.requiredNumber("speed", input.speed);
 }
 
-/// The element's name says whether it is a brake or a clutch. @pre `links` has one or two links
+/// The cell "element" distinguishes brake and clutch. @pre a brake has one link, a clutch two
 template <class Row, class OneCoupling>
 void couplingColumns(Row& row, OneCoupling& coupling) {
   row.id("id", coupling.id);
@@ -146,7 +146,7 @@ void stateColumns(Row& row, OneState& state) {
   row.id("driven", state.driven);
 }
 
-/// A load or a balance as its cells.
+/// The cells of a load or a balance.
 struct ActionCells {
   std::optional<JointId> joint;
   std::optional<LinkId> link;

@@ -14,7 +14,7 @@
 
 namespace geargraph::inline document_format {
 
-/// Findings about a table, at most kMost of them, so that a hostile file cannot fill the memory.
+/// Collects at most kMost diagnostics about a table, so that a malicious file cannot exhaust the memory.
 class TableFindings {
  public:
   static constexpr std::size_t kMost = 100;
@@ -22,7 +22,7 @@ class TableFindings {
   void add(Code code, std::string message, std::vector<ElementId> elements, int line, int column);
   [[nodiscard]] bool isFull() const { return m_found.size() >= kMost; }
   [[nodiscard]] bool empty() const { return m_found.empty(); }
-  /// With a last one that says so if there are more.
+  /// All diagnostics, with a last one if more were dropped.
   [[nodiscard]] Diagnostics all() const;
 
  private:
@@ -33,7 +33,7 @@ class TableFindings {
 /// Which column is at which position of a record.
 using TableHeader = std::map<std::string_view, std::size_t>;
 
-/// Reads the cells of one row into an element (table_columns.h). A cell that cannot be read makes a finding
+/// Reads the cells of one row into an element (table_columns.h). A cell that cannot be read adds a diagnostic
 /// and leaves the default.
 class TableRowReader {
  public:
@@ -60,18 +60,18 @@ class TableRowReader {
   void meshKind(std::string_view column, std::optional<MeshKind>& kind);
   void flag(std::string_view column, bool& flag);
 
-  /// Findings name the element of the column "id" from here on.
+  /// From here on, diagnostics name the element of the column "id".
   template <class ElementsId>
   void blameId() {
     if (const std::string id = shortId(); !id.empty()) m_blamed = {ElementsId(id)};
   }
-  /// Adds a finding at a column, or at the row where it has no such column.
+  /// Adds a diagnostic at a column, or at the row if the table has no such column.
   void wrong(std::string_view column, std::string message);
-  /// Adds a finding about the row as a whole, which makes others about its cells needless.
+  /// Adds a diagnostic about the row as a whole; then its cells need none.
   void wrongRow(std::string message);
-  /// One finding a cell that no function has asked for: it would be lost.
+  /// Adds a diagnostic for every non-empty cell that was not read and would be lost.
   void rejectOtherCells(std::string_view element);
-  /// Has the row a text in any column but `element`?
+  /// Is any cell but `element` non-empty?
   [[nodiscard]] bool hasCells() const;
 
  private:
@@ -80,7 +80,7 @@ class TableRowReader {
   void missing(std::string_view column, std::string_view expected);
   /// What is expected, marked by toTranslate().
   void unexpected(std::string_view column, std::string_view expected);
-  /// Empty where the column "id" has none that can be one.
+  /// The id in the column "id"; empty if there is no valid one.
   [[nodiscard]] std::string shortId();
   [[nodiscard]] std::optional<Atom> atom(std::string_view column);
 

@@ -7,7 +7,7 @@
 
 namespace geargraph::inline document_format {
 
-/// The 3D files attached to a link, from its member `shapes`; findings name the link.
+/// The 3D files attached to a link, from its member `shapes`; diagnostics name the link.
 [[nodiscard]] std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list,
                                                 const std::string& pointer, LinkId link);
 

@@ -7,26 +7,26 @@
 
 namespace geargraph::inline fitting {
 
-/// How an axis is to lie: along an axis of the base frame, or as another axis says.
+/// A new direction or place for an axis: along an axis of the base frame, or relative to another axis.
 struct AxisChoice {
   enum class Way : std::uint8_t {
     alongX,
     alongY,
     alongZ,
-    squareTo,       ///< at right angles to `other`; it keeps as much of its own direction as that allows
+    squareTo,       ///< at right angles to `other`; its own direction is projected
     parallelTo,     ///< in the direction of `other`
-    throughMeeting  ///< through the point where `other` meets the axis of its first bevel pair; where it
-                    ///< meets none, through its point
+    throughMeeting  ///< through the point where `other` intersects the axis of its first bevel pair; if it
+                    ///< has none, through its reference point
   };
   Way way = Way::alongZ;
-  AxisId other = {};  ///< of the last three
+  AxisId other = {};  ///< for the last three
 };
 
-/// The axis lies as chosen and is stated so; where its meshes lay it like that already, it stays open. The
-/// first axis is stated with it where none was, so that the others stay. What was guessed of the meshes
-/// between it and its neighbours gives way: pairs whose axes are parallel no more become bevels with
-/// withKindFitted(), bevels whose axes are parallel now become external. Refuses unknown-id, and what the
-/// geometry does not allow.
+/// Places the axis as chosen and states the place in the document; if its meshes already give that place, the
+/// axis stays open. If no axis was stated, the first one is stated too, so that the others stay. Kinds of
+/// meshes on the axis that were guessed are adapted: pairs whose axes are no longer parallel become bevels by
+/// withKindFitted(), bevels whose axes are now parallel become external. Rejects unknown-id, and places that
+/// the geometry does not allow.
 [[nodiscard]] Expected<PlacedMechanism> withAxisChosen(const PlacedMechanism& before, AxisId axis,
                                                        const AxisChoice& choice);
 

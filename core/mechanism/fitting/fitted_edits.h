@@ -7,37 +7,38 @@
 
 namespace geargraph::inline fitting {
 
-// Edits after which everything still fits: coaxial wheels stay coaxial, the ring follows sun and planets, a
-// bevel keeps its apex, twins of a planet follow it. Places and pitch points that the document leaves open
-// follow by themselves, stated ones are moved, pinned ones (pins.h) stay. What cannot be satisfied is refused
-// with the culprits. Where
-// the document has no geometry to keep (its joints are no tree, a mesh contradicts its axes), or more than
-// kMostFittedMeshes, these are the plain edits of edits.h.
+// Edits that keep the train geometrically consistent: coaxial wheels stay coaxial, the ring follows sun and
+// planets, a bevel keeps its apex, identical planets change together. Places and pitch points that the
+// document leaves open follow by themselves, stated ones are moved, pinned ones (pins.h) stay. An edit that
+// cannot be satisfied is rejected with the elements to blame. Where the document has no consistent geometry
+// (its joints form no tree, a mesh contradicts its axes), or more than kMostFittedMeshes meshes, these are
+// the plain edits of edits.h.
 
-constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up with typing
+constexpr int kMostFittedMeshes = 500;  ///< with more, fitting is too slow for typing
 
-/// Other tooth counts for a mesh, with all that follows (TeethFit). Refuses unknown-id, schema,
+/// Sets the tooth counts of a mesh, with all consequences (TeethFit). Rejects unknown-id, schema,
 /// teeth-geometry and pitch-geometry.
 [[nodiscard]] Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId mesh,
                                                         int tailTeeth, int headTeeth);
 
-/// An external pair becomes internal or the other way round; the axes move to the new distance. Where the
-/// document leaves the axes open, a pair becomes a bevel pair together with all that must be bevels with it,
-/// those between the same axes and those on its wheels; what was taken for a ring becomes a side gear as
-/// large as the other. Refuses pitch-geometry where axes that are stated contradict the kind.
+/// Changes the kind of a mesh. Between external and internal, the axes move to the new distance. Where the
+/// document leaves the axes open, a pair becomes bevel together with the meshes that must become bevel too
+/// (those between the same axes and those of its wheels); a guessed ring becomes a side gear with as many
+/// teeth as the other. Rejects pitch-geometry where stated axes contradict the kind.
 [[nodiscard]] Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId mesh,
                                                        MeshKind kind);
 
-/// The wheel of a bevel mesh goes to the other side of the apex, on its own axis; its other meshes go along.
-/// The other wheel stays. Refuses unknown-id, and pitch-geometry for a pair that is no bevel.
+/// Moves one wheel of a bevel mesh (`ofTail`: the tail's) to the other side of the apex on its own axis, with
+/// its other meshes; the other wheel stays. Rejects unknown-id, and pitch-geometry for a pair that is no
+/// bevel.
 [[nodiscard]] Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, MeshId mesh,
                                                              bool ofTail);
 
-/// Pins an axis, a link or a mesh, or lets it go (pins.h). An axis that the program has placed so far is
-/// stated where it lies, and so are both axes of a mesh. Refuses unknown-id.
+/// Pins an axis, a link or a mesh, or unpins it (pins.h). Pinning states the present place of an automatic
+/// axis, and of both axes of a pinned mesh. Rejects unknown-id.
 [[nodiscard]] Expected<PlacedMechanism> withPinned(const PlacedMechanism& before, const ElementId& element,
                                                    bool pinned);
-/// All of these.
+/// withPinned() for several elements, all or none.
 [[nodiscard]] Expected<PlacedMechanism> withAllPinned(const PlacedMechanism& before,
                                                       std::span<const ElementId> elements, bool pinned);
 

@@ -5,11 +5,11 @@
 
 namespace geargraph::inline fitting {
 
-/// Has the document a geometry to keep, and not too much of it to follow at once?
+/// Is the document's geometry consistent, and small enough (kMostFittedMeshes) to be fitted?
 [[nodiscard]] bool canBeFitted(const Placement& placement);
 
-/// The edited document, unless the edit broke a geometry that was sound, or gave a pinned mesh another
-/// module. Cost: its placement, which comes with it.
+/// Returns the edited document with its placement; an error if the edit made a consistent geometry
+/// inconsistent, or changed the module of a pinned mesh. Cost: the placement.
 [[nodiscard]] Expected<PlacedMechanism> unlessBroken(const PlacedMechanism& before,
                                                      Expected<Mechanism> edited);
 

@@ -7,15 +7,15 @@
 
 namespace geargraph::inline fitting {
 
-/// The module of a mesh in the document's unit, 2 r / N: of bevels at their pitch point, the large end.
-/// Nothing where the mesh has no geometry in this placement of the mechanism.
+/// The module of a mesh in the document's unit, 2 r / N: for bevels at the pitch point, which is at the large
+/// end. std::nullopt if the mesh has no geometry in this placement of the mechanism.
 [[nodiscard]] std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement,
                                              int mesh);
 
-/// Gives a mesh this module, and the meshes of the same wheels and of the same pair of axes with it: axes go
-/// apart or together, bevels grow or shrink about their apex. Tooth counts stay, so no ratio changes.
-/// Refuses unknown-id, and teeth-geometry for a module that is not positive, and where the train has no
-/// geometry to keep or something pinned is in the way.
+/// Sets the module of a mesh, and of the meshes of the same wheels and of the same pair of axes: centre
+/// distances change, bevels are scaled about their apex. Tooth counts stay, so no ratio changes. Rejects
+/// unknown-id, and teeth-geometry for a module that is not positive, where the train's geometry is
+/// inconsistent, or where something pinned prevents it.
 [[nodiscard]] Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
                                                    const Rational& module);
 

@@ -7,8 +7,9 @@
 
 namespace geargraph::inline fitting {
 
-/// Meshes that have one module with those that `starts` names, step by step: of the same wheels, and between
-/// parallel axes of the same pair of axes. Bevels and meshes of parallel axes do not reach each other.
+/// The meshes that must have the same module as those for which `starts` is true, transitively: meshes of the
+/// same wheel, and meshes between the same pair of parallel axes. Bevels and meshes of parallel axes do not
+/// affect each other.
 [[nodiscard]] std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& placement,
                                                  const std::function<bool(int mesh)>& starts);
 

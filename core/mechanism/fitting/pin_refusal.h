@@ -4,14 +4,15 @@
 
 namespace geargraph::inline fitting {
 
-/// The axis that an axis class bears the name of.
+/// The axis that gives an axis class its name.
 [[nodiscard]] const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass);
 
-/// teeth-geometry: a mesh cannot follow, because its gears or axes that could are pinned. Names them.
+/// teeth-geometry: a mesh cannot be fitted, because the gears or axes that would have to change are pinned.
+/// Names them.
 [[nodiscard]] Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, int mesh);
-/// teeth-geometry: the mesh's module is pinned, and would be another one.
+/// teeth-geometry: the mesh's module is pinned and would change.
 [[nodiscard]] Diagnostic modulePinRefusal(const Mechanism& mechanism, int mesh);
-/// The axis is pinned where it is.
+/// teeth-geometry: the axis is pinned and would move.
 [[nodiscard]] Diagnostic pinRefusal(const Axis& axis);
 
 }  // namespace geargraph::inline fitting

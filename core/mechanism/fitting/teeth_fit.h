@@ -13,10 +13,10 @@ namespace geargraph::inline fitting {
 /// Two axis classes with meshes of parallel axes between them, the smaller first: one centre distance.
 using AxisPair = std::pair<int, int>;
 
-/// How tooth counts and centre distances follow from a change.
+/// The tooth counts and centre distances after a change.
 struct TeethFit {
   std::vector<int> teeth;               ///< by end (wheel_map.h)
-  std::map<AxisPair, Rational> scales;  ///< new centre distance over the old one; pairs not named keep theirs
+  std::map<AxisPair, Rational> scales;  ///< new centre distance over the old one; other pairs keep theirs
 };
 
 /// A change of the teeth of one mesh, or of its kind.
@@ -27,23 +27,22 @@ struct MeshChange {
   MeshKind kind = MeshKind::external;
 };
 
-/// What follows from the change, module and axes kept coaxial:
+/// What follows from the change, with the module kept and coaxial axes kept coaxial:
 ///
-/// 1. The wheel's other meshes have its new teeth, and so have its twins, the other planets.
-/// 2. A pair of axes takes the distance that its changed mesh asks for at the module it has, one with a
+/// 1. The wheel's other meshes get its new teeth, and so do the identical planets of its set.
+/// 2. A pair of axes takes the centre distance that its changed mesh needs at its present module, one with a
 ///    pinned module first, then an external one.
-/// 3. Other meshes of that pair keep their module: of their wheels the one that is not given yet follows, of
-/// an
-///    internal pair the ring. Where no whole count fits they keep their teeth, and their module follows (as
-///    in Ferguson's paradox).
-/// 4. So on, with the pairs that wheels changed in step 3 belong to.
+/// 3. Other meshes of that pair keep their module: the wheel whose teeth are not determined yet is adapted,
+/// in an internal pair the ring. Where no whole count fits they keep their teeth, and their module changes
+/// (as in Ferguson's paradox).
+/// 4. Repeat for the pairs of axes of the wheels changed in step 3.
 ///
-/// Pins: a wheel of a pinned link keeps its teeth, so that in step 3 the other wheel follows, or the one that
-/// both meshes share; between two pinned axes the distance stays, and the other wheel of the changed mesh
-/// follows.
+/// Pins: a wheel of a pinned link keeps its teeth, so that in step 3 the other wheel is adapted, or the one
+/// that both meshes share; between two pinned axes the distance stays, and the other wheel of the changed
+/// mesh is adapted.
 ///
-/// Refuses teeth-geometry where a wheel would need fewer than 4 teeth, or an internal pair equal counts, or
-/// where only pinned things could follow.
+/// Rejects teeth-geometry where a wheel would need fewer than 4 teeth, or an internal pair equal counts, or
+/// where only pinned elements could be adapted.
 /// @pre every mesh has a geometry in the placement
 [[nodiscard]] Expected<TeethFit> fitTeeth(const Mechanism& mechanism, const Placement& placement,
                                           const WheelMap& wheels, const MeshChange& change);

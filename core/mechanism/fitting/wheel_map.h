@@ -6,8 +6,8 @@
 
 namespace geargraph::inline fitting {
 
-/// Which ends of meshes are teeth of one wheel: those that name the same wheel, else those on the same link,
-/// axis, tooth count and plane. A change of its teeth changes all of them.
+/// Which ends of meshes belong to one wheel: those that name the same wheel, else those with the same link,
+/// axis, tooth count and plane. A change of the teeth of a wheel changes all its ends.
 ///
 /// An end is 2 * mesh for the tail, 2 * mesh + 1 for the head.
 class WheelMap {
@@ -20,8 +20,8 @@ class WheelMap {
   [[nodiscard]] const std::vector<int>& ends(int wheel) const {
     return m_ends[static_cast<std::size_t>(wheel)];
   }
-  /// Wheels on other links that mesh the same wheels in the same way from the same carrier, with as many
-  /// teeth: the other planets of a set.
+  /// The identical planets of a set: wheels on other links that mesh with the same wheels in the same way on
+  /// the same carrier, with as many teeth.
   [[nodiscard]] std::vector<int> twins(int wheel) const;
 
  private:
@@ -47,7 +47,7 @@ class WheelMap {
   return isTailEnd(end) ? end + 1 : end - 1;
 }
 [[nodiscard]] int teethOf(const Mechanism& mechanism, int end);
-/// The axis class that the end's gear turns in.
+/// The axis class about whose line the end's gear turns.
 [[nodiscard]] int classOfEnd(const Placement& placement, int end);
 
 }  // namespace geargraph::inline fitting

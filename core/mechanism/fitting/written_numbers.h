@@ -5,7 +5,7 @@
 
 namespace geargraph::inline fitting {
 
-/// The number as a person would have written it, a decimal of six digits, where it is one; else as it is.
+/// The value as a decimal of at most six digits if it is close to one; else exactly.
 [[nodiscard]] Rational plainDecimal(double value);
 
 [[nodiscard]] NumberTriple numbersOf(const ExactVector3& v);

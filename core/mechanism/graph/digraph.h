@@ -18,8 +18,8 @@ struct DigraphEdge {
 
 /// The mechanism's digraph [AU, Fig. 2]: a node per link (0 is the ground), then an edge per turning joint,
 /// then an edge per gear mesh, all in the order of the document. Ordinals are positions 0..n and 0..t+c-1;
-/// labels are the paper's numbers; both are renewed with every digraph. Elements are known by their stable
-/// ids.
+/// labels are the paper's numbers; both are assigned anew with every digraph. Elements are identified by
+/// their stable ids.
 class Digraph {
  public:
   /// Cost: O(n + t + c).
@@ -70,7 +70,7 @@ class Digraph {
  private:
   void addEdges(const Mechanism& mechanism);
   void collectTurningEdges();
-  /// By node, and one behind: where its turning edges begin among m_numbers.
+  /// By node, and one for the end: where its turning edges begin in m_numbers.
   [[nodiscard]] const int* starts() const { return m_numbers.data() + m_turningCount; }
 
   int m_nodeCount = 0;

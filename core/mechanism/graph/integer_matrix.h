@@ -20,14 +20,15 @@ enum class MatrixKind { incidence, reducedIncidence, path, spanningTree, cycleBa
 [[nodiscard]] std::string_view matrixJsonName(MatrixKind kind);  ///< "reducedIncidence": analyze --json
 [[nodiscard]] std::string_view matrixSymbol(MatrixKind kind);    ///< "Γ = [G | G*]", as the paper writes it
 [[nodiscard]] std::string_view matrixTitle(MatrixKind kind);     ///< "Reduced incidence matrix"
-/// Which equation of the paper shows it, 0 where none does (the cutset matrix).
+/// The number of the paper's equation that defines the matrix; 0 for the cutset matrix, which is not in the
+/// paper.
 [[nodiscard]] int matrixEquation(MatrixKind kind);
 
-/// What stands beside a row or above a column: a matrix leaves core only with its labels.
+/// The heading of a row or column: a matrix leaves core only with its labels.
 struct Heading {
   int label = 0;      ///< the paper's number
   std::string text;   ///< as shown: "8"; "C15" for a cycle
-  ElementId element;  ///< what lights up with it; for a cycle, its mesh
+  ElementId element;  ///< what is highlighted with it; for a cycle, its mesh
 };
 
 struct MatrixEntry {
@@ -41,11 +42,11 @@ struct MatrixEntry {
 struct UniformRow {
   int value = 0;
   std::vector<std::uint64_t> columns;
-  std::vector<std::uint8_t> marks;  ///< the matrix's own, kept from row to row
+  std::vector<std::uint8_t> marks;  ///< scratch memory of the matrix, reused from row to row
 };
 
-/// A matrix of -1, 0, +1 whose entries are answered without being stored. An immutable value behind a
-/// pointer, safe to read from any thread; it owns what it needs.
+/// A matrix of -1, 0, +1 whose entries are computed on demand, not stored. Immutable and thread-safe; it
+/// shares ownership of what it needs.
 class IntegerMatrix {
  public:
   virtual ~IntegerMatrix() = default;
@@ -59,10 +60,10 @@ class IntegerMatrix {
   [[nodiscard]] virtual int entry(int row, int column) const = 0;
   /// The non-zeros of a row in column order, written over `entries`.
   virtual void rowEntries(int row, std::vector<MatrixEntry>& entries) const = 0;
-  /// The row as a set of columns, written over `uniform`; false where rows of this matrix need not be
-  /// uniform. Faster than rowEntries() for writers of whole matrices: no order has to be made.
+  /// The row as a set of columns, written over `uniform`; false if the rows of this matrix are not uniform.
+  /// Faster than rowEntries() for writing whole matrices: nothing is sorted.
   virtual bool uniformRow(int /*row*/, UniformRow& /*uniform*/) const { return false; }
-  /// The first column behind the dashed line: [G | G*], [T | U], [U | Q_c]; none where the matrix has no
+  /// The first column after the dashed line: [G | G*], [T | U], [U | -T^T]; std::nullopt if the matrix has no
   /// parts.
   [[nodiscard]] virtual std::optional<int> partition() const { return std::nullopt; }
 

@@ -9,13 +9,13 @@
 
 namespace geargraph::inline graph {
 
-/// The spanning tree that the turning joints make, rooted at the ground [AU, Fig. 2: the solid arrows].
+/// The spanning tree of the turning joints, rooted at the ground [AU, Fig. 2: the solid arrows].
 ///
-/// A tree that exists spans: of() gives none where the turning joints close a loop or leave a link loose
-/// (treeDiagnostics() of core/mechanism says which and why).
+/// of() returns std::nullopt if the turning joints close a loop or leave a link unconnected
+/// (treeDiagnostics() of core/mechanism/model names them).
 ///
-/// Ancestry is answered in constant time from preorder intervals: node v lies below joint e exactly if
-/// first(e) <= preorder(v) < last(e). So no entry of the path matrix is ever stored.
+/// Ancestry takes constant time by preorder intervals: node v is below joint e exactly if first(e) <=
+/// preorder(v) < last(e). So no entry of the path matrix is stored.
 class SpanningTree {
  public:
   /// Cost: O(n).
@@ -45,7 +45,7 @@ class SpanningTree {
     return isOnWalk(joint, node) ? directionToGround(joint) : 0;
   }
 
-  /// The node where the walks of two nodes to the ground first meet. Cost: O(depth).
+  /// The lowest common ancestor of two nodes. Cost: O(depth).
   [[nodiscard]] int commonAncestor(int a, int b) const;
 
   /// The nodes beyond joint e, seen from the ground, in preorder.
@@ -56,7 +56,7 @@ class SpanningTree {
                               static_cast<std::size_t>(at(Part::subtreeEnd, top) - first));
   }
 
-  /// Nodes in preorder, the ground first: every node stands behind its parent.
+  /// Nodes in preorder, the ground first: every node comes after its parent.
   [[nodiscard]] std::span<const int> preorder() const { return part(Part::order); }
   /// parent(), jointToParent() by node and child() by joint, as arrays.
   [[nodiscard]] std::span<const int> parents() const { return part(Part::parent); }
@@ -66,7 +66,7 @@ class SpanningTree {
   }
 
  private:
-  /// What is kept, each by node or joint, one behind the other in one array.
+  /// The parts of m_numbers, each by node or joint, one after the other.
   enum class Part { parent, jointToParent, depth, preorder, subtreeEnd, order, child, towardsGround };
   static constexpr int kParts = 8;
 

@@ -7,19 +7,19 @@
 
 namespace geargraph::inline model {
 
-/// Tail and head exchanged; the limits go with them.
+/// Exchanges tail and head; the limits are reversed accordingly.
 inline void flip(TurningJoint& joint) {
   std::swap(joint.tail, joint.head);
   joint.limits = opposite(joint.limits);
 }
-/// The teeth and the wheels go with them.
+/// Exchanges tail and head with their teeth and wheels.
 inline void flip(GearMesh& mesh) {
   std::swap(mesh.tail, mesh.head);
   std::swap(mesh.tailTeeth, mesh.headTeeth);
   std::swap(mesh.tailWheel, mesh.headWheel);
 }
 
-/// A torque on the joint, after the joint is flipped: the same action on the same two links.
+/// Adapts a torque in the joint after a flip of the joint: the same action on the same two links.
 inline void flipOnJoint(Load& load, const JointId& joint) {
   auto* torque = std::get_if<JointTorque>(&load.action);
   if (torque != nullptr && torque->joint == joint) torque->torque = Number(-torque->torque.exact());

@@ -5,12 +5,12 @@
 
 namespace geargraph::inline model {
 
-/// Do the names of the axes run a, b, c, ... without gaps, in the order of the joints that use them first, as
-/// the paper's? Cost: O(t).
+/// Are the axes named a, b, c, ... without gaps, in the order of the joints that use them first, as in the
+/// paper? Cost: O(t).
 [[nodiscard]] bool doAxisLettersRun(const Mechanism& mechanism);
 
-/// `edited`, an edit of `before`, with letters that run where those of `before` do; chosen names stay. Loads
-/// that name axes follow. A refused edit stays refused. Cost: O(t).
+/// The document `edited` (from `before`) with its axes renamed without gaps if those of `before` were; names
+/// chosen by the user stay. Loads that name axes are updated. An error is passed on. Cost: O(t).
 [[nodiscard]] Expected<Mechanism> withAxisLettersAsBefore(const Mechanism& before,
                                                           Expected<Mechanism> edited);
 

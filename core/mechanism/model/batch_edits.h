@@ -9,7 +9,8 @@ namespace geargraph::inline model {
 
 // Edits of many elements at once, in one pass: one edit after the other would search the mechanism for each.
 
-/// Tail and head exchanged of all these turning joints and meshes, as by withFlipped(). Rejects unknown-id.
+/// Exchanges tail and head of all these turning joints and meshes, as withFlipped() does for one. Rejects
+/// unknown-id.
 /// Cost: O(elements + joints + meshes).
 [[nodiscard]] Expected<Mechanism> withAllFlipped(Mechanism mechanism, std::span<const ElementId> elements);
 

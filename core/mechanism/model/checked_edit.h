@@ -7,8 +7,8 @@
 
 namespace geargraph::inline model {
 
-/// The edited mechanism, or the first finding of `checks`, then of the limits, at a member whose pointer
-/// begins so. A refusal has no pointer: the file it would be in does not exist.
+/// The edited mechanism, or the first diagnostic of `checks`, then of limitDiagnostics(), whose JSON pointer
+/// begins with `pointer`. The error has no pointer, because there is no file.
 [[nodiscard]] Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
                                               Diagnostics (*checks)(const Mechanism&));
 

@@ -6,7 +6,7 @@
 
 namespace geargraph::inline model {
 
-/// What two versions of one document have not in common, counted by id.
+/// The differences between two versions of one document, counted by id.
 struct Difference {
   struct Count {
     int added = 0;
@@ -27,23 +27,24 @@ struct Difference {
   friend bool operator==(const Difference&, const Difference&) = default;
 };
 
-/// Cost: O(n + t + c) and the logarithm of it.
+/// Cost: O((n + t + c) log (n + t + c)).
 [[nodiscard]] Difference differenceOf(const Mechanism& before, const Mechanism& after);
 
-/// Do they differ in nothing but where things stand in the drawings, which no analysis depends on?
+/// Are they equal except for the positions in the drawings, which no analysis depends on?
 /// Cost: O(n + t + c).
 [[nodiscard]] bool isSameButForView(const Mechanism& a, const Mechanism& b);
 
 /// Have they the same links, axes, joints and wheels, with the same teeth, inputs and engaged couplings,
-/// whatever their names, notes and places on sheets? What a picture of the train shows beside (couplings that
-/// are released, what links wear) is for who paints it. Cost: O(n + t + c).
+/// whatever their names, notes and places on sheets? Released couplings and attached 3D files are not
+/// compared. Cost: O(n + t + c).
 [[nodiscard]] bool isSameTrain(const Mechanism& a, const Mechanism& b);
 
-/// Have they the same digraph, down to names, numbers, motors and couplings? Teeth, axes and all else that
-/// sizes a train are not in it. Cost: O(n + t + c).
+/// Have they the same digraph, down to names, numbers, motors and couplings? Teeth, axes and other dimensions
+/// are not compared. Cost: O(n + t + c).
 [[nodiscard]] bool isSameDigraph(const Mechanism& a, const Mechanism& b);
 
-/// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
+/// As text for the user: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or
+/// "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 
 }  // namespace geargraph::inline model

@@ -5,19 +5,19 @@
 
 namespace geargraph::inline model {
 
-/// A gear mesh as somebody draws it between two links, with what the drawing leaves open guessed so that the
-/// train makes sense at once. A guess never changes what the document states: axes that are placed stay.
+/// Adds a gear mesh drawn between two links, and guesses what the drawing leaves open so that the train is
+/// valid at once. A guess never changes what the document states: placed axes stay.
 ///
 /// 1. Axes. The two gears need a link that carries both their axes: the path of turning joints from one to
-///    the other must change its axis once. Where it changes oftener, the two joints by which it leaves the
-///    same link turn about one axis, if that does it: sun and carrier on the ground, motor and arm on a
-///    carrier. Letters of axes go on running without gaps (axis_letters.h).
-/// 2. Teeth. A link that meshes on this axis already, under the same carrier, has its wheel.
-/// 3. Kind. Under a carrier that turns, the second gear that a planet meshes with, on the axis of the first
-///    one, is the ring round it, internal, of as many teeth as sun and twice the planet; where the first one
-///    is a bevel gear, it is one like it.
+///    the other must change its axis once. Where it changes more often, the two joints of the path at one
+///    link are put on one axis if that suffices: sun and carrier on the ground, motor and arm on a carrier.
+///    Axis letters stay without gaps (axis_letters.h).
+/// 2. Teeth. A link that already meshes on this axis with the same carrier uses that wheel.
+/// 3. Kind. On a moving carrier, the second gear that a planet meshes with on the axis of the first one is
+///    taken as an internal ring gear with the teeth of the sun plus twice those of the planet; where the
+///    first one is a bevel gear, as an equal bevel gear.
 ///
-/// Refuses what withGearMesh() refuses. Cost: O(n + t + c).
+/// Rejects as withGearMesh(). Cost: O(n + t + c).
 [[nodiscard]] Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head);
 
 }  // namespace geargraph::inline model

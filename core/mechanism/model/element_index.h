@@ -9,9 +9,9 @@
 namespace geargraph::inline model {
 
 /// The elements of one mechanism by id, for callers that look up many of them: Mechanism::find and labelOf()
-/// search a list each time, so asking for all elements that way costs the square of the document.
+/// search a list each time, so looking up all elements that way is quadratic in the size of the document.
 ///
-/// Cost: O(n + t + c) to build, O(1) a question (a state, a load or a note: O(its list)).
+/// Cost: O(n + t + c) to build, O(1) per look-up (a state, a load or a note: O(its list)).
 class ElementIndex {
  public:
   explicit ElementIndex(MechanismPtr mechanism);
@@ -22,7 +22,7 @@ class ElementIndex {
   [[nodiscard]] const Axis* find(AxisId id) const;
   [[nodiscard]] const TurningJoint* find(JointId id) const;
   [[nodiscard]] const GearMesh* find(MeshId id) const;
-  /// As labelOf(), and nothing for an axis, a wheel or a coupling that is not in the mechanism either.
+  /// As labelOf(), but std::nullopt also for an axis, a wheel or a coupling that is not in the mechanism.
   [[nodiscard]] std::optional<std::string> labelOf(const ElementId& element) const;
 
  private:

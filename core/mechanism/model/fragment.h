@@ -7,23 +7,23 @@
 
 namespace geargraph::inline model {
 
-/// What Copy takes: the selected links and the ends of the selected arrows, all arrows among them, with their
-/// axes, wheels, inputs, couplings and loads. It is a document of its own: its ground is that of `mechanism`,
-/// whether selected or not; arrows to the ground come along where the ground is among the selected or is an
-/// end of a selected arrow. Cost: O(n + t + c).
+/// The part of a mechanism that Copy takes: the selected links and the ends of the selected joints and
+/// meshes, all joints and meshes between them, with their axes, wheels, inputs, couplings and loads. It is a
+/// document of its own: its ground is that of `mechanism`, whether selected or not; joints and meshes of the
+/// ground are included if the ground is selected or is an end of a selected one. Cost: O(n + t + c).
 [[nodiscard]] Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& selected);
 
-/// Does it hold anything but the ground?
+/// Has the fragment nothing but the ground?
 [[nodiscard]] bool isEmptyFragment(const Mechanism& fragment);
 
-/// What Paste makes: the fragment's elements behind those that are there, under new ids and with their names;
-/// its ground is the ground here. Axes come as new ones, as they are placed. Where pasted nodes would lie on
-/// others they are moved right and down together, so that pasting twice gives two copies in sight.
+/// Paste: appends the fragment's elements under new ids, with their names; its ground becomes the ground of
+/// `mechanism`. Axes are added as new ones with their places. Pasted nodes that would cover others are moved
+/// right and down together, so that two pastes give two visible copies.
 ///
-/// The new elements are the last of their lists. Refuses schema: a fragment with nothing in it.
+/// The new elements are the last of their lists. Rejects schema if the fragment is empty.
 [[nodiscard]] Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment);
 
-/// The elements of `after` that `before` has not: what a paste selects. Cost: O(n + t + c).
+/// The elements of `after` that are not in `before`: what is selected after a paste. Cost: O(n + t + c).
 [[nodiscard]] std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& after);
 
 }  // namespace geargraph::inline model

@@ -13,16 +13,16 @@ constexpr std::size_t kLongestName = 1'000;    ///< characters of a name, a unit
 constexpr std::size_t kLongestList = 100'000;  ///< elements of a list
 
 /// Lengths, coordinates and components of directions are no larger than this, in whatever unit: their squares
-/// and products stay far from what a double or a float can hold, and every search over them ends.
+/// and products stay far below the largest double or float, and every search over them terminates.
 constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
 
-/// What the file format does not accept, one `schema` each: texts and lists beyond these limits; lengths,
-/// coordinates, components of directions, positions of nodes and measures of wheels beyond +-kLargestLength;
-/// directions shorter than its inverse; notes that noteDiagnostics() does not accept. A document without any
-/// can be saved and opened again, and edits reject what has any. Cost: O(n + t + c).
+/// Violations of the limits of the file format, one `schema` each: texts and lists beyond these limits;
+/// lengths, coordinates, components of directions, positions of nodes and measures of wheels beyond
+/// +-kLargestLength; directions shorter than its inverse; invalid notes (noteDiagnostics()). A document
+/// without violations can be saved and opened again; edits reject any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics limitDiagnostics(const Mechanism& mechanism);
 
-/// The mechanism, or what limitDiagnostics() finds, without pointers: the file it would be in does not exist.
+/// The mechanism, or what limitDiagnostics() finds, without JSON pointers, because there is no file.
 [[nodiscard]] Expected<Mechanism> checkedLimits(Mechanism mechanism);
 
 }  // namespace geargraph::inline model

@@ -12,7 +12,7 @@ namespace geargraph::inline model {
 /// minus the sum of m x y.
 using InertiaNumbers = std::array<Number, 6>;
 
-/// The mass of a link as its author states it. What is left out follows from the link's solids.
+/// The stated mass of a link. What is left out is computed from the link's solids.
 struct LinkMass {
   Number mass;                           ///< kg, at least 0
   std::optional<NumberTriple> center{};  ///< in the reference pose, base frame, the document's unit
@@ -21,17 +21,17 @@ struct LinkMass {
   friend bool operator==(const LinkMass&, const LinkMass&) = default;
 };
 
-constexpr int kSteelDensity = 7850;  ///< kg/m³, where the document states none
+constexpr int kSteelDensity = 7850;  ///< kg/m³, the default density
 
-/// What is wrong with a stated mass: the member, and a sentence.
+/// An error in a stated mass: the JSON member, and a sentence.
 struct MassProblem {
   const char* member = "";
   std::string message;
 };
 
-/// A mass below 0, or an inertia that no body has: its second moments (half the trace times the unit matrix,
-/// less the inertia) have to be positive semidefinite, which includes the triangle rule of the principal
-/// moments. Decided in fractions. Cost: some products.
+/// A mass below 0, or an inertia that no body can have: its second moments (half the trace times the unit
+/// matrix, less the inertia) have to be positive semidefinite, which includes the triangle inequality of the
+/// principal moments. Decided in fractions. std::nullopt if the mass is valid. Cost: O(1).
 [[nodiscard]] std::optional<MassProblem> massProblem(const LinkMass& mass);
 
 }  // namespace geargraph::inline model

@@ -23,8 +23,8 @@ struct JointTorque {
   friend bool operator==(const JointTorque&, const JointTorque&) = default;
 };
 
-/// A torque from outside on a link, N m; the ground takes the reaction. Only the direction of `axis` counts;
-/// without it, it is the link's first axis on the way to the ground.
+/// An external torque on a link, N m, with the reaction on the ground. Only the direction of `axis` matters;
+/// the default is the link's first axis on the path to the ground.
 struct LinkTorque {
   LinkId link;
   std::optional<AxisId> axis;
@@ -32,8 +32,8 @@ struct LinkTorque {
   friend bool operator==(const LinkTorque&, const LinkTorque&) = default;
 };
 
-/// A force from outside on a link, N, at a point of it in the reference pose (base frame, the document's
-/// unit); the ground takes the reaction.
+/// An external force on a link, N, at a point of the link in the reference pose (base frame, the document's
+/// unit), with the reaction on the ground.
 struct LinkForce {
   LinkId link;
   NumberTriple force;
@@ -41,7 +41,7 @@ struct LinkForce {
   friend bool operator==(const LinkForce&, const LinkForce&) = default;
 };
 
-/// What acts on a mechanism, in the reference pose. Several loads on one element add up.
+/// An external load on a mechanism, in the reference pose. Several loads on one element add up.
 struct Load {
   LoadId id = {};  ///< may be empty
   std::variant<JointTorque, LinkTorque, LinkForce> action;
@@ -49,8 +49,8 @@ struct Load {
   friend bool operator==(const Load&, const Load&) = default;
 };
 
-/// A torque that has to be found so that the loads are held: in a joint, tail on head, or on a link about the
-/// direction of an axis (without it: the link's first axis on the way to the ground).
+/// An unknown torque that holds the loads: in a joint, tail on head, or on a link about the direction of an
+/// axis (without it: the link's first axis on the way to the ground).
 struct Balance {
   struct OnLink {
     LinkId link;

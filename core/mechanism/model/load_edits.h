@@ -9,34 +9,34 @@
 
 namespace geargraph::inline model {
 
-// Edits of loads, balances and losses: pure functions, as in edits.h. Loads also go with withoutElements(),
-// of themselves or of the joint or link that bears them.
+// Edits of loads, balances and losses: pure functions, as in edits.h. withoutElements() also removes loads,
+// by themselves or with their joint or link.
 
-/// A load at the end of the list; one without an id gets "L1", "L2", ... Refuses unknown-id, duplicate-id,
-/// and schema for a load on the ground or beyond the limits of the format.
+/// Appends a load; one without an id gets "L1", "L2", ... Rejects unknown-id, duplicate-id, and schema for a
+/// load on the ground or beyond the limits of the format.
 [[nodiscard]] Expected<Mechanism> withLoad(Mechanism mechanism, Load load);
-/// Another action of the load at this position; its id and unknown members stay. Refuses as withLoad().
+/// Replaces the action of the load at this position; its id and unknown members stay. Rejects as withLoad().
 /// @pre there is such a load
 [[nodiscard]] Expected<Mechanism> withLoadAction(Mechanism mechanism, int load,
                                                  decltype(Load::action) action);
 /// @pre there is such a load
 [[nodiscard]] Expected<Mechanism> withoutLoad(Mechanism mechanism, int load);
 
-/// Where torques are found that hold the loads; none leaves the choice to the program. Refuses unknown-id,
+/// Sets where torques hold the loads; none leaves the choice to the program. Rejects unknown-id,
 /// duplicate-id, and schema for one on the ground.
 [[nodiscard]] Expected<Mechanism> withBalances(Mechanism mechanism,
                                                std::optional<std::vector<Balance>> balances);
 
-/// The losses of a mesh: an efficiency, a coefficient of friction, or neither. Refuses unknown-id, and schema
-/// for both or for numbers out of their range.
+/// Sets the losses of a mesh: an efficiency, a coefficient of friction, or neither. Rejects unknown-id, and
+/// schema for both or for numbers out of their range.
 [[nodiscard]] Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh,
                                                  std::optional<Number> efficiency,
                                                  std::optional<Number> friction);
-/// The same for all meshes that state neither.
+/// Sets the default losses, for all meshes that state neither.
 [[nodiscard]] Expected<Mechanism> withDefaultLosses(Mechanism mechanism, std::optional<Number> efficiency,
                                                     std::optional<Number> friction);
 
-/// The link that a load or a balance acts on; none where it is in a joint.
+/// The link that a load acts on; std::nullopt for a torque in a joint, which has jointOf().
 [[nodiscard]] std::optional<LinkId> linkOf(const Load& load);
 [[nodiscard]] std::optional<JointId> jointOf(const Load& load);
 

@@ -7,15 +7,15 @@
 
 namespace geargraph::inline model {
 
-// Edits of what dynamics needs beside the geometry: pure functions, as in edits.h.
+// Edits of mass, density and gravity, for dynamics: pure functions, as in edits.h.
 
-/// The stated mass of a moving link; none leaves it to the link's solids. Refuses unknown-id, and schema for
-/// what massProblem() finds and for numbers beyond the limits of the format.
+/// Sets the stated mass of a moving link; none: it is computed from the link's solids. Rejects unknown-id,
+/// and schema for what massProblem() finds and for numbers beyond the limits of the format.
 [[nodiscard]] Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link,
                                                std::optional<LinkMass> mass);
-/// The density of all solids, kg/m³; none is that of steel. Refuses schema unless it is above 0.
+/// The density of all solids, kg/m³; none: kSteelDensity. Rejects schema unless it is above 0.
 [[nodiscard]] Expected<Mechanism> withDensity(Mechanism mechanism, std::optional<Number> density);
-/// The acceleration of free fall, m/s², base frame; none for no gravity. Refuses schema for numbers beyond
+/// The acceleration of free fall, m/s², base frame; none for no gravity. Rejects schema for numbers beyond
 /// the limits of the format.
 [[nodiscard]] Expected<Mechanism> withGravity(Mechanism mechanism, std::optional<NumberTriple> gravity);
 

@@ -17,10 +17,10 @@
 
 namespace geargraph::inline model {
 
-/// A 3D file (STL, OBJ, PLY, GLB) attached to a link beside its gears. `file` is a path from the folder of
-/// the document, with slashes, that stays inside it. A point p of the file lies at position + R (scale p) in
-/// the base frame, in the reference pose; R turns by `orientation` (degrees) about x, then y, then z of the
-/// base frame.
+/// A 3D file (STL, OBJ, PLY, GLB) attached to a link in addition to its gears. `file` is a path from the
+/// folder of the document, with slashes, that stays inside it. A point p of the file is at position + R
+/// (scale p) in the base frame, in the reference pose; R turns by `orientation` (degrees) about x, then y,
+/// then z of the base frame.
 struct LinkShape {
   std::string file;
   std::optional<NumberTriple> position = {};
@@ -41,7 +41,7 @@ struct Link {
 };
 
 /// A line that turning joints turn about, in the reference pose, in the base frame. Without point or
-/// direction it is placed from the tooth counts. `direction` need not have length 1.
+/// direction it is placed automatically (placement). `direction` need not have length 1.
 struct Axis {
   AxisId id;
   std::optional<NumberTriple> point;
@@ -51,8 +51,8 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// How far a turning joint may turn from the reference pose, in degrees, positive in the sense of its speed;
-/// an end without a number is open. @pre of a well-formed mechanism: low <= 0 <= high and low < high
+/// How far a turning joint may turn from the reference pose, in degrees, with the sign of its speed; an end
+/// without a number is unlimited. @pre of a well-formed mechanism: low <= 0 <= high and low < high
 struct JointLimits {
   std::optional<Number> low = {};
   std::optional<Number> high = {};
@@ -97,8 +97,8 @@ struct GearMesh {
   std::optional<WheelId> tailWheel;
   std::optional<WheelId> headWheel;
   bool pinned = false;  ///< it keeps its module (pins.h)
-  /// The share of the power across the teeth, seen from the carrier, that is not lost: above 0, at most 1. At
-  /// most one of the two.
+  /// Efficiency of the power through the teeth, seen from the carrier: above 0, at most 1. At most one of
+  /// efficiency and friction is given.
   std::optional<Number> efficiency = {};
   std::optional<Number> friction = {};  ///< coefficient of friction of the teeth, 0 to 1
   UnknownMembers unknown = {};
@@ -121,7 +121,7 @@ struct GearDefaults {
   std::optional<Number> pressureAngle;  ///< degrees
   std::optional<Number> backlash;       ///< modules
   std::optional<Number> faceWidth;
-  std::optional<Number> efficiency = {};  ///< of meshes that state neither of the two
+  std::optional<Number> efficiency = {};  ///< for meshes that state neither efficiency nor friction
   std::optional<Number> friction = {};
   UnknownMembers unknown;
   friend bool operator==(const GearDefaults&, const GearDefaults&) = default;
@@ -137,7 +137,7 @@ struct Input {
 
 enum class CouplingKind { brake, clutch };
 
-/// A brake (one link, held against the ground when engaged) or a clutch (two links that then turn as one).
+/// A brake (one link, held to the ground when engaged) or a clutch (two links that turn as one when engaged).
 struct Coupling {
   CouplingId id;
   CouplingKind kind = CouplingKind::brake;
@@ -146,7 +146,7 @@ struct Coupling {
   friend bool operator==(const Coupling&, const Coupling&) = default;
 };
 
-/// Couplings that are engaged together, and the two links whose speeds make the ratio of the state.
+/// Couplings that are engaged together, and the two links whose speeds define the ratio of the state.
 struct ShiftState {
   std::string name;
   std::vector<CouplingId> engaged;
@@ -183,7 +183,7 @@ struct ViewCamera {
 };
 
 /// What the editor remembers of its drawings. No number of the analysis depends on it. Nodes of links that
-/// the document has not are kept and not drawn.
+/// are not in the document are kept but not drawn.
 struct View {
   std::map<LinkId, SheetPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
   std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
@@ -193,14 +193,14 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// The document: an immutable value of what its author drew. What is computed from it lives elsewhere.
+/// The document: an immutable value that holds what the user drew and nothing computed from it.
 ///
 /// Labels are not stored: links[0] is the ground, label 0; links 1..n; turning joints n+1..n+t and gear
 /// meshes n+t+1..n+t+c in the order of their lists.
 ///
-/// A Mechanism in hand is well formed: ids are unique in their lists, every reference names an element, teeth
-/// are 1..100,000. It may still be wrong as a mechanism (validate.h): disconnected, a loop of turning joints,
-/// ... At least the ground exists.
+/// A Mechanism is always well formed: ids are unique in their lists, every reference names an element, teeth
+/// are 1..100,000. It may still be invalid as a mechanism (validate.h): disconnected, with a loop of turning
+/// joints, ... At least the ground exists.
 struct Mechanism {
   std::string name;
   std::string notes;
@@ -214,7 +214,7 @@ struct Mechanism {
   std::optional<std::vector<Input>> inputs;
   std::vector<Coupling> couplings;
   std::vector<ShiftState> states;
-  std::vector<CouplingId> engaged;  ///< couplings that are engaged now: the analysis is of the train so held
+  std::vector<CouplingId> engaged;  ///< couplings that are engaged now; the analysis applies to this state
   std::vector<Load> loads;
   std::optional<std::vector<Balance>> balances;
   std::optional<Number> density;        ///< of all solids, kg/m³; none: kSteelDensity
@@ -247,8 +247,8 @@ using MechanismPtr = std::shared_ptr<const Mechanism>;
 /// A document with the ground and nothing else.
 [[nodiscard]] Mechanism emptyMechanism();
 
-/// The paper's label of a link, turning joint or mesh, as text: "4", "15"; an axis gives its id.
-/// Nothing where the element is not in the mechanism. Cost: O(length of the list).
+/// The paper's label of a link, turning joint or mesh, as text: "4", "15"; an axis gives its id. std::nullopt
+/// if the element is not in the mechanism. Cost: O(length of the list).
 [[nodiscard]] std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& element);
 
 }  // namespace geargraph::inline model

@@ -11,11 +11,12 @@
 
 namespace geargraph::inline model {
 
-/// A number of the document: its exact value, its nearest double, and the text it was written as, so that
-/// saving a file gives back what its author wrote ("22/7", 0.10, 1e-3).
+/// A number of the document: its exact value, its nearest double, and its text, so that saving a file
+/// preserves the spelling ("22/7", 0.10, 1e-3).
 ///
-/// A document has thousands and every analysis reads them, so they are small: a double alone where its
-/// shortest decimal is the text, as of nearly all that people type; exact() and text() are then made anew.
+/// A document has thousands of them and every analysis reads them, so they are small: only a double if its
+/// shortest decimal is the text, as for nearly all typed numbers; exact() and text() are then computed on
+/// demand.
 class Number {
  public:
   Number() = default;                      ///< 0
@@ -29,7 +30,7 @@ class Number {
 
   /// The exact value of the shortest decimal that reads back as this double. @pre finite
   [[nodiscard]] static Number fromDouble(double value);
-  /// Keeps the text. Nothing where Rational::fromText gives nothing, or the value has no finite double.
+  /// Keeps the text. std::nullopt if Rational::fromText() fails, or the value has no finite double.
   [[nodiscard]] static std::optional<Number> fromText(std::string_view text);
 
   [[nodiscard]] Rational exact() const;
@@ -41,7 +42,7 @@ class Number {
     return m_written && m_written->text.find('/') != std::string::npos;
   }
 
-  /// The same value; the spelling counts too, because a saved file shows it.
+  /// Equal value and equal spelling, because a saved file shows the spelling.
   friend bool operator==(const Number& a, const Number& b) {
     if (!a.m_written || !b.m_written) return !a.m_written && !b.m_written && a.m_value == b.m_value;
     return *a.m_written == *b.m_written;
@@ -58,7 +59,7 @@ class Number {
   Number(const Rational& exact, std::string_view text);
 
   double m_value = 0;
-  std::unique_ptr<const Written> m_written;  ///< none where the double says it all
+  std::unique_ptr<const Written> m_written;  ///< null if the double represents value and text
 };
 
 /// A point or direction in the base frame, x y z.

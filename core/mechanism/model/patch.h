@@ -11,14 +11,14 @@
 
 namespace geargraph::inline model {
 
-/// What is different between two texts: all but what they begin and end with alike.
+/// The difference between two texts: the part between their common prefix and suffix.
 struct TextPatch {
-  std::size_t at = 0;  ///< bytes that both begin with
+  std::size_t at = 0;  ///< length of the common prefix in bytes
   std::string before;
   std::string after;
 };
 
-/// Elements of a list in place of others, at a position of either list.
+/// A run of elements of a list replaced by others, with its position in either list.
 template <class Element>
 struct ListRun {
   std::size_t beforeAt = 0;
@@ -31,27 +31,27 @@ struct ListRun {
 template <class Element>
 using ListPatch = std::vector<ListRun<Element>>;
 
-/// Both values of what is replaced whole; none where they are equal.
+/// The old and the new value of what is replaced as a whole; none if they are equal.
 template <class Value>
 using ValuePatch = std::optional<std::pair<Value, Value>>;
 
-/// Members of other programs: the texts that changed, by position, where both have the same members; else
-/// all.
+/// Unknown members: the changed texts, by position, if both versions have the same members; else all of them.
 struct MemberPatch {
   std::vector<std::pair<std::size_t, TextPatch>> changed;
   ValuePatch<UnknownMembers> replaced;
 };
 
-/// The difference between two versions of a document, from which either gives the other. The history keeps
-/// these instead of documents: an edit of one element costs some hundred bytes, whatever the size of the
+/// The difference between two versions of a document, from which either gives the other. The history stores
+/// patches instead of documents: an edit of one element takes some hundred bytes, whatever the size of the
 /// document.
 class MechanismPatch {
  public:
   /// Cost: O(n + t + c) comparisons.
   MechanismPatch(const Mechanism& before, const Mechanism& after);
 
-  /// The document after the edit from the one before it, and the other way round.
-  /// Cost: O(n + t + c). @pre the document is the one that the patch was made of
+  /// The document after the edit from the one before it, and vice versa.
+  /// Cost: O(n + t + c).
+  /// @pre the document is the one that the patch was made from
   [[nodiscard]] Mechanism forward(Mechanism before) const;
   [[nodiscard]] Mechanism back(Mechanism after) const;
 

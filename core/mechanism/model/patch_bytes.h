@@ -4,7 +4,7 @@
 
 namespace geargraph::inline model {
 
-/// Adds up the memory that values hold outside themselves.
+/// Sums the heap memory that values own.
 class ByteCount {
  public:
   template <class... Values>
@@ -14,7 +14,7 @@ class ByteCount {
   [[nodiscard]] std::size_t total() const { return m_total; }
 
  private:
-  /// What an allocation costs beside its contents.
+  /// The overhead of an allocation.
   static constexpr std::size_t kAllocation = 16;
 
   void block(std::size_t size) { m_total += size == 0 ? 0 : size + kAllocation; }
@@ -23,7 +23,7 @@ class ByteCount {
     constexpr std::size_t kInside = 15;  // kept within the object
     block(text.capacity() > kInside ? text.capacity() + 1 : 0);
   }
-  /// A double alone holds nothing; what is written otherwise has its text and its fraction.
+  /// A Number that is only a double owns nothing; any other owns its text and its fraction.
   void one(const Number& number) {
     if (number == Number::fromDouble(number.value())) return;
     constexpr std::size_t kWritten = 64;

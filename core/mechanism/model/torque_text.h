@@ -7,8 +7,8 @@
 
 namespace geargraph::inline model {
 
-/// A torque with its unit, in N m: "10 Nm", "10 N m", "-1/2kNm", "500 Nmm"; a true minus sign counts as well.
-/// None for anything else.
+/// Parses a torque with its unit and converts it to N m: "10 Nm", "10 N m", "-1/2kNm", "500 Nmm"; the Unicode
+/// minus sign is accepted too. std::nullopt for anything else.
 [[nodiscard]] std::optional<Number> torqueFromText(std::string_view text);
 
 }  // namespace geargraph::inline model

@@ -9,18 +9,18 @@
 
 namespace geargraph::inline placement {
 
-/// Joints that stay coaxial in every motion, because they lie on one line and hang together by shared links.
-/// Lines are never compared across the mechanism: axes 1 and 3 of a robot's wrist coincide in the drawn pose
-/// only.
+/// The axis classes: joints that stay coaxial in every motion, because they are on one line and are connected
+/// by shared links. Lines are never compared across the mechanism: axes 1 and 3 of a robot's wrist coincide
+/// in the drawn pose only.
 ///
-/// The links of a class are its top (nearest the ground) and all links whose joint towards the ground is in
-/// it; so two classes share one link at most, and that link carries a mesh between them.
+/// The links of a class are its root link (`top`, nearest the ground) and all links whose joint towards the
+/// ground is in the class; so two classes share at most one link, which carries a mesh between them.
 struct AxisClasses {
   struct Class {
-    int joint = 0;  ///< the first of the document's order: its axis is the class's line, its sense counts
+    int joint = 0;  ///< the first in the document's order: its axis gives the class's line and orientation
     int axis = 0;   ///< that joint's axis
-    int top = 0;    ///< the link nearest the ground
-    int depth = 0;  ///< classes between the top and the ground
+    int top = 0;    ///< the root link: the one nearest the ground
+    int depth = 0;  ///< number of classes between the root link and the ground
   };
 
   std::vector<Class> classes;  ///< in the order of their first joints
@@ -28,13 +28,13 @@ struct AxisClasses {
   std::vector<int> sense;      ///< by joint: +1 where its axis points as the class's line does, -1 against it
   std::vector<int> ofLink;     ///< by link: the class of its joint towards the ground; -1 for the ground
 
-  /// By links of one axis name, then by lines of different names that coincide at a shared link:
-  /// `merged-axes`; joints of one name in several classes: `split-axis`. Cost: O(n) but for joints that share
-  /// a link and a line.
-  /// `lines`: givenLines() of the mechanism.
+  /// Joints of one axis that share a link are in one class; so are joints of different axes that share a link
+  /// and whose lines coincide (diagnostic `merged-axes`). Joints of one axis in several classes:
+  /// `split-axis`. `lines`: givenLines() of the mechanism. Cost: O(n), more for joints that share a link and
+  /// a line.
   AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
               Diagnostics& diagnostics);
-  /// Of a mechanism without a tree: none.
+  /// No classes, for a mechanism without a tree.
   AxisClasses() = default;
 
   [[nodiscard]] int classOfLink(int link) const { return ofLink[static_cast<std::size_t>(link)]; }

@@ -17,7 +17,7 @@ namespace geargraph::inline placement {
 /// The same direction with 1 as its largest component, so that its doubles neither overflow nor vanish.
 /// @pre not 0
 [[nodiscard]] ExactVector3 scaledToOne(const ExactVector3& direction);
-/// The direction with length 1, of any length that a document can give. @pre not 0
+/// The unit vector of a direction of any length that a document can have. @pre not 0
 [[nodiscard]] Vector3 unitDirection(const NumberTriple& direction);
 [[nodiscard]] Vector3 unitDirection(const ExactVector3& direction);
 
@@ -27,15 +27,15 @@ struct ExactLine {
   ExactVector3 direction;
 };
 
-/// Where an axis lies in the reference pose, base frame.
+/// The line of an axis in the reference pose, base frame.
 struct AxisLine {
   Vector3 point{};
   Vector3 direction{0, 0, 1};  ///< of length 1
   bool automatic = false;      ///< point or direction chosen by the program
-  int chosen = -1;  ///< where it was: its place in Placement::chosen; else the document has the line
+  int chosen = -1;             ///< automatic: position in Placement::chosen; -1: the line is the document's
 };
 
-/// The lines that the document gives, by axis; one that it leaves open stands at the origin and is automatic.
+/// The lines given in the document, by axis; one that it leaves open is at the origin and marked automatic.
 [[nodiscard]] std::vector<AxisLine> givenLines(const Mechanism& mechanism);
 
 }  // namespace geargraph::inline placement

@@ -8,31 +8,31 @@
 
 namespace geargraph::inline placement {
 
-/// The module (pitch diameter / teeth) of trains that say no size anywhere.
+/// The module (pitch diameter / teeth) of trains whose document gives no size.
 constexpr int kDefaultModule = 2;
 
 struct PlacedAxes {
   std::vector<AxisLine> lines;    ///< by axis of the document
-  std::vector<ExactLine> chosen;  ///< of the automatic ones
+  std::vector<ExactLine> chosen;  ///< the automatic lines in fractions
   Rational module = kDefaultModule;
   std::vector<int> bevelSizes;  ///< by mesh: the module of a derived bevel pair, in halves of `module`;
                                 ///< empty: of the usual size
 };
 
-/// Places the axes that the file leaves open.
+/// Places the axes that the document leaves open.
 ///
-/// 1. Axes with point and direction stay. Where a mesh between two parallel ones of them has a centre
-///    distance, that gives the module; else kDefaultModule.
-/// 2. From placed axes outward, along meshes: an axis of an external or internal mesh lies parallel to its
-///    neighbour at the distance that the teeth ask for; several of one neighbour on one carrier are spread
-///    evenly round it; an axis that two placed ones hold lies where both distances meet, if they do.
-/// 3. An axis of a bevel mesh lies at right angles to its neighbour and meets it (z's partner is y, y's is z,
-///    x's is y), where there is room for the wheels (bevel_arranger.h); several on one carrier are spread
-///    round the same apex.
-/// 4. Axes that no mesh ties to these start a new group beside them, along z.
+/// 1. Axes with point and direction stay. The centre distance of a mesh between two of them that are parallel
+///    gives the module; else kDefaultModule.
+/// 2. From placed axes outward, along meshes: an axis of an external or internal mesh is parallel to its
+///    neighbour at the centre distance of the teeth; several around one neighbour on one carrier are equally
+///    spaced; an axis between two placed ones is at the intersection of both distances, if there is one.
+/// 3. An axis of a bevel mesh intersects its neighbour at right angles (along y for a neighbour along z or x,
+///    along z for one along y), where the wheels do not interfere (bevel_arranger.h); several on one carrier
+///    are spread around the same apex.
+/// 4. Axes that no mesh connects to these start a new group beside them, along z.
 ///
-/// `given` (givenLines()) tells which ones those are. `words`, by mesh: none where a mesh has no carrier; no
-/// tree: no words.
+/// `given`: givenLines(), which marks the open axes. `words`: by mesh, none for a mesh without a carrier;
+/// empty without a tree.
 [[nodiscard]] PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given,
                                     const JointTree* tree, const AxisClasses& classes,
                                     const std::vector<std::optional<MeshWord>>& words);

@@ -13,12 +13,13 @@
 
 namespace geargraph::inline placement {
 
-/// The module of a derived bevel pair is counted in halves of the placement's.
+/// The default BevelArranger::sizes(): the module of a derived bevel pair in halves of the placement's
+/// module.
 constexpr int kUsualBevelSize = 2;
 
-/// On which half of the inner axis a wheel of a bevel pair lies that says nothing about it: on the negative
-/// one, from where shafts come; wheels of two links that mesh with the same one, as a differential's, on
-/// both.
+/// Chooses the half of the inner axis for a bevel wheel where the document does not determine it: the
+/// negative half, from which shafts come; for the wheels of two links that mesh with the same wheel, as in a
+/// differential, one on each half.
 class SideNumbers {
  public:
   int side(int axisClass, int carrier, int link, int partner) {
@@ -31,27 +32,29 @@ class SideNumbers {
 
  private:
   std::map<std::array<int, 3>, int> m_sides;
-  std::map<std::array<int, 3>, std::set<int>> m_taken;  ///< by the partner
+  std::map<std::array<int, 3>, std::set<int>> m_taken;  ///< by class, carrier and partner
 };
 
-/// Finds room for the bevels of axes that the program places: how far along its neighbour's line an axis
-/// meets it, and how large the pairs about one apex are, so that no two wheels take up the same room, in the
-/// reference pose and while carriers between them turn. Wheels are the hulls of their tips and bodies.
-/// Cost: O(bevel wheels) a pair and place that is tried.
+/// Arranges bevel pairs on automatic axes without interference: how far along its neighbour's line an axis
+/// intersects it, and how large the pairs about one apex are, so that no two wheels overlap in the reference
+/// pose or while carriers between them turn. Wheels are represented by the hulls of their tips and bodies.
+/// Cost: O(bevel wheels) per pair and place that is tried.
 class BevelArranger {
  public:
-  /// `words` by mesh, none where a mesh has no carrier; no tree: no words. All outlive this object.
+  /// `words`: by mesh, none for a mesh without a carrier; empty without a tree. All arguments outlive this
+  /// object.
   BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
                 std::span<const std::optional<MeshWord>> words);
 
-  /// A line has its place. `direction` is a unit vector.
+  /// Records the place of a line. `direction` is a unit vector.
   void setLine(int axis, const Vector3& point, const Vector3& direction) {
     m_lines[static_cast<std::size_t>(axis)] = Line{point, direction};
   }
-  /// The steps along `from`, a line that has its place, from its point to where axis `to` may meet it; tried
-  /// first is `first`, then places farther and farther off 0. Its wheels stand there from now on.
+  /// The number of steps (kStep modules each) along the placed line `from`, from its point to where axis `to`
+  /// intersects it; `first` is tried first, then places farther and farther from 0. The wheels between the
+  /// two are then recorded as placed.
   int place(int from, int to, const Vector3& direction, double module, int first);
-  /// The wheels between two lines that have their places stand there.
+  /// Records the wheels between two placed lines as placed.
   void stand(int from, int to, double module);
 
   /// By mesh: the module of the pair in halves of the placement's.
@@ -69,7 +72,7 @@ class BevelArranger {
     int axisClass = 0;
     int teeth = 0;
     DiscHull hull;
-    int partner = -1;  ///< in a pair's list
+    int partner = -1;  ///< index of the other wheel in a pair's list
   };
   using Wheels = std::vector<Wheel>;
 
@@ -88,7 +91,7 @@ class BevelArranger {
   const AxisClasses& m_classes;
   std::span<const std::optional<MeshWord>> m_words;
   std::vector<std::optional<Line>> m_lines;  ///< by axis
-  std::set<int> m_rooted;                    ///< axes whose wheels stand on their positive half
+  std::set<int> m_rooted;                    ///< axes whose wheels are on their positive half
   std::map<std::pair<int, int>, std::vector<int>> m_between;  ///< meshes by their axes, the smaller first
   std::vector<std::pair<int, int>> m_sides;                   ///< by mesh: of tail and head
   std::vector<int> m_sizes;

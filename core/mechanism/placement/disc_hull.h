@@ -13,13 +13,13 @@ struct Disc {
   double radius = 0;
 };
 
-/// The convex hull of discs: two of one axis are a cylinder or a cone's frustum, four of two parallel axes an
-/// arm.
+/// The convex hull of discs: two coaxial ones are a cylinder or a truncated cone, four on two parallel axes
+/// an arm.
 using DiscHull = std::vector<Disc>;
 
-/// Do two hulls come nearer to each other than `margin`, overlap or touch? By the nearest point of their
-/// difference (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, IEEE Journal on Robotics and Automation 4(2),
-/// 1988, 193-203). Cost: some ten steps over all discs. @pre neither is empty, margin >= 0
+/// Are two hulls nearer to each other than `margin`, overlapping or touching? By the nearest point of their
+/// Minkowski difference (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, IEEE Journal on Robotics and Automation
+/// 4(2), 1988, 193-203). Cost: about ten passes over all discs. @pre neither is empty, margin >= 0
 [[nodiscard]] bool areNear(const DiscHull& a, const DiscHull& b, double margin = 0);
 
 /// The hull turned about a line by an angle (rad). `direction` is a unit vector.

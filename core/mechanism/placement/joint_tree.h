@@ -8,10 +8,10 @@
 
 namespace geargraph::inline placement {
 
-/// The tree that the turning joints make, by positions in the document's lists, rooted at the ground: what
-/// Digraph and SpanningTree say, as arrays. A value; copies share the two.
+/// The tree of the turning joints, by positions in the document's lists, rooted at the ground: Digraph and
+/// SpanningTree as arrays. A value; copies share the two.
 struct JointTree {
-  /// Nothing where the turning joints are no spanning tree. Cost: O(n + t + c).
+  /// std::nullopt if the turning joints are no spanning tree. Cost: O(n + t + c).
   /// @pre the mechanism is well formed
   [[nodiscard]] static std::optional<JointTree> of(const Mechanism& mechanism);
 
@@ -28,7 +28,7 @@ struct JointTree {
   std::span<const int> parent;  ///< by link: the next towards the ground; -1 for the ground
   std::span<const int> joint;   ///< by link: the joint to the parent; -1 for the ground
   std::span<const int> child;   ///< by joint: its link farther from the ground
-  std::span<const int> order;   ///< links, every one behind its parent
+  std::span<const int> order;   ///< links, each after its parent
 };
 
 }  // namespace geargraph::inline placement

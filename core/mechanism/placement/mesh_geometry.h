@@ -10,9 +10,8 @@
 
 namespace geargraph::inline placement {
 
-/// What the geometry of a gear mesh comes to, in the reference pose. The axes A (tail's gear) and B (head's)
-/// are the lines of the two axis classes; both are fixed in the carrier, so nothing here changes with the
-/// pose.
+/// The geometry of a gear mesh in the reference pose. The axes A (tail's gear) and B (head's) are the lines
+/// of the two axis classes; both are fixed in the carrier, so nothing here changes with the pose.
 struct MeshGeometry {
   int tail = 0;  ///< link positions
   int head = 0;
@@ -29,8 +28,8 @@ struct MeshGeometry {
   bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
   MeshKind kind = MeshKind::external;
   Vector3 pitchPoint{};
-  /// From the point of the tail's line to that of the head's and to the pitch point: free of what the
-  /// distance from the origin takes from the digits of places.
+  /// From the point of the tail's line to that of the head's and to the pitch point: as differences, so that
+  /// a train far from the origin loses no precision.
   Vector3 tailToHead{};
   Vector3 tailToPitch{};
   /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
@@ -40,22 +39,21 @@ struct MeshGeometry {
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
 };
 
-/// How two lines lie to each other, in a train that tells its size.
+/// The relative position of two lines; meeting: they intersect.
 enum class LinePosition { parallel, meeting, skew };
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
 
-/// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
-/// both radii are non-zero and parallel), which gives normal, radii, sign and kind. False, and
-/// pitch-point-on-axis, pitch-geometry or teeth-geometry with what was found and what would fit, where it
-/// does not fit.
-/// @pre the lines are not skew, `position` is theirs; the pair's places are relative to the point of the
-/// tail's line, as tailToPitch is, which the geometry has beside its pitch point
+/// Checks a pitch point against axes, teeth and kind (the moment equation has rank 1 exactly if both radii
+/// are non-zero and parallel), and sets normal, radii, sign and kind. Returns false with pitch-point-on-axis,
+/// pitch-geometry or teeth-geometry, which names what was found and what would fit, if it does not fit.
+/// @pre the lines are not skew, `position` is theirs; the points of `pair` are relative to the point of the
+/// tail's line; `geometry` has pitchPoint and tailToPitch
 [[nodiscard]] bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
                                  LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
 
-/// The pitch-geometry finding for axes that neither are parallel nor meet.
+/// pitch-geometry, for axes that are neither parallel nor intersecting.
 [[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair);
-/// The teeth-geometry finding for an internal pair with equal teeth.
+/// teeth-geometry, for an internal pair with equal tooth counts.
 [[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh);
 
 }  // namespace geargraph::inline placement

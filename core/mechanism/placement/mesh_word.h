@@ -8,20 +8,20 @@
 
 namespace geargraph::inline placement {
 
-/// The path of a mesh through the tree, as a word of axis classes; a proper one is A..A B..B.
+/// The path of a mesh through the tree as a word over axis classes: a proper one is A..A B..B.
 struct MeshWord {
   int tailClass = 0;  ///< A, the axis of the tail's gear
   int headClass = 0;  ///< B
   int carrier = 0;    ///< the link where A changes to B: the transfer vertex
 };
 
-/// The path from one link to another as classes. Kept from mesh to mesh, so that few walks allocate.
+/// The path from one link to another as axis classes. Reused from mesh to mesh to save allocations.
 class ClassPath {
  public:
   /// Cost: O(axis classes on the path), whatever its length in joints.
   void walk(const AxisClasses& classes, int tail, int head);
 
-  [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< each once a stretch
+  [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< without repetition
   /// The link between classes i and i + 1.
   [[nodiscard]] int change(std::size_t i) const { return m_changes[i]; }
 
@@ -34,7 +34,7 @@ class ClassPath {
   std::vector<int> m_headChanges;
 };
 
-/// Nothing, and coaxial-mesh or no-transfer-vertex among the diagnostics, where the word is not proper.
+/// std::nullopt, with coaxial-mesh or no-transfer-vertex, if the word is not proper.
 [[nodiscard]] std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
                                                const JointTree& tree, int mesh, ClassPath& path,
                                                Diagnostics& diagnostics);

@@ -6,7 +6,7 @@
 
 namespace geargraph::inline placement {
 
-/// Two lines and the teeth that turn about them. Directions need not be unit vectors.
+/// The axes and tooth counts of two gears. Directions need not be unit vectors.
 template <class Scalar>
 struct GearPair {
   Triple<Scalar> tailPoint;
@@ -17,9 +17,9 @@ struct GearPair {
   int headTeeth = 1;
 };
 
-/// Where the pitch circles of parallel axes touch: P = (N_j a_i - s N_i a_j) / (N_j - s N_i), a the feet of
-/// the axes in the plane through `level` normal to them; s = -1 external, +1 internal. The operating pitch
-/// point, whatever the profile shifts.
+/// Where the pitch circles of parallel axes touch: P = (N_j a_i - s N_i a_j) / (N_j - s N_i), a the points of
+/// the axes in the plane through `level` normal to them; s = -1 external, +1 internal. This is the operating
+/// pitch point, whatever the profile shifts.
 /// @pre internal: different tooth counts
 template <class Scalar>
 [[nodiscard]] Triple<Scalar> parallelPitchPoint(const GearPair<Scalar>& pair, bool internal,
@@ -35,7 +35,7 @@ template <class Scalar>
   return (Scalar(1) / (head - tail)) * sum;
 }
 
-/// Where meeting axes meet (the apex). @pre the lines are coplanar and not parallel
+/// Where intersecting axes intersect (the apex). @pre the lines are coplanar and not parallel
 template <class Scalar>
 [[nodiscard]] Triple<Scalar> apexOf(const GearPair<Scalar>& pair) {
   const Triple<Scalar> normal = cross(pair.tailDirection, pair.headDirection);
@@ -44,8 +44,8 @@ template <class Scalar>
   return pair.tailPoint + along * pair.tailDirection;
 }
 
-/// The half axes, seen from the apex, that the wheels of a bevel pair lie on: +1 along the direction, -1
-/// against.
+/// The half axes, seen from the apex, on which the wheels of a bevel pair are: +1 along the direction, -1
+/// against it.
 struct BevelSides {
   int tail = 1;
   int head = 1;
@@ -54,7 +54,7 @@ struct BevelSides {
 /// The pitch point of a bevel pair: P = O + m (N_j a u_A + N_i b u_B) between the half axes a u_A and b u_B,
 /// with m such that the pitch diameters are teeth times `module`.
 [[nodiscard]] Vector3 bevelPitchPoint(const GearPair<double>& pair, BevelSides sides, double module);
-/// The same in fractions; nothing where a root is not exact.
+/// The same in fractions; std::nullopt if a root is irrational.
 [[nodiscard]] std::optional<ExactVector3> bevelPitchPoint(const GearPair<Rational>& pair, BevelSides sides,
                                                           const Rational& module);
 

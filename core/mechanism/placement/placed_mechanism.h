@@ -8,9 +8,10 @@
 
 namespace geargraph::inline placement {
 
-/// A mechanism with its placement, which is computed at the first request, once, and shared by copies.
-/// Immutable and thread-safe. Edits that keep the geometry sound (fitting) take and give these, so that the
-/// placement by which an edit is checked is the one that everything else reads. It passes for its mechanism.
+/// A mechanism with its placement, which is computed once, on first use, and shared by copies. Immutable and
+/// thread-safe. Edits that keep the geometry consistent (fitting) take and return these, so that the
+/// placement by which an edit is checked is the one that everything else reads. Converts to its mechanism
+/// implicitly.
 class PlacedMechanism {
  public:
   PlacedMechanism(MechanismPtr mechanism);  // NOLINT(google-explicit-constructor)
@@ -24,7 +25,7 @@ class PlacedMechanism {
   [[nodiscard]] const MechanismPtr& pointer() const { return m_mechanism; }
   [[nodiscard]] const Mechanism& mechanism() const { return *m_mechanism; }
   operator const Mechanism&() const { return *m_mechanism; }  // NOLINT(google-explicit-constructor)
-  /// It lives as long as any copy. Cost: the first time placementOf().
+  /// The reference is valid as long as any copy lives. Cost: placementOf() on the first call.
   [[nodiscard]] const Placement& placement() const { return *m_placement->get(); }
 
  private:
@@ -32,7 +33,7 @@ class PlacedMechanism {
   std::shared_ptr<const DeferredValue<Placement>> m_placement;
 };
 
-/// The mechanism of an edit, not placed yet; or why there is none.
+/// The result of an edit with a placement still to be computed; an error is passed on.
 [[nodiscard]] Expected<PlacedMechanism> unplaced(Expected<Mechanism> edited);
 [[nodiscard]] inline Expected<PlacedMechanism> unplaced(Expected<PlacedMechanism> edited) {
   return edited;

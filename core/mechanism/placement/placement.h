@@ -8,42 +8,41 @@
 
 namespace geargraph::inline placement {
 
-/// The reference geometry of a mechanism: where every axis lies, and for every mesh its carrier, its pitch
-/// point and the sign and radii that follow. Whatever the file leaves open is chosen here, so that a digraph
+/// The reference geometry of a mechanism: the line of every axis, and for every mesh its carrier, its pitch
+/// point and the sign and radii that follow. What the document leaves open is chosen here, so that a digraph
 /// with tooth counts is enough for an analysis and a 3D view.
 struct Placement {
   std::optional<JointTree> tree;       ///< none where the turning joints are no spanning tree: no meshes then
   std::optional<AxisClasses> classes;  ///< with the tree
   std::vector<AxisLine> axes;          ///< by axis of the document
   std::vector<ExactLine> chosen;       ///< of the automatic axes, in fractions
-  std::vector<std::optional<MeshGeometry>> meshes;  ///< by mesh; none where a diagnostic says why
+  std::vector<std::optional<MeshGeometry>> meshes;  ///< by mesh; none for a mesh with a diagnostic
   Rational module = kDefaultModule;                 ///< that automatic axes and bevel points were placed with
   Diagnostics diagnostics;
 
-  /// The line of the joint's class, and +1 where the joint's own axis points as it does, -1 against it.
-  /// @pre there is a tree
+  /// The line of an axis class. @pre there is a tree
   [[nodiscard]] const AxisLine& lineOfClass(int axisClass) const {
     return axes[static_cast<std::size_t>(classes->classes[static_cast<std::size_t>(axisClass)].axis)];
   }
 };
 
-/// Places everything. Diagnostics: split-axis, merged-axes, coaxial-mesh, no-transfer-vertex,
-/// pitch-point-on-axis, pitch-geometry, teeth-geometry. The disconnected and the looped are
-/// treeDiagnostics()' to report.
+/// Places all axes and meshes. Diagnostics: split-axis, merged-axes, coaxial-mesh, no-transfer-vertex,
+/// pitch-point-on-axis, pitch-geometry, teeth-geometry. Disconnected links and loops of turning joints are
+/// reported by treeDiagnostics().
 ///
-/// Pitch points that the file leaves open: between parallel axes from the teeth (`kind` internal where it
-/// says so, else external), in the plane of the axis point nearer the ground; between meeting axes at the
-/// document's module, on the half axes where the bearings' offsets lie, and where they say nothing on the
-/// positive half of the outer axis and the negative one of the inner, on both for the wheels of two links
-/// that mesh with the same one (a differential's two sides). Pairs about one apex lie one within the other.
+/// Pitch points that the document leaves open: between parallel axes from the teeth (internal if `kind` says
+/// so, else external), in the plane of the axis point nearer the ground; between intersecting axes at the
+/// document's module, on the half axes where the bearings' offsets are, by default on the positive half of
+/// the outer axis and the negative half of the inner one, and on both halves for the wheels of two links that
+/// mesh with the same wheel (the side gears of a differential). Pairs about one apex are nested.
 ///
 /// Cost: O(n + t + c) and the axis classes on each mesh's path.
 /// @pre the mechanism is well formed
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism);
-/// The same for a mechanism whose tree is known, none where there is none.
+/// The same for a mechanism whose tree is known; std::nullopt: it has none.
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree);
 
-/// Where an axis lies, in fractions: as chosen, or as written in the document.
+/// The line of an axis in fractions: as chosen, or as written in the document.
 /// @pre the placement is the mechanism's
 [[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis);
 
@@ -51,7 +50,8 @@ struct Placement {
 [[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
                                          int axisClass);
 
-/// The pitch point of a mesh in fractions, where it is one: written in the file, or derived without a root.
+/// The pitch point of a mesh in fractions, if it is rational: written in the document, or derived without an
+/// irrational root; else std::nullopt.
 /// @pre the mesh has a geometry in this placement of the mechanism
 [[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
                                                           const Placement& placement, int mesh);

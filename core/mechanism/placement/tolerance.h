@@ -8,21 +8,21 @@
 
 namespace geargraph::inline placement {
 
-// How geometry is compared. Nothing here depends on where a train is or how large it is; no rank, degree of
-// freedom or zero of the analysis depends on it at all: its rows come from tooth counts.
+// How geometry is compared. The result depends neither on the place nor on the size of a train. No rank,
+// degree of freedom or zero of the analysis depends on these tolerances: its rows come from tooth counts.
 //
-// The numbers of a document are exact, whether whole, fractions or decimals, so what fits exactly always
-// fits. Authors and other programs also write rounded decimals, which miss by a little; so does what
-// follows from a square root. Therefore what misses by less than a small part of the train's own size
-// fits as well. The distance from the origin is no such size.
+// The numbers of a document are exact, whether whole, fractions or decimals, so an exact fit is always
+// accepted. Users and other programs also write rounded decimals, which deviate slightly, and so do values
+// derived by square roots. Therefore deviations below a small fraction of the train's own size are accepted
+// too. The distance from the origin does not count as size.
 //
 // Differences of coordinates are taken in doubles where a bound on their rounding shows that the decision
-// cannot change, and in fractions else.
+// cannot change, else in fractions.
 
-/// Two lines are one where their directions differ by less (rad) and their distance is less, relative to the
-/// train's size.
+/// Two lines coincide if their directions differ by less than this (rad) and their distance relative to the
+/// train's size is less too.
 constexpr double kSameLine = 1e-6;
-/// How far lengths may miss what they should be, relative to the pitch radii: decimals of five digits pass.
+/// The tolerance of lengths, relative to the pitch radii: decimals of five digits pass.
 constexpr double kGeometryFits = 1e-4;
 
 /// The same direction or the opposite one. @pre both of length 1
@@ -31,7 +31,8 @@ constexpr double kGeometryFits = 1e-4;
   return dot(normal, normal) <= kSameLine * kSameLine;
 }
 
-/// What subtracting coordinates of this size in doubles may lose, with the products that follow.
+/// A bound on the rounding error of subtracting coordinates of this size in doubles, with the products that
+/// follow.
 [[nodiscard]] constexpr double roundingOf(double coordinates) {
   constexpr double kUnits = 8;
   return kUnits * 2.220446049250313e-16 * coordinates;
@@ -42,23 +43,24 @@ constexpr double kGeometryFits = 1e-4;
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
-/// to - from, correctly rounded, whatever cancels. Cost: three fractions.
+/// to - from, correctly rounded in spite of cancellation. Cost: three fractions.
 [[nodiscard]] Vector3 exactDifference(const ExactVector3& to, const ExactVector3& from);
 
 /// Compares the lines that a document gives, by their axes' positions.
 class LineComparison {
  public:
-  /// `lines`: by axis; those that are automatic are never compared. Refers to all three.
+  /// `lines`: by axis; automatic ones are never compared. All three arguments outlive this object.
   LineComparison(const Mechanism& mechanism, const Digraph& graph, std::span<const AxisLine> lines)
       : m_mechanism(mechanism), m_graph(graph), m_lines(lines) {}
 
-  /// +1 or -1 where both are one line, pointing alike or against each other, else 0.
+  /// +1 or -1 if both are one line, with equal or opposite directions, else 0.
   /// @pre neither is automatic
   [[nodiscard]] int coincidence(int axis, int other) const;
 
-  /// The train's size: the median distance between axes that one moving link or one mesh ties together,
-  /// coincident ones left out; 0 where there are none. Neither the place of the train, nor the distance of
-  /// two trains in one document, nor one mistyped coordinate counts. Cost: O(t + c), once, on demand.
+  /// The train's size: the median distance between axes that share a moving link or a mesh, without
+  /// coincident ones; 0 if there are none. So the place of the train, the distance between two trains in one
+  /// document and a single mistyped coordinate have no influence. Not thread-safe on the first call. Cost:
+  /// O(t + c), once, on demand.
   [[nodiscard]] double size() const;
 
  private:
@@ -71,8 +73,8 @@ class LineComparison {
   mutable std::optional<double> m_size;
 };
 
-/// Numbers that tell the given lines of a document apart: lines that coincidence() calls one have keys less
-/// than `window` apart. Independent of place and size. Cost: O(axes).
+/// Sort keys of the given lines of a document: the keys of lines that coincidence() regards as one differ by
+/// less than `window`. Independent of place and size. Cost: O(axes).
 struct LineKeys {
   explicit LineKeys(std::span<const AxisLine> lines);
   /// Infinite for an automatic line.
