@@ -10,23 +10,23 @@
 
 namespace geargraph::inline arrangement {
 
-constexpr double kSameLevel = 1e-9;  ///< modules: what rounding leaves between levels that are one
+constexpr double kSameLevel = 1e-9;  ///< modules: levels that differ by less are one
 
-/// A stretch of an axis that something fills.
+/// An interval of an axis that a part occupies.
 struct Stretch {
   double low = 0;
   double high = 0;
-  int link = -1;  ///< whose it is; -1: nobody's, kept free
+  int link = -1;  ///< of the part; -1: reserved, kept free
 };
 
-/// What shows of a bearing.
+/// The visible form of a bearing.
 enum class BearingForm {
-  eye,     ///< the parent's eye about the child's shaft
-  pin,     ///< the child turns on a pin of the parent's, whose collar stands at the bearing's place
-  hidden,  ///< nothing: the child turns on a pin without collar, or runs on what it encloses
+  eye,     ///< the parent's boss around the child's shaft
+  pin,     ///< the child turns on a pin of the parent, with a collar at the bearing's place
+  hidden,  ///< not visible: the child turns on a pin without a collar, or on the shaft that it encloses
 };
 
-/// A bearing: the parent's eye about the child's shaft.
+/// The bearing of a turning joint between parent and child link.
 struct Bearing {
   int joint = 0;
   int parent = 0;
@@ -34,28 +34,29 @@ struct Bearing {
   double at = 0;  ///< coordinate along the class's line
   bool placed = false;
   BearingForm form = BearingForm::eye;
-  double wall = 1;  ///< of the eye, in modules
+  double wall = 1;  ///< thickness of the boss's wall, in modules
 
   [[nodiscard]] bool isEye() const { return form == BearingForm::eye; }
 };
 
-/// What stands where along the line of an axis class. Coordinates run along the line from its point.
+/// The layout of the parts along the line of an axis class. Coordinates are measured along the line from its
+/// point.
 struct AxisLayout {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  double module = 1;     ///< what all measures of the bodies go by
+  double module = 1;     ///< the unit of all dimensions of the bodies
   double thickness = 3;  ///< of bearings and arms, in modules
-  int bearingSide = -1;  ///< end of the axis where bearings go that have no place of their own
+  int bearingSide = -1;  ///< the end of the axis for bearings without a stated place
   std::vector<Stretch> wheels;
-  std::vector<Stretch> taken;  ///< wheels, and whatever was placed since
+  std::vector<Stretch> taken;  ///< wheels, and everything placed since
   std::vector<Bearing> bearings;
 
   [[nodiscard]] double coordinate(const Eigen::Vector3d& p) const { return (p - point).dot(direction); }
   [[nodiscard]] Eigen::Vector3d at(double coordinate) const { return point + coordinate * direction; }
-  /// Is one coordinate below another by more than rounding? What is equal stays so wherever the train is
-  /// turned to.
+  /// Is one coordinate below another by more than rounding? So equal coordinates stay equal in every
+  /// orientation of the train.
   [[nodiscard]] bool isBelow(double a, double b) const { return a < b - kSameLevel * module; }
-  /// Do two stretches overlap by more than rounding?
+  /// Do two intervals overlap by more than rounding?
   [[nodiscard]] bool overlap(double lowA, double highA, double lowB, double highB) const {
     return isBelow(lowA, highB) && isBelow(lowB, highA);
   }
@@ -66,25 +67,26 @@ struct AxisLayout {
     return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);
   }
   void take(double middle, int link) { taken.push_back({middle - width() / 2, middle + width() / 2, link}); }
-  /// Middles of slots that touch something, and those outside of everything.
+  /// Middles of candidate slots: those adjacent to an occupied interval, and those outside of all.
   [[nodiscard]] std::vector<double> slotCandidates() const;
-  /// The free slot nearest to `wanted`; outside of everything on the bearing side where there is none.
+  /// The middle of the free slot nearest to `wanted`; if there is none, outside of everything on the bearing
+  /// side.
   [[nodiscard]] double freeSlot(double wanted) const;
-  /// What the wheels of a link span.
+  /// The interval that the wheels of a link span; std::nullopt if it has none.
   [[nodiscard]] std::optional<Stretch> wheelsOf(int link) const;
-  /// A shaft that passes the wheels of another has to come out at the end of that one's, too: is that so for
-  /// a bearing at this place and the bearings that have theirs?
+  /// A shaft that passes through the wheels of another link has to extend beyond that link's shaft too. Is
+  /// that so with this bearing at `at` and the bearings placed already?
   [[nodiscard]] bool nests(const Bearing& bearing, double at) const;
-  /// Does the link's shaft come to light here? Not within what another spans from its wheels to its bearing,
-  /// unless its own bearing stands within that, too.
+  /// Is the link's shaft accessible at this level? Not within the interval from the wheels to the bearing of
+  /// another link, unless its own bearing is in there too.
   [[nodiscard]] bool emerges(int link, double level) const;
   /// The first free slot outside of everything on the bearing side.
   [[nodiscard]] double outerSlot() const;
 };
 
-/// The axis classes with their wheels, crossings and the bearings still without a place. Of no use when
-/// `stop` was requested meanwhile. Cost: O(joints + gears), and the
-/// square of the classes that one link holds.
+/// The axis classes with their wheels, crossings and the bearings still without a place. The result is
+/// meaningless if `stop` was requested meanwhile. Cost: O(joints + gears), and the square of the classes that
+/// one link holds.
 [[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
                                                   const GearTrain& train, const std::stop_token& stop = {});
 

@@ -13,18 +13,18 @@ enum class HullKind { gear, shaft, bearing, arm, post };
 struct BodyHull {
   HullKind kind = HullKind::gear;
   int link = 0;
-  int axisClass = -1;  ///< that it is placed on; -1: a post
-  int other = -1;      ///< of an arm: at its other end, where that is parallel; of a post: that it reaches
+  int axisClass = -1;  ///< that it is placed on; -1: a pedestal (HullKind::post)
+  int other = -1;      ///< the axis class at an arm's other end, if parallel; the one that a pedestal reaches
   DiscHull discs;
-  int held = -1;  ///< of an arm across to another axis, and of its post: the link that it holds
+  int held = -1;  ///< of an arm to a non-parallel axis, and of its pedestal: the link that it holds
 
   [[nodiscard]] bool isOn(int c) const { return axisClass == c || other == c; }
 };
 
-/// Which parts get hulls, and how large.
+/// Which parts get hulls, and by how much they are reduced.
 struct HullOptions {
   double inset = 0;      ///< modules by which shafts, bearings and arms are reduced
-  bool isWhole = false;  ///< hollow parts too (rings, their carriers, drums, flat bevels), as if filled
+  bool isWhole = false;  ///< also hollow parts (rings, their carriers, drums, flat bevels), as if solid
 };
 
 /// Hulls of the gears and of the planned shafts, bearings and arms. Cost: O(parts).

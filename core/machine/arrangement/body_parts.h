@@ -14,14 +14,15 @@ constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
 /// An arm of a link from its own axis to the bearing of another.
 struct ArmPlan {
   int link = 0;
-  int from = 0;      ///< axis class it starts at
+  int from = 0;      ///< axis class that it starts at
   double level = 0;  ///< coordinate along it
   int to = 0;        ///< axis class of the bearing
   double at = 0;     ///< coordinate of the bearing
-  int child = 0;     ///< whose shaft the bearing holds
+  int child = 0;     ///< link whose shaft is in the bearing
 };
 
-/// The interval of an axis that one link occupies: a shaft, or a tube about the shafts inside.
+/// The shaft of a link along an interval of an axis: solid, or a tube around the shafts inside. Empty if low
+/// > high.
 struct ShaftSegment {
   int axisClass = 0;
   int link = 0;
@@ -35,48 +36,48 @@ struct ShaftSegment {
     high = std::max(high, to);
   }
 
-  /// A solid shaft, or with something of radius @p inside to go about (0: nothing) a tube that clears it.
+  /// Sets the radii: a tube that clears a shaft of radius `inside`, or a solid shaft for 0.
   void wrap(double inside, double module) {
     inner = inside > 0 ? inside + 0.12 * module : 0;
     outer = inside > 0 ? inside + module : kShaftRadius * module;
   }
 };
 
-/// A pin that a link holds out along an axis that crosses its own, for a child that turns on it.
+/// A cantilevered pin of a link along an axis that intersects its own, on which a child turns.
 struct PinPlan {
   int link = 0;
   int home = 0;      ///< the link's axis class
   double level = 0;  ///< coordinate of the crossing along it
   int axisClass = 0;
   double from = 0;  ///< of the crossing along the pin's axis
-  double to = 0;    ///< behind the child's last wheel
+  double to = 0;    ///< beyond the child's last wheel
 };
 
-/// A link's shaft that ends in an eye about a shaft across its own axis.
+/// A cross-shaft boss: a link's shaft that ends in a boss around a shaft on an axis across its own.
 struct TeePlan {
   int link = 0;
   int home = 0;      ///< the link's axis class
   double level = 0;  ///< coordinate of the crossing along it
   int axisClass = 0;
   double at = 0;             ///< of the crossing along the other axis
-  int child = 0;             ///< whose shaft the eye holds
-  double low = 0, high = 0;  ///< how far that one reaches, for others that run on it
+  int child = 0;             ///< link whose shaft is in the boss
+  double low = 0, high = 0;  ///< the interval of that shaft, for other links that turn on it
 };
 
-/// The foot of a wheel of the frame that stands on none of its bearings.
+/// A pedestal for a wheel of the ground that none of the ground's bearings supports.
 struct StubPlan {
   int axisClass = 0;
   double at = 0;
 };
 
-/// The plate and wall that carry a ring on its link's shaft.
+/// The ring-gear carrier: the disc and wall that support a ring gear on its link's shaft.
 struct CupPlan {
   int gear = 0;
-  int side = -1;     ///< the ring's face that it closes
-  double plate = 0;  ///< coordinate of the plate's middle
+  int side = -1;     ///< the face of the ring that the disc closes: -1 or 1 along the axis
+  double plate = 0;  ///< coordinate of the disc's middle
 };
 
-/// Bars along an axis in place of a drum's wall, so that the wheels inside are seen.
+/// Bars along an axis in place of a drum's wall, so that the wheels inside are visible.
 struct CagePlan {
   int axisClass = 0;
   int link = 0;
@@ -86,26 +87,26 @@ struct CagePlan {
   double high = 0;
 };
 
-/// Bodies of revolution of a link about an axis: closed meridians, material on the left.
+/// Solids of revolution of a link about an axis: closed profiles, material on the left.
 struct LathePlan {
   int axisClass = 0;
   int link = 0;
   std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
 };
 
-/// A disc or the wall of a drum in the half plane through its axis, by its middle: upright or level. Walls
+/// A disc (radial) or the wall of a drum (axial) by its middle line in the half plane through its axis. Walls
 /// join the wheels, shafts and pins of a link whose bodies are routed in that plane (coaxial_plan.h).
 struct WallPlan {
   int axisClass = 0;
   int link = 0;
-  double fromAt = 0;  ///< coordinates along the axis; level: ascending
+  double fromAt = 0;  ///< coordinates along the axis; ascending for an axial wall
   double toAt = 0;
-  double fromRadius = 0;  ///< distances from the axis; upright: ascending
+  double fromRadius = 0;  ///< distances from the axis; ascending for a radial wall
   double toRadius = 0;
-  bool isOnShaft = false;  ///< upright: begins at the link's own shaft
+  bool isOnShaft = false;  ///< a radial wall that begins at the link's own shaft
 };
 
-/// A housing about an axis, which joins bearings of the ground or holds one on the base.
+/// A housing around an axis, which joins bearings of the ground or supports one on the base.
 struct HousingPlan {
   int axisClass = 0;
   double low = 0;
@@ -121,7 +122,7 @@ struct FrameBar {
   double radius = 0;
 };
 
-/// What joins the ground's bearings to one body.
+/// The frame: the parts that join the ground's bearings into one body.
 struct FramePlan {
   /// Where a bar or a housing is fixed to the base.
   struct Foot {
@@ -130,10 +131,11 @@ struct FramePlan {
   };
   std::vector<HousingPlan> housings;
   std::vector<FrameBar> bars;
-  std::vector<Foot> feet;  ///< the base is the plate that they span; empty: there is none
+  std::vector<Foot> feet;  ///< the base plate is their convex hull; empty: there is no base
   double top = 0;          ///< of the base, along z
   double thickness = 0;
-  /// Bearings (axis class, coordinate) that found no way to the others and have feet of their own.
+  /// Bearings (axis class, coordinate) that could not be connected to the others and have pedestals of their
+  /// own.
   std::vector<std::pair<int, double>> onFeet;
 };
 

@@ -4,9 +4,9 @@
 
 namespace geargraph::inline arrangement {
 
-/// One try of arrangementOf(), on a new draft: axes with a plan of their own first, then ring carriers,
-/// bearings and arms link by link from the ground outwards, shafts at last. Ends early, with a plan of no
-/// use, when `stop` was requested.
+/// One try of arrangementOf(), on a new draft: first the axes with a coaxial plan (coaxial_plan.h), then
+/// ring-gear carriers, then bearings and arms link by link from the ground outwards, then shafts. If `stop`
+/// is requested it ends early and the draft is meaningless.
 void planBodies(PlanDraft& draft);
 
 }  // namespace geargraph::inline arrangement

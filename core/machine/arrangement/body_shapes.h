@@ -8,7 +8,7 @@
 
 namespace geargraph::inline arrangement {
 
-/// Play between an eye and what turns in it, and the wall about it.
+/// The radial clearance between a boss and the shaft in it, and the thickness of the boss's wall; lengths.
 [[nodiscard]] inline double eyePlay(const AxisLayout& layout) {
   return 0.08 * layout.module;
 }
@@ -16,39 +16,39 @@ namespace geargraph::inline arrangement {
   return 1.0 * layout.module;
 }
 
-/// Radius of the hole of the parent's eye about the child's shaft; 0: nothing is there.
+/// The hole radius of the parent's boss around the child's shaft; 0: no shaft is there.
 [[nodiscard]] double holeFor(const Arrangement& plan, int axisClass, double at, int parent);
 
-/// Outer radius of a bearing's eye.
+/// The outer radius of a bearing's boss.
 [[nodiscard]] double eyeRadius(const Arrangement& plan, int axisClass, const Bearing& bearing);
 
-/// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
-/// both hold together and no face of one lies on one of the other.
+/// The hub of an arm on its link's own axis. Its hole is within the wall of the link's shaft, so that the two
+/// overlap and no faces coincide.
 [[nodiscard]] Eye footOf(const Arrangement& plan, const ArmPlan& arm);
 
-/// The other end, in the frame at the arm's level that has its x axis along the base frame's nearest
-/// direction across the arm's axis.
+/// The boss at the other end of an arm, in the frame at the arm's level whose x axis is along the direction
+/// of the base frame nearest to a normal of the arm's axis.
 [[nodiscard]] Eye endOf(const Arrangement& plan, const ArmPlan& arm);
 
-/// How the end of a post along one axis lies to the middle of the eye about another that it holds.
+/// The end of a pedestal along one axis relative to the centre of the boss on another axis that it supports.
 struct PostEnd {
   Eigen::Vector3d aside = Eigen::Vector3d::Zero();  ///< in the plane of the arm; zero at right angles
   double before = 0;                                ///< along the post
 };
-/// So that the post meets the eye's wall and leaves its hole free: the edge of its end comes as far as the
-/// middle of the wall, and what lies within the wall lies beside the middle of the eye, not beyond its faces.
-/// `hole`: the eye's radius. `sense`: 1 where the post runs along the direction of `from`, -1 against it.
+/// The end such that the pedestal joins the boss's wall and leaves its hole free: the edge of its end reaches
+/// the middle of the wall, and the part within the wall does not extend beyond the boss's faces. `hole`:
+/// radius of the boss's hole. `sense`: 1 if the pedestal runs along the direction of `from`, -1 against it.
 /// @pre the axes are not parallel
 [[nodiscard]] PostEnd postEnd(const AxisLayout& from, const AxisLayout& to, double hole, double sense);
 
-/// A post from an arm to the bearing on a crossing axis, as far as the bearing's wall.
+/// A pedestal from an arm to the bearing on an intersecting or skew axis, as far as the bearing's wall.
 struct Post {
   Eigen::Vector3d foot;  ///< in the plane of the arm
   Eigen::Vector3d way;   ///< unit vector
   double radius = 0;
   double reach = 0;
 };
-/// None where the arm holds the bearing itself, or comes near enough.
+/// std::nullopt if the arm supports the bearing directly.
 [[nodiscard]] std::optional<Post> postOf(const Arrangement& plan, const ArmPlan& arm);
 
 }  // namespace geargraph::inline arrangement

@@ -8,7 +8,7 @@
 
 namespace geargraph::inline arrangement {
 
-/// The second flange of a planetary carrier, on the other side of the planets than its arms, and the pillars
+/// The second flange of a planetary carrier, on the side of the planets opposite to its arms, and the pillars
 /// that join the two.
 struct FlangePlan {
   int link = 0;
@@ -16,18 +16,18 @@ struct FlangePlan {
   double arms = 0;    ///< level of the arms
   double level = 0;   ///< of the second flange
   Eye hub;
-  std::vector<Eye> ends;      ///< about the planets' shafts, in the frame of endOf() but at `level`
+  std::vector<Eye> ends;      ///< bosses around the planets' shafts, in the frame of endOf() but at `level`
   std::vector<int> children;  ///< by end
   std::vector<Eye> pillars;   ///< without holes
 };
 
-/// The second flanges of carriers on axes of the ground, whose planets stand on one side of their arms, where
-/// the gears leave room for two pillars at least and nothing else is in the way in any pose. Deterministic.
+/// The second flanges of carriers on axes of the ground whose planets are on one side of their arms, where
+/// the gears leave room for at least two pillars and no other part collides in any pose. Deterministic.
 /// Cost: O(arms * gears).
 [[nodiscard]] std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain& train,
                                                      const Placement& placement);
 
-/// Shafts of planets reach through the second flanges.
+/// Extends the shafts of planets through the second flanges.
 void reachFlanges(Arrangement& plan, const std::vector<FlangePlan>& flanges);
 
 }  // namespace geargraph::inline arrangement

@@ -12,15 +12,15 @@
 
 namespace geargraph::inline arrangement {
 
-/// Where a bearing of the document goes in the plan of its axis.
+/// The place of a bearing in the coaxial plan of its axis.
 struct CoaxialBearing {
   int joint = 0;
   double at = 0;
   BearingForm form = BearingForm::eye;
 };
 
-/// How the links of one axis join their wheels and carry their planets without meeting each other: sleeves
-/// within the wheels, discs between them, drums about them.
+/// How the links of one axis connect their wheels and carry their planets without collision: sleeves inside
+/// the wheels, discs between them, drums around them.
 struct CoaxialPlan {
   std::vector<ShaftSegment> shafts;  ///< with their radii
   std::vector<ArmPlan> arms;
@@ -29,16 +29,16 @@ struct CoaxialPlan {
   std::vector<WallPlan> walls;
   std::vector<CagePlan> cages;
   std::vector<CoaxialBearing> bearings;
-  std::vector<std::pair<std::size_t, double>> hubs;  ///< gears whose hub has to reach a disc: its diameter
+  std::vector<std::pair<std::size_t, double>> hubs;  ///< gears whose hub has to reach a disc, its diameter
   double width = 0;                                  ///< of arms
 };
 
-/// Does the axis have sets that need one: two rings or more, links that turn on the ground, and planets of
-/// theirs on parallel axes?
+/// Does the axis need a coaxial plan: with two ring gears or more, links that turn on the ground, and planets
+/// of theirs on parallel axes?
 [[nodiscard]] bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train);
 
-/// The plan; std::nullopt where no way is found, or `stop` was requested meanwhile.
-/// Cost: some milliseconds; meridian_router.h.
+/// The plan; std::nullopt if no routing is found, or `stop` was requested meanwhile. Cost: some milliseconds;
+/// see meridian_router.h.
 [[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
                                                      const Placement& placement, const GearTrain& train,
                                                      const std::stop_token& stop = {});

@@ -6,16 +6,16 @@
 
 namespace geargraph::inline arrangement {
 
-// Bearings on axes that cross their holder's.
+// Bearings on axes that intersect the axis of the link that holds them.
 
-/// A pin that a link holds out from its own shaft along the axis that meets its own, for wheels that all
-/// stand on one side; none where wheels or shafts of other links are in the way.
+/// A cantilevered pin from a link's own shaft along an intersecting axis, for wheels that are all on one
+/// side; std::nullopt if it would collide with wheels or shafts of other links.
 [[nodiscard]] std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home,
                                             const Bearing& bearing);
 
-/// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
-/// arms beside the link's own wheel or where it has one already; but first of all where they pass the gears.
-/// Where none does, a pin may, or an arm round the wheels.
+/// Places bearing and arm for an axis that intersects the link's own. First criterion: clear of the gears;
+/// then bearings as drawn, arms beside the link's own wheel or at an arm that it has already. If no arm is
+/// clear of the gears, a pin is tried, then an arm around the wheels.
 void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement

@@ -6,16 +6,16 @@
 
 namespace geargraph::inline arrangement {
 
-// Bearings of the frame on feet of their own.
+// Bearings of the frame on pedestals of their own.
 
-/// Where a bearing of the frame can stand on feet of its own, beside the wheels that it holds; nothing: there
-/// is no place.
+/// The coordinate at which a bearing of the frame can have a pedestal of its own, beside the wheels that it
+/// supports; std::nullopt if there is none.
 [[nodiscard]] std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing);
 
-/// Places it there and takes the place on its axis.
+/// Places the bearing there and occupies the slot on its axis.
 void putOnFeet(PlanDraft& draft, Bearing& bearing, double place);
 
-/// The same at the best place; where there is none it is blocked.
+/// The same at placeOfFeet(); if there is none, its links are reported as blocked.
 void putOnFeetOrReport(PlanDraft& draft, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement

@@ -7,25 +7,25 @@
 
 namespace geargraph::inline arrangement {
 
-/// The room that the gears of a train take up while they turn: a disc each, a bevel what its tips sweep. For
-/// bodies that have to pass them.
+/// The swept envelopes of the turning gears of a train, for routing bodies past them: a disc each, for a
+/// bevel the volume swept by its tips.
 class GearObstacles {
  public:
   explicit GearObstacles(const GearTrain& train);
 
-  /// Gears across `axis` that stand within `half` of the plane through `point`.
+  /// Gears on axes parallel to `axis` within the distance `half` of the plane through `point` normal to it.
   [[nodiscard]] std::vector<std::size_t> inPlane(const Eigen::Vector3d& point, const Eigen::Vector3d& axis,
                                                  double half) const;
-  /// Does a straight bar from a to b, in the plane that the gears were asked for, stay `margin` off their
-  /// teeth?
+  /// Does a straight bar from a to b, in the plane given to inPlane(), keep the distance `margin` from the
+  /// teeth of these gears?
   [[nodiscard]] bool isClear(const std::vector<std::size_t>& gears, const Eigen::Vector3d& a,
                              const Eigen::Vector3d& b, double margin) const;
-  /// How many of some places along the bar, its first left out, lie in gears of other links or within
-  /// `margin`.
+  /// The number of collisions: of sample points along the bar from a to b, without the first, those inside or
+  /// within `margin` of gears of other links.
   [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin) const {
     return hits(link, a, b, margin, nullptr);
   }
-  /// The same of gears on axes that are not parallel to `axis`.
+  /// The same for gears on axes that are not parallel to `axis` only.
   [[nodiscard]] int crossingHits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
                                  const Eigen::Vector3d& axis) const {
     return hits(link, a, b, margin, &axis);

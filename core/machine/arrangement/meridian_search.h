@@ -11,8 +11,8 @@
 
 namespace geargraph::inline arrangement {
 
-/// Where the cells of a grid are as bits: a column's rows fill so many words, the next column's the next
-/// ones.
+/// The position of each cell of a grid in a bit set: every column takes a whole number of words, one column
+/// after the other.
 class MeridianBits {
  public:
   explicit MeridianBits(const MeridianGrid& grid);
@@ -33,7 +33,7 @@ class MeridianBits {
   std::vector<Place> m_places;  ///< by cell
 };
 
-/// Who owns the cells of a grid while its nets are laid.
+/// The owners of the cells of a grid during routing.
 class MeridianOwners {
  public:
   /// `bits` outlives it.
@@ -52,7 +52,7 @@ class MeridianOwners {
 
   [[nodiscard]] const MeridianBits& bits() const { return *m_bits; }
   [[nodiscard]] const std::vector<std::uint64_t>& freeBits() const { return m_free; }
-  /// What a search knows of a cell before it begins: kFar of a free one, kShut of any other.
+  /// The initial cost of each cell for a search: kFar for a free cell, kShut for any other.
   [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
 
   static constexpr double kFar = 1e300;
@@ -67,48 +67,49 @@ class MeridianOwners {
   std::vector<double> m_costs;
 };
 
-/// The cheapest ways of a net from some cells of a grid to others, found only as far as they are asked for. A
-/// step along the axis costs the column's width, dearer by the row; one across it the row's cost, and needs a
-/// column that is wide enough for a disc. Either costs in addition what the cell does that it leads to.
+/// The cheapest paths of a net from source cells of a grid to ends, searched only as far as requested. A step
+/// along the axis costs the column's width times a factor of the row; a step across it costs the row's cost
+/// and needs a column that is wide enough for a disc. Either adds the extra cost of the cell that it leads
+/// to.
 ///
-/// Cells from which an end may be near are settled first (A*): a cell's rank is what the way to it costs and
-/// what the rest costs at least. They are settled lot by lot: a lot are the cells whose ranks lie within one
-/// step's cost, so that no heap has to order them. Of ways that cost the same the one stands that comes over
-/// the cheaper cell, then over the one with the smaller number: ways do not depend on the order of settling.
+/// Cells are settled in the order of their rank (A*): the cost of the path to the cell plus a lower bound of
+/// the remaining cost. They are settled bucket by bucket (lots): a bucket has the cells whose ranks are
+/// within the cost of one step, so no heap is needed. Of paths with equal cost the one over the cheaper cell,
+/// then over the cell with the smaller number is kept: paths do not depend on the order of settling.
 ///
-/// Cost: O(cells) a search, some ten nanoseconds each.
+/// Cost: O(cells) per search, some ten nanoseconds per cell.
 /// @pre widths and row costs are positive
 class MeridianSearch {
  public:
-  using Places = std::vector<std::pair<int, double>>;  ///< cells, and what it costs to begin or end there
+  using Places = std::vector<std::pair<int, double>>;  ///< cells, and the cost of beginning or ending there
 
   explicit MeridianSearch(const MeridianGrid& grid);
 
-  /// A new search over free cells and those in `own`. `extra`: what cells cost in addition, until the next
-  /// call. False where no way at all leads from a source to an end.
+  /// Begins a new search over free cells and those in `own`. `extra`: additional costs of the cells, valid
+  /// until the next call. False if no path leads from a source to an end.
   /// @pre there are ends; an extra cost for every cell, none below 0
   [[nodiscard]] bool begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
                            std::span<const double> extra, const Places& sources, const Places& ends);
-  /// Is every cell settled that can be reached?
+  /// Are all reachable cells settled?
   [[nodiscard]] bool isDone() const { return m_waiting == 0; }
-  /// Is every cell settled that lies on a way that costs no more, its end included? One lot more is, too: the
-  /// ranks along a way may fall by a rounding.
+  /// Are all cells settled that are on a path of at most this cost, its end included? (And one bucket more,
+  /// because ranks along a path may decrease by rounding.)
   [[nodiscard]] bool isBeyond(double cost) const { return lotOf(cost) + 1 < m_lot; }
-  /// Settles the next lot. Valid until the next call; a cell may be in it twice.
+  /// Settles the next bucket and returns its cells, valid until the next call; a cell may occur twice.
   /// @pre !isDone()
   [[nodiscard]] const std::vector<int>& settleLot();
 
   [[nodiscard]] double cost(int cell) const { return m_cost[static_cast<std::size_t>(cell)]; }
-  /// The cell before on the way; -1: the way begins here.
+  /// The previous cell on the path; -1: the path begins here.
   [[nodiscard]] int from(int cell) const { return m_from[static_cast<std::size_t>(cell)]; }
 
  private:
-  /// A cell that was reached, and what the way to it costs.
+  /// A reached cell, and the cost of the path to it.
   struct Front {
     double cost = 0;
     int cell = 0;
     int column = 0;
-    int next = -1;  ///< of the same lot: position in m_fronts
+    int next = -1;  ///< next of the same bucket: position in m_fronts; -1: none
   };
   [[nodiscard]] long lotOf(double cost) const { return static_cast<long>(cost * m_perStep); }
   [[nodiscard]] int& lot(long number) {
@@ -131,26 +132,26 @@ class MeridianSearch {
   void reach(const Front& before, int cell, int column, double price);
 
   const MeridianGrid& m_grid;
-  double m_cheapest = 1;  ///< step
+  double m_cheapest = 1;  ///< cost of a step
   double m_widest = 0;
-  double m_perStep = 1;               ///< lots for a cost of 1
+  double m_perStep = 1;               ///< buckets for a cost of 1
   std::vector<double> m_rowFactor;    ///< of the width, for a step along the axis
-  std::vector<double> m_columnAhead;  ///< by column: what the way along the axis to an end costs at least
-  std::vector<double> m_rowAhead;     ///< by row: the same of the way across
-  std::vector<double> m_cost;         ///< by cell, as far as the search has come; below 0: not open
+  std::vector<double> m_columnAhead;  ///< by column: lower bound of the cost along the axis to an end
+  std::vector<double> m_rowAhead;     ///< by row: the same for the cost across
+  std::vector<double> m_cost;         ///< by cell, so far; below 0: not open
   std::vector<int> m_from;            ///< by cell
   std::vector<char> m_plates;         ///< by column
   std::span<const double> m_extra;    ///< by cell
-  std::vector<Front> m_fronts;        ///< all of the search
-  std::vector<int> m_lots;  ///< the last front of each, -1: none; as many as the dearest step spans,
-                            ///< in a ring; a power of two
+  std::vector<Front> m_fronts;        ///< of the whole search
+  std::vector<int> m_lots;  ///< buckets: the last front of each, -1: none; as many as the most expensive step
+                            ///< spans, in a ring; a power of two
   std::vector<int> m_settled;
   std::size_t m_perColumn = 0;          ///< words
   std::vector<std::uint64_t> m_open;    ///< by column and word: cells that are open
-  std::vector<std::uint64_t> m_joined;  ///< of these: found to hang together with a source
-  std::vector<char> m_isSpread;         ///< by column: nothing was joined since it was looked at
-  std::size_t m_waiting = 0;            ///< fronts in all lots
-  long m_lot = 0;                       ///< the next
+  std::vector<std::uint64_t> m_joined;  ///< of these: connected to a source
+  std::vector<char> m_isSpread;         ///< by column: nothing was joined since it was processed
+  std::size_t m_waiting = 0;            ///< fronts in all buckets
+  long m_lot = 0;                       ///< the next bucket
 };
 
 }  // namespace geargraph::inline arrangement

@@ -4,9 +4,9 @@
 
 namespace geargraph::inline arrangement {
 
-/// Gives the shafts of an axis their radii. Shafts that lie over each other are nested: inmost comes the one
-/// of whose wheels, arms and ring carriers the others would cut through the least, of several the longest.
-/// All of an axis shrink together until the bores of their wheels hold them. Cost: O(shafts^3) at most.
+/// Gives the shafts of an axis their radii. Overlapping shafts are nested: innermost is the one whose wheels,
+/// arms and ring-gear carriers the others would cut least, of several the longest. All shafts of an axis are
+/// reduced together until they fit into the bores of their wheels. Cost: at most O(shafts^3).
 void nestShafts(PlanDraft& draft, int axisClass);
 
 }  // namespace geargraph::inline arrangement

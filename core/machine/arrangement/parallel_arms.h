@@ -6,7 +6,7 @@
 
 namespace geargraph::inline arrangement {
 
-// Bearings on axes that are parallel to their holder's, and the arms in one plane that hold them.
+// Bearings on axes parallel to that of the link that holds them, and the arms in one plane that support them.
 
 /// A straight bar between two axes.
 struct AxisBar {
@@ -14,28 +14,28 @@ struct AxisBar {
   int to = 0;
 };
 
-/// The axis that a link's arms start from: its own. The ground's is the one of those that most others are
-/// parallel to that has most bearings, so that one arm does for them; the last of these.
+/// The axis class that a link's arms start from: its own. For the ground, among the axes with the most
+/// parallel ones the one with the most bearings, so that these need one arm; the last of several.
 /// @pre the link holds a bearing
 [[nodiscard]] int homeOf(const PlanDraft& draft, int link);
 
-/// Keeps places beside the wheels free for carriers that found none the last time, and what their arms go
-/// round (PlanTries), until releaseRoom().
+/// Reserves places beside the wheels for carriers that found none in the previous try, and the interval that
+/// their arms sweep (PlanTries), until releaseRoom().
 void reserveRoom(PlanDraft& draft);
 void releaseRoom(PlanDraft& draft);
 
-/// The bearings that a link holds and that have no place yet, a round at a time: one of each axis parallel to
-/// its own (its own included), those whose wheels are nearest the bearings' end first.
+/// The unplaced bearings that a link holds, in rounds: each has one bearing per axis parallel to the link's
+/// (including its own), those whose wheels are nearest the bearing side first.
 [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home);
 
-/// The straight bars that join the bearings of a round: a frame's from each to the nearest, a carrier's from
-/// its own axis, unless another eye stands in the way, which it then starts from.
+/// The straight bars that join the bearings of a round: for the frame from each to the nearest, for a carrier
+/// from its own axis, unless another boss is in between, from which it then starts.
 [[nodiscard]] std::vector<AxisBar> barsOf(const PlanDraft& draft, int link, int home,
                                           const std::vector<Bearing*>& round, double level);
 
-/// Gives the bearings of a round the level that is free on all of their axes and nearest to where they are
-/// drawn, and the arms to there. Bearings of the ground for which there is none get feet of their own;
-/// carriers are then blocked, and want room.
+/// Places the bearings of a round at the level that is free on all of their axes and nearest to where they
+/// are drawn, and adds the arms. If there is no such level, bearings of the ground get pedestals of their
+/// own; carriers are reported as blocked and recorded in wantRoom.
 void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> round);
 
 }  // namespace geargraph::inline arrangement

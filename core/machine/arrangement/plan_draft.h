@@ -14,20 +14,20 @@
 
 namespace geargraph::inline arrangement {
 
-constexpr double kEqual = 1e-6;  ///< modules: lengths that differ by less are equal where they are sorted
+constexpr double kEqual = 1e-6;  ///< modules: lengths that differ by less are equal in sorting
 
-/// What earlier tries have shown.
+/// The results of earlier tries.
 struct PlanTries {
-  std::set<int> onFeet;   ///< links whose bearings in the frame, across its other axes, get no arm
+  std::set<int> onFeet;   ///< links whose bearings in the frame, on axes across its others, get no arm
   std::set<int> roomFor;  ///< carriers that found no level for their arms
-  /// Carriers whose arms go round bearings of the frame, and the level of these arms: the frame cannot reach
-  /// what is between there and the wheels.
+  /// Carriers whose arms revolve around bearings of the frame, with the level of these arms: the frame cannot
+  /// reach bearings between that level and the wheels.
   std::map<int, double> roundBearings;
 };
 
-/// An arrangement in the making. The parts of the planner (ring_carriers.h, parallel_arms.h, tees.h,
-/// crossing_arms.h, shaft_extents.h, nested_shafts.h) read what it has so far and add to it; each can be
-/// asked by itself. References that it is made of outlive it.
+/// An arrangement under construction. The parts of the planner (ring_carriers.h, parallel_arms.h, tees.h,
+/// crossing_arms.h, shaft_extents.h, nested_shafts.h) read it and add to it; each can be tested by itself.
+/// The arguments of the constructor outlive it.
 struct PlanDraft {
   /// The axes with their wheels, nothing placed. Cost: that of axisLayouts().
   PlanDraft(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
@@ -45,9 +45,10 @@ struct PlanDraft {
   }
   /// Coordinate along class b of the plane through coordinate x of a parallel class a.
   [[nodiscard]] double carried(int a, double x, int b) const { return axis(b).coordinate(axis(a).at(x)); }
-  /// Where two axes meet: the coordinates of the point along them; nothing where they are skew.
+  /// Where two axes intersect: the coordinates of the point along them; std::nullopt if they are skew or
+  /// parallel.
   [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
-  /// What a span of a gear, along the gear's own axis, takes of its axis class.
+  /// A span along a gear's own axis as an interval of its axis class.
   [[nodiscard]] Stretch stretchOf(const TrainGear& gear, const AxialSpan& span) const;
 
   void addArm(const ArmPlan& arm) {
@@ -63,10 +64,10 @@ struct PlanDraft {
   const GearTrain& train;
   const PlanTries& tries;
   const std::stop_token& stop;
-  std::set<int> wantRoom;  ///< carriers for whose arms there was no level
+  std::set<int> wantRoom;  ///< carriers whose arms found no level
   GearObstacles obstacles;
   std::vector<std::vector<std::size_t>> gearsOn;  ///< gears by axis class
-  std::vector<bool> coaxial;                      ///< axis classes that have a plan of their own
+  std::vector<bool> coaxial;                      ///< axis classes with a coaxial plan
   std::vector<std::vector<std::pair<int, std::size_t>>>
       heldBy;                                    ///< bearings (class, place) by the link that holds
   std::vector<std::vector<std::size_t>> armsOf;  ///< arms by link

@@ -4,13 +4,13 @@
 
 namespace geargraph::inline arrangement {
 
-/// Adds the shaft of a link on an axis: it reaches from the link's wheels to its bearing, its arms and ring
-/// carriers there. No radius yet (nested_shafts.h). A wheel of the frame that none of its bearings reaches
-/// stands on a stub.
+/// Adds the shaft of a link on an axis: it extends over the link's wheels, its bearing, its arms and
+/// ring-gear carriers there. Radii are set later (nested_shafts.h). A wheel of the frame that none of its
+/// bearings supports gets a pedestal (StubPlan).
 void addShaft(PlanDraft& draft, int axisClass, int link);
 
-/// Wheels that stand on an axis without turning about it are held by the bearings that their link has there,
-/// rings by the tube between their plate and these.
+/// Supports the wheels that are on an axis without turning about it by the bearings that their link has
+/// there, ring gears by the tube between their disc and these.
 void addFixedHubs(PlanDraft& draft);
 
 }  // namespace geargraph::inline arrangement

@@ -6,29 +6,31 @@
 
 namespace geargraph::inline arrangement {
 
-// Where a shaft comes out: past the wheels of its own axis and of others, and past arms.
+// Where a shaft is accessible: past the wheels of its own axis and of others, and past arms.
 
-/// The hubs of a link's wheels on the axis, but for rings. Empty (low > high) where there are none.
+/// The interval of the hubs of a link's wheels on the axis, without rings. Empty (low > high) if there are
+/// none.
 [[nodiscard]] Stretch hubStretch(const PlanDraft& draft, int axisClass, int link);
 
-/// What a link's shaft holds on the axis: wheels, and the plates of rings, which are hollow. Empty where
-/// there is nothing.
+/// The interval of what a link's shaft supports on the axis: wheels, and the discs of ring gears. Empty (low
+/// > high) if there is nothing.
 [[nodiscard]] Stretch heldStretch(const PlanDraft& draft, int axisClass, int link);
 
-/// Does the shaft of the link that a bearing holds, from its wheels to there, stay clear of the wheels on
-/// other axes, wherever their carriers take them?
+/// Is the shaft of the bearing's link, from its wheels to the bearing at `at`, clear of the wheels on other
+/// axes in every pose?
 [[nodiscard]] bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at);
 
-/// Wheels of others on the axis between a level and what the link has there, its bearing included.
+/// The number of wheels of other links on the axis between a level and the link's own parts there, including
+/// its bearing.
 [[nodiscard]] std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double level);
 
-/// Has a carrier nothing but its arm on its axis, and no way from there to its bearing past what others have?
+/// Has a carrier only its arm on its axis, and no path from there to its bearing past the parts of others?
 [[nodiscard]] bool isTrapped(const PlanDraft& draft, int link, int home, double level);
 
-/// Does the shaft that a carrier holds go round through an arm of another link?
+/// Does the shaft that a carrier holds collide with an arm of another link as it revolves?
 [[nodiscard]] bool meetsArms(const PlanDraft& draft, const Bearing& bearing, double at);
 
-/// Does a carrier's arm to an axis go round through a shaft of the frame?
+/// Does a carrier's arm to an axis collide with a shaft of the frame as it revolves?
 [[nodiscard]] bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int axisClass);
 
 }  // namespace geargraph::inline arrangement

@@ -4,9 +4,9 @@
 
 namespace geargraph::inline arrangement {
 
-/// Bodies of trains that are too large to be routed: nothing is compared with anything beyond its own axis. A
-/// straight arm from each carrier's axis to each bearing that it holds; the frame's stand on feet. Cost:
-/// O(gears + joints), of each axis O(its shafts^2).
+/// Plans the bodies of trains that are too large for routing, without collision checks between axes: a
+/// straight arm from each carrier's axis to each bearing that it holds; bearings of the frame on pedestals.
+/// Cost: O(gears + joints), and O(shafts^2) per axis.
 void planSimply(PlanDraft& draft);
 
 }  // namespace geargraph::inline arrangement

@@ -4,12 +4,13 @@
 
 namespace geargraph::inline arrangement {
 
-/// Where axes meet, the link's own shaft can end in an eye about the shaft that passes the crossing or begins
-/// there. Whatever else turns there on the link runs on the shaft that it encloses. False: it cannot.
+/// Tries to end the link's own shaft in a cross-shaft boss (TeePlan) around the shaft of an intersecting axis
+/// that passes the intersection or begins there. Other links that turn there on the same link run on the
+/// shaft inside them. False: not possible.
 bool placeTee(PlanDraft& draft, int link, int home, int axisClass);
 
-/// The shafts of tees end in the walls of their eyes: not nearer than their edge may come to what turns
-/// there. @pre shafts are nested
+/// Ends the shafts of cross-shaft bosses within the walls of the bosses, so that their edges stay clear of
+/// the shaft in the boss. @pre shafts are nested
 void trimTees(PlanDraft& draft);
 
 }  // namespace geargraph::inline arrangement

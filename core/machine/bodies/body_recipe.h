@@ -14,8 +14,9 @@
 
 namespace geargraph::inline bodies {
 
-// The parts that bodies are made of, as the numbers that the functions of part_solids.h take.
+// The parts of bodies, as arguments for the functions of part_solids.h.
 
+/// tube()
 struct TubePart {
   double outer = 0;
   double inner = 0;
@@ -24,11 +25,13 @@ struct TubePart {
   friend bool operator==(const TubePart&, const TubePart&) = default;
 };
 
+/// lathed()
 struct LathePart {
   std::vector<ProfileVertex> meridian;
   friend bool operator==(const LathePart&, const LathePart&) = default;
 };
 
+/// spider()
 struct SpiderPart {
   Eye hub;
   std::vector<Eye> ends;
@@ -55,9 +58,10 @@ struct PlatePart {
   friend bool operator==(const PlatePart&, const PlatePart&) = default;
 };
 
+/// A part in its own frame with its place in the body.
 struct BodyPart {
   std::variant<TubePart, LathePart, SpiderPart, BarPart, PlatePart> shape;
-  double module = 1;                                         ///< the length that tolerances are counted in
+  double module = 1;                                         ///< the unit of the tolerance
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();  ///< its own frame to the body's
 
   friend bool operator==(const BodyPart& a, const BodyPart& b) {
@@ -65,21 +69,23 @@ struct BodyPart {
   }
 };
 
-/// All that the solid of a body depends on beside its tolerance: equal recipes give equal solids, bit by bit.
+/// Everything that the solid of a body depends on except the tolerance: equal recipes give bitwise equal
+/// solids.
 using BodyRecipe = std::vector<BodyPart>;
 
-/// The parts beside each other in one solid, chords within `tolerance` modules. Cost: O(triangles).
+/// The solid with all parts as separate shells, chordal error at most `tolerance` modules. Cost:
+/// O(triangles).
 [[nodiscard]] Solid madeBy(const BodyRecipe& recipe, double tolerance);
 
-/// Solids by their recipes, so that a body which an edit leaves as it is stays the same solid. Oldest out
-/// when more than `capacity` are held; what a caller still holds stays alive. Not for two threads at once.
+/// A cache of solids by recipe, so that a body that an edit does not change keeps its solid. The least
+/// recently used are dropped above `capacity`; shared pointers of callers stay valid. Not thread-safe.
 class BodyCache {
  public:
   explicit BodyCache(std::size_t capacity = 512) : m_capacity(capacity) {}
 
   /// Raises the capacity to at least `solids`.
   void makeRoomFor(std::size_t solids) { m_capacity = std::max(m_capacity, solids); }
-  /// The solid of this recipe, made when it is asked for, if it ever is.
+  /// The solid of this recipe, made on first use.
   [[nodiscard]] std::shared_ptr<const DeferredSolid> deferred(const BodyRecipe& recipe, double tolerance);
 
  private:
@@ -93,7 +99,7 @@ class BodyCache {
   };
   struct Entry {
     std::shared_ptr<const DeferredSolid> solid;
-    std::size_t used = 0;  ///< number of the last call that asked for it
+    std::size_t used = 0;  ///< number of the last call that returned it
   };
 
   std::unordered_map<Key, Entry, Hash> m_solids;

@@ -12,53 +12,51 @@ namespace geargraph::inline bodies {
 /// Makes gears and bodies of a mechanism.
 ///
 /// 1. Wheels: those that meshes name, else meshes on the same link, axis, tooth count and plane share one
-///    (bevel: apex and cone), where the document leaves the plane open only if all in it pass each other
-///    (wheel_sharing.h). Gears that would stand in one place are stacked along their axis, where the
-///    document leaves their pitch point open.
-/// 2. Shape: the module of meshing wheels is the smallest that one of their meshes asks for; the others get
-///    their centre distance by profile shifts, as equal as the document's own shifts allow. Tips are
-///    shortened for clearance, tips of rings kept off the pinion's fillets.
-/// 3. Phase: phase.h; in loops that cannot close a residual is left.
-///    Faces of bevels that the document leaves open are shortened where their wheels would stand in others.
-/// 4. Bodies: sized from the gears.
-/// Trains of more than kMostRoutedGears keep their faces, and their bodies are simple.
+///    (bevel: apex and cone); where the document leaves the plane open, only if no wheels in it interfere
+///    (wheel_sharing.h). Gears that would overlap are stacked along their axis, where the document leaves
+///    their pitch point open.
+/// 2. Shape: the module of meshing wheels is the smallest that one of their meshes needs; the others get
+///    their centre distance by profile shifts, as evenly as the document's own shifts allow. Tips are
+///    shortened for clearance, tips of rings kept clear of the pinion's fillets.
+/// 3. Phase: phase.h; loops that cannot be assembled keep a residual. Open face widths of bevels are reduced
+///    where wheels would interfere.
+/// 4. Bodies: sized from the gears. Trains of more than kMostRoutedGears keep their face widths, and their
+/// bodies are not routed.
 ///
-/// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels in
-///       pairs.
-/// Of no use when `stop` was requested meanwhile, which ends any of it within some milliseconds.
-/// For one use: what the views of a document share is in DerivedGeometry.
+/// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and interference checks compare
+/// wheels in pairs. The result is meaningless if `stop` was requested meanwhile, which ends any of it within
+/// some milliseconds. For a single use; the views of a document share DerivedGeometry.
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement,
                                 const std::stop_token& stop = {});
 
-/// Assembly, undercut and interference of that train; for trains of more than kMostRoutedGears without those
-/// about clearance between wheels and between bodies. Incomplete when `stop` was requested meanwhile. Cost:
-/// O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp);
-/// stacking wheels and planning bodies takes milliseconds more.
+/// The diagnostics `assembly`, `undercut` and `interference` of that train; with more than kMostRoutedGears
+/// without those about clearance between wheels and between bodies. Incomplete if `stop` was requested
+/// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel
+/// (tests/bench/bench_gears.cpp); stacking wheels and planning bodies takes milliseconds more.
 /// @pre as trainOf
 [[nodiscard]] Diagnostics trainDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                            const std::stop_token& stop = {});
 
-// The stages of both, each of which DerivedGeometry computes once. What they return is of no use when `stop`
+// The stages of both, each of which DerivedGeometry computes once. Their results are meaningless if `stop`
 // was requested meanwhile.
 
-/// The wheels as they are shown, with the gears, meshes and bodies that they make, and the arrangement that
-/// the bodies show.
+/// The final wheels, the gears, meshes and bodies made from them, and the arrangement of the bodies.
 struct AssembledTrain {
   TrainWheels wheels;
   GearTrain train;
   Arrangement arrangement;
 };
 
-/// 3. and 4. @pre the wheels are shaped and stacked
+/// Steps 3 and 4 of trainOf(). @pre the wheels are shaped and stacked
 [[nodiscard]] AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& placement,
                                             TrainWheels wheels, const std::stop_token& stop = {});
 
-/// trainDiagnostics() of a train that is there.
+/// trainDiagnostics() for a train that has been made.
 [[nodiscard]] Diagnostics diagnosticsOf(const Mechanism& mechanism, const Placement& placement,
                                         const AssembledTrain& assembled, const std::stop_token& stop = {});
 
-/// The same at another place.
+/// The same translated by `by`.
 [[nodiscard]] TrainWheels moved(TrainWheels wheels, const Eigen::Vector3d& by);
 [[nodiscard]] GearTrain moved(const GearTrain& train, const Eigen::Vector3d& by);
 [[nodiscard]] Arrangement moved(Arrangement arrangement, const Eigen::Vector3d& by);

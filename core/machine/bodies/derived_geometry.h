@@ -21,12 +21,12 @@ namespace geargraph::inline bodies {
 /// the diagnostics of the train. Edits, analysis, 3D view, schematic, forms and exports of a document share
 /// it.
 ///
-/// Each part is computed at the first request, once, on the thread that asks (DeferredValue). The parts of a
-/// request that was cancelled are null, and are computed by the next one. Immutable otherwise; thread-safe.
+/// Each part is computed once, on the thread that requests it first (DeferredValue). A cancelled request
+/// returns null, and the next one computes the part. Immutable otherwise; thread-safe.
 ///
-/// Where the document's coordinates are so large that doubles lose digits which gears need, the train is
-/// computed about an origin of its own (recentred()) and then moved to its place: pictures, files and
-/// diagnostics are of one train.
+/// Where the document's coordinates are too large for the precision that gears need in doubles, the train is
+/// computed about an origin of its own (recentred()) and then moved to its place, so that pictures, files and
+/// diagnostics show the same train.
 class DerivedGeometry {
  public:
   explicit DerivedGeometry(PlacedMechanism placed);
@@ -38,11 +38,11 @@ class DerivedGeometry {
   [[nodiscard]] const Mechanism& mechanism() const { return m_placed.mechanism(); }
   [[nodiscard]] const Placement& placement() const { return m_placed.placement(); }
 
-  /// The wheels of the train, in the order of its gears; none where the turning joints are no spanning tree.
+  /// The wheels of the train, in the order of its gears; empty if the turning joints are no spanning tree.
   [[nodiscard]] std::shared_ptr<const TrainWheels> wheels(const std::stop_token& stop = {}) const;
   /// trainOf(). Its bodies are planned; their solids are made on demand.
   [[nodiscard]] std::shared_ptr<const GearTrain> train(const std::stop_token& stop = {}) const;
-  /// The arrangement that the train's bodies show.
+  /// The arrangement of the train's bodies.
   [[nodiscard]] std::shared_ptr<const Arrangement> arrangement(const std::stop_token& stop = {}) const;
   /// trainDiagnostics().
   [[nodiscard]] std::shared_ptr<const Diagnostics> diagnostics(const std::stop_token& stop = {}) const;

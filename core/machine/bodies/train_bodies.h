@@ -9,16 +9,16 @@
 
 namespace geargraph::inline bodies {
 
-/// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts;
-/// their solids are made on demand. Returns the arrangement that they show. Adds none, or some, when `stop`
-/// was requested meanwhile. Cost: arrangementOf().
+/// Adds shafts, arms, bearings and ring-gear carriers of every link, and sets the bores of its gears; their
+/// solids are made on demand. Returns the arrangement. Incomplete if `stop` was requested meanwhile. Cost:
+/// arrangementOf().
 Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
                       const std::stop_token& stop = {});
 
-/// `interference` of bodies that have no clearance from each other (GearTrain::blocked).
+/// `interference` for bodies without clearance from each other (GearTrain::blocked).
 [[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train);
 
-/// A link's body of these parts, one at least.
+/// The body of a link. @pre the recipe has at least one part
 [[nodiscard]] LinkBody bodyOf(int link, BodyRecipe recipe);
 
 }  // namespace geargraph::inline bodies

@@ -9,7 +9,7 @@
 
 namespace geargraph::inline solids {
 
-/// A solid that is made when somebody asks for it first. Thread-safe: who asks while it is being made waits.
+/// A solid that is made on first use. Thread-safe: concurrent requests wait for the first.
 class DeferredSolid {
  public:
   using Make = std::function<Solid()>;
@@ -18,7 +18,7 @@ class DeferredSolid {
 
   /// Cost: that of making it, once.
   [[nodiscard]] const std::shared_ptr<const Solid>& solid() const;
-  /// Null where nobody has asked for it yet.
+  /// Null if it has not been made yet.
   [[nodiscard]] const Solid* made() const { return m_made.load(); }
 
  private:

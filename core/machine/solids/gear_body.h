@@ -9,9 +9,9 @@
 
 namespace geargraph::inline solids {
 
-/// Meridian of the body below the teeth, from the top face round to the bottom face, material on the left
-/// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. Plain: bore or rim
-/// only. Dressed: hub, recessed web and rim where there is room for them.
+/// The profile of the body below the teeth, from the top face round to the bottom face, material on the left
+/// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. GearBody::plain: bore
+/// or rim only. GearBody::dressed: hub, recessed web and rim where there is room for them.
 [[nodiscard]] std::vector<ProfileVertex> bodyMeridian(const GearSpec& spec);
 
 /// Body and teeth of a bevel together: a closed outline in the half plane through its axis, the teeth last.
@@ -20,19 +20,19 @@ namespace geargraph::inline solids {
 /// Openings in the web of a dressed wheel, where it is large enough to have them.
 [[nodiscard]] std::optional<WebWindows> bodyWindows(const GearSpec& spec);
 
-/// Outer diameter of a ring's rim: what the spec says, or enough for a stiff ring.
+/// Outer diameter of a ring's rim: spec.rim, or if 0 enough for a stiff ring.
 [[nodiscard]] double rimDiameter(const GearSpec& spec);
 
-/// Largest bore (diameter) that leaves a body of a module's fifth below the teeth.
+/// The largest bore (diameter) that leaves 0.2 modules of material below the teeth.
 [[nodiscard]] double largestBore(const GearSpec& spec);
 
-/// Where the gear lies along its axis, in its own frame: lowest and highest z of teeth and body.
+/// The extent of the gear along its axis, in its own frame: lowest and highest z of teeth and body.
 struct AxialSpan {
   double low = 0;
   double high = 0;
 };
 [[nodiscard]] AxialSpan axialSpan(const GearSpec& spec);
-/// The same of the body alone, which a shaft has to fill: without what a bevel's teeth reach out.
+/// The same for the body alone, which a shaft has to fill: without the overhang of a bevel's teeth.
 [[nodiscard]] AxialSpan hubSpan(const GearSpec& spec);
 
 }  // namespace geargraph::inline solids

@@ -9,34 +9,33 @@
 
 namespace geargraph::inline solids {
 
-/// A point of half a tooth at both ends of the tooth, in the frame of tooth 0 (its half with y >= 0), as
-/// lengths.
+/// A point of the half-tooth profile at both faces, in the frame of tooth 0 (its half with y >= 0), lengths.
 struct OutlinePoint {
-  Eigen::Vector3d bottom;  ///< at the end of small z (bevel: the small end)
+  Eigen::Vector3d bottom;  ///< at the face of smaller z (bevel: the small end)
   Eigen::Vector3d top;
   Eigen::Vector3d wallNormal;
   Eigen::Vector3d bottomNormal;
   Eigen::Vector3d topNormal;
-  bool corner = false;  ///< the same positions as the point before it, another wall normal
+  bool corner = false;  ///< has the positions of the point before it with another wall normal
 };
 
-/// What the mesher makes a gear of: half a tooth from the middle of the space to the middle of the tip, and
-/// the meridian of the body from the top face round to the bottom face (poles where there is no bore).
+/// The input of meshed(): half a tooth from the middle of the space to the middle of the tip, and the profile
+/// of the body from the top face to the bottom face (poles where there is no bore).
 struct GearBlank {
   int teeth = 0;
-  bool inward = false;  ///< a ring: teeth point to the axis, the body lies outside
+  bool inward = false;  ///< a ring: teeth point towards the axis, the body is outside
   std::vector<OutlinePoint> half;
   std::vector<ProfileVertex> body;
   /// Openings in the body's two strips between the circles (rim, half) and (hub, half), and (hub, -half) and
   /// (rim, -half).
   std::optional<WebWindows> windows;
-  double tolerance = 0;  ///< for the circles of the body, a length
+  double tolerance = 0;  ///< chordal error of the body's circles, a length
 };
 
-/// One closed, oriented, 2-manifold mesh. Tooth k is tooth 0 turned by 2 pi k / z with one sine and cosine of
-/// its own (nothing accumulates), the last tooth ends on the vertices of the first: watertight by
-/// construction. Faces of the teeth are ladders of rungs between mirrored points; they never cross, even when
-/// undercut. Cost: O(vertices).
+/// One closed, oriented, 2-manifold mesh. Tooth k is tooth 0 turned by 2 pi k / z with its own sine and
+/// cosine (no error accumulates), and the last tooth ends on the vertices of the first: watertight by
+/// construction. The end faces of a tooth are triangle strips between mirrored points, which never intersect,
+/// even with undercut. Cost: O(vertices).
 [[nodiscard]] Solid meshed(const GearBlank& blank);
 
 }  // namespace geargraph::inline solids

@@ -12,24 +12,24 @@
 
 namespace geargraph::inline solids {
 
-/// Chordal tolerances in modules: what a part is exported and looked at closely with, what a screen needs of
-/// some wheels, of a train, and of a train in a small window.
+/// Chordal tolerances in modules: for export and close-up views, for some wheels on screen, for a train, and
+/// for a train in a small window.
 constexpr double kExportTolerance = 0.002;
 constexpr double kScreenTolerance = 0.01;
 constexpr double kFarTolerance = 0.03;
 constexpr double kFarthestTolerance = 0.1;
-/// Of shafts and arms, whose surfaces are plainer than teeth.
+/// For shafts and arms, whose surfaces are simpler than teeth.
 constexpr double kBodyTolerance = 0.02;
 
 /// The solid of a gear in its own frame (gear_spec.h), in the unit of the spec's lengths. No chord of the
 /// surface is farther than `tolerance` modules from the exact form; points on flanks and roots are exact.
 ///
-/// Fails with the findings of specDiagnostics().
+/// Fails with specDiagnostics().
 /// Cost: O(triangles); about 60 microseconds for 40 teeth at 0.002 (tests/bench/bench_gears.cpp).
 [[nodiscard]] Expected<Solid> gearSolid(const GearSpec& spec, double tolerance);
 
-/// Solids by parameters, so that a train of equal planets and a slider moved back cost one solid each. Oldest
-/// out when more than `capacity` are held; what a caller still holds stays alive.
+/// A cache of solids by parameters, so that equal planets, or a slider moved back, need one solid only. The
+/// least recently used are dropped above `capacity`; shared pointers of callers stay valid.
 ///
 /// Thread-safe.
 class GearCache {
@@ -38,12 +38,13 @@ class GearCache {
 
   /// The solid for these parameters, made on the first call.
   [[nodiscard]] Expected<std::shared_ptr<const Solid>> solid(const GearSpec& spec, double tolerance);
-  /// The same solid for later: made when it is asked for, if it ever is.
+  /// The same solid, made on first use only.
   [[nodiscard]] Expected<std::shared_ptr<const DeferredSolid>> deferred(const GearSpec& spec,
                                                                         double tolerance);
 
   [[nodiscard]] std::size_t size() const;
-  /// Raises the capacity to `solids`: all details of a train, and as many of the edit before.
+  /// Raises the capacity to at least `solids`: all levels of detail of a train, twice to keep those before
+  /// the edit.
   void makeRoomFor(std::size_t solids);
 
  private:
@@ -57,7 +58,7 @@ class GearCache {
   };
   struct Entry {
     std::shared_ptr<const DeferredSolid> solid;
-    std::size_t used = 0;  ///< number of the last call that asked for it
+    std::size_t used = 0;  ///< number of the last call that returned it
   };
 
   void dropOldest();

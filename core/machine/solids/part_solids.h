@@ -8,23 +8,22 @@
 
 namespace geargraph::inline solids {
 
-/// The frame at `origin` with z along `axis` (unit) and x as near `towards` as it can be, for parts that have
-/// an axis.
+/// The frame at `origin` with z along `axis` (unit vector) and x as near to `towards` as possible.
 [[nodiscard]] Eigen::Isometry3d frameAlong(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                                            const Eigen::Vector3d& towards = Eigen::Vector3d::UnitX());
 
-/// A body of revolution about z. The meridian runs with the material on the left (from the top face inward,
-/// down the bore, outward along the bottom, up the outside) and closes by itself.
+/// A solid of revolution about z. The profile has the material on the left (from the top face inward, down
+/// the bore, outward along the bottom, up the outside) and is closed implicitly.
 [[nodiscard]] Solid lathed(std::span<const ProfileVertex> meridian, double tolerance);
 
-/// A shaft or tube along z from `from` to `to`, its ends chamfered. `inner` 0: solid. Lengths.
+/// A shaft or tube along z from `from` to `to`, with chamfered ends. `outer`, `inner`: radii; inner 0: solid.
 [[nodiscard]] Solid tube(double outer, double inner, double from, double to, double tolerance);
 
 /// A bar of a cage along z: the part of a tube within `half` (rad, below pi) of the x axis.
 [[nodiscard]] Solid tubeSector(double outer, double inner, double from, double to, double half,
                                double tolerance);
 
-/// One end of an arm: an eye about an axis parallel to z.
+/// A boss or hub: a disc about an axis parallel to z, with or without a hole.
 struct Eye {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 1;
@@ -32,13 +31,12 @@ struct Eye {
   friend bool operator==(const Eye&, const Eye&) = default;
 };
 
-/// A flat arm: the hull of two round eyes, of thickness from z = `from` to `to`, with their holes.
-/// @pre neither eye lies inside the other
+/// A flat arm: the convex hull of two bosses with their holes, from z = `from` to `to`.
+/// @pre neither boss is inside the other
 [[nodiscard]] Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance);
 
-/// Flat arms from one eye, the hub, to others, in one piece: a single one as arm() makes it, several as bars
-/// from a round hub, as wide as there is room for them. Arms too close for that overlap each other as pieces
-/// of their own.
+/// Flat arms from a hub to bosses, in one piece: a single one as arm(), several as bars from a round hub, as
+/// wide as there is room. Arms too close to each other for that become separate, overlapping shells.
 [[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
                            double tolerance);
 

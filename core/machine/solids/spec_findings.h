@@ -5,8 +5,8 @@
 
 namespace geargraph::inline solids {
 
-/// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
-/// ...
+/// Why no gear can be made from the spec (`teeth-geometry`): too few teeth for the rack, a bore that leaves
+/// no body, ...
 [[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);
 
 }  // namespace geargraph::inline solids

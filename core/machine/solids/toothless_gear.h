@@ -5,10 +5,10 @@
 
 namespace geargraph::inline solids {
 
-/// More teeth than these are finer than a pixel wherever all of the wheel is in view.
+/// With more teeth than this, a tooth is smaller than a pixel whenever the whole wheel is in view.
 constexpr int kMostShownTeeth = 5'000;
 
-/// The gear as a solid of revolution, in its own frame: its body and, in place of teeth, what lies within its
+/// The gear as a solid of revolution, in its own frame: its body and, in place of teeth, the volume up to its
 /// pitch cylinder (bevels: tip cone; rings: from the pitch cylinder outwards). `tolerance` in modules.
 /// Cost: O(sqrt(teeth / tolerance)).
 /// @pre specDiagnostics() has no findings

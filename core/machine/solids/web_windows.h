@@ -19,7 +19,8 @@ struct WebWindows {
   double half = 0;    ///< of the web's thickness: its faces are at z = +-half
 };
 
-/// Windows for the web of a dressed wheel between these radii; none where there is no room for good ones.
+/// Windows for the web of a dressed wheel between these radii; std::nullopt if there is no room for
+/// reasonable ones.
 [[nodiscard]] std::optional<WebWindows> windowsFor(double hub, double rim, double half, double module);
 
 /// Adds both faces of the web between its circles of `count` vertices from angle `start`, and the windows'

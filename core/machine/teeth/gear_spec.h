@@ -6,30 +6,30 @@ namespace geargraph::inline teeth {
 
 enum class GearKind { external, internal, bevel };
 
-/// How the part below the teeth looks.
+/// The style of the part below the teeth.
 enum class GearBody {
   plain,   ///< a disc with a bore (ring: with a rim); its volume is that of the section times the face width
   dressed  ///< hub, thinner web and windows where the wheel is large enough for them
 };
 
-/// Everything that decides the shape of one gear. Tooth proportions are in modules, as catalogues and ISO 53
-/// state them; `module` and the measures of the body are lengths. Equal specs give equal solids.
+/// Everything that determines the shape of one gear. Tooth proportions are in modules, as in catalogues and
+/// ISO 53; `module` and the dimensions of the body are lengths. Equal specs give equal solids.
 ///
 /// Frame of the gear: axis +z, tooth 0 centred on +x. Spur and ring: centred on z = 0. Bevel: apex at the
 /// origin, the axis runs from the apex to the gear.
 struct GearSpec {
   GearKind kind = GearKind::external;
   int teeth = 20;
-  double module = 1;  ///< at the reference circle; bevel: at the large end
-  double pressureAngle = 20 * std::numbers::pi / 180;
+  double module = 1;                                   ///< at the reference circle; bevel: at the large end
+  double pressureAngle = 20 * std::numbers::pi / 180;  ///< rad
   double profileShift = 0;  ///< positive: external teeth thicker and taller, ring spaces wider and deeper
   double thinning =
-      0;  ///< this gear's part of the backlash: its teeth are thinner by this on the pitch circle
+      0;  ///< backlash allowance of this gear: reduction of the tooth thickness at the pitch circle, modules
   double addendum = 1;
   double dedendum = 1.25;
   double rootRadius =
-      0.38;               ///< of the rack's tip corner (ring: of the fillet), reduced where there is no room
-  double tipRadius = 0;   ///< in modules, where it is not what the addendum says (0: it is); not for bevels
+      0.38;  ///< of the rack's tip corner (ring: of the fillet), modules; reduced where there is no room
+  double tipRadius = 0;   ///< modules; 0: it follows from the addendum. Not for bevels
   double coneAngle = 0;   ///< bevel: pitch cone, in (0, pi); pi/2 is a crown gear
   double faceWidth = 10;  ///< bevel: along the pitch cone, from the large end towards the apex
   double bore = 0;        ///< diameter, 0: none. Rings have none
@@ -40,8 +40,8 @@ struct GearSpec {
   friend bool operator==(const GearSpec&, const GearSpec&) = default;
 };
 
-/// A spec with the rack that this program uses for the kind: ISO 53 A; bevels rho 0.30, rings a fillet of
-/// 0.25.
+/// A spec with this program's basic rack for the kind: ISO 53 A; for bevels a root radius of 0.30, for rings
+/// a fillet of 0.25 modules.
 [[nodiscard]] GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth);
 
 /// Reference pitch radius, m z / 2.
@@ -54,8 +54,8 @@ struct GearSpec {
 [[nodiscard]] double nominalTipRadius(const GearSpec& spec);
 [[nodiscard]] double nominalRootRadius(const GearSpec& spec);
 
-/// Fewest teeth of a gear, and of a ring, which has more than its pinion. Two teeth would leave no body below
-/// the roots.
+/// The smallest tooth counts of a gear and of a ring, which has more than its pinion. Two teeth would leave
+/// no body below the roots.
 constexpr int kFewestGearTeeth = 3;
 constexpr int kFewestRingTeeth = 4;
 

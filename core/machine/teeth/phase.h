@@ -6,25 +6,25 @@
 
 namespace geargraph::inline teeth {
 
-/// A toothed wheel as its meshes see it, in the frame that carries both axes of the mesh (for the reference
-/// pose: the base frame).
+/// A toothed wheel for the phase calculation, in the frame of the carrier of the mesh (in the reference pose:
+/// the base frame).
 struct PhaseWheel {
   Eigen::Vector3d centre;  ///< any point of the axis
   Eigen::Vector3d axis;    ///< unit, the +z of the gear's own frame; bevel: from the apex to the gear
-  Eigen::Vector3d mark;    ///< unit, across the axis: where tooth 0 points at angle 0
+  Eigen::Vector3d mark;    ///< unit, normal to the axis: direction of tooth 0 at angle 0
   int teeth = 1;
 };
 
-/// Two wheels, by position, and the point in which their pitch surfaces touch.
+/// Two wheels, by position, and the point at which their pitch surfaces touch.
 struct PhaseMesh {
   int a = 0;
   int b = 0;
   Eigen::Vector3d pitchPoint;
 };
 
-/// How teeth pass a pitch point.
+/// How the teeth of a pair pass their pitch point.
 struct MeshPhase {
-  double psiA = 0;  ///< angle of the pitch point about a's axis, from a's mark
+  double psiA = 0;  ///< angle of the pitch point about a's axis, from a's mark, rad
   double psiB = 0;
   int sign = 1;  ///< teeth of a and b pass the point the same way for equal (+1) or opposite (-1) turns
 };
@@ -33,34 +33,35 @@ struct MeshPhase {
 /// normal, sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n), for external, internal and bevel pairs
 /// alike.
 ///
-/// Identity: z_a w_a = sign z_b w_b for the speeds relative to the carrier, so that phase and kinematics come
-/// from one function.
+/// Identity: z_a w_a = sign z_b w_b for the speeds relative to the carrier, so that phase and kinematics are
+/// consistent.
 [[nodiscard]] MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b,
                                   const Eigen::Vector3d& pitchPoint);
 
-/// How far the teeth are from tooth in space, in pitches of (-1/2, 1/2], for the wheels turned by these
-/// angles: z_a (angleA - psi_a) - sign z_b (angleB - psi_b) = pi (mod 2 pi) is 0.
+/// The phase error of the wheels turned by these angles (rad), in pitches, in (-1/2, 1/2]; 0 where a tooth is
+/// centred in a space: z_a (angleA - psi_a) - sign z_b (angleB - psi_b) = pi (mod 2 pi) is 0.
 [[nodiscard]] double phaseError(const MeshPhase& phase, const PhaseWheel& a, double angleA,
                                 const PhaseWheel& b, double angleB);
 
-/// The angle of b nearest 0 that meshes with a at angleA.
+/// The angle of b nearest 0, rad, at which it meshes with a at angleA.
 [[nodiscard]] double meshingAngle(const MeshPhase& phase, const PhaseWheel& a, double angleA,
                                   const PhaseWheel& b);
 
 struct PhaseSolution {
   std::vector<double> angles;     ///< by wheel
-  std::vector<double> residuals;  ///< by mesh, in pitches; 0 but for meshes that close a loop
-  std::vector<bool> closing;      ///< by mesh: the angles of both wheels were already given by others
+  std::vector<double> residuals;  ///< by mesh, in pitches; 0 except for meshes that close a loop
+  std::vector<bool> closing;      ///< by mesh: the angles of both wheels already followed from other meshes
 };
 
-/// Angles that put the teeth of all meshes into the spaces, as far as loops allow: a spanning forest of the
-/// meshes in their order, each tree from the first of its wheels at angle 0, or, where a loop is locked, at
-/// the angle at which that loop's teeth fit. What is left over of the others is their residual; the set can
-/// be assembled as drawn exactly if all are 0. Cost: O(wheels + meshes).
+/// Angles at which the teeth of all meshes are centred in the spaces, as far as loops allow: a spanning
+/// forest of the meshes in their order, each tree with its first wheel at angle 0, or, where a loop is
+/// locked, at the angle at which that loop's teeth fit. The phase errors of the other meshes are their
+/// residuals; the set can be assembled as drawn if and only if all are 0. Cost: O(wheels + meshes).
 [[nodiscard]] PhaseSolution solvePhases(std::span<const PhaseWheel> wheels,
                                         std::span<const PhaseMesh> meshes);
 
-/// What a residual may be in pitches for a set that can be assembled: coordinates come in decimals.
+/// The tolerance of a residual, in pitches, for a set that can be assembled: coordinates are rounded
+/// decimals.
 constexpr double kPhaseFits = 1e-3;
 
 }  // namespace geargraph::inline teeth

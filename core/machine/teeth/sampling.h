@@ -6,20 +6,21 @@
 
 namespace geargraph::inline teeth {
 
-/// Flanks are cut finer than the tolerance: in a mesh the errors of both gears add up, as transmission error.
+/// The share of the tolerance for flanks: in a mesh the chordal errors of both gears add up as transmission
+/// error.
 constexpr double kFlankShare = 0.5;
 
-/// Arcs shorter than this (modules) get no points of their own: rounded to floats they could fall together.
+/// Arcs shorter than this (modules) get no points of their own: rounded to floats these could coincide.
 constexpr double kShortestArc = 1e-4;
 
-/// Number of chords for an arc so that none is farther than `tolerance` from it.
+/// The number of chords for an arc of `angle` (rad) with a chordal error of at most `tolerance` (a length).
 [[nodiscard]] inline int chordsOfArc(double angle, double radius, double tolerance) {
   if (radius <= tolerance) return std::max(1, static_cast<int>(std::ceil(angle)));
   const double step = 2 * std::acos(1 - tolerance / radius);
   return std::max(1, static_cast<int>(std::ceil(std::abs(angle) / step - 1e-9)));
 }
 
-/// Root of a function with opposite signs at `low` and `high`, to the last bit that matters.
+/// The root of a function with opposite signs at `low` and `high`, by 60 bisections.
 template <class Function>
 [[nodiscard]] double bisect(double low, double high, const Function& f) {
   const bool lowPositive = f(low) > 0;
@@ -31,8 +32,8 @@ template <class Function>
 }
 
 /// Parameters from `from` to `to` (both included) that cut a plane curve into chords of equal sagitta, none
-/// above `tolerance`. `pointAt(t)` gives something with x, y. Sagitta of a chord is ds * dtheta / 8, so the
-/// curve is cut evenly in the integral of sqrt(ds dtheta).
+/// above `tolerance`. `pointAt(t)` returns a point with members x, y. Sagitta of a chord is ds * dtheta / 8,
+/// so the curve is divided evenly by the integral of sqrt(ds dtheta).
 template <class PointAt>
 [[nodiscard]] std::vector<double> equalSagitta(double from, double to, double tolerance,
                                                const PointAt& pointAt) {

@@ -4,13 +4,13 @@
 
 namespace geargraph::inline train {
 
-/// Do two bevel wheels on one line take up the same room, as their outlines in the half plane through the
-/// line say? Bores count as filled. False for wheels on other lines.
+/// Do two coaxial bevel wheels overlap, judged by their outlines in the half plane through the line? Bores
+/// count as filled. False for wheels on different lines.
 [[nodiscard]] bool bevelsCollide(const TrainWheel& a, const TrainWheel& b);
 
-/// The same of bevel wheels anywhere, from points of the outlines at some paces round the axes: what overlaps
-/// by less than the smaller module, or where both have more than 330 teeth by less than a 250th of the
-/// smaller radius, may go unseen, wherever the two are turned to alike. Cost: some 0.1 ms at 20 teeth, 10 ms
+/// The same for bevel wheels anywhere, by sample points of the outlines at steps around the axes: an overlap
+/// below the smaller module, or if both have more than 330 teeth below a 250th of the smaller radius, may be
+/// missed. The result does not depend on the orientation of the train. Cost: some 0.1 ms at 20 teeth, 10 ms
 /// at most at any number (tests/bench/bench_gears.cpp).
 [[nodiscard]] bool bevelsCross(const TrainWheel& a, const TrainWheel& b);
 

@@ -7,20 +7,21 @@
 
 namespace geargraph::inline train {
 
-/// Which wheels there are, in their shape but not stacked (stackWheels()). Of no use when `stop` was
+/// The wheels of a mechanism, shaped but not stacked (stackWheels()). The result is meaningless if `stop` was
 /// requested meanwhile.
 [[nodiscard]] TrainWheels shapedWheels(const Mechanism& mechanism, const Placement& placement,
                                        const std::stop_token& stop = {});
 
-/// Wheels and their meshes, each turned into the others' spaces; no bodies.
+/// The gears and meshes of these wheels, turned so that their teeth mesh; without bodies.
 [[nodiscard]] GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels);
 
-/// What the teeth of the train, wheels side by side and the assembly of its loops give to find. Those found
-/// before `stop` was requested.
+/// The diagnostics of the teeth of the train, of adjacent wheels and of the assembly of its loops. Incomplete
+/// if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                            const GearTrain& train, const std::stop_token& stop = {});
 
-/// `interference` of wheels that share a place and do not mesh (wheelsInOnePlace()).
+/// `interference` for wheels that overlap and do not mesh (wheelsInOnePlace()). Incomplete if `stop` was
+/// requested meanwhile.
 [[nodiscard]] Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                            const TrainWheels& wheels, const GearTrain& train,
                                            const std::stop_token& stop = {});

@@ -17,10 +17,10 @@ struct BodyPart;
 
 namespace geargraph::inline train {
 
-/// A toothed wheel of the mechanism: what solid, and where it is in the reference pose.
+/// A toothed wheel of the mechanism: its shape, and its place in the reference pose.
 struct TrainGear {
-  /// "15:tail" after the label of its mesh; a wheel of several meshes: the id it has in the document, else
-  /// the name by the first of them.
+  /// "15:tail" by the label of its mesh; for a wheel of several meshes its id in the document, else the name
+  /// by the first mesh.
   std::string name;
   int link = 0;             ///< position: the gear moves with this link
   int axisClass = 0;        ///< of the placement
@@ -38,7 +38,7 @@ struct TrainMesh {
   int headGear = 0;
   Eigen::Vector3d
       pitchPoint;       ///< in the gears' plane; gears that the program stacked have left the document's
-  double residual = 0;  ///< pitches by which the teeth miss each other, where a loop cannot be assembled
+  double residual = 0;  ///< phase error in pitches; not 0 where a loop cannot be assembled
 };
 
 /// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
@@ -46,19 +46,19 @@ struct TrainMesh {
 struct LinkBody {
   int link = 0;
   double module = 1;                           ///< the smallest of its parts
-  std::shared_ptr<const DeferredSolid> fine;   ///< chords within kBodyTolerance, made when asked for
-  std::shared_ptr<const DeferredSolid> rough;  ///< within kFarthestTolerance
+  std::shared_ptr<const DeferredSolid> fine;   ///< chordal error at most kBodyTolerance, made on first use
+  std::shared_ptr<const DeferredSolid> rough;  ///< coarse: at most kFarthestTolerance
   std::shared_ptr<const std::vector<BodyPart>> recipe = {};  ///< what the solids are made of (BodyRecipe)
 
   [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
 };
 
 /// Larger trains get straight bodies that are not routed past each other (Arrangement::isSimple), and bevels
-/// keep their faces: to look for ways costs more than the square of the wheels, and it would take minutes.
+/// keep their face widths: routing costs more than the square of the number of wheels and would take minutes.
 constexpr std::size_t kMostRoutedGears = 400;
 
 /// The mechanism in three dimensions. Every mesh with a geometry has its two gears; a mesh without one is
-/// left out (the placement says why).
+/// left out (the placement's diagnostics give the reason).
 struct GearTrain {
   std::vector<TrainGear> gears;
   std::vector<TrainMesh> meshes;

@@ -8,22 +8,22 @@
 
 namespace geargraph::inline train {
 
-/// `undercut` and `interference` of the train's gears and pairs, with the numbers that say how to mend them.
-/// Those found so far where `stop` was requested meanwhile.
+/// `undercut` and `interference` of the train's gears and pairs, with the values that would avoid them.
+/// Incomplete if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
                                            const std::stop_token& stop = {});
 
-/// `interference` of wheels beside each other round one gear whose tips meet: planets of one carrier, where
-/// 2 a sin(angle / 2) is less than both tip radii together. Cost: O(meshes log meshes).
+/// `interference` of adjacent wheels around one gear whose tips collide: planets of one carrier with 2 a
+/// sin(angle / 2) less than the sum of their tip radii. Cost: O(meshes log meshes).
 [[nodiscard]] Diagnostics neighbourDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                                const GearTrain& train);
 
-/// `assembly` for every mesh whose residual does not fit, with the nearest positions or tooth counts that do.
-/// Those found so far where `stop` was requested meanwhile.
+/// `assembly` for every mesh whose residual exceeds kPhaseFits, with the nearest positions or tooth counts
+/// that fit. Incomplete if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train,
                                               const std::stop_token& stop = {});
 
-/// A number for a sentence, with so many digits behind the point.
+/// A number for a sentence, with `digits` decimals.
 [[nodiscard]] std::string fixedText(double value, int digits);
 
 [[nodiscard]] inline Diagnostic finding(Detail detail, std::string message, std::vector<ElementId> elements) {

@@ -10,7 +10,7 @@
 
 namespace geargraph::inline train {
 
-/// A solid that rides on a link.
+/// A solid that is part of a link.
 struct LinkPart {
   int link = 0;  ///< its position in the document
   std::string name;
@@ -21,12 +21,12 @@ struct LinkPart {
 
 struct TrainParts {
   std::vector<LinkPart> parts;
-  Diagnostics diagnostics;  ///< gears that could not be made, which are left out
+  Diagnostics diagnostics;  ///< about gears that could not be made, which are left out
 };
 
-/// Solids of all gears, then of all bodies, as parts of their links: what a view shows and a file holds.
-/// `tolerance` in modules; bodies are as fine as kBodyTolerance, or coarse from kFarthestTolerance on. Those
-/// made by then when `stop` was requested meanwhile.
+/// The solids of all gears, then of all bodies, as parts of their links, for views and files. `tolerance` in
+/// modules; bodies have kBodyTolerance, or kFarthestTolerance for a tolerance from there on. Incomplete if
+/// `stop` was requested meanwhile.
 [[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
                                     double tolerance, const std::stop_token& stop = {});
 

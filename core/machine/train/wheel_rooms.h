@@ -10,42 +10,43 @@
 
 namespace geargraph::inline train {
 
-/// A wheel's axis as its carrier sees it go round: two wheels on parallel axes whose carriers turn about one
-/// third axis come as close as the difference of their orbits.
+/// The orbit of a wheel's axis on its carrier: two wheels on parallel axes whose carriers turn about one
+/// third axis can come as close as the difference of their orbits' radii.
 struct WheelOrbit {
   int carrier = 0;     ///< the link that holds the wheel's axis
-  int about = -1;      ///< the axis class that this one turns about; -1: the ground
+  int about = -1;      ///< the axis class that the carrier turns about; -1: the carrier is the ground
   double radius = 0;   ///< of the orbit
   Eigen::Vector3d at;  ///< a point of the wheel's axis
 };
 
 [[nodiscard]] WheelOrbit orbitOf(int axisClass, const Placement& placement);
 
-/// How near two parallel axes come to each other: where both are held by one carrier, or one carries the
-/// other, that is their distance.
+/// The smallest distance between two parallel axes in any pose; their present distance if both are held by
+/// one carrier, or one carries the other.
 [[nodiscard]] double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Eigen::Vector3d& direction);
 
-/// The room that the wheels of a train take up: discs and rings, bevels by the hull of their tips and body.
+/// The swept envelopes of the wheels of a train: discs and rings, bevels by the hull of their tips and body.
 class WheelRooms {
  public:
   WheelRooms(const TrainWheels& train, const Placement& placement);
 
-  /// @p by is along the wheel's axis.
+  /// Moves a wheel; `by` is along its axis.
   void move(int wheel, const Eigen::Vector3d& by);
-  /// Takes up a wheel's new face width.
+  /// Updates a wheel after a change of its face width.
   void update(int wheel);
-  /// Every pair (a, b), a < b, that collide() may be true of: wheels whose bounding spheres overlap, and
-  /// wheels whose carriers go round one axis. Ordered by a, then b. Incomplete when `stop` was requested
-  /// meanwhile. Cost: O(n log n), and comparing those whose spheres overlap along one coordinate, and those
-  /// of one axis.
+  /// Every pair (a, b), a < b, for which collide() may be true: wheels whose bounding spheres overlap, and
+  /// wheels whose carriers revolve about one axis. Ordered by a, then b. Incomplete if `stop` was requested
+  /// meanwhile. Cost: O(n log n), and the comparison of those whose spheres overlap along one coordinate, and
+  /// of those on one axis.
   [[nodiscard]] std::vector<std::pair<int, int>> nearPairs(const std::stop_token& stop = {}) const;
-  /// May the wheels collide() wherever the first is moved along its axis?
+  /// Can the wheels collide() for some position of the first one along its axis?
   [[nodiscard]] bool mayMeet(int moving, int other) const;
-  /// Do two wheels take up the same room in the reference pose, or wheels on parallel axes ever?
+  /// Do two wheels overlap in the reference pose, or on parallel axes in any pose?
   [[nodiscard]] bool collide(int a, int b) const;
-  /// Does a parallel axis beside its own pass through the wheel, or ever come to?
+  /// Does another parallel axis pass through the wheel in any pose?
   [[nodiscard]] bool covers(int wheel, int axisClass) const;
-  /// The way that a wheel rather moves along its axis: where the bevels on it come from; 0: none are there.
+  /// The preferred direction for moving a wheel along its axis: the side from which the bevels on it come; 0
+  /// if there are none.
   [[nodiscard]] const Eigen::Vector3d& freeSide(int wheel) const {
     return m_freeSide[static_cast<std::size_t>(room(wheel).axisClass)];
   }
@@ -58,14 +59,14 @@ class WheelRooms {
     double inner = 0, outer = 0;
     bool bevel = false;
     WheelOrbit orbit;
-    DiscHull hull;                 ///< none of rings, which are hollow
+    DiscHull hull;                 ///< empty for rings, which are hollow
     double middle = 0, reach = 0;  ///< of the bounding sphere: coordinate of its centre, radius
-    bool hasArm = false;           ///< the hull leaves room for arms beside it
+    bool hasArm = false;           ///< the hull includes room for arms beside the wheel
 
     [[nodiscard]] Eigen::Vector3d centre() const { return origin + middle * axis; }
   };
   [[nodiscard]] Room roomOf(const TrainWheel& wheel, bool hasArms) const;
-  /// Do both go round the same axis on different carriers, so that the reference pose says nothing?
+  /// Do both revolve about the same axis on different carriers, so that the reference pose is not decisive?
   [[nodiscard]] static bool shareOrbit(const Room& a, const Room& b) {
     return a.orbit.about >= 0 && a.orbit.about == b.orbit.about && a.orbit.carrier != b.orbit.carrier;
   }

@@ -10,26 +10,27 @@
 
 namespace geargraph::inline train {
 
-/// Which wheels of parallel meshes lie in one plane where the document leaves that open: a link's equal
-/// wheels are one only where nothing in their common plane runs into anything else. The suns of linked sets
-/// stay two, the wheel of a planet that meshes with sun and ring is one.
+/// Decides which meshes of a link on parallel axes share a wheel where the document leaves that open: equal
+/// wheels of a link become one only if nothing in their common plane interferes. The suns of compound
+/// planetary gear sets stay two wheels, a planet that meshes with sun and ring is one.
 class WheelSharing {
  public:
   WheelSharing(const Mechanism& mechanism, const Placement& placement);
 
   struct Choice {
-    std::optional<int> tail;  ///< none: a new wheel
+    std::optional<int> tail;  ///< an existing wheel; none: a new one
     std::optional<int> head;
   };
-  /// The known wheels that a mesh takes instead of new ones: the first of those like the new ones that let
-  /// all in their plane pass. Cost: O(wheels of both planes) squared, for planes of not too many.
+  /// The existing wheels that a mesh uses instead of new ones: the first of the equal ones (`tails`, `heads`)
+  /// with which nothing in their plane interferes. Cost: O(wheels of both planes) squared, for planes with
+  /// few wheels.
   [[nodiscard]] Choice choose(const TrainWheel& tail, std::span<const int> tails, const TrainWheel& head,
                               std::span<const int> heads) const;
-  /// A mesh has these wheels of the train, by position; their planes become one.
+  /// Records that a mesh has these wheels of the train, by position; their planes become one.
   void join(int tail, const TrainWheel& tailWheel, int head, const TrainWheel& headWheel);
 
  private:
-  /// A wheel in its plane.
+  /// A wheel as a disc or ring in its plane.
   struct Round {
     int link = 0;
     int teeth = 0;
@@ -45,9 +46,9 @@ class WheelSharing {
   [[nodiscard]] std::span<const int> planeOf(std::optional<int> wheel) const;
   int take(int wheel, const TrainWheel& as);
 
-  std::set<std::array<int, 4>> m_meshing;      ///< link and teeth of one wheel, of the other
+  std::set<std::array<int, 4>> m_meshing;      ///< link and teeth of one wheel, then of the other
   std::vector<WheelOrbit> m_orbits;            ///< by axis class
-  std::vector<std::optional<Round>> m_rounds;  ///< by wheel; none: in no plane yet
+  std::vector<std::optional<Round>> m_rounds;  ///< by wheel; none: not placed in a plane yet
   std::vector<int> m_planes;                   ///< by wheel
   std::vector<std::vector<int>> m_wheels;      ///< by plane
 };
