@@ -4,7 +4,7 @@
 
 namespace geargraph::inline drawing {
 
-/// Collects marks of one element.
+/// Adds marks of one element to a display list, which outlives it.
 class Pen {
  public:
   Pen(DisplayList& list, ElementId element) : m_list(list), m_element(element) {}
@@ -18,7 +18,7 @@ class Pen {
 
 /// A line with an arrowhead at its end.
 void drawArrow(Pen& pen, const Curve& curve, const Tint& tint, double width, Dash dash);
-/// A chevron on a line that points where a walk goes: along the line (+1) or against it (-1).
+/// A chevron on a line that shows the direction of a walk: along the line (+1) or against it (-1).
 void drawWalk(Pen& pen, const Curve& curve, int walk, const Tint& tint);
 
 /// The arrow's tip with its wings; the line ends inside of it.

@@ -8,17 +8,17 @@
 
 namespace geargraph::inline drawing {
 
-/// Places for the couplings whose links have one. `nodes` are placed; `taken` holds them with their badges,
-/// and arrows, and gets what is placed. Cost: O(couplings).
+/// Places the couplings of links that have a place themselves. `taken` has the nodes with their badges and
+/// the arrows; the placed couplings are added to it. Cost: O(couplings).
 [[nodiscard]] std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Digraph& graph,
                                                          const Centers& centers,
                                                          const std::vector<NodePlace>& nodes,
                                                          ObstacleGrid& taken);
 
-/// Plates and name.
+/// The extent of the plates and the name.
 [[nodiscard]] Extent couplingExtent(const CouplingPlace& place);
 
-/// Two outlines each: of the line, and of plates and name.
+/// The marks of a coupling, with two outlines: of the line, and of plates and name.
 [[nodiscard]] DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis);
 
 }  // namespace geargraph::inline drawing

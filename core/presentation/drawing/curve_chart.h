@@ -22,12 +22,12 @@ struct CurveChart {
 
 constexpr std::size_t kMostChartCurves = 4;
 
-/// Charts side by side, with axes, round numbers at their ticks, a mark at each point (of another form for
-/// each curve, so that they can be told apart without colours), and one legend for the names of all.
+/// Charts side by side, with axes, round numbers at their ticks, a mark at each point (of a different shape
+/// for each curve, so that curves are distinguishable without colours), and one legend for the names of all.
 /// @pre all charts have curves of the same names; no value is negative
 [[nodiscard]] DisplayList chartDrawing(const std::vector<CurveChart>& charts);
 
-/// The least of 1, 2, 5 times a power of ten that divides 0 to `most` into at most `parts` parts.
+/// The smallest of 1, 2, 5 times a power of ten that divides 0 to `most` into at most `parts` parts.
 /// @pre most > 0, parts > 0
 [[nodiscard]] double tickStep(double most, int parts);
 

@@ -15,11 +15,12 @@ namespace geargraph::inline drawing {
 [[nodiscard]] DisplayList digraphDrawing(const Mechanism& mechanism, const NodePositions& positions,
                                          const Emphases& emphases);
 
-/// An arrow while it is drawn: grey dots until it is valid, then as it will look, in accent.
+/// The preview of an arrow being drawn: dotted grey until it is valid, then in its final form in the accent
+/// colour.
 [[nodiscard]] DisplayList arrowGhost(ElementKind kind, const Curve& curve, bool valid);
-/// The course of a new arrow between two nodes, or from a node to the mouse.
+/// The course of such an arrow between two nodes, or from a node to the mouse pointer.
 [[nodiscard]] Curve ghostCourse(SheetPoint tail, SheetPoint end, bool endIsNode);
-/// A link where it would come.
+/// The preview of a new link.
 [[nodiscard]] DisplayList linkGhost(SheetPoint center);
 
 }  // namespace geargraph::inline drawing

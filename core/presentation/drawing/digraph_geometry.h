@@ -12,11 +12,11 @@ namespace geargraph::inline drawing {
 
 using NodePositions = std::map<LinkId, SheetPoint>;
 
-/// Sheets end here, on all sides: a file may hold any number as a place.
+/// Positions on a sheet are limited to this on all sides, px: a file may contain any number.
 constexpr double kSheetEnd = 1e6;
 [[nodiscard]] SheetPoint onSheet(SheetPoint place);
 
-constexpr double kNodeRadius = 20;     ///< to the middle of the ring
+constexpr double kNodeRadius = 20;     ///< px, to the middle of the ring
 constexpr double kRingWidth = 3;       //
 constexpr double kTurningWidth = 2.2;  ///< the line of a turning joint
 constexpr double kMeshWidth = 1.8;     //
@@ -26,20 +26,20 @@ constexpr double kLabelSize = 12;  ///< px of an arrow's label
 constexpr double kNameSize = 10;
 constexpr double kNoteTextSize = 12;
 
-/// From the node's centre to the line that the hatching hangs on, and half that line's length.
+/// From the node's centre to the base line of the hatching, and half that line's length.
 constexpr double kGroundDistance = 29;
 constexpr double kGroundHalfWidth = 22;
 constexpr double kHatchDepth = 7;
 
-/// A link's disc and what stands by it.
+/// A link's disc with its name, hatching and badge.
 struct NodePlace {
   LinkId link;
   int label = 0;
   SheetPoint center;
-  std::string name;                           ///< as shown, elided; empty where there is none or no room
-  SheetPoint nameCenter;                      //
-  std::optional<SheetPoint> groundSide;       ///< ground only: where the hatching is, a unit vector
-  double groundHalfWidth = kGroundHalfWidth;  ///< of that hatching; less where arrows leave little room
+  std::string name;                      ///< as shown, elided; empty if there is none or no room for it
+  SheetPoint nameCenter;                 //
+  std::optional<SheetPoint> groundSide;  ///< ground only: unit vector from the centre towards the hatching
+  double groundHalfWidth = kGroundHalfWidth;  ///< of the hatching; smaller where arrows leave little room
   std::optional<JointId> input;               ///< the driven joint that moves this link
   SheetPoint badgeCenter;                     ///< of the "motor" badge, if there is an input
   bool badgeCrowded = false;                  ///< no place was free for it
@@ -53,17 +53,16 @@ struct EdgePlace {
   int tail = 0;  ///< ordinals of the links
   int head = 0;
   Curve curve;
-  int detoursLooked = 0;  ///< how far round its course was sought
-  double height = 0;      ///< how far arrows of the same two links pushed it aside
+  int detoursLooked = 0;  ///< size of the area searched for its course (Course::looked)
+  double height = 0;      ///< initial sideways offset, because of other arrows of the same two links, px
   SheetPoint labelCenter;
   bool labelCrowded = false;  ///< no place was free for it
   [[nodiscard]] bool isMesh() const { return element.kind == ElementKind::gearMesh; }
   friend bool operator==(const EdgePlace&, const EdgePlace&) = default;
 };
 
-/// A brake or a clutch in the digraph. They are no joints of it, so they have no arrow and no number: a
-/// dashed line from a link to a piece of the frame, or between two links, with two plates that face each
-/// other.
+/// A brake or a clutch in the digraph. They are no edges of it, so they have no arrow and no number: a dashed
+/// line from a link to a piece of the frame, or between two links, with two plates that face each other.
 struct CouplingPlace {
   CouplingId coupling;
   CouplingKind kind = CouplingKind::brake;
@@ -76,7 +75,7 @@ struct CouplingPlace {
   friend bool operator==(const CouplingPlace&, const CouplingPlace&) = default;
 };
 
-/// A note on the sheet, line by line.
+/// A note on the sheet, split into lines.
 struct NotePlace {
   NoteId note;
   std::vector<std::string> lines;
@@ -84,7 +83,7 @@ struct NotePlace {
   friend bool operator==(const NotePlace&, const NotePlace&) = default;
 };
 
-/// Where everything in a drawing of the digraph is.
+/// The geometry of a drawing of the digraph.
 struct DigraphGeometry {
   std::vector<NodePlace> nodes;  ///< of the links that have a position, in the document's order
   std::vector<EdgePlace> edges;  ///< between those, turning joints first
@@ -96,13 +95,13 @@ struct DigraphGeometry {
 };
 
 /// Places arrows, labels and badges for given nodes: arrows between the same two links are bent apart, an
-/// arrow that would run over a third node is bent around it, and a label goes where it touches no line, node,
-/// badge or other label, if there is such a place. The result depends on the arguments only.
+/// arrow that would run over a third node is bent around it, and a label is placed where it touches no line,
+/// node, badge or other label, if possible. The result depends on the arguments only.
 ///
 /// Cost: near linear in links + joints + meshes for drawings of even density (bench: 1,000 links).
 [[nodiscard]] DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions);
 
-/// The same result, faster where few nodes have moved since `former` was made: for drags.
+/// The same result, faster if few nodes have moved since `former` was made: for drags.
 [[nodiscard]] DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions,
                                               const DigraphGeometry& former);
 

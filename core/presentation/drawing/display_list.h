@@ -10,7 +10,7 @@
 
 namespace geargraph::inline drawing {
 
-/// What a mark of a drawing is there for.
+/// The purpose of a mark.
 enum class MarkRole { halo, line, arrowhead, walk, node, label, name, hatching, input, ghost };
 
 struct Circle {
@@ -31,7 +31,7 @@ struct Polyline {
 };
 using Shape = std::variant<Circle, Box, Polyline, Curve>;
 
-/// How a line is broken, in px at zoom 1. Dots have round ends, all others flat ones.
+/// The dash pattern of a line, in px at zoom 1. Dots have round caps, all others flat ones.
 enum class Dash { solid, dashed, dashDotted, dotted };
 
 struct Stroke {
@@ -46,7 +46,7 @@ struct Fill {
   Tint tint;
   friend bool operator==(const Fill&, const Fill&) = default;
 };
-/// One line of text, centred on a point: its digits' and capitals' middle lies there.
+/// One line of text, centred on a point: horizontally, and vertically by the middle of digits and capitals.
 struct Text {
   std::string text;
   SheetPoint center;
@@ -56,7 +56,7 @@ struct Text {
   friend bool operator==(const Text&, const Text&) = default;
 };
 
-/// A stroke, a fill or a text, and the element that it shows. Marks of greater z lie above.
+/// A stroke, a fill or a text, and the element that it shows. Marks of greater z are painted above.
 struct Mark {
   ElementId element;
   MarkRole role = MarkRole::line;
@@ -65,7 +65,7 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
-/// Where an element can be hit: on the shape (inside of it, or within halfWidth of a curve).
+/// Where an element can be hit: inside the shape, or within halfWidth of a curve.
 struct Outline {
   ElementId element;
   int z = 0;
@@ -75,13 +75,13 @@ struct Outline {
 };
 
 /// A drawing as data: screen, SVG, PDF, picking and golden tests all read the same list, in the same order.
-/// Colours are named by what they are for, so a list fits a light and a dark sheet.
+/// Colours are named by their role, so a list fits a light and a dark sheet.
 struct DisplayList {
   std::vector<Mark> marks;
   std::vector<Outline> outlines;
 
   void append(DisplayList other);
-  /// Marks in the order in which they are painted: by z, else as they came.
+  /// Sorts the marks into painting order: by z, equal ones in the order of insertion.
   void sortByDepth();
   friend bool operator==(const DisplayList&, const DisplayList&) = default;
 };
@@ -92,7 +92,7 @@ struct DisplayList {
 /// All marks together; a point at the origin for an empty list.
 [[nodiscard]] Extent extentOf(const DisplayList& list);
 
-/// One line a mark and an outline, numbers to a tenth: what golden tests compare.
+/// One line per mark and per outline, numbers to a tenth, for golden tests.
 [[nodiscard]] std::string textOf(const DisplayList& list);
 
 }  // namespace geargraph::inline drawing

@@ -11,11 +11,11 @@ namespace geargraph::inline drawing {
 
 using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
 
-/// An arrow's course, from rim to rim, and how far round detours were looked for until it was found.
+/// An arrow's course, from rim to rim, and how large a detour was searched until it was found.
 struct Course {
   Curve curve;
   int looked = 0;
-  double height = 0;  ///< how far arrows of the same two links pushed it aside to begin with
+  double height = 0;  ///< initial sideways offset, because of other arrows of the same two links, px
 };
 using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none where an end has no place
 
@@ -23,20 +23,20 @@ using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; 
 /// ordinals.
 [[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
 
-/// The same for any lines between nodes, each pushed aside by so much to begin with: to the left, seen from
+/// The same for any lines between nodes, each with an initial sideways `offset`, px, to the left seen from
 /// its tail on the sheet.
 [[nodiscard]] Courses routedEdges(std::span<const DigraphEdge> edges, const std::vector<double>& offsets,
                                   const Centers& centers, const ObstacleGrid& nodes);
 
 /// The same, faster: `former` holds the courses of arrows that ran between the same two links before, and
-/// `moved` the places that nodes have left or taken since. A course is taken over where none of them could
-/// make a difference.
+/// `moved` the old and new places of nodes that have moved since. A course is reused where none of these can
+/// affect it.
 [[nodiscard]] Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
                                     const std::vector<SheetPoint>& moved, const Courses& former);
 
-/// The part of a curve between two node centres that lies outside of their rims.
+/// The part of a curve between two node centres that is outside their rims.
 [[nodiscard]] Curve trimmedAtRims(const Curve& curve);
-/// The part outside of the rim of the node where it begins.
+/// The part outside the rim of the node where it begins.
 [[nodiscard]] Curve trimmedAtStart(const Curve& curve);
 
 }  // namespace geargraph::inline drawing

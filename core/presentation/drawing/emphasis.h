@@ -6,18 +6,18 @@
 
 namespace geargraph::inline drawing {
 
-/// How an element stands out.
+/// How an element is highlighted.
 struct Emphasis {
-  bool hovered = false;   ///< a halo alone
-  bool selected = false;  ///< accent with a halo
-  /// On a cycle that is shown: +1 where its walk runs along the arrow, -1 against it, 0 not on it.
+  bool hovered = false;   ///< a halo only
+  bool selected = false;  ///< accent colour with a halo
+  /// On a highlighted cycle: +1 if its walk runs along the arrow, -1 against it, 0 not on it.
   int walk = 0;
-  bool second = false;  ///< that walk is the second of two that are shown: it has a colour of its own
+  bool second = false;  ///< the walk is the second of two highlighted ones, which has its own colour
 
   [[nodiscard]] bool any() const { return hovered || selected || walk != 0; }
   friend bool operator==(const Emphasis&, const Emphasis&) = default;
 };
-/// Elements that are not in it are plain.
+/// Elements that are not in it are not highlighted.
 using Emphases = std::unordered_map<ElementId, Emphasis>;
 
 [[nodiscard]] inline Emphasis emphasisOf(const Emphases& emphases, const ElementId& element) {

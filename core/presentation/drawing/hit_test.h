@@ -7,13 +7,12 @@
 
 namespace geargraph::inline drawing {
 
-/// The topmost element at a point; `reach` widens what can be hit, for a small drawing on a large screen.
-/// Among several of one depth the nearest is meant. Cost: O(outlines).
+/// The topmost element at a point; `reach` (px) enlarges the outlines, for a small drawing on a large screen.
+/// Among several of one depth the nearest is taken. Cost: O(outlines).
 [[nodiscard]] std::optional<ElementId> elementAt(const std::vector<Outline>& outlines, SheetPoint point,
                                                  double reach = 0);
 
-/// The elements that lie inside the rectangle with all of their outlines, each once, in the order of the
-/// list.
+/// The elements all of whose outlines are inside the rectangle, each once, in the order of the list.
 [[nodiscard]] std::vector<ElementId> elementsInside(const std::vector<Outline>& outlines, const Extent& area);
 
 }  // namespace geargraph::inline drawing

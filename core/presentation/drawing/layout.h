@@ -5,13 +5,12 @@
 namespace geargraph::inline drawing {
 
 /// Lays the whole digraph out anew: the ground on the left, every link to the right of the one that carries
-/// it. Up to 300 links Graphviz does it, with arrows that cross as little as it finds; larger drawings, and
-/// all where Graphviz's plugins are missing, follow the tree of the turning joints alone (tidy_tree.h). Nodes
-/// stand on multiples of 10.
+/// it. Up to 300 links by Graphviz, which minimises crossings heuristically; larger drawings, and all if
+/// Graphviz's plugins are missing, by the tree of the turning joints alone (tidy_tree.h). Node positions are
+/// multiples of 10.
 ///
-/// Deterministic; may be called from any thread, Graphviz's part by one at a time.
-/// Cost (bench): some 10 ms for 10,000 links, up to about 0.1 s for those that Graphviz lays out: not for the
-/// thread of the windows.
+/// Deterministic and thread-safe; the part in Graphviz is serialised by a lock. Cost (bench): some 10 ms for
+/// 10,000 links, up to about 0.1 s with Graphviz: do not call it on the GUI thread.
 [[nodiscard]] NodePositions layoutOf(const Mechanism& mechanism);
 
 /// The positions of the document and, for links that have none, places beside their neighbours as in

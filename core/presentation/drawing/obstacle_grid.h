@@ -6,21 +6,21 @@
 
 namespace geargraph::inline drawing {
 
-/// What stands on a sheet already, sorted into square cells, so that asking whether a place is free costs no
-/// more on a sheet of thousands than on one of ten.
+/// The obstacles on a sheet, sorted into square cells, so that testing a place costs the same with ten
+/// obstacles as with thousands.
 class ObstacleGrid {
  public:
-  /// `area` is where obstacles are expected; beyond it the outermost cells fill up.
+  /// `area` is where obstacles are expected; obstacles beyond it are put into the outermost cells.
   explicit ObstacleGrid(const Extent& area);
 
   void addCircle(SheetPoint center, double radius, int owner);  ///< a node; `owner` its ordinal
   void addCurve(const Curve& curve);
   void addBox(const Extent& box);
 
-  /// Does anything come nearer to the box than `gap`? The circle of `except` does not count.
+  /// Is any obstacle nearer to the box than `gap`? The circle of the owner `except` is ignored.
   [[nodiscard]] bool touches(const Extent& box, double gap, int except = -1) const;
-  /// How many circles the curve comes nearer to than `gap`, apart from those of its two ends. Counts no
-  /// further than to `enough`.
+  /// The number of circles nearer to the curve than `gap`, except those of its two ends; counts up to
+  /// `enough` only.
   [[nodiscard]] int circlesHit(const Curve& curve, double gap, int tail, int head, int enough) const;
 
  private:

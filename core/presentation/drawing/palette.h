@@ -6,7 +6,7 @@
 
 namespace geargraph::inline drawing {
 
-/// High contrast is light on black, for weak eyes and weak projectors.
+/// High contrast is light on black, for low vision and weak projectors.
 enum class Theme { light, dark, highContrast };
 
 /// An sRGB colour, opaque.
@@ -17,20 +17,20 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// What a colour is for. A colour never carries a meaning alone: labels, dashes and icons say it too.
+/// The role of a colour. No meaning is conveyed by colour alone: labels, dashes and icons convey it too.
 enum class ColorRole {
-  sheet,         ///< the ground of drawings and tables
+  sheet,         ///< background of drawings and tables
   ink,           ///< text and lines
-  secondary,     ///< what may be overlooked: axes, hints, hatching
+  secondary,     ///< less important marks: axes, hints, hatching
   hairline,      ///< borders and rules
-  control,       ///< borders of what is filled in, ticked or dragged
-  panel,         ///< the ground of tool bars and docks
+  control,       ///< borders of input controls
+  panel,         ///< background of tool bars and docks
   accent,        ///< selection and highlight
-  halo,          ///< the soft band around what is selected or hovered
+  halo,          ///< the soft band around selected and hovered elements
   input,         ///< motors: border
-  inputFill,     ///< motors: ground
+  inputFill,     ///< motors: background
   inputInk,      ///< motors: text on inputFill
-  error,         ///< and the other two severities
+  error,         ///< the three severities
   warning,       //
   fine,          //
   positiveFill,  ///< cells with +1
@@ -43,8 +43,8 @@ constexpr int kColorRoleCount = static_cast<int>(ColorRole::negativeInk) + 1;
 
 [[nodiscard]] Color colorOf(ColorRole role, Theme theme);
 
-/// The colour of a link in every view and both themes, by its label (0: the ground). Eight hues that the
-/// colour-blind can tell apart, then the same lighter, then darker, then from the start again.
+/// The colour of a link in every view and both themes, by its label (0: the ground). Eight hues that are
+/// distinguishable with colour blindness, then the same lighter, then darker, then again from the start.
 [[nodiscard]] Color linkColor(int label);
 
 /// "#0072B2"
@@ -53,8 +53,8 @@ constexpr int kColorRoleCount = static_cast<int>(ColorRole::negativeInk) + 1;
 /// A colour of a drawing before the theme is known: a role, or the colour of a link.
 struct Tint {
   ColorRole role = ColorRole::ink;
-  std::optional<int> link;  ///< a link's label; then `role` does not count
-  bool soft = false;        ///< mixed with the sheet, for areas under lines and text
+  std::optional<int> link;  ///< a link's label; then `role` is ignored
+  bool soft = false;        ///< mixed with the sheet's colour, for areas under lines and text
 
   Tint() = default;
   Tint(ColorRole colorRole) : role(colorRole) {}  // NOLINT(google-explicit-constructor)

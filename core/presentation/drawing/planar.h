@@ -96,9 +96,9 @@ struct Curve {
   [[nodiscard]] static Curve straight(SheetPoint from, SheetPoint to) {
     return {from, between(from, to, 1.0 / 3), between(from, to, 2.0 / 3), to};
   }
-  /// From one point to another, pulled to the left of the straight line (seen along it on the sheet) by so
-  /// much at either third. The same pull on both makes a bow whose middle lies that far off; opposite pulls
-  /// make an S.
+  /// From one point to another, displaced to the left of the straight line (seen along it on the sheet) by
+  /// `first` and `second` at its thirds. Equal values give an arc whose middle is that far off the line;
+  /// opposite ones give an S.
   [[nodiscard]] static Curve pulled(SheetPoint from, SheetPoint to, double first, double second) {
     constexpr double kToControl = 4.0 / 3;  // a bow's control points lie farther out than its middle
     const SheetPoint left = (-kToControl) * turned(unit(to - from));
@@ -123,7 +123,7 @@ struct Curve {
   friend bool operator==(const Curve&, const Curve&) = default;
 
  private:
-  /// de Casteljau's scheme with a parameter of its own in every round.
+  /// de Casteljau's algorithm with a separate parameter in every step (polar form).
   [[nodiscard]] SheetPoint blossom(double u, double v, double w) const {
     const SheetPoint a = between(from, leaving, u);
     const SheetPoint b = between(leaving, arriving, u);
@@ -132,10 +132,10 @@ struct Curve {
   }
 };
 
-/// How many chords stand for a curve where it is compared with other things.
+/// The number of chords that approximate a curve in distance and collision tests.
 constexpr int kCurveChords = 14;
 
-/// Calls visit(from, to) for the chords of a curve in order: one for a straight one.
+/// Calls visit(from, to) for the chords of a curve in order; one chord for a straight curve.
 template <class Visit>
 void forEachChord(const Curve& curve, Visit visit) {
   const int count = curve.isStraight() ? 1 : kCurveChords;

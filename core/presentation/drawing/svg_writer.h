@@ -8,23 +8,24 @@
 
 namespace geargraph::inline drawing {
 
-/// How a drawing lies on its sheet.
+/// The options of a drawing's sheet.
 struct SheetLook {
   Theme theme = Theme::light;
-  bool transparent = false;  ///< without the ground of the theme
+  bool transparent = false;  ///< without the background of the theme
   double margin = 16;        ///< px beyond the outermost mark
   struct Size {
     int width = 0;
     int height = 0;
   };
-  std::optional<Size> size = {};  ///< px: the drawing in the middle, as large as it fits; none: its own size
+  std::optional<Size> size = {};  ///< px: the drawing is centred and scaled to fit; none: its own size
 };
 
-/// The part of the plane that the sheet shows: all marks with the margin, widened to the shape of the size.
+/// The part of the plane that the sheet shows: all marks with the margin, extended to the aspect ratio of the
+/// size.
 [[nodiscard]] Extent sheetOf(const DisplayList& list, const SheetLook& look);
 
 /// An SVG 1.1 of a drawing: strokes and fills as on screen, text as text that can be selected and searched,
-/// one group a mark's element with its list and id as data attributes.
+/// one group per element, with its list and id as data attributes.
 [[nodiscard]] std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title = {});
 
 }  // namespace geargraph::inline drawing

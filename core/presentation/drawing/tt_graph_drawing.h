@@ -9,23 +9,23 @@
 
 namespace geargraph::inline drawing {
 
-/// The colour of the second of two walks that are shown at once; the first has the accent.
+/// The colour of the second of two highlighted walks; the first has the accent colour.
 constexpr ColorRole kSecondWalk = ColorRole::negativeInk;
 
 /// The T-T graph in painting order [AU, Figs. 5 and 6]: the branches of the tree thick with the letters of
 /// their levels, the chords of the meshes thin with their primes, a second ring in every transfer vertex.
 /// Meshes that have none are dotted.
 ///
-/// Of a mesh that is on a walk the two f-circuits are shown: that of the tail gear in the accent, that of the
-/// head gear in kSecondWalk.
+/// For a highlighted mesh its two f-circuits are shown: that of the tail gear in the accent, that of the head
+/// gear in kSecondWalk.
 [[nodiscard]] DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emphases);
 
-/// Where the elements are in a geometry, to draw a few of thousands again.
+/// An index of the elements of a geometry, to redraw a few of thousands.
 class TtElements {
  public:
   explicit TtElements(const TtGraphGeometry& geometry);
 
-  /// What ttGraphDrawing() has of this element, empty for one that it has not. Cost: of its marks alone.
+  /// The marks of this element in ttGraphDrawing(), empty if it has none. Cost: that of its marks.
   /// @pre `geometry` is the one that this was made for
   [[nodiscard]] DisplayList drawing(const TtGraphGeometry& geometry, const ElementId& element,
                                     const Emphasis& emphasis) const;

@@ -20,17 +20,17 @@ struct TtLinePlace {
   friend bool operator==(const TtLinePlace&, const TtLinePlace&) = default;
 };
 
-/// Where everything in a drawing of the T-T graph is.
+/// The geometry of a drawing of the T-T graph.
 struct TtGraphGeometry {
   std::vector<NodePlace> nodes;          ///< in the document's order
   std::vector<bool> isTransfer;          ///< by node: the carrier arm of some mesh
   std::vector<TtLinePlace> lines;        ///< branches first
-  std::vector<CouplingPlace> couplings;  ///< no lines of the graph: rows on top of the train
+  std::vector<CouplingPlace> couplings;  ///< not part of the graph: additional equations
 };
 
 /// Places lines and labels for given nodes: branches straight, chords beside them, both bent around nodes
-/// that they would run over; labels where they touch no line, node, badge or other label, if there is such a
-/// place. Links without a position are left out.
+/// that they would run over; labels where they touch no line, node, badge or other label, if possible. Links
+/// without a position are left out.
 ///
 /// `graph` is null where the turning joints are no spanning tree.
 /// Cost: near linear in links + joints + meshes for drawings of even density.

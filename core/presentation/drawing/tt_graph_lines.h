@@ -7,12 +7,12 @@
 
 namespace geargraph::inline drawing {
 
-/// What a line of the T-T graph stands for.
+/// The meaning of a line of the T-T graph.
 enum class TtLine {
   branch,     ///< a turning joint: a branch of the tree
   tailChord,  ///< tail gear - carrier of a mesh
   headChord,  ///< head gear - carrier
-  open,       ///< a mesh without a transfer vertex: from gear to gear, no part of the graph yet
+  open,       ///< a mesh without a transfer vertex: from gear to gear, not yet part of the graph
 };
 
 /// A line from node i to node k, whose terminal variable is w_ik, the velocity of i relative to k: a branch
@@ -26,7 +26,8 @@ struct TtGraphLine {
 };
 
 /// Branches first, in the order of the joints, then the meshes' lines. Without a T-T graph (the turning
-/// joints are no spanning tree) all meshes are open, and branches have the axes' names of the document.
+/// joints are no spanning tree) all meshes are open, and branches are labelled with the axes' names in the
+/// document.
 /// @pre `graph`, if any, is of this digraph
 [[nodiscard]] std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph& digraph,
                                                     const TtGraph* graph);

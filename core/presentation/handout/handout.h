@@ -12,30 +12,31 @@
 
 namespace geargraph::inline handout {
 
-/// Bytes that a page may have: what a learning platform or a mail takes.
+/// The largest size of a page in bytes, for learning platforms and e-mail.
 constexpr std::size_t kMostHandoutBytes = 3'000'000;
 
 /// The train in three dimensions.
 struct HandoutTrain {
   StagePtr stage;     ///< null, or without instances: the page has no such part
-  std::string still;  ///< the bytes of a PNG, which stands where scripts do not run; may be empty
+  std::string still;  ///< the bytes of a PNG, shown where scripts do not run; may be empty
 };
 
-/// Where a page is shown: by itself, or by a learning platform, which it tells what was seen (SCORM 1.2).
+/// Where a page is shown: by itself, or in a learning platform, to which it reports what was viewed (SCORM
+/// 1.2).
 enum class HandoutUse { alone, learningPlatform };
 
-/// A mechanism as one HTML file that any browser shows without a network: drawings, matrices, the solution
-/// and the derivation, complete before any script runs. Its scripts link them (a click on an element lights
-/// it everywhere), drive the inputs, in fractions, by elimination on the rows of P, and turn the train in
-/// three dimensions. A policy in the page forbids everything else.
+/// A mechanism as one HTML file that any browser shows offline: drawings, matrices, the solution and the
+/// derivation, complete without scripts. Its scripts link them (a click on an element highlights it
+/// everywhere), drive the inputs, in fractions, by elimination on the rows of P, and turn the train in 3D. A
+/// Content-Security-Policy in the page forbids everything else.
 ///
-/// With exercises the page asks them, grades by the same data as the program, with places and reasons, and
-/// writes files of answers that the program grades.
+/// With exercises the page asks the questions, grades them by the same data as the program, with the location
+/// and reason of mistakes, and saves files of answers that the program can grade.
 ///
-/// `drawings`: those that are shown, in SVG; their elements carry data-list and data-id.
-/// Solids are taken coarser where the page would be too large, and the page says so; one beyond
-/// kMostHandoutBytes fails (graphics), with the name of its largest part.
-/// Of no use when `stop` was requested meanwhile. Cost: that of the derivation, and of finer solids.
+/// `drawings`: in SVG, whose elements have the attributes data-list and data-id. Coarser solids are used
+/// where the page would be too large, and the page notes it; beyond kMostHandoutBytes it fails with
+/// `graphics` and the name of the largest part. The result is meaningless if `stop` was requested meanwhile.
+/// Cost: that of the derivation, and of finer solids.
 /// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
 [[nodiscard]] Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
                                                 const HandoutTrain& train = {},

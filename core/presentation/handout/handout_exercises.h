@@ -6,10 +6,10 @@
 
 namespace geargraph::inline handout {
 
-/// One variant of an exercise sheet, with its keys.
+/// One variant of an exercise sheet, with its answer keys.
 struct HandoutExercises {
   SheetPlan plan;
-  std::string mark;  ///< sheetMark(): by it answers name their sheet
+  std::string mark;  ///< sheetMark(), which files of answers contain to identify their sheet
   SheetVariant sheet;
 };
 
@@ -17,12 +17,12 @@ struct HandoutExercises {
 [[nodiscard]] HandoutExercises handoutExercises(const ExerciseSource& source, const SheetPlan& plan,
                                                 int variant);
 
-/// The content of a section: all questions with blanks, to be read and printed without scripts. The element
-/// of a question is of class "question", that of a blank carries data-field, its position.
+/// The content of a section: all questions with blanks, readable and printable without scripts. The element
+/// of a question has the class "question", that of a blank the attribute data-field with its position.
 [[nodiscard]] std::string exercisesSection(const HandoutExercises& exercises);
 
-/// What the page's script grades by: {"sheet": mark, "variant": ..., "questions": [...]} with keys as in
-/// exercises.schema.json; packed by gzip, in base64: no answer meets the eye of who reads the file.
+/// The data for grading in the page's script: {"sheet": mark, "variant": ..., "questions": [...]} with keys
+/// as in exercises.schema.json, gzipped and in base64, so that answers are not readable in the file.
 [[nodiscard]] std::string exercisesKey(const HandoutExercises& exercises);
 
 }  // namespace geargraph::inline handout

@@ -15,12 +15,12 @@ namespace geargraph::inline handout {
 
 /// A figure for each drawing that is not empty.
 [[nodiscard]] std::string drawingsSection(const ReportDrawings& drawings);
-/// Tables of the matrices (1)-(5) and of P, with headings that bear their elements.
+/// Tables of the matrices (1)-(5) and of P, with headings that name their elements.
 [[nodiscard]] std::string matricesSection(const AnalysisSnapshot& snapshot);
-/// The picture that stands where the train cannot be shown in three dimensions: a PNG in base64, or none.
+/// The picture shown where the train cannot be shown in 3D: `still`, a PNG, in base64; or none.
 [[nodiscard]] std::string trainSection(const std::string& still);
-/// The outputs as fractions of the inputs, the speeds of all joints now, and the states of a gearbox. Of no
-/// use when `stop` was requested.
+/// The outputs as fractions of the inputs, the speeds of all joints now, and the states of a gearbox. The
+/// result is meaningless if `stop` was requested.
 [[nodiscard]] std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 /// Both methods, step by step, without the drawings.
 [[nodiscard]] std::string derivationSection(const Report& report);

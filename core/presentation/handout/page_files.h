@@ -4,7 +4,7 @@
 
 namespace geargraph::inline handout {
 
-/// The style of a page, its script, its library and what reports to learning platforms, as they stand in it.
+/// The embedded files of a page: style, script, library, and the script that reports to learning platforms.
 [[nodiscard]] std::span<const std::span<const unsigned char>> pageFiles();
 
 }  // namespace geargraph::inline handout

@@ -5,16 +5,15 @@
 
 namespace geargraph::inline handout {
 
-/// The style of a page, its own script, and the library that paints its three dimensions (three.js, with its
-/// licence in the first comment).
+/// The style of a page, its own script, and its 3D library (three.js, with its licence in the first comment).
 [[nodiscard]] std::string_view pageStyle();
 [[nodiscard]] std::string_view pageScript();
 [[nodiscard]] std::string_view pageLibrary();
-/// The script that tells a learning platform what was seen.
+/// The script that reports to a learning platform what was viewed.
 [[nodiscard]] std::string_view pageReporter();
 
-/// The Content-Security-Policy of a page: it runs these scripts, that which reports only where it `reports`,
-/// wears its own style and loads and sends nothing.
+/// The Content-Security-Policy of a page: it may run these scripts (the reporting one only if `reports`) and
+/// use its own style, and may load and send nothing.
 [[nodiscard]] std::string pagePolicy(bool reports);
 
 }  // namespace geargraph::inline handout

@@ -8,17 +8,18 @@
 
 namespace geargraph::inline handout {
 
-/// The solids of a scene for a page, one after the other, each in blocks of whole four bytes: positions
+/// The solids of a scene for a page, one after the other, each in blocks padded to four bytes: positions
 /// (three uint16 a vertex, 0 to 65535 from the least to the largest coordinate of its box), normals (two int8
 /// a vertex, octahedral, -127 to 127) and triangles (three uint16, or uint32 where there are more than 65536
-/// vertices). Little endian, packed by gzip, in base64.
+/// vertices). Little endian, gzipped, in base64.
 ///
-/// `tolerance`: of chords, in modules. Largest error of a position: 1/131,070 of the box.
-/// Cost: O(vertices + triangles), and what finer solids cost.
+/// `tolerance`: chordal error, in modules. Largest error of a position: 1/131,070 of the box. Cost:
+/// O(vertices + triangles), and that of making finer solids.
 [[nodiscard]] std::string pageGeometry(const Scene& scene, double tolerance);
 
-/// What the page's script needs besides: the sizes and boxes of the solids; the parts with their links, poses
-/// (rotation by rows, then the place), colours and elements; the labels of links. One value of JSON.
+/// The other data of the scene for the page's script: the sizes and boxes of the solids; the parts with their
+/// links, poses (rotation by rows, then the place), colours and elements; the labels of links. One value of
+/// JSON.
 void writePageScene(JsonWriter& json, const Stage& stage, const Digraph& graph, double tolerance);
 
 }  // namespace geargraph::inline handout

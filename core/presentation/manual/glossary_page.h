@@ -11,12 +11,12 @@ struct Lesson;
 
 namespace geargraph::inline manual {
 
-/// The first lesson of the course that teaches the term; null: none does.
+/// The first lesson of the course that teaches the term; null if there is none.
 [[nodiscard]] const Lesson* lessonAbout(Term term);
-/// What shows the term, as manualPicture() reads it.
+/// The picture for the term, as a name for manualPicture().
 [[nodiscard]] std::string_view pictureOf(Term term);
-/// The paper's equation that defines the term, or what the program computes by it, in TeX; empty where the
-/// glossary names no equation.
+/// The equation that defines the term, the paper's or the program's own, in TeX; empty if the glossary names
+/// none.
 [[nodiscard]] std::string formulaOfTerm(Term term);
 
 /// The glossary as a page of the manual: every term by name, with definition, picture, equation and lesson.

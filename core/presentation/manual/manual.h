@@ -8,15 +8,15 @@
 
 namespace geargraph::inline manual {
 
-/// What a heading of a page stands over.
+/// A section of a page.
 struct ManualSection {
   int level = 1;       ///< 1: the page itself
   std::string title;   ///< plain text
-  std::string anchor;  ///< within the page: "the-3d-view"; of the page itself, its id
-  std::string words;   ///< all that stands below, to be searched
+  std::string anchor;  ///< within the page: "the-3d-view"; for the page itself its id
+  std::string words;   ///< the whole text below the heading, for search
 };
 
-/// A page of the manual: an immutable value that the help window and the web pages are made from.
+/// A page of the manual: an immutable value from which the help window and the web pages are made.
 ///
 /// Its HTML is that of htmlOfMarkdown(), with these conventions of resources/help/README: pictures name what
 /// they show ("picture:digraph/robot/link.4", "window:robot"), <strong>File &gt; Open</strong> is a command
@@ -29,14 +29,14 @@ struct ManualPage {
   std::vector<ManualSection> sections;  ///< the first is the page itself
 };
 
-/// All pages in the order in which they are read; the last is the glossary. Made once, from any thread.
+/// All pages in reading order; the last is the glossary. Made on first use; thread-safe.
 [[nodiscard]] const std::vector<ManualPage>& manualPages();
-/// Null where there is no page of this id.
+/// Null if there is no page with this id.
 [[nodiscard]] const ManualPage* manualPage(std::string_view id);
-/// Anchor of the term in the page "glossary": "cycle-basis-matrix".
+/// The anchor of the term in the page "glossary": "cycle-basis-matrix".
 [[nodiscard]] std::string anchorOf(Term term);
 
-/// A title as the name of a page or anchor: small ASCII letters, digits, and single hyphens for all else.
+/// A title as a page id or anchor: lower-case ASCII letters, digits, and single hyphens for everything else.
 [[nodiscard]] std::string slugOf(std::string_view title);
 
 }  // namespace geargraph::inline manual

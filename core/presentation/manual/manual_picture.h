@@ -9,9 +9,9 @@ namespace geargraph::inline manual {
 
 /// A drawing of a bundled example, as the program draws it: "VIEW/EXAMPLE" or "VIEW/EXAMPLE/MARKS".
 ///
-/// VIEW is "digraph", "ttgraph" or "schematic"; MARKS are joined by "+" and stand out: "link.4", "joint.8",
-/// "mesh.15" by id, "cycle.17" as the walk of the mesh's fundamental cycle, and "links" (the moving ones),
-/// "joints", "meshes". Nothing where a name is not known.
+/// VIEW is "digraph", "ttgraph" or "schematic"; MARKS are joined by "+" and are highlighted: "link.4",
+/// "joint.8", "mesh.15" by id, "cycle.17" as the walk of the mesh's fundamental cycle, and "links" (the
+/// moving ones), "joints", "meshes". std::nullopt if a name is not known.
 /// Cost: that of the drawing, milliseconds for the examples.
 [[nodiscard]] std::optional<DisplayList> manualPicture(std::string_view name);
 

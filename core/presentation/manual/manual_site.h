@@ -11,9 +11,9 @@ struct ManualFile {
   std::string bytes;
 };
 
-/// The manual as web pages with their pictures, light and dark: no scripts, nothing from elsewhere.
-/// `windowPictures`: names of pictures of the window that the folder has ("robot" for
-/// pictures/window-robot-light.png and -dark.png); others are left out.
+/// The manual as web pages with their pictures, light and dark: no scripts, no external resources.
+/// `windowPictures`: names of screenshots in the folder ("robot" for pictures/window-robot-light.png and
+/// -dark.png); other screenshots are left out.
 /// Cost: that of all drawings, some hundred milliseconds.
 [[nodiscard]] std::vector<ManualFile> manualSite(const std::set<std::string>& windowPictures);
 

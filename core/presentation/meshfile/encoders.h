@@ -15,11 +15,11 @@
 
 namespace geargraph::inline meshfile {
 
-// One encoder a format. Each gives nothing where it was stopped; that of GLB writes to a sink. All are our
-// own code and share the solids' bytes: assimp 5.2 drops node transforms that differ from the identity by
-// less than 0.01 and joins vertices nearer than 1e-5 (GLB, where lengths are metres), cannot read back the
-// colours of its own PLY, writes 3MF without colours, unit and names, and gives the facets of STL a mean of
-// shading normals. It reads all five back in the tests.
+// One encoder per format. Each returns std::nullopt if `stop` was requested; that of GLB writes to a sink.
+// They are our own code, because assimp 5.2 drops node transforms that differ from the identity by less than
+// 0.01 and joins vertices nearer than 1e-5 (GLB, where lengths are metres), cannot read back the colours of
+// its own PLY, writes 3MF without colours, unit and names, and gives the facets of STL a mean of shading
+// normals. It reads all five back in the tests.
 
 /// Binary STL of the scene at rest; the normal of each facet is that of its plane.
 [[nodiscard]] std::optional<std::string> stlBytes(const MeshScene& scene, const MeshWriteOptions& options);
@@ -27,7 +27,8 @@ namespace geargraph::inline meshfile {
 /// Binary PLY of the scene at rest, each vertex with its normal and its material's colour.
 [[nodiscard]] std::optional<std::string> plyBytes(const MeshScene& scene, const MeshWriteOptions& options);
 
-/// Wavefront OBJ of the scene at rest, an object a solid, positions welded, normals kept; and its materials.
+/// Wavefront OBJ of the scene at rest, one object per solid, positions welded, normals kept; and its
+/// materials.
 struct ObjTexts {
   std::string scene;
   std::string materials;
@@ -36,37 +37,37 @@ struct ObjTexts {
                                                const MeshWriteOptions& options);
 
 /// Binary glTF 2.0: the tree of nodes below one with the scene's name, lengths in metres, one animation.
-/// Solids are stored once however many nodes show them. Nodes get distinct names, because readers tie motion
-/// to names. False where it was stopped. Memory: nothing of the solids' size; they are read twice, for their
-/// bounds and for their bytes.
+/// Shared solids are stored once. Nodes get distinct names, because readers identify animated nodes by name.
+/// False if `stop` was requested. Memory: independent of the size of the solids, which are read twice, for
+/// their bounds and for their bytes.
 [[nodiscard]] bool writeGlb(const MeshScene& scene, const MeshWriteOptions& options, ByteSink& sink);
 
-/// A 3MF package [3MF Core Specification 1.3]: an object for each node with a solid, welded as 3MF demands,
+/// A 3MF package [3MF Core Specification 1.3]: an object for each node with a solid, welded as 3MF requires,
 /// named and coloured, placed at rest by its build item.
 [[nodiscard]] std::optional<std::string> threeMfBytes(const MeshScene& scene,
                                                       const MeshWriteOptions& options);
 
-/// Before piece `place` of `count`: false where it is time to stop.
+/// To be called before piece `place` of `count`: reports progress; false if `stop` was requested.
 [[nodiscard]] inline bool mayGoOn(const MeshWriteOptions& options, std::size_t place, std::size_t count) {
   if (options.stop.stop_requested()) return false;
   if (options.progress) options.progress(static_cast<double>(place) / static_cast<double>(count));
   return true;
 }
 
-/// The value as it lies in memory.
+/// Appends the bytes of the value as in memory.
 template <class Value>
 void appendRaw(std::string& bytes, const Value& value) {
   static_assert(std::is_trivially_copyable_v<Value>);
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// The point, which an encoder is about to write. @pre finite: encodedMesh() rejects other scenes
+/// Returns the point after checking that it is finite. @pre finite: encodedMesh() rejects other scenes
 [[nodiscard]] inline const Float3& finite(const Float3& point) {
   GEARGRAPH_REQUIRE(std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]));
   return point;
 }
 
-/// The shortest decimal that reads back as the same number. @pre finite
+/// Appends the shortest decimal that reads back as the same number. @pre finite
 template <class Number>
 void appendDecimal(std::string& text, Number value) {
   if constexpr (std::is_floating_point_v<Number>) GEARGRAPH_REQUIRE(std::isfinite(value));

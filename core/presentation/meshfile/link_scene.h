@@ -13,7 +13,7 @@
 
 namespace geargraph::inline meshfile {
 
-/// A mechanism with its solids. All of it must live as long as the call that takes it.
+/// A mechanism with its solids; valid during the call only.
 struct LinkSceneSource {
   const Mechanism& mechanism;
   const SpanningTree& tree;
@@ -25,20 +25,20 @@ struct LinkSceneSource {
 /// Uniform rates of all joints, rad/s, by joint, and how long one period of them takes to play.
 struct UniformMotion {
   std::vector<Rational> rates;
-  std::optional<double> seconds;  ///< as long as it really takes where nothing is said
-  /// Only these seconds of the motion as it really is, instead of one period: it ends where it is then.
+  std::optional<double> seconds;  ///< none: in real time
+  /// Instead of one period, this many seconds of the motion in real time.
   std::optional<double> stretch = {};
 };
 
-/// Most keys of rotation that an animation may have. One period of a train with awkward tooth counts is long.
+/// The most rotation keys of an animation. Tooth counts without common factors have long periods.
 constexpr std::size_t kMostKeys = 1'000'000;
 
-/// The tree of links as nodes, each with its parts below it, in the reference pose. A link's frame lies on
-/// the line of its joint and is parallel to the base frame, so that motion is rotation only. With a motion,
-/// each joint that turns gets keys for one period of all of them (core/theory/pose/period.h), after which
-/// every link is where it was.
+/// The tree of links as nodes, each with its parts below it, in the reference pose. A link's frame has its
+/// origin on the line of its joint and is parallel to the base frame, so that motion is rotation only. With a
+/// motion, each joint that turns gets keys for one period of all of them (core/theory/pose/period.h), after
+/// which every link is where it was.
 ///
-/// Nodes and materials bear the names of the links, "link 3" where a link has none; parts bear theirs.
+/// Nodes and materials have the names of the links, "link 3" for a link without a name; parts have their own.
 /// Identity: worldPosesAt() of a part is the pose of its link by ForwardKinematics times the part's own.
 /// Fails with `limit` where a period, or the stretch, takes more than kMostKeys keys; the message says how
 /// many turns a period has. Cost: O(links + parts + keys).

@@ -8,7 +8,7 @@ namespace geargraph::inline meshfile {
 
 enum class MeshFormat { stl, obj, ply, glb, threeMf };
 
-/// "stl", "obj", "ply", "glb", "3mf": as the command line and file name endings spell it.
+/// "stl", "obj", "ply", "glb", "3mf": as on the command line and in file extensions.
 [[nodiscard]] std::string_view meshFormatName(MeshFormat format);
 [[nodiscard]] std::optional<MeshFormat> meshFormatFromName(std::string_view name);
 [[nodiscard]] const std::vector<MeshFormat>& allMeshFormats();

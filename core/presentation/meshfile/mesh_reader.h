@@ -12,10 +12,10 @@ struct MeshReadLimits {
   std::size_t mostNodes = 100'000;
 };
 
-/// A scene from the bytes of a 3D file, as assimp reads it: lengths as they stand in the file, vertices as
-/// the format holds them, nodes with several meshes as a node with a child for each. Rotation keys come in
-/// seconds; keys of position and scale are not read, and frames that are no rigid motion are refused.
-/// A file from elsewhere may crash assimp: whoever opens such files does it in a process of its own.
+/// A scene from the bytes of a 3D file, as assimp reads it: lengths as in the file, vertices as in the
+/// format, a node with several meshes as a node with a child for each. Rotation keys are in seconds; keys of
+/// position and scale are not read, and frames that are not rigid are rejected. An untrusted file may crash
+/// assimp: use readForeignMesh() for such files.
 [[nodiscard]] std::variant<MeshScene, MeshFileError> readMesh(std::string_view bytes, MeshFormat format,
                                                               const MeshReadLimits& limits = {});
 

@@ -9,8 +9,8 @@ namespace geargraph::inline meshfile {
 
 /// Keys of a node that rests at `rest` and turns uniformly about `axis` (unit, in the parent's frame, through
 /// the node's origin) by `quarters` quarter turns in `seconds`: one at each quarter, so that slerp between
-/// them is exact, from angles that are reduced before they are rounded: the end is the beginning to the last
-/// bit where the number of turns is whole (its quaternion may have the other sign). Two keys at least.
+/// them is exact. Angles are reduced before rounding, so after a whole number of turns the last rotation
+/// equals the first one bit by bit (its quaternion may have the opposite sign). At least two keys.
 [[nodiscard]] std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis,
                                                    const Eigen::Quaterniond& rest, long long quarters,
                                                    double seconds);

@@ -8,8 +8,9 @@
 
 namespace geargraph::inline meshfile {
 
-/// Writes a ZIP archive into memory, piece by piece, compressed by zlib. Every entry bears the format's first
-/// date (1980-01-01), so that equal contents give equal bytes. No entry and no archive may reach 4 GiB.
+/// Writes a ZIP archive into memory, piece by piece, compressed by zlib. Every entry has the format's first
+/// date (1980-01-01), so that equal contents give equal bytes. Entries and archive must be smaller than 4
+/// GiB.
 class ZipArchive {
  public:
   ZipArchive();

@@ -4,9 +4,10 @@
 
 namespace geargraph::inline pages {
 
+/// The lines with shared ownership of their boxes.
 [[nodiscard]] std::vector<SetReport::SetLine> sharedLines(std::vector<FormulaLine> lines);
 
-/// An equation on lines of its own, in the middle, with its number at the right margin.
+/// A displayed equation, centred, with its number at the right margin.
 [[nodiscard]] std::vector<FlowLine> equationLines(const SetReport::SetEquation& set,
                                                   const ReportEquation& equation, const FlowLook& flow,
                                                   const WordMeasure& measure);

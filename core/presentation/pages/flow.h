@@ -14,11 +14,11 @@
 
 namespace geargraph::inline pages {
 
-/// How words look.
+/// The style of words.
 struct WordLook {
   double size = 10;  ///< of the em
   bool bold = false;
-  bool soft = false;  ///< in the colour of what may be overlooked
+  bool soft = false;  ///< in the secondary colour
 };
 
 /// Measures words in the faces that will show them.
@@ -45,48 +45,48 @@ struct FlowFormula {
 struct FlowRule {
   double x = 0, y = 0, width = 0;
 };
-/// A drawing and the room that it has.
+/// A drawing and its space.
 struct FlowFigure {
   ReportDrawing drawing = ReportDrawing::digraph;
   std::shared_ptr<const DisplayList> curves = {};  ///< null: `drawing`
   double x = 0, width = 0, height = 0;
 };
 
-/// A strip of the page that is not torn.
+/// A strip of the page that is never split by a page break.
 struct FlowLine {
-  double above = 0;  ///< what is left free above it, but at the top of a page
+  double above = 0;  ///< space above it, except at the top of a page
   double height = 0;
   std::size_t block = 0;             ///< of the report
-  bool keepsWithNext = false;        ///< no page ends behind it
-  std::optional<ElementId> element;  ///< what it is about
+  bool keepsWithNext = false;        ///< no page break after it
+  std::optional<ElementId> element;  ///< that it is about
   std::vector<FlowWords> words;
   std::vector<FlowFormula> formulas;
   std::vector<FlowRule> rules;
   std::optional<FlowFigure> figure;
 };
 
-/// What a report is laid out for. Lengths in one unit: points of a page or pixels of a window.
+/// The parameters of a layout. Lengths in one unit: points of a page or pixels of a window.
 struct FlowLook {
   double width = 480;
   double size = 10;         ///< of the em of words
   double formulaSize = 10;  ///< of the em of formulas
-  double tallest = 700;     ///< of a strip
-  /// The least part of its size that a formula shrinks to.
+  double tallest = 700;     ///< of any strip
+  /// The smallest factor by which a formula is scaled down to fit.
   double leastPart = 0.6;
-  /// Where a formula is too wide even so: is it left out, and the reader told?
+  /// Is a formula that is too wide even so replaced by a note?
   bool leavesOutWide = true;
-  /// How large a drawing is where there is room; none leaves it out.
+  /// The size of a drawing if there is room; std::nullopt leaves it out.
   struct FigureSize {
     double width = 0, height = 0;
   };
   std::function<std::optional<FigureSize>(ReportDrawing)> figureSize = {};
-  double curvesScale = 1;  ///< units that a px of curves takes where there is room
+  double curvesScale = 1;  ///< units per px of a chart of curves, if there is room
 };
 
-/// The formulas of a report, read and set as wide as they are: done once for every width and size.
+/// A report with its formulas parsed and typeset at their natural width, once for all widths and sizes.
 class SetReport {
  public:
-  /// Of no use when `stop` was requested meanwhile. Cost: linear in the text of the report.
+  /// The result is meaningless if `stop` was requested meanwhile. Cost: linear in the text of the report.
   explicit SetReport(Report report, const std::stop_token& stop = {});
 
   [[nodiscard]] const Report& report() const { return m_report; }
@@ -99,11 +99,11 @@ class SetReport {
   };
   struct SetEquation {
     FormulaNode formula;
-    std::vector<SetLine> lines;  ///< on its own, unbroken
+    std::vector<SetLine> lines;  ///< as a displayed equation, without line breaks
   };
-  /// Of a block that is an equation.
+  /// The equation of a block. @pre the block is an equation
   [[nodiscard]] const SetEquation& equation(std::size_t block) const { return m_equations[block]; }
-  /// Of a formula within a sentence.
+  /// The box of a formula within a sentence. @pre the report has it
   [[nodiscard]] const std::shared_ptr<const FormulaBox>& inLine(const std::string& tex) const {
     return m_inLine.at(tex);
   }

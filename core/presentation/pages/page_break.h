@@ -13,11 +13,11 @@ struct FlowPage {
   std::vector<std::pair<std::size_t, double>> lines;
 };
 
-/// Parts strips into pages with a body of this height, at least one. Strips that no page's end parts go to a
-/// page together, where they are not taller than one. Cost: linear in the strips.
+/// Distributes strips over pages with a body of this height; at least one page. Strips that keep with the
+/// next one go to the same page, unless together they are taller than a page. Cost: linear in the strips.
 [[nodiscard]] std::vector<FlowPage> flowPages(const std::vector<FlowLine>& lines, double body);
 
-/// The name of the mechanism and what the document is, before the first heading; blocks of none.
+/// The name of the mechanism and what the document is, before the first heading; they belong to no block.
 [[nodiscard]] std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow,
                                                const WordMeasure& measure);
 

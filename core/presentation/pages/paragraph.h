@@ -4,14 +4,13 @@
 
 namespace geargraph::inline pages {
 
-/// Breaks sentences into lines no wider than `width`, which start at x. A word that is wider than a line is
-/// broken itself.
+/// Breaks sentences into lines at most `width` wide, which start at x. A word wider than a line is broken.
 [[nodiscard]] std::vector<FlowLine> paragraphLines(const SetReport& report, const ReportWords& words,
                                                    const WordLook& look, const FlowLook& flow,
                                                    const WordMeasure& measure, double x, double width);
 
-/// From baseline to baseline, for the size of the em.
+/// The distance from baseline to baseline, in em.
 constexpr double kLeading = 1.4;
-constexpr double kAscent = 1.0;  ///< of a line above its baseline
+constexpr double kAscent = 1.0;  ///< of a line above its baseline, in em
 
 }  // namespace geargraph::inline pages

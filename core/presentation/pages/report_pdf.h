@@ -17,9 +17,9 @@ struct ReportLists {
   [[nodiscard]] const DisplayList& of(ReportDrawing drawing) const;
 };
 
-/// A report on pages of A4, to print and to read: formulas and drawings stay lines and text, headings are in
-/// the outline. No heading stands at a page's foot. Matrices shrink where they are too wide, at most to six
-/// tenths. Fails with `graphics` where memory does not suffice. Cost: linear in the report.
+/// A report as an A4 PDF: formulas and drawings are vector graphics and text, headings are in the outline. No
+/// page ends with a heading. Matrices that are too wide are scaled down, at most to 0.6. Fails with
+/// `graphics` if memory is exhausted. Cost: linear in the report.
 [[nodiscard]] Expected<std::string> reportPdf(Report report, const ReportLists& drawings);
 
 }  // namespace geargraph::inline pages

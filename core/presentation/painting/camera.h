@@ -5,8 +5,8 @@
 
 namespace geargraph::inline painting {
 
-/// Directions that everybody who reads drawings knows: front looks along +y with x to the right, right looks
-/// along -x, top looks down; isometric sees x, y and z equally short from (1, -1, 1).
+/// The standard directions of drawings: front looks along +y with x to the right, right looks along -x, top
+/// looks down; isometric looks from (1, -1, 1), with x, y and z equally foreshortened.
 enum class StandardView { front, back, left, right, top, bottom, isometric };
 
 /// The size of the picture in device pixels.
@@ -21,7 +21,7 @@ struct Ray {
   Eigen::Vector3d direction;  ///< length 1
 };
 
-/// A place in the picture: pixels to the right and down from the upper left corner, and the depth in mm along
+/// A point in the picture: pixels to the right and down from the upper left corner, and the depth in mm along
 /// the line of sight (negative behind the eye).
 struct ScreenPoint {
   double x = 0;
@@ -29,16 +29,15 @@ struct ScreenPoint {
   double depth = 0;
 };
 
-/// Where the viewer stands: a value, like everything that can be undone, stored or compared. It circles a
-/// target with z upright, so the horizon stays level; perspective with a small opening angle, as of a long
-/// lens.
+/// The camera: an immutable value. It orbits a target with z upright, so the horizon stays level; perspective
+/// with a small field of view, as of a long lens.
 ///
 /// Units: mm, rad. Yaw is the azimuth of the eye about +z from +x, pitch its elevation, within ±90°.
 class Camera {
  public:
   Camera() = default;
   [[nodiscard]] static Camera looking(StandardView view);
-  /// How a train opens: a little from the right and above, where most of it can be seen.
+  /// The initial view: a little from the right and above, where most of a train is visible.
   [[nodiscard]] static Camera home() { return from(-0.45, 0.35); }
   /// Eye at this azimuth and elevation.
   [[nodiscard]] static Camera from(double yaw, double pitch);
@@ -52,22 +51,24 @@ class Camera {
   [[nodiscard]] Eigen::Vector3d right() const;
   [[nodiscard]] Eigen::Vector3d up() const { return right().cross(forward()); }
 
-  /// Turned about the target, as if the scene were taken by a hand that moves by this many pixels.
-  /// Identity: target and distance stay; turning there and back is no turn, unless the pole was in the way.
+  /// Orbited about the target, as if the scene were dragged by this many pixels. Identity: target and
+  /// distance stay; orbiting back restores the view, unless a pole was reached.
   [[nodiscard]] Camera orbited(double pixelsRight, double pixelsDown) const;
-  /// Moved so that what is at the target's depth follows the pointer.
+  /// Panned so that points at the target's depth follow the pointer.
   [[nodiscard]] Camera panned(double pixelsRight, double pixelsDown, const Viewport& viewport) const;
-  /// `factor` > 1 comes nearer. Identity: `fixed`, a point in space, keeps its place in the picture.
+  /// Zoomed by `factor`, > 1 comes nearer. Identity: `fixed`, a point in space, keeps its place in the
+  /// picture.
   [[nodiscard]] Camera zoomed(double factor, const Eigen::Vector3d& fixed) const;
-  /// The same direction, as near as all points stay in the picture with a margin (a part of each side).
+  /// The same direction, as near as possible with all points in the picture and a margin (a fraction of each
+  /// side).
   [[nodiscard]] Camera fitted(std::span<const Eigen::Vector3d> points, const Viewport& viewport,
                               double margin = 0.08) const;
   /// The same target and distance from a standard direction.
   [[nodiscard]] Camera turnedTo(StandardView view) const;
-  /// The same target and distance, looking along a direction (not 0); x to the right where that is straight
-  /// up or down.
+  /// The same target and distance, looking along a direction (not 0); x to the right if the direction is
+  /// straight up or down.
   [[nodiscard]] Camera turnedAlong(const Eigen::Vector3d& direction) const;
-  /// The same direction from another place. @pre distance > 0
+  /// The same direction with another target and distance. @pre distance > 0
   [[nodiscard]] Camera placedAt(const Eigen::Vector3d& target, double distance) const;
 
   [[nodiscard]] Eigen::Isometry3d view() const;  ///< world to eye; the eye looks along -z with y up

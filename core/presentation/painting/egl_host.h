@@ -8,11 +8,10 @@
 namespace geargraph::inline painting {
 
 /// A renderer without any window or display: OpenGL on a surfaceless EGL context of its own, for pictures on
-/// servers and in tests. Use it on the thread that made it; calls leave the thread's current context as it
-/// was.
+/// servers and in tests. To be used on the thread that made it; calls restore the thread's current context.
 class EglHost {
  public:
-  /// Fails with `graphics` where there is no EGL, no OpenGL 3.3 or no driver at all.
+  /// Fails with `graphics` if there is no EGL, no OpenGL 3.3 or no driver.
   [[nodiscard]] static Expected<std::unique_ptr<EglHost>> create();
   ~EglHost();
   EglHost(const EglHost&) = delete;

@@ -7,12 +7,12 @@
 
 namespace geargraph::inline painting {
 
-/// The lines that a draughtsman would draw of a solid: edges whose two faces meet at more than `crease`
-/// radians, as their normals tell, and edges of one face only. Vertices are told apart by their positions,
-/// bit by bit, so doubled vertices of a crease are one point.
+/// The feature edges of a solid: edges whose two faces differ by more than `crease` radians, by their
+/// normals, and edges of one face only. Vertices with bitwise equal positions are one point, so the doubled
+/// vertices of a crease are merged.
 ///
-/// Shape    two vertex indices a line.
-/// Cost     O(triangles), once a solid.
+/// Shape    two vertex indices per line.
+/// Cost     O(triangles).
 [[nodiscard]] std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease = 0.4);
 
 }  // namespace geargraph::inline painting

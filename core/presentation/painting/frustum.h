@@ -6,7 +6,7 @@
 
 namespace geargraph::inline painting {
 
-/// About a solid, in its own frame; of no size about nothing.
+/// The bounding sphere of a solid, in its own frame; radius 0 for an empty solid.
 struct Ball {
   Eigen::Vector3d centre{0, 0, 0};
   double radius = 0;
@@ -16,7 +16,7 @@ struct Ball {
   }
 };
 
-/// The six planes of a picture in the world, from the matrix that takes the world to OpenGL's clip space.
+/// The six planes of the view frustum in the world, from the matrix from world to OpenGL's clip space.
 class Frustum {
  public:
   explicit Frustum(const Eigen::Matrix4d& clip) {
@@ -29,7 +29,7 @@ class Frustum {
     }
   }
 
-  /// False only where the ball is wholly outside one of the planes.
+  /// False only if the sphere is completely outside one of the planes.
   [[nodiscard]] bool mayShow(const Eigen::Vector3d& centre, double radius) const {
     for (const Eigen::RowVector4d& plane : m_planes) {
       if (plane.head<3>().dot(centre) + plane[3] < -radius) return false;

@@ -40,7 +40,7 @@ struct GlApi {
   GEARGRAPH_GL_FUNCTIONS(GEARGRAPH_GL_MEMBER)
 #undef GEARGRAPH_GL_MEMBER
 
-  /// Finds them all. The name of the first that is missing, or an empty text.
+  /// Loads all functions. Returns the name of the first missing one, or an empty text.
   [[nodiscard]] std::string load(const std::function<void*(const char*)>& getProcAddress);
 };
 

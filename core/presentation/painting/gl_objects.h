@@ -12,19 +12,20 @@
 
 namespace geargraph::inline painting {
 
-// Owners of what lives on the graphics card. Each keeps the table of functions it was made with; the context
-// has to be current when it goes.
+// Owners of OpenGL objects. Each keeps a reference to the function table that it was made with; the context
+// has to be current when it is destroyed.
 
 /// A linked shader program.
 class GlProgram {
  public:
-  /// `fragment` and `vertex` without the version line. What the compiler says, where it fails, is in log().
+  /// `vertex` and `fragment` without the version line. If compilation fails, log() has the compiler's
+  /// messages.
   GlProgram(const GlApi& gl, const char* vertex, const char* fragment);
   ~GlProgram() { m_gl.DeleteProgram(m_program); }
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
 
-  [[nodiscard]] const std::string& log() const { return m_log; }  ///< empty where all is well
+  [[nodiscard]] const std::string& log() const { return m_log; }  ///< empty on success
   [[nodiscard]] GLint uniform(const char* name) const { return m_gl.GetUniformLocation(m_program, name); }
   void use() const { m_gl.UseProgram(m_program); }
 
@@ -36,14 +37,14 @@ class GlProgram {
   std::string m_log;
 };
 
-/// What differs from one place of a solid to the next.
+/// The data of one instance of a solid.
 struct SolidInstance {
   std::array<float, 16> modelView{};  ///< column by column
   std::array<float, 4> colour{};      ///< with alpha
-  std::array<float, 4> accent{};      ///< alpha: how much of it
+  std::array<float, 4> accent{};      ///< alpha: its share in the colour
 };
 
-/// The instances of one draw, in a buffer that all solids read them from.
+/// The instances of one draw call, in a buffer that all solids read.
 class GlInstances {
  public:
   explicit GlInstances(const GlApi& gl) : m_gl(gl) { gl.GenBuffers(1, &m_buffer); }
@@ -59,8 +60,7 @@ class GlInstances {
   GLuint m_buffer = 0;
 };
 
-/// A solid on the graphics card: vertices, triangles and, once they are given, feature edges; painted at as
-/// many places at once as there are instances.
+/// A solid on the graphics card: vertices, triangles and, once set, feature edges; drawn with instancing.
 class GlSolid {
  public:
   enum class Part { triangles, edges };
@@ -72,11 +72,11 @@ class GlSolid {
 
   [[nodiscard]] bool hasEdges() const { return m_edgeIndices >= 0; }
   void setEdges(std::span<const std::uint32_t> edges);
-  /// Of one instance. @pre edges, where they are asked for, have been given
+  /// The number of indices of one instance. @pre for edges: they have been set
   [[nodiscard]] std::size_t indices(Part part) const {
     return static_cast<std::size_t>(part == Part::triangles ? m_triangleIndices : m_edgeIndices);
   }
-  /// The first `count` of the instances that are set. @pre edges, where they are painted, have been given
+  /// Draws the first `count` of the instances that are set. @pre for edges: they have been set
   void draw(Part part, std::size_t count) const;
 
  private:
@@ -84,11 +84,10 @@ class GlSolid {
   GLuint m_vertexArray = 0;
   GLuint m_buffers[3] = {0, 0, 0};  ///< vertices, indices of triangles, of edges
   GLsizei m_triangleIndices = 0;
-  GLsizei m_edgeIndices = -1;  ///< -1: not given yet
+  GLsizei m_edgeIndices = -1;  ///< -1: not set yet
 };
 
-/// A framebuffer of its own: colours as a texture (or with several samples a pixel), depth and
-/// stencil on demand.
+/// An offscreen framebuffer: colours as a texture (or multisampled), depth and stencil if wanted.
 class GlTarget {
  public:
   enum class Colours { rgba, coverage };
@@ -97,11 +96,11 @@ class GlTarget {
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
 
-  /// Makes or remakes it where size or samples changed. False where the driver refuses.
+  /// Creates it, or recreates it if size or samples have changed. False if the driver fails.
   bool ensure(int width, int height, int samples = 1);
   [[nodiscard]] GLuint framebuffer() const { return m_framebuffer; }
-  [[nodiscard]] GLuint texture() const { return m_texture; }  ///< 0 with several samples
-  void bind() const;  ///< for painting, with the viewport set to all of it
+  [[nodiscard]] GLuint texture() const { return m_texture; }  ///< 0 if multisampled
+  void bind() const;  ///< for painting, with the viewport set to its full size
 
  private:
   void release();
@@ -117,7 +116,7 @@ class GlTarget {
   GLuint m_renderbuffers[2] = {0, 0};  ///< colour, depth
 };
 
-/// Coloured triangles in pixels, made anew each frame: the axis triad, lines in space.
+/// A vertex of coloured triangles in pixels, rebuilt for each frame: the axis triad, lines in space.
 struct OverlayVertex {
   float x = 0;  ///< right from the left edge
   float y = 0;  ///< down from the upper edge
@@ -135,7 +134,7 @@ class GlOverlay {
   GlOverlay& operator=(const GlOverlay&) = delete;
 
   void draw(std::span<const OverlayVertex> triangles) const;
-  /// A vertex array with nothing in it, for shaders that make their own triangle.
+  /// Binds an empty vertex array, for shaders that generate their own triangle.
   void bindEmpty() const { m_gl.BindVertexArray(m_empty); }
 
  private:

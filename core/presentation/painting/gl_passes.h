@@ -13,7 +13,7 @@
 
 namespace geargraph::inline painting {
 
-/// The disc that the train stands on: centre (x, y) in the plane of this height, mm.
+/// The floor disc below the train: centre (x, y), height z and radius, mm.
 struct FloorDisc {
   double x = 0;
   double y = 0;
@@ -21,7 +21,7 @@ struct FloorDisc {
   double radius = 1;
 };
 
-/// A part of the cutting plane, with the distance of its hatching, mm.
+/// A square in the cutting plane, with the spacing of its hatching, mm.
 struct CapSquare {
   Eigen::Vector3d centre;
   Eigen::Vector3d right;   ///< half a side
@@ -29,35 +29,35 @@ struct CapSquare {
   double hatch = 1;
 };
 
-/// The shader programs of the renderer with the uniforms they take: what to set and in which order is known
-/// here only. All of one kind is painted between its begin and the next.
+/// The shader programs of the renderer with their uniforms; only this class knows what to set and in which
+/// order. Everything of one kind is drawn between its begin...() and the next one.
 class GlPasses {
  public:
   explicit GlPasses(const GlApi& gl);
 
-  /// What shader compilers said; empty where all is well.
+  /// The messages of the shader compiler; empty on success.
   [[nodiscard]] std::string log() const;
 
   void gradient(const Rgb& top, const Rgb& bottom) const;
   void disc(const FloorDisc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
             const Look& look) const;
 
-  /// The contact shadow's picture, seen from above; `size` of the scene sets how far up parts still darken.
+  /// Begins the image of the contact shadow, seen from above; the scene's `size` determines up to which
+  /// height parts cast it.
   void beginShadow(const FloorDisc& disc, double size);
   void endShadow();
 
-  /// From here on nothing of the solids is painted at normal . x > offset (in the frame of the eye), until
-  /// endSection().
+  /// Until endSection() the parts of solids with normal . x > offset (in the eye's frame) are clipped.
   void beginSection(const Eigen::Vector4d& plane);
   void endSection();
-  /// The cut face of what the stencil holds, within a square of the plane.
+  /// Draws the cut face where the stencil is set, within a square of the plane.
   void cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, const CapSquare& square,
            const Rgb& colour, bool leansLeft) const;
 
   /// `byVertex`: Look::litByVertex, for closed solids without a section.
   void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool byVertex) const;
   void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
-  /// Between beginShadow (the matrix leads to the world then), beginLit or beginFlat and what follows.
+  /// To be called after beginShadow() (model matrices to the world then), beginLit() or beginFlat().
   void draw(const GlSolid& solid, GlSolid::Part part, std::span<const SolidInstance> instances) const;
   [[nodiscard]] const GlInstances& instances() const { return m_instances; }
 
@@ -85,22 +85,22 @@ class GlPasses {
   GlTarget m_shadowImage{m_gl, GlTarget::Colours::coverage, false};
   GlTarget m_blurredImage{m_gl, GlTarget::Colours::coverage, false};
 
-  struct Uniforms {  // of the programs that are begun several times a picture
+  struct Uniforms {  // of the programs that are used several times per picture
     GLint litProjection, litUp, litSection;
     GLint flatProjection, flatNearer, flatSection;
   } m_at{};
 };
 
-/// The instance in the frame of the eye (or, for shadows, of the world).
+/// An instance with its model matrix to the eye's frame (for shadows, to the world).
 [[nodiscard]] SolidInstance instanceAt(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha = 1);
-/// A colour that holds a number, for NumberedPixels.
+/// A colour that encodes a number, for NumberedPixels.
 [[nodiscard]] Rgb colourOfNumber(std::uint32_t number);
 
-/// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not. `isOpaque`:
-/// no alpha is less than 1.
+/// Converts an image read from OpenGL (rows upwards, premultiplied alpha) to an Image (rows downwards,
+/// straight alpha). `isOpaque`: all alphas are 1.
 void turnUpright(Image& image, bool isOpaque);
 
-/// The numbers of instances (plus 1; 0 is the ground) and the depths in some pixels, row by row.
+/// The numbers of instances (plus 1; 0 is the background) and the depths in some pixels, row by row.
 struct NumberedPixels {
   int width = 0;
   int height = 0;

@@ -9,14 +9,14 @@
 
 namespace geargraph::inline painting {
 
-/// Finds a function of OpenGL by name: eglGetProcAddress, QOpenGLContext::getProcAddress.
+/// Returns an OpenGL function by name: eglGetProcAddress, QOpenGLContext::getProcAddress.
 using GetProcAddress = std::function<void*(const char*)>;
 
-/// A renderer on the OpenGL context that is current: 3.3 core or newer. `getProcAddress` finds its functions.
-/// Fails with `graphics`, naming what the driver lacks.
+/// A renderer for the current OpenGL context, 3.3 core or newer. Fails with `graphics`, naming what the
+/// driver lacks.
 [[nodiscard]] Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProcAddress);
 
-/// Is it the processor that paints under this GL_RENDERER?
+/// Does this GL_RENDERER name a software rasterizer?
 [[nodiscard]] bool isSoftwareRenderer(std::string_view name);
 
 }  // namespace geargraph::inline painting

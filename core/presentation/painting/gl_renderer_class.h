@@ -17,7 +17,7 @@
 
 namespace geargraph::inline painting {
 
-/// Renderer by OpenGL 3.3 core; makeGlRenderer() makes one.
+/// The Renderer for OpenGL 3.3 core; made by makeGlRenderer().
 class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(std::unique_ptr<GlApi> gl) : m_gl(std::move(gl)), m_passes(*m_gl) {
@@ -48,11 +48,11 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
     return frame.camera.projection(frame.viewport, m_depths.centre, m_depths.radius);
   }
-  /// From the cube of -1..1 that the picture shows.
+  /// From the clip cube -1..1 of the picture to the world.
   [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
     return (projection(frame) * frame.camera.view().matrix()).inverse();
   }
-  /// What culling goes by: the strip that is painted.
+  /// The clip matrix for culling: of the strip that is painted.
   [[nodiscard]] Eigen::Matrix4d clip(const Frame& frame) const {
     return m_strip.cut(frame.viewport.height) * projection(frame) * frame.camera.view().matrix();
   }
@@ -63,36 +63,35 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] static Showing showing(const Frame& frame, std::size_t instance) {
     return frame.showing.empty() ? Showing::solid : frame.showing[instance];
   }
-  /// Visits what may be seen through this clip matrix and is shown in this way.
+  /// Visits the instances that may be visible through this clip matrix and have the visibility `wanted`.
   template <class Visit>
   void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
                     Visit visit);
-  /// Paints a part of the same, equal solids in one go: `look` gives what differs, or nothing to leave one
-  /// out.
+  /// Draws a part of the same instances, equal solids by one instanced call: `look` returns the data of an
+  /// instance, or std::nullopt to skip it.
   template <class Look>
   void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
                Look look);
-  /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
+  /// The solid at the level of detail for its size on the screen; uploaded on first use.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                         GlSolid::Part part);
   [[nodiscard]] int samplesOf(const Frame& frame) const {
     return std::clamp(frame.look.samples, 1, static_cast<int>(m_maximumSamples));
   }
-  /// All but the halo, into m_sampled, which is bound then. False where the driver has no room.
+  /// Draws all but the halo into m_sampled, which is bound then. False if the driver is out of memory.
   [[nodiscard]] bool paint(const Frame& frame);
-  /// Binds a target that holds the strip, so that the whole picture falls into place about it.
+  /// Binds a target that holds the strip, with the viewport placed for the whole picture.
   void bind(const GlTarget& target, const Viewport& picture) const;
   /// The part of the target that is painted.
   [[nodiscard]] Viewport extent(const Viewport& picture) const {
     return {picture.width, m_strip.rowsOf(picture.height)};
   }
-  /// From m_sampled into another framebuffer, which is bound then.
+  /// Resolves m_sampled into another framebuffer, which is bound then.
   void resolve(const Viewport& size, unsigned framebuffer);
-  /// Paints the rows from `first`, counted from the lower edge, into as many rows of the image. False where
-  /// the driver has no room or the frame was stopped.
+  /// Paints `count` rows from `first`, counted from the lower edge, into the rows of the image. False if the
+  /// driver is out of memory or the frame was stopped.
   [[nodiscard]] bool paintRows(const Frame& frame, int first, int count, Image& image);
-  /// The ground and all parts that stay as they are, from the layer, into m_sampled. False where there is
-  /// none.
+  /// Copies the background and all unchanged parts from the layer into m_sampled. False if there is no layer.
   [[nodiscard]] bool paintLayer(const Frame& frame);
   void paintParts(const Frame& frame);
   [[nodiscard]] bool isLitByVertex(const Frame& frame) const;
@@ -109,7 +108,7 @@ class GlRenderer final : public Renderer {
   void drawEdges(const Frame& frame, Showing wanted, float part);
   void drawTriad(const Frame& frame);
   void drawHalo(const Frame& frame, unsigned framebuffer);
-  /// What readNumbers() reads, into the bound framebuffer; `cut`: which part of the picture.
+  /// Draws the input of readNumbers() into the bound framebuffer; `cut`: matrix to the part of the picture.
   void drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut);
 
   std::unique_ptr<GlApi> m_gl;
@@ -120,12 +119,12 @@ class GlRenderer final : public Renderer {
   GLint m_maximumSamples = 1;
 
   GlSolidStore m_solids{*m_gl, m_passes.instances()};
-  /// Rows of a large picture that are painted at a time.
+  /// The rows of a large picture that are painted at a time.
   struct Strip {
     int bottom = 0;
-    int height = 0;  ///< 0: all of the picture
+    int height = 0;  ///< 0: the whole picture
     [[nodiscard]] int rowsOf(int picture) const { return height > 0 ? height : picture; }
-    /// From the cube of the picture to that of the strip.
+    /// From the clip cube of the picture to that of the strip.
     [[nodiscard]] Eigen::Matrix4d cut(int picture) const {
       Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
       const double rows = rowsOf(picture);
@@ -138,7 +137,7 @@ class GlRenderer final : public Renderer {
 
   const Scene& m_scene = m_solids.scene();
   const Bounds& m_bounds = m_solids.bounds();
-  Ball m_depths{{0, 0, 0}, 2.5};  ///< all between near and far
+  Ball m_depths{{0, 0, 0}, 2.5};  ///< everything between the near and far planes
   struct Batch {
     const GlSolid* solid = nullptr;
     bool isOpen = false;
@@ -170,11 +169,11 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
   }
 }
 
-/// A picture that may be stopped waits for the driver after this many indices: what the driver has queued
-/// cannot be stopped, and a rasterizer in software takes some 50 ms for them.
+/// A picture that can be stopped waits for the driver after this many indices: queued work cannot be
+/// cancelled, and a software rasterizer takes some 50 ms for them.
 constexpr std::size_t kMostQueuedIndices = 250'000;
 
-// The order of the scene decides, not that of addresses: the same scene gives the same picture.
+// Batches are in the order of the scene, not of addresses, so that the same scene gives the same picture.
 template <class Look>
 void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
                          Look look) {

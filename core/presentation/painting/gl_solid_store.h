@@ -9,18 +9,18 @@
 
 namespace geargraph::inline painting {
 
-/// The solids of a scene on the graphics card, each in the details that were asked for.
+/// The solids of a scene on the graphics card, each at the levels of detail used so far.
 class GlSolidStore {
  public:
   GlSolidStore(const GlApi& gl, const GlInstances& instances) : m_gl(gl), m_instances(instances) {}
 
-  /// Takes up the scene. Solids that the last scene had as well stay where they are.
+  /// Sets the scene. Solids that the previous scene also had are not uploaded again.
   void setScene(const Scene& scene);
-  /// A solid of the scene in the detail for this many pixels to the unit of its levels; taken up, and its
-  /// edges found, when they are asked for first.
+  /// A solid of the scene at the level of detail for `pixels` per unit of its levels; uploaded, and its edges
+  /// computed, on first use.
   [[nodiscard]] const GlSolid& get(std::size_t solid, double pixels, GlSolid::Part part);
-  /// About all instances in their poses, as boundsOf() says; and about each solid in its own frame. Boxes
-  /// that the scene does not bring are found once.
+  /// The bounds of all instances in their poses, as boundsOf(), and of each solid in its own frame. Boxes
+  /// that the scene lacks are computed once.
   [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
   [[nodiscard]] const Ball& ballOf(std::size_t solid) const { return m_balls[solid]; }
   /// The unit of the solid's levels, mm; 0 where it has no levels.
@@ -34,7 +34,7 @@ class GlSolidStore {
 
   const GlApi& m_gl;
   const GlInstances& m_instances;
-  Scene m_scene;  ///< keeps the solids alive, so that their addresses stay theirs
+  Scene m_scene;  ///< keeps the solids alive, so that their addresses stay unique
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
   std::vector<Ball> m_balls;  ///< by solid
   Bounds m_bounds;

@@ -8,7 +8,7 @@
 
 namespace geargraph::inline painting {
 
-/// A picture: rows from the top, four bytes a pixel (red, green, blue, alpha; not premultiplied).
+/// An image: rows from the top, four bytes per pixel (red, green, blue, alpha; not premultiplied).
 struct Image {
   int width = 0;
   int height = 0;
@@ -21,8 +21,8 @@ struct Image {
   }
 };
 
-/// The picture as a PNG file's bytes. Empty where libpng fails (out of memory), the picture is empty or
-/// `stop` was requested meanwhile.
+/// The bytes of a PNG file. Empty if libpng fails (out of memory), the image is empty or `stop` was requested
+/// meanwhile.
 [[nodiscard]] std::vector<std::uint8_t> pngBytes(const Image& image, const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline painting

@@ -7,7 +7,7 @@
 namespace geargraph::inline painting {
 
 /// A line in space that is no part of a solid: a pitch circle, an axis, an arrow, a traced path. Its width is
-/// in the picture, not in space.
+/// constant in the picture.
 struct MarkLine {
   std::vector<Eigen::Vector3d> points;  ///< mm, world; two or more
   Rgb colour;

@@ -9,8 +9,8 @@
 
 namespace geargraph::inline painting {
 
-/// The lines as triangles in device pixels, with depths that solids can be compared with. What is behind the
-/// eye is cut off. Cost: O(points), and of a dashed line O(dashes).
+/// The lines as triangles in device pixels, with depths for the depth test. Parts behind the eye are clipped.
+/// Cost: O(points), for a dashed line O(dashes).
 [[nodiscard]] std::vector<OverlayVertex> markTriangles(std::span<const MarkLine> lines,
                                                        const Eigen::Matrix4d& clip, const Viewport& viewport,
                                                        double pixelRatio);

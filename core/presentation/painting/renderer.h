@@ -17,69 +17,69 @@ namespace geargraph::inline painting {
 
 enum class Highlight : std::uint8_t { none, hovered, selected };
 
-/// How much of an instance is to be seen. A ghost is a veil that hides nothing behind it; what is hidden is
+/// The visibility of an instance. A ghost is translucent and hides nothing behind it; a hidden instance is
 /// neither painted nor picked.
 enum class Showing : std::uint8_t { solid, ghost, hidden };
 
-/// A plane that cuts the scene open: what lies at normal . x > offset is taken away, and the cut faces of the
-/// closed solids are hatched.
+/// A cutting plane: everything at normal . x > offset is removed, and the cut faces of closed solids are
+/// hatched.
 struct CutPlane {
   Eigen::Vector3d normal{0, 1, 0};  ///< length 1, world
   double offset = 0;                ///< mm
   friend bool operator==(const CutPlane&, const CutPlane&) = default;
 };
 
-/// One picture to be painted. `poses`, `emphasis` and `showing` have one entry an instance of the scene;
-/// empty, the scene's own poses hold, no emphasis, and all of it is solid. Nothing but these changes from
-/// frame to frame.
+/// The description of one picture. `poses`, `emphasis` and `showing` have one entry per instance of the
+/// scene; if empty, the scene's own poses, no highlight and full visibility apply.
 struct Frame {
   Viewport viewport;
-  double pixelRatio = 1;  ///< device pixels a logical pixel: widths of lines and letters
+  double pixelRatio = 1;  ///< device pixels per logical pixel, for widths of lines and letters
   Camera camera;
   Look look;
   std::span<const Pose> poses;
   std::span<const Highlight> emphasis;
   std::span<const Showing> showing;
   std::optional<CutPlane> section;
-  std::optional<double> floor;      ///< z of the ground's disc; none: just below the scene's own poses
-  std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid is before them
-  std::stop_token stop = {};  ///< once requested, painting ends early, and its picture is empty or of no use
-  /// Called now and again in a picture that may be stopped, when the driver has nothing left to do.
+  std::optional<double> floor;      ///< z of the floor disc; none: just below the scene in its own poses
+  std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid hides them
+  std::stop_token stop = {};  ///< once requested, painting ends early; the picture is empty or meaningless
+  /// Called occasionally during a picture that can be stopped, while the driver is idle.
   std::function<void()> pause = {};
 };
 
-/// What lies under a pixel.
+/// What is under a pixel.
 struct Hit {
   std::size_t instance = 0;
   ElementId element;
-  Eigen::Vector3d point;  ///< where the surface was met, mm in the world; to the depth buffer's precision
+  Eigen::Vector3d point;  ///< on the surface, mm in the world; with the precision of the depth buffer
 };
 
-/// Paints scenes. An interface, so that another way to the graphics card can take the place of OpenGL's.
+/// Paints scenes. An interface, so that OpenGL can be replaced by another graphics API.
 ///
-/// All members, the destructor too, need the graphics context that the renderer was made in, current.
+/// All members and the destructor need the graphics context in which the renderer was made as the current
+/// one.
 class Renderer {
  public:
   virtual ~Renderer() = default;
 
-  /// What paints, as the driver names itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The driver's name: "llvmpipe (LLVM 15.0.6, 256 bits)".
   [[nodiscard]] virtual const std::string& name() const = 0;
-  /// The processor paints: frames are dear, Look::cheaper() is the better default.
+  /// Is it software rendering? Then frames are expensive, and Look::cheaper() is the better default.
   [[nodiscard]] virtual bool isSoftware() const = 0;
 
   /// Takes up the scene. Solids that the last scene had as well stay where they are.
   virtual void setScene(const Scene& scene) = 0;
-  /// Paints into a framebuffer of the context (its number; 0 is the window's own), from its lower left
-  /// corner.
+  /// Paints into a framebuffer of the context (by number; 0 is the window's), from its lower left corner.
   virtual void draw(const Frame& frame, unsigned framebuffer) = 0;
-  /// Paints a picture. Its sides are cut to what the driver can hold (maximumSide()).
+  /// Paints a picture; its sides are limited to maximumSide().
   [[nodiscard]] virtual Image picture(const Frame& frame) = 0;
+  /// The largest side of a picture that the driver supports, px.
   [[nodiscard]] virtual int maximumSide() const = 0;
-  /// The nearest instance within one pixel of (x, y), counted from the upper left corner; nothing on the
-  /// ground.
+  /// The nearest instance within one pixel of (x, y), counted from the upper left corner; std::nullopt on the
+  /// background.
   [[nodiscard]] virtual std::optional<Hit> pick(const Frame& frame, double x, double y) = 0;
-  /// The whole picture in so many cells; ghosts are seen where nothing else is. Empty where the driver has no
-  /// room. Cost: the vertices, and the cells.
+  /// The map of what is visible in a grid of cells over the picture; ghosts count where nothing else is.
+  /// Empty if the driver is out of memory. Cost: the vertices, and the cells.
   [[nodiscard]] virtual SeenMap seen(const Frame& frame, int columns, int rows) = 0;
 
  protected:

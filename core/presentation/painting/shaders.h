@@ -2,9 +2,9 @@
 
 namespace geargraph::inline painting::shaders {
 
-// GLSL 3.30 core, without the version line. Lengths in mm, directions in the frame of the eye.
+// GLSL 3.30 core, without the version line. Lengths in mm, directions in the eye's frame.
 
-/// A picture-filling triangle without vertices; `v_place` runs over 0..1 from the lower left.
+/// A triangle without vertex data that fills the picture; `v_place` runs over 0..1 from the lower left.
 inline constexpr const char* kFullVertex = R"(
 out vec2 v_place;
 void main() {
@@ -47,10 +47,10 @@ void main() {
   gl_Position = u_projection * vec4(seen.xyz * u_nearer, 1.0);
 })";
 
-/// Matte, as of painted wood: faces turned up and towards the key light brighten to a pastel of the part's
-/// colour, flanks fall to a half of it, and nothing turns black or glares. The key comes from the upper left
-/// of the viewer, the fill from the right; a rim of light parts a silhouette from what is behind it. Stands
-/// before the shaders that light solids.
+/// A matte material: faces towards the top and the key light brighten to a pastel of the part's colour,
+/// flanks darken to half of it, without black or glare. The key light is at the viewer's upper left, the fill
+/// light at the right; a rim light separates a silhouette from its background. Prepended to the shaders that
+/// light solids.
 inline constexpr const char* kLight = R"(
 uniform vec3 u_up;
 const vec3 kKey = vec3(-0.48, 0.55, 0.68);
@@ -78,8 +78,8 @@ void main() {
   o_colour = vec4(mix(lit, v_accent.rgb, v_accent.a), v_colour.a);
 })";
 
-/// The same light, worked out at the vertices alone: two thirds of the time where the processor paints. Of
-/// closed solids that nothing cuts, since an inside has no normals of its own here.
+/// The same lighting per vertex: two thirds of the time in software rendering. For closed solids without a
+/// section only, because back faces have no normals of their own here.
 inline constexpr const char* kByVertexVertex = R"(
 uniform mat4 u_projection;
 layout(location = 0) in vec3 a_position;
@@ -106,8 +106,8 @@ flat in vec4 v_colour;
 out vec4 o_colour;
 void main() { o_colour = v_colour; })";
 
-/// The disc on the ground: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w. As deep as
-/// what is behind everything, so that it can be painted after parts too.
+/// The floor disc: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w, at the depth of
+/// the far plane, so that it can also be painted after the parts.
 inline constexpr const char* kDiscVertex = R"(
 uniform mat4 u_modelView;
 uniform mat4 u_projection;
@@ -135,7 +135,7 @@ void main() {
   o_colour = vec4(mix(u_colour, u_shade, shadow / max(alpha, 0.001)), alpha);
 })";
 
-/// Seen from above into the shadow's square: the nearer to the ground, the darker.
+/// The parts seen from above in the shadow's square: the nearer to the floor, the darker.
 inline constexpr const char* kShadowVertex = R"(
 uniform vec4 u_disc;
 uniform float u_reach;
@@ -170,7 +170,7 @@ void main() {
   o_colour = vec4(sum / weights);
 })";
 
-/// The glow round what is selected or under the mouse: how much of the mask is near, outside of it.
+/// The glow around selected and hovered parts: how much of the mask is near, outside of it.
 inline constexpr const char* kHaloFragment = R"(
 uniform sampler2D u_mask;
 uniform vec2 u_step;

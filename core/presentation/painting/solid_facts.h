@@ -11,18 +11,18 @@
 
 namespace geargraph::inline painting {
 
-/// Something that follows from a solid, kept as long as the solid is. Not for two threads at once.
+/// A cache of derived data of solids, kept while the solid lives. Not thread-safe.
 template <class Fact>
 class KeptFact {
  public:
-  /// The fact of the solid, by `find(const Solid&)` where it is not known yet.
+  /// The data of the solid, computed by `find(const Solid&)` on first use.
   template <class Find>
   [[nodiscard]] std::shared_ptr<const Fact> of(const std::shared_ptr<const Solid>& solid, const Find& find) {
     Known& known = m_known[solid.get()];
     if (known.solid.lock() != solid) known = {solid, std::make_shared<const Fact>(find(*solid))};
     return known.fact;
   }
-  /// Drops those of solids that are gone.
+  /// Drops the data of solids that no longer exist.
   void forgetOthers() {
     std::erase_if(m_known, [](const auto& entry) { return entry.second.solid.expired(); });
   }
@@ -35,24 +35,24 @@ class KeptFact {
   std::unordered_map<const Solid*, Known> m_known;
 };
 
-/// What is found of the solids of a scene ahead, so that who paints it need not look for it. Kept from one
-/// scene to the next. Ends early when `stop` is requested. Not for two threads at once.
+/// Precomputes data of the solids of a scene for the renderer, cached from one scene to the next. Ends early
+/// if `stop` is requested. Not thread-safe.
 class SolidFacts {
  public:
-  /// Finds the boxes of the scene's solids.
+  /// Adds the bounding boxes of the scene's solids.
   void addBoxesTo(Scene& scene, const std::stop_token& stop = {});
-  /// Finds the outlines of the scene's solids; none are added when `stop` was requested.
+  /// Adds the outlines of the scene's solids; none if `stop` was requested.
   void addOutlinesTo(Scene& scene, const std::stop_token& stop = {});
-  /// Makes the details that a window shows of a train as a whole, and finds their feature edges: where the
-  /// window itself paints, it would stand still for them.
+  /// Makes the levels of detail that a window needs to show the whole train, and adds their feature edges;
+  /// otherwise a window that paints itself would freeze while they are computed.
   void addEdgesTo(Scene& scene, const std::stop_token& stop = {});
-  /// Drops what is known of solids that are gone.
+  /// Drops the data of solids that no longer exist.
   void forgetOthers();
 
  private:
   KeptFact<std::vector<std::uint32_t>> m_edges;
   KeptFact<Eigen::AlignedBox3d> m_boxes;
-  KeptFact<std::vector<Eigen::Vector3d>> m_outlines;  ///< by m_samples vertices
+  KeptFact<std::vector<Eigen::Vector3d>> m_outlines;  ///< chosen among m_samples vertices
   std::size_t m_samples = 0;
 };
 

@@ -11,12 +11,12 @@
 
 namespace geargraph::inline painting {
 
-/// Which parts look the same from one picture to the next, so that they need not be painted again: of a train
-/// whose teeth are dragged most stay as they are. What is kept of them is a layer: the background and the
-/// still parts with their depths, over which the others are painted.
+/// Finds the parts that look the same from one picture to the next, so that they need not be painted again:
+/// most parts of a train whose teeth are being dragged. They are kept in a layer: the background and the
+/// unchanged parts with their depths, over which the others are painted.
 class StillParts {
  public:
-  /// All that a picture depends on beside its parts.
+  /// Everything that a picture depends on except its parts.
   struct View {
     int width = 1;
     int height = 1;
@@ -29,7 +29,7 @@ class StillParts {
   };
   struct Part {
     std::shared_ptr<const Solid> solid;
-    DetailLevels levels;  ///< with the camera they tell which detail is painted
+    DetailLevels levels;  ///< with the camera they determine the level of detail
     Pose pose = Pose::Identity();
     Rgb colour;
     Highlight emphasis = Highlight::none;
@@ -38,13 +38,13 @@ class StillParts {
   };
   enum class Layer { none, kept, anew };
 
-  /// What to do for the next picture. `none`: the camera has moved, all of it is painted and nothing kept.
-  /// `anew`: the layer is begun with the background. Else it is there already. Cost: O(parts).
+  /// Decides how to paint the next picture. `none`: the camera has moved, everything is painted and nothing
+  /// kept. `anew`: the layer is begun with the background. `kept`: the layer exists already. Cost: O(parts).
   Layer next(const View& view, std::vector<Part> parts);
-  /// To be painted into the layer now: these, the others hidden. May be none.
+  /// The parts to be painted into the layer now, by instance, the others hidden. May be none.
   [[nodiscard]] const std::vector<Showing>& added() const { return m_added; }
   [[nodiscard]] bool hasAdded() const { return m_addedTriangles > 0; }
-  /// To be painted over the layer.
+  /// The parts to be painted over the layer, the others hidden.
   [[nodiscard]] const std::vector<Showing>& rest() const { return m_rest; }
 
  private:

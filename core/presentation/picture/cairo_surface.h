@@ -13,25 +13,26 @@ using cairo_t = struct _cairo;                  // NOLINT(bugprone-reserved-iden
 
 namespace geargraph::inline picture {
 
-/// Paints the part `sheet` of a drawing from the context's origin on, `scale` to a unit of the sheet. The
-/// context's scale, font and dashes are changed.
+/// Paints the part `sheet` of a drawing at the context's origin, with `scale` context units per unit of the
+/// sheet. Changes the context's scale, font and dashes.
 void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
             const SheetLook& look);
 
-/// A page or an image that cairo paints a drawing on.
+/// A PDF page or an image on which cairo paints a drawing.
 class CairoSurface {
  public:
   [[nodiscard]] static CairoSurface image(int width, int height);                                ///< pixels
   [[nodiscard]] static CairoSurface pdf(double width, double height, const std::string& title);  ///< points
 
-  /// Paints the part `sheet` of a drawing over all of the surface, `scale` to a unit of the sheet.
+  /// Paints the part `sheet` of a drawing over the whole surface, with `scale` surface units per unit of the
+  /// sheet.
   void play(const DisplayList& list, const Extent& sheet, double scale, const SheetLook& look);
 
-  /// Lays the image over one of as many pixels, four bytes each: red, green, blue, not multiplied with alpha.
-  /// False where memory did not suffice.
+  /// Composes the image over another one of the same size: four bytes per pixel, red, green, blue, alpha, not
+  /// premultiplied. False if memory is exhausted.
   [[nodiscard]] bool layOver(std::span<std::uint8_t> rgba);
 
-  /// The image as a PNG; the whole PDF. Nothing where memory did not suffice.
+  /// The image as a PNG; the whole PDF. std::nullopt if memory is exhausted.
   [[nodiscard]] std::optional<std::string> png();
   [[nodiscard]] std::optional<std::string> finished();
 
@@ -44,7 +45,7 @@ class CairoSurface {
   struct ContextEnd {
     void operator()(cairo_t* context) const;
   };
-  std::unique_ptr<std::string> m_bytes;  ///< what a PDF has been written to so far; outlives the surface
+  std::unique_ptr<std::string> m_bytes;  ///< the bytes of a PDF written so far; outlives the surface
   std::unique_ptr<cairo_surface_t, SurfaceEnd> m_surface;
   std::unique_ptr<cairo_t, ContextEnd> m_context;
 };

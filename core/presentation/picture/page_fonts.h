@@ -18,10 +18,10 @@ struct PlacedCharacter {
   cairo_font_face_t* face;
 };
 
-/// A text as a file can hold it: blanks for control characters, U+FFFD for what is no UTF-8.
+/// A text that is valid in a file: blanks for control characters, U+FFFD for invalid UTF-8.
 [[nodiscard]] std::string printable(std::string_view utf8);
 
-/// The faces of a PDF: those of formulas, and one of the system's for what they lack.
+/// The font faces of a PDF: those of formulas, and a system font for characters that they lack.
 class PageFonts {
  public:
   PageFonts();
@@ -32,7 +32,7 @@ class PageFonts {
   [[nodiscard]] cairo_font_face_t* face(FontFace which) const {
     return m_faces[static_cast<std::size_t>(which)];
   }
-  /// Characters side by side from the origin; `end` becomes the place behind the last.
+  /// Places characters one after the other from the origin; `end` is set to the position after the last.
   [[nodiscard]] std::vector<PlacedCharacter> placed(std::string_view utf8, double size, bool bold,
                                                     double& end) const;
 

@@ -15,8 +15,8 @@ namespace geargraph::inline picture {
 
 class PageFonts;
 
-/// A PDF of several pages, in points from each page's upper left corner. Words and formulas stay text that
-/// can be selected and searched; the faces are embedded.
+/// A PDF of several pages, in points from each page's upper left corner. Words and formulas can be selected
+/// and searched; the fonts are embedded.
 class PdfPages {
  public:
   PdfPages(double width, double height, const std::string& title);
@@ -30,19 +30,19 @@ class PdfPages {
     Color color = {};
   };
   [[nodiscard]] double widthOf(std::string_view utf8, double size, bool bold) const;
-  /// From x on, with the baseline at y.
+  /// Paints words from x on, with the baseline at y.
   void words(std::string_view utf8, double x, double y, const Words& look);
-  /// With the em of `size`.
+  /// Paints a formula at x with its baseline at y; `size`: of the em.
   void formula(const FormulaBox& box, double x, double y, double size, Color ink, Color label);
-  /// A thin line.
+  /// Paints a thin horizontal line.
   void rule(double x, double y, double width, Color color);
-  /// A drawing without a ground, as large as it fits into a rectangle.
+  /// Paints a drawing without background, as large as fits into the rectangle.
   void drawing(const DisplayList& list, double x, double y, double width, double height);
-  /// An entry of the outline that leads to this place; level 1 or 2, and a 2 belongs to the 1 before it.
+  /// Adds an entry of the outline for this place; level 1 or 2, where 2 is below the last entry of level 1.
   void bookmark(int level, const std::string& title, double y);
   void endPage();
 
-  /// The file. Nothing where memory did not suffice. No more is painted afterwards.
+  /// The file; std::nullopt if memory is exhausted. Nothing may be painted afterwards.
   [[nodiscard]] std::optional<std::string> finished();
 
  private:

@@ -12,7 +12,7 @@
 
 namespace geargraph::inline picture {
 
-/// The files that a drawing becomes. In SVG and PDF lines stay lines and text stays text.
+/// The file formats of a drawing. SVG and PDF are vector formats with selectable text.
 enum class PictureForm { svg, pdf, png };
 
 /// "svg", "pdf", "png"
@@ -22,8 +22,8 @@ enum class PictureForm { svg, pdf, png };
 /// Longest side of a PNG; an SVG or PDF may be as large as its drawing.
 constexpr int kMostDrawingPixels = 16'384;
 
-/// Paints a drawing over a picture of straight red, green, blue and alpha, `scale` pixels to a unit, from its
-/// upper left corner. False where memory did not suffice.
+/// Paints a drawing over an image (red, green, blue, straight alpha), with `scale` pixels per unit, from its
+/// upper left corner. False if memory is exhausted.
 [[nodiscard]] bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const DisplayList& list,
                              double scale, Theme theme);
 
@@ -32,11 +32,11 @@ struct DrawingPicture {
   SheetLook look = {};
   /// PNG without a size: pixels for a unit of the sheet.
   double scale = 2;
-  std::string title = {};  ///< of the document, for those who look into a PDF or SVG
+  std::string title = {};  ///< of the document, stored as metadata of a PDF or SVG
 };
 
-/// The bytes of the file. The drawing's unit is a CSS pixel, three quarters of a point in PDF.
-/// Fails with `graphics` where a PNG would be larger than kMostDrawingPixels or memory does not suffice.
+/// The bytes of the file. The drawing's unit is a CSS pixel, three quarters of a point in PDF. Fails with
+/// `graphics` if a PNG would be larger than kMostDrawingPixels or memory is exhausted.
 /// Cost: linear in the marks, for PNG in the pixels too.
 [[nodiscard]] Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture);
 

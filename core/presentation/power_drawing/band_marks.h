@@ -10,44 +10,44 @@
 
 namespace geargraph::inline power_drawing {
 
-/// The width of the band of the greatest power, px.
+/// The width of the band with the greatest power, px.
 constexpr double kWidestBand = 24;
-/// Bands are painted under all else.
+/// Bands are painted below everything else.
 constexpr int kBandDepth = -10;
 
-/// A stretch of a drawing along which power flows.
+/// A path in a drawing along which power flows.
 struct Band {
-  ElementId element;               ///< that can be hit there
+  ElementId element;               ///< that is hit there
   std::vector<SheetPoint> course;  ///< in the direction of the flow
   Tint tint;                       ///< of the link that delivers
   double power = 0;                ///< W, above 0
-  double circulating = 0;          ///< part of it
-  bool isKnown = true;             ///< else shared in unknown parts: a dashed line
+  double circulating = 0;          ///< the circulating part of it, W
+  bool isKnown = true;             ///< else indeterminate: a dashed line
   bool hasLabel = true;
   bool isAssumed = false;  ///< known by an assumption only: equal stiffness
 };
 
-/// Power that a mesh loses, drawn as a short arrow away from it.
+/// The power lost in a mesh, drawn as a short arrow away from it.
 struct LossStub {
   ElementId element;
   SheetPoint at;
   double power = 0;
 };
 
-/// Draws bands of a picture under a drawing, with what they carry beside them: "495.7 W 49.6 %", where that
-/// touches nothing that is drawn; "495.7 W* 49.6 %" where only the assumption of equal stiffness gives it,
-/// "? W" where nothing does. Above them the scale, the observer, what the marks mean, and the loops in which
+/// Draws the bands of a picture under a drawing, with labels where these touch nothing: "495.7 W 49.6 %",
+/// "495.7 W* 49.6 %" for a power determined only by the assumption of equal stiffness, "? W" for an
+/// indeterminate one; above them the scale, the observer, a legend of these marks, and the loops in which
 /// power circulates.
 class BandPainter {
  public:
-  /// `drawing`: what the labels keep clear of
+  /// `drawing`: labels keep clear of it. Both arguments outlive the painter.
   BandPainter(const PowerPicture& picture, const DisplayList& drawing);
 
   void add(Band band);
   void add(LossStub stub);
   [[nodiscard]] DisplayList finish() &&;
 
-  /// px; a hairline below a hundredth of the widest.
+  /// The width of a band, px; a hairline below a hundredth of the widest.
   [[nodiscard]] double widthOf(double power) const;
 
  private:

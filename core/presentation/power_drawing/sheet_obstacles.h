@@ -5,8 +5,8 @@
 
 namespace geargraph::inline power_drawing {
 
-/// What is drawn there, as obstacles for labels: lines, wide ones by their edges too, filled
-/// outlines, boxes of texts.
+/// Adds a shape or a drawing as obstacles for labels: lines, wide ones with their edges too, filled outlines,
+/// boxes of texts.
 void addObstacles(ObstacleGrid& taken, const Shape& shape);
 void addObstacles(ObstacleGrid& taken, const DisplayList& drawing);
 

@@ -9,11 +9,11 @@
 
 namespace geargraph::inline power_drawing {
 
-/// A torque or force from outside that a drawing names: a load that is given, or a balance that was found.
+/// An external torque or force shown in a drawing: a given load, or a balance that was found.
 struct ShownTorque {
   ElementId element;  ///< the joint or the link
   bool isGiven = true;
-  int sense = 0;       ///< +1, -1; 0 for a force, or where the torque is not determined
+  int sense = 0;       ///< sign of the torque; 0 for a force, or if the torque is not determined
   std::string torque;  ///< "T 10 N m", "F 20 N", "T shared"
   std::string rate;    ///< "100 rad/s", "100 rad/s · found"; empty for a load without a motion
   std::string tip;     ///< of a balance, a sentence in the language in use: what it holds, and its power
@@ -23,9 +23,9 @@ struct ShownTorque {
 /// @pre both of one mechanism
 [[nodiscard]] std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsReport& report);
 
-/// Chips near their elements, each with an arc in the sense of its torque and a line to what it acts on:
-/// amber for loads; dashed for what was found, with a motor as a disc. They keep clear of the drawing and of
-/// `under`, what is laid under it.
+/// Chips near their elements, each with an arc in the direction of its torque and a line to its element:
+/// amber for loads; dashed and with a disc, the symbol of a motor, for balances. They keep clear of the
+/// drawing and of `under`, the marks below it.
 [[nodiscard]] DisplayList digraphTorques(const std::vector<ShownTorque>& torques,
                                          const DigraphGeometry& geometry, const DisplayList& under);
 [[nodiscard]] DisplayList schematicTorques(const std::vector<ShownTorque>& torques,

@@ -5,10 +5,9 @@
 
 namespace geargraph::inline report {
 
-/// A formula in the TeX that core writes (tex_reader.h says which) as MathML Core, what goes between <math>
-/// and
-/// </math>. Rules of arrays are classes: "bar" left of a cell, "rule" above it.
-/// @pre the formula uses no others: it is the program's own
+/// A formula in core's subset of TeX (tex_reader.h) as MathML Core: the content of a <math> element. Rules of
+/// arrays are classes: "bar" left of a cell, "rule" above it.
+/// @pre the formula is in that subset
 /// Cost: linear in its length.
 [[nodiscard]] std::string mathMl(std::string_view tex);
 

@@ -14,7 +14,7 @@
 
 namespace geargraph::inline report {
 
-/// A stretch of a sentence: words, or a formula in TeX (tex_reader.h says which TeX).
+/// A part of a sentence: words, or a formula in core's subset of TeX (tex_reader.h).
 struct ReportSpan {
   std::string text;
   bool isFormula = false;
@@ -28,15 +28,15 @@ struct ReportHeading {
 struct ReportParagraph {
   ReportWords words;
 };
-/// A formula on a line of its own. `number` is the paper's where it has this equation, and goes on from the
-/// paper's numbers where it has not; none where nothing refers to it.
+/// A formula on a line of its own. `number` is the paper's if it has this equation, else one that continues
+/// after the paper's; none if nothing refers to it.
 struct ReportEquation {
   std::string tex;
   std::optional<int> number;
-  /// What it is about: one element of all of it, or one of each line of "aligned"; none of the whole
-  /// mechanism.
+  /// The elements that it is about: one for the whole equation, or one for each line of "aligned"; empty for
+  /// the whole mechanism.
   std::vector<ElementId> elements;
-  bool isDual = false;  ///< of statics: the number is that of its twin of the kinematics, with a star
+  bool isDual = false;  ///< of statics: the number is that of its dual in kinematics, with a star
 
   /// "17", "17*"; empty without a number.
   [[nodiscard]] std::string label() const {
@@ -46,18 +46,18 @@ struct ReportEquation {
 struct ReportTable {
   std::vector<std::string> head;
   std::vector<std::vector<ReportWords>> rows;
-  bool isWhole = false;  ///< on pages: stays on one, if it fits
+  bool isWhole = false;  ///< kept on one page, if it fits
 };
 struct ReportList {
   std::vector<ReportWords> items;
 };
 enum class ReportDrawing { schematic, digraph, ttGraph };
-/// Where a drawing stands, in the forms that can hold one.
+/// The place of a drawing, in the forms that have drawings.
 struct ReportFigure {
   ReportDrawing drawing = ReportDrawing::digraph;
   std::string caption;
 };
-/// Curves, in the forms that can hold a drawing. What they show stands in a table, too.
+/// Charts, in the forms that have drawings. Their values are also in a table.
 struct ReportCurves {
   std::vector<CurveChart> charts;
   std::string caption;
@@ -66,26 +66,26 @@ using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportEquation,
                                  ReportFigure, ReportCurves>;
 
 /// A mechanism worked out by both methods, step by step, as data: Eqs. (1)-(45) of [AU] for its own links,
-/// joints and teeth. An immutable value that each form (reportLatex() ...) writes down as it can.
+/// joints and teeth. An immutable value, from which each form (reportLatex() ...) is written.
 struct Report {
   std::string title;
   std::vector<ReportBlock> blocks;
   std::string subtitle = translated("Worked out by the Matroid and the T-T graph method");  ///< on pages
 };
 
-/// Reports of more links would be thousands of pages.
+/// With more links a report would have thousands of pages.
 constexpr int kMostReportLinks = 200;
 
 /// The heading of the part that compares the methods, which is shown translated; a mechanism without a
 /// solution has none.
 inline constexpr const char* kComparisonHeading = toTranslate("Both methods compared");
 
-/// What the report of a mechanism is headed with.
+/// The title of a mechanism's report.
 [[nodiscard]] std::string reportTitle(const Mechanism& mechanism);
 
 /// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
-/// error of the geometry the digraph's matrices, and so on; what is missing is said with the findings.
-/// Of no use when `stop` was requested meanwhile. Cost: that of the matrices' entries.
+/// error of the geometry the digraph's matrices, and so on; the diagnostics explain what is missing. The
+/// result is meaningless if `stop` was requested meanwhile. Cost: that of the matrices' entries.
 /// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
 [[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop = {});
 
@@ -97,21 +97,19 @@ struct ReportDrawings {
 };
 
 enum class ReportForm { markdown, latex, html };
-/// In this form. `drawings` are asked for where the form holds some: they may be dear.
+/// The report in a form. `drawings` is called only if the form has drawings, because they may be expensive.
 [[nodiscard]] std::string reportText(const Report& report, ReportForm form,
                                      const std::function<ReportDrawings()>& drawings);
 
 /// "md", "latex", "html"
 [[nodiscard]] std::optional<ReportForm> reportFormFromName(std::string_view name);
 
-/// One page that any browser shows, prints and lets select: formulas in MathML, drawings in SVG, no scripts
-/// and nothing fetched.
+/// One HTML page with formulas in MathML and drawings in SVG, without scripts and external resources.
 [[nodiscard]] std::string reportHtml(const Report& report, const ReportDrawings& drawings);
-/// Blocks of it within another page: without drawings; what speaks of one element tells it as data-el,
-/// "gearMeshes/16".
+/// Blocks of a report for another HTML page: without drawings; a part about one element has the attribute
+/// data-el, "gearMeshes/16".
 [[nodiscard]] std::string reportHtmlBlocks(const std::vector<ReportBlock>& blocks);
-/// A document for any of the LaTeX programs, with amsmath and nothing else that is not part of LaTeX; without
-/// drawings.
+/// A LaTeX document for any engine, which needs amsmath only; without drawings.
 [[nodiscard]] std::string reportLatex(const Report& report);
 /// Markdown with formulas between dollar signs, as GitHub, Jupyter and Pandoc read it; without drawings.
 [[nodiscard]] std::string reportMarkdown(const Report& report);

@@ -5,9 +5,9 @@
 
 namespace geargraph::inline report {
 
-// The parts of a report, each as far as the snapshot goes; of no use when `stop` was requested meanwhile.
+// The parts of a report, each as far as the snapshot allows; meaningless if `stop` was requested meanwhile.
 
-/// Longest list of equations, one a joint, a mesh or a step.
+/// The longest list of equations, with one per joint, mesh or step.
 constexpr int kMostListed = 100;
 
 /// The mechanism itself, its digraph and the matrices of whole numbers, Eqs. (1)-(5).
@@ -17,29 +17,30 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).
 void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
-/// Both methods side by side: that they agree, step by step, mesh by mesh, counted, and what the paper
-/// concludes.
+/// Both methods compared: their agreement, step by step, mesh by mesh, operation counts, and the paper's
+/// conclusions.
 void addComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
 /// Cutset equations, the transposed solution and the torques under the document's loads, by both methods;
-/// nothing without loads. Starred equations stand beside those of the kinematics that they are the duals of.
+/// nothing without loads. Starred equations are paired with the equations of the kinematics whose duals they
+/// are.
 void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
-/// Adds to a report, for its parts.
+/// Base of the parts, which adds blocks to a report.
 class ReportPart {
  protected:
   explicit ReportPart(Report& report, const std::stop_token& stop = {}) : m_report(report), m_stop(stop) {}
 
   [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
 
-  /// Marked by toTranslate().
+  /// Adds a heading, translated. `text` is marked by toTranslate().
   void heading(int level, const char* text) { put(ReportHeading{level, translated(text)}); }
-  /// With formulas between dollar signs (reportWords()).
+  /// Adds a paragraph, with formulas between dollar signs (reportWords()).
   void paragraph(std::string_view text);
-  /// Without the line ends behind it: an empty line would end the formula in LaTeX.
+  /// Adds an equation, without trailing line ends: an empty line would end the formula in LaTeX.
   void equation(std::string tex, std::optional<int> number = std::nullopt,
                 std::vector<ElementId> elements = {});
-  /// The same of statics: the number of its twin, with a star.
+  /// The same for statics: `number` is that of its dual, with a star.
   void dualEquation(std::string tex, int number, std::vector<ElementId> elements = {});
   template <class Block>
   void put(Block block) {

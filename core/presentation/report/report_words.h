@@ -7,33 +7,34 @@
 
 namespace geargraph::inline report {
 
-// How the parts of a report write sentences and formulas.
+// Functions for sentences and formulas of a report.
 
 /// "The inputs are joints $8$ and $9$." with formulas between dollar signs becomes words and formulas.
-/// @pre an even number of dollar signs; texts of a user's are no part of it
+/// @pre an even number of dollar signs; it contains no text of the user's
 [[nodiscard]] ReportWords reportWords(std::string_view sentence);
-/// A user's own text.
+/// A text of the user's, without formulas.
 [[nodiscard]] ReportWords plainWords(std::string text);
 
-/// As TeX and Markdown write them: formulas between dollar signs, words as `escaped` writes them.
+/// The words for TeX or Markdown: formulas between dollar signs, other words through `escaped`.
 [[nodiscard]] std::string dollarWords(const ReportWords& words, std::string (*escaped)(std::string_view));
 
-/// Columns and rows of the largest matrix that is printed; of others the report says where they are found.
+/// Columns and rows of the largest matrix that is printed; for others the report says where they are
+/// available.
 constexpr int kMostReportColumns = 40;
 constexpr int kMostReportRows = 80;
 
-/// Names one below the other, between parentheses.
+/// A column vector of names in parentheses.
 [[nodiscard]] std::string texColumn(const std::vector<std::string>& names);
 /// "(\dot{\theta}_8, ...)" as a column.
 [[nodiscard]] std::string rateColumn(const Digraph& graph, std::span<const int> joints);
 /// "\dot{\theta}_{8}"
 [[nodiscard]] std::string rateName(const Digraph& graph, int joint);
-/// A row a line, entries in TeX, between brackets; a bar before the column `partition`.
+/// A matrix of TeX entries in brackets; with a bar before the column `partition`.
 [[nodiscard]] std::string texMatrix(const std::vector<std::vector<std::string>>& rows,
                                     std::optional<int> partition = std::nullopt);
 /// The entries of a table without its headings.
 [[nodiscard]] std::string texMatrix(const QuantityTable& table);
-/// Lines that begin alike, aligned at their first "=".
+/// Lines aligned at their first "=".
 [[nodiscard]] std::string texLines(const std::vector<std::string>& lines);
 /// The sides of "= ... =", each on a line.
 [[nodiscard]] std::string texStages(const std::vector<std::string>& stages);

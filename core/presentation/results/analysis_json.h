@@ -13,8 +13,8 @@ struct AnalysisJsonOptions {
   bool matrices = true;  ///< false: without the members "matrices" and "cycles"
 };
 
-/// The analysis as JSON (`analyze --json`). Parts that are not defined are null: all but the diagnostics
-/// where the file could not be read and there is no snapshot.
+/// The analysis as JSON (`analyze --json`). Undefined parts are null; without a snapshot (the file could not
+/// be read) all but the diagnostics.
 void writeAnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const Diagnostics& diagnostics,
                        const AnalysisJsonOptions& options = {});
 

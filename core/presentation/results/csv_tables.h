@@ -10,13 +10,13 @@
 
 namespace geargraph::inline results {
 
-/// A table that can be exported, under its name on the command line.
+/// A table for export, with its name on the command line.
 struct CsvTable {
   std::string_view name;
-  std::string_view needs;  ///< what a mechanism must have for it, for a sentence
-  /// Nothing where the mechanism leaves the table undefined.
+  std::string_view needs;  ///< what a mechanism needs for it, as part of a sentence
+  /// Empty if the table is undefined for the mechanism.
   std::function<void(ByteSink&, const CsvOptions&)> write;
-  bool ofLoads = false;  ///< a mechanism without loads lacks nothing without it
+  bool ofLoads = false;  ///< it is not expected of a mechanism without loads
 };
 
 /// Every table of a snapshot; `solution` is defined only after analyzeFully(). The integer matrices; `screw`,
@@ -27,7 +27,7 @@ struct CsvTable {
 [[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics);
 /// Is the table with this name one of statics?
 [[nodiscard]] bool isOfStatics(std::string_view name);
-/// Is it that of all states, rather than of one train?
+/// Is the table one of all states, rather than of one train?
 [[nodiscard]] bool isOfAllStates(std::string_view name);
 
 }  // namespace geargraph::inline results

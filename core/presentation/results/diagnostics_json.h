@@ -5,8 +5,8 @@
 
 namespace geargraph::inline results {
 
-/// The value of the member "diagnostics": severity, code, message, the ids by their lists; for collisions
-/// in motion the time; for findings in the text of the file pointer, line and column.
+/// The value of the member "diagnostics": severity, code, message, the ids by their lists; for collisions in
+/// motion the time; for diagnostics about the text of the file pointer, line and column.
 void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics);
 
 }  // namespace geargraph::inline results

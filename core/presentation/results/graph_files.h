@@ -9,8 +9,8 @@
 namespace geargraph::inline results {
 
 /// The T-T graph [AU, Fig. 5]: the turning joints with their levels, and two chords for each mesh, from the
-/// carrier to either gear. Nothing where a mesh has no carrier, or there is no spanning tree. The digraph is
-/// digraphFile() of graph_format.
+/// carrier to either gear. std::nullopt if a mesh has no carrier, or there is no spanning tree. The digraph
+/// is exported by digraphFile() of graph_format.
 [[nodiscard]] std::optional<std::string> ttGraphFile(const AnalysisSnapshot& snapshot, GraphForm form);
 
 }  // namespace geargraph::inline results

@@ -14,9 +14,9 @@ struct MadeHandoutTrain {
   std::vector<std::string> notes;  ///< what is left out or simplified, and why, in sentences
 };
 
-/// The train of a handout with its still picture, 720 x 480, which is left out, and noted, where nothing can
-/// paint. `folder`: that of the document, where the 3D files are that links wear. Of no use when `stop` was
-/// requested. Use it on one thread. Cost: that of trainStage() and a picture.
+/// The train of a handout with its still picture, 720 x 480, which is left out, with a note, if no renderer
+/// is available. `folder`: of the document, with the attached 3D files. The result is meaningless if `stop`
+/// was requested. Not thread-safe. Cost: that of trainStage() and a picture.
 [[nodiscard]] MadeHandoutTrain handoutTrain(const AnalysisSnapshot& snapshot,
                                             const std::filesystem::path& folder,
                                             const std::stop_token& stop = {});

@@ -9,17 +9,17 @@
 
 namespace geargraph::inline results {
 
-/// Angles of the inputs, by their place in the solution's columns; those in degrees and those in radians add
-/// up. Exact, so that whole turns of any number are taken off without loss.
+/// Angles of the inputs, by the solution's columns; an angle is the sum of its degrees and its radians.
+/// Exact, so that any number of whole turns is subtracted without loss.
 struct InputAngles {
   std::vector<Rational> degrees;
   std::vector<Rational> radians;
 };
 
-/// Where a mechanism is for given angles of its inputs.
+/// The pose of a mechanism for given angles of its inputs.
 struct InputPose {
   std::vector<double> angles;            ///< by joint, rad, above -pi, to pi
-  std::vector<double> wholeAngles;       ///< by joint, rad, with all turns, which limits count
+  std::vector<double> wholeAngles;       ///< by joint, rad, with all turns, for comparison with limits
   std::vector<Eigen::Isometry3d> links;  ///< by link: displacement from the reference pose, base frame
   std::vector<int> beyondLimits;         ///< joints whose whole angles are beyond their limits
 };
@@ -28,7 +28,7 @@ struct InputPose {
 [[nodiscard]] InputAngles restingInputs(const AnalysisSnapshot& snapshot);
 
 /// theta = K theta_E, the relation of the rates [AU, Eq. (23)], which the angles obey from the reference pose
-/// on. Nothing where `stop` was requested. Cost: two exact solutions.
+/// on. std::nullopt if `stop` was requested. Cost: two exact solutions.
 /// @pre the snapshot has a valid solution; an angle of each kind for each input
 [[nodiscard]] std::optional<InputPose> poseOfInputs(const AnalysisSnapshot& snapshot,
                                                     const InputAngles& inputs,

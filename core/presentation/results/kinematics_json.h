@@ -5,10 +5,10 @@
 
 namespace geargraph::inline results {
 
-// The values of the members of `analyze --json` that speak of motion, a function each; null where the
-// mechanism leaves them undefined. Joints, meshes and links are given by label.
+// The values of the kinematic members of `analyze --json`, one function each; null if undefined. Joints,
+// meshes and links are given by label.
 
-/// [{"mesh", "carrier", "path", "axes", "sign"}]; carrier and sign null where a mesh has none.
+/// [{"mesh", "carrier", "path", "axes", "sign"}]; carrier and sign are null if a mesh has none.
 void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot);
 /// P of Eqs. (18), (19) in the document's unit of length; triplets where `asTriplets`.
 void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, bool asTriplets);

@@ -12,22 +12,23 @@
 
 namespace geargraph::inline results {
 
-/// Where power goes in a mechanism, and the torques that act on it.
+/// The power flow of a mechanism, and the torques that act on it.
 struct DrawnPower {
   PowerPicture picture;
   std::vector<ShownTorque> torques;
 };
 
-/// A drawing that `export --to svg/pdf/png` knows by its name.
+/// A drawing with its name in `export --to svg/pdf/png`.
 struct NamedDrawing {
   std::string_view name;
-  /// Of no use when `stop` was requested meanwhile. `power`: laid under the drawing; null: none.
+  /// The result is meaningless if `stop` was requested meanwhile. `power`: drawn under it; null: none.
   DisplayList (*draw)(const AnalysisSnapshot& snapshot, const DrawnPower* power, const std::stop_token& stop);
   bool showsPower = true;
 };
 
-/// Every drawing, in the order of the help. A new one is a line in the table of named_drawings.cpp.
+/// Every drawing, in the order of the help. To add one, add a line to the table in named_drawings.cpp.
 [[nodiscard]] std::span<const NamedDrawing> drawings();
+/// Null if there is none.
 [[nodiscard]] const NamedDrawing* drawingNamed(std::string_view name);
 /// "digraph, ttgraph, schematic"
 [[nodiscard]] std::string drawingNames();

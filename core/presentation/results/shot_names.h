@@ -10,7 +10,7 @@
 
 namespace geargraph::inline results {
 
-// How programs name what a 3D picture shows.
+// Names for the options of 3D pictures, for the command line and Python.
 
 /// "front", "back", "left", "right", "top", "bottom", "iso".
 [[nodiscard]] std::optional<StandardView> standardViewNamed(std::string_view name);

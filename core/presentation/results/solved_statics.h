@@ -13,15 +13,16 @@ namespace geargraph::inline results {
 
 /// The torques of a mechanism, for its tables and drawings.
 struct SolvedStatics {
-  /// What was solved: of a state the train with nothing engaged, for the state engages its own couplings.
+  /// The analysed train; for a state the train with nothing engaged, because the state engages its own
+  /// couplings.
   SnapshotPtr snapshot;
   std::optional<StaticsReport> report;  ///< none where the mechanism has errors
   std::vector<StateForces> states;      ///< for the shift table; empty unless that was asked for
 };
 using SolvedStaticsPtr = std::shared_ptr<const SolvedStatics>;
 
-/// Under the document's loads, with the losses that it states: of the train as engaged, or of the state with
-/// this name; `allStates`: those of every state, too. Null when `stop` was requested.
+/// Solves the statics under the document's loads, with its stated losses: of the train as engaged, or of the
+/// state with this name; with `allStates` also of every state. Null if `stop` was requested.
 [[nodiscard]] SolvedStaticsPtr solvedStatics(const SnapshotPtr& snapshot,
                                              const std::optional<std::string>& state = {},
                                              bool allStates = false, const std::stop_token& stop = {});

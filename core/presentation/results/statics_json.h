@@ -7,8 +7,8 @@
 namespace geargraph::inline results {
 
 /// The object of `statics --json`, of one state or of none. Links, joints and meshes by label, axes and
-/// couplings by id; torques, powers and efficiencies as fractions, as numbers where they are not exact, null
-/// where they are not determined. `snapshot` may be null, and `report`, where the document has errors.
+/// couplings by id; torques, powers and efficiencies as fractions, as numbers if they are not exact, null if
+/// they are not determined. `snapshot` may be null, and `report`, where the document has errors.
 void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const StaticsReport* report,
                       int state, const StaticsOptions& options, const Diagnostics& diagnostics);
 

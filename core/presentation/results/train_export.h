@@ -12,27 +12,27 @@
 
 namespace geargraph::inline results {
 
-/// Why no gears are exported.
+/// Why an export failed.
 struct ExportFailure {
   enum class Kind {
     stopped,
-    mechanism,  ///< it has errors
-    limit,      ///< it is too large, or its period too long
+    mechanism,  ///< the mechanism has errors
+    limit,      ///< the mechanism is too large, or its period too long
     triangles,  ///< more than the limit at this tolerance
     choice,     ///< there is no such gear or link
   };
   Kind kind = Kind::mechanism;
-  std::string message;           ///< a sentence without its full stop; empty where `diagnostics` say all
+  std::string message;           ///< a sentence without its full stop; empty if `diagnostics` explain it
   Diagnostics diagnostics = {};  ///< gears that cannot be made
 };
 
-/// An analysed mechanism with its gears and how they move.
+/// An analysed mechanism with its gears and motions.
 struct ExportTrain {
   SnapshotPtr snapshot;  ///< with a tree and its kinematics
   GearTrain train;
   Diagnostics diagnostics;  ///< of the train: teeth, assembly, clearance
   /// Rates of all joints (rad/s): at the document's speeds, and with all inputs at different ones, which
-  /// moves meshes that those leave at rest. Empty where there is nothing to solve.
+  /// moves meshes that are at rest at the former. Empty without a solution.
   std::vector<std::vector<Rational>> motions;
 
   [[nodiscard]] const Mechanism& mechanism() const { return *snapshot->mechanism; }
@@ -41,34 +41,34 @@ struct ExportTrain {
   }
 };
 
-/// Makes the gears of a snapshot without errors. Cost: that of the wheels and bodies, once a snapshot.
+/// Makes the gears of a snapshot without errors. Cost: that of the wheels and bodies, once per snapshot.
 [[nodiscard]] std::variant<ExportTrain, ExportFailure> exportTrain(SnapshotPtr snapshot,
                                                                    const std::stop_token& stop = {});
 
-/// The gear named "15:tail", after the label of its mesh, or by the id of its wheel; null where there is
-/// none.
+/// The gear named "15:tail", by the label of its mesh, or by the id of its wheel; null if there is none.
 [[nodiscard]] const TrainGear* gearNamed(const ExportTrain& train, std::string_view name);
 
-/// What is exported of a train, and how finely.
+/// The options of an export of solids.
 struct SolidsChoice {
-  /// Of chords, in modules. None: kExportTolerance, or the finest coarser one that keeps the train below the
-  /// limit of triangles.
+  /// The chordal error, in modules. None: kExportTolerance, or the finest coarser one that keeps the train
+  /// below the limit of triangles.
   std::optional<double> tolerance = {};
   std::optional<std::string> link = {};  ///< only the link with this label
   bool moves = false;                    ///< with the motion at the document's speeds
-  /// How long one period plays; 0: as long as it takes. Of a period that is too long for a file, as many
-  /// seconds of the motion as it really is; 0: kStretch.
+  /// The duration of one period in the file, s; 0: real time. If the period is too long for a file: this many
+  /// seconds of the motion in real time; 0: kStretch.
   double seconds = 0;
 };
 
 struct TrainSolids {
   MeshScene scene;
   double tolerance = 0;  ///< the one taken, in modules
-  Diagnostics left;      ///< gears of a large train that cannot be made: left out, as in the 3D view
-  std::string shows;     ///< what the file shows instead of one period, and why; empty otherwise
+  Diagnostics left;  ///< about gears of a large train that cannot be made and are left out, as in the 3D view
+  std::string shows;  ///< what the file shows instead of one period, and why; empty otherwise
 };
 
-/// The whole train, or one link of it, as a scene for a 3D file. A train of few gears needs all of them.
+/// The whole train, or one link of it, as a scene for a 3D file. Fails if a gear of a small train cannot be
+/// made.
 [[nodiscard]] std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& train,
                                                                    const SolidsChoice& choice,
                                                                    const std::stop_token& stop = {});
@@ -82,7 +82,7 @@ struct TrainSolids {
                                                                   std::size_t frames,
                                                                   const std::stop_token& stop = {});
 
-// Bounds of what may be asked for.
+// Bounds of the options.
 constexpr double kFinestTolerance = 1e-4;  ///< modules
 constexpr double kCoarsestTolerance = 0.2;
 constexpr double kShortestAnimation = 1e-3;  ///< s

@@ -7,19 +7,19 @@
 
 namespace geargraph::inline schematic {
 
-/// A line on the sheet and the link it belongs to.
+/// A line on the sheet and its link.
 struct LinkLine {
   SheetPoint from;
   SheetPoint to;
   int link = 0;
-  /// What it costs to fasten an arm of the link here; below 0: no arm begins here.
+  /// The cost of connecting an arm of the link here; below 0: no arm begins here.
   double hold = 0;
 };
 
-/// The lanes on which arms run, ascending. Nodes are where they cross, row by row.
+/// The lanes on which arms run, ascending. Nodes are their intersections, row by row.
 struct ArmGrid {
-  std::vector<double> xs;  ///< of the upright lanes
-  std::vector<double> ys;  ///< of the level ones
+  std::vector<double> xs;  ///< of the vertical lanes
+  std::vector<double> ys;  ///< of the horizontal ones
 
   [[nodiscard]] std::size_t columns() const { return xs.size(); }
   [[nodiscard]] std::size_t rows() const { return ys.size(); }
@@ -35,32 +35,33 @@ struct ArmGrid {
 /// The first of ascending values that is not less than v; their number if there is none.
 [[nodiscard]] std::size_t firstFrom(const std::vector<double>& values, double v);
 
-/// Lanes that lines ask for: through their ends, where arms may begin, and some beside them.
+/// Collects the lanes for a set of lines: through their ends, where arms may begin, and some beside them.
 class ArmLanes {
  public:
-  /// Takes in the lines that have come since the last time. Cost: O(m log m), m the new ones, and O(all).
+  /// Adds the lines that are new since the last call. Cost: O(m log m) for m new ones, and O(all).
   void follow(const std::vector<LinkLine>& lines);
-  /// `ends`: places that courses will have to begin or end at, beside the lines' own ends. Cost: O(lines).
+  /// `ends`: further points where courses have to begin or end. Cost: O(lines).
   [[nodiscard]] ArmGrid gridWith(const std::vector<SheetPoint>& ends) const;
 
  private:
   /// All ascending.
   struct Asked {
     std::vector<double> exact;   ///< lanes stay where these are
-    std::vector<double> wished;  ///< others give way to them
+    std::vector<double> wished;  ///< kept where no exact lane is too near
   };
   std::size_t m_known = 0;  ///< lines
   Asked m_x;
   Asked m_y;
 };
 
-/// What it costs an arm of a link beside its length to run along the edges of a grid: for crossing lines of
-/// others, and for running beside them.
+/// The edge weights of a grid for the arms of a link, in addition to length: for crossing lines of other
+/// links, and for running beside them.
 struct ArmTolls {
   std::vector<double> level;    ///< by node: the edge to the right
   std::vector<double> upright;  ///< by node: the edge down
 
-  /// What comes to an edge is added up in the order of the lines. Cost: O(lines + (line, edge near it)).
+  /// Computes the weights for a link; contributions are added in the order of the lines. Cost: O(lines +
+  /// pairs of a line and a near edge).
   void charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
 };
 

@@ -7,19 +7,19 @@
 
 namespace geargraph::inline schematic {
 
-/// Searches a grid for the cheapest way of an arm from some of its nodes to one of others.
+/// Searches a grid for the cheapest path of an arm from start nodes to a target node.
 ///
-/// A state is a node and how it was reached: 2 * node if level, 2 * node + 1 if upright. What a state costs
-/// goes along the lanes, to and fro, until nothing gets cheaper: that needs no queue, no more rounds than the
-/// courses have bends, and comes to the same numbers as every other search.
+/// A state is a node and the direction in which it was reached: 2 * node if horizontal, 2 * node + 1 if
+/// vertical. Costs are relaxed along the lanes in both directions until nothing changes: without a queue, in
+/// at most as many rounds as the path has bends, with the same result as any shortest-path search.
 class ArmSearch {
  public:
-  /// Forgets everything but what memory it has. Both have to live as long as it is asked.
+  /// Begins a new search, reusing the memory. Both arguments outlive the search.
   void begin(const ArmGrid& grid, const ArmTolls& tolls);
 
-  /// It costs so much to begin at a node.
+  /// Adds a start node with its cost.
   void addStart(std::size_t node, double hold);
-  /// It costs so much to end at a node. Of several at one node the cheapest counts, then the first.
+  /// Adds a target node with its cost. Of several at one node the cheapest counts, then the first.
   void addTarget(std::size_t node, double price, std::size_t number);
 
   struct Way {
@@ -30,20 +30,20 @@ class ArmSearch {
   [[nodiscard]] std::optional<Way> cheapest(const std::stop_token& stop = {});
 
  private:
-  static constexpr double kFar = 1e300;  ///< what comes to it is still that, and from itself it is 0 away
+  static constexpr double kFar = 1e300;  ///< absorbs any addition: kFar + x == kFar
   struct Target {
     std::size_t node = 0;
     double price = 0;
     std::size_t number = 0;
   };
-  /// Of a row: what has to go on from there.
+  /// Per row: the pending relaxations.
   struct Pending {
     bool level = false;  ///< along the row
     bool down = false;
     bool up = false;
   };
 
-  /// In the order in which ends are preferred.
+  /// A possible end; smaller is preferred.
   struct End {
     double cost = 0;
     std::size_t rank = 0;
@@ -68,15 +68,15 @@ class ArmSearch {
 
   const ArmGrid* m_grid = nullptr;
   const ArmTolls* m_tolls = nullptr;
-  std::vector<double> m_level;    ///< by node: cost of the ways that reach it level
-  std::vector<double> m_upright;  ///< and upright
+  std::vector<double> m_level;    ///< by node: cost of the cheapest path that reaches it horizontally
+  std::vector<double> m_upright;  ///< and vertically
   std::vector<double> m_start;    ///< by node
   std::vector<Target> m_targets;
-  std::vector<double> m_columnAhead;  ///< by column: the least that is left to pay from there
+  std::vector<double> m_columnAhead;  ///< by column: lower bound of the remaining cost
   std::vector<double> m_rowAhead;     ///< and by row
   std::vector<Pending> m_pending;     ///< by row
   std::vector<std::size_t> m_rows;    ///< for goLevel()
-  double m_most = kFar;               ///< what costs more leads nowhere
+  double m_most = kFar;               ///< paths above this cost are pruned
 };
 
 }  // namespace geargraph::inline schematic

@@ -6,28 +6,28 @@
 
 namespace geargraph::inline schematic {
 
-/// What a section drawing can show of a mechanism: the links that turning joints tie to the ground, and of
-/// several equal planets the first. Its lists are shorter than the document's, so it brings along the
-/// paper's labels that its elements have there.
+/// The part of a mechanism that a section drawing shows: the links that turning joints connect to the ground,
+/// and the first of several equal planets. Its lists are shorter than the document's, so it has the paper's
+/// labels of its elements in the document.
 struct DrawnPart {
   Mechanism mechanism;
   std::vector<int> linkLabels;   ///< by position
   std::vector<int> jointLabels;  //
   std::vector<int> meshLabels;   //
-  std::vector<int> loose;        ///< labels of links that no turning joint ties to the ground
+  std::vector<int> loose;        ///< labels of links that no turning joints connect to the ground
   std::vector<int> closing;      ///< labels of turning joints that close a loop
 
-  /// Elements that are not drawn because they are like one that is.
+  /// An element that is not drawn (`like`) because an equal one is (`drawn`).
   struct Alike {
     ElementId drawn;
     ElementId like;
   };
   std::vector<Alike> alike;
-  /// How many of a kind one drawn set of planets stands for, with the labels of the links.
+  /// A drawn set of planets that represents several equal ones, with the labels of the links.
   struct Planets {
     std::vector<int> drawn;   ///< link labels
-    std::vector<int> others;  ///< those of all sets that are like it
-    int count = 1;            ///< sets, the drawn one included
+    std::vector<int> others;  ///< those of all equal sets
+    int count = 1;            ///< number of sets, including the drawn one
   };
   std::vector<Planets> planets;
 

@@ -13,17 +13,18 @@ class DerivedGeometry;
 
 namespace geargraph::inline schematic {
 
-/// What is drawn of a document's train: placement, wheels and arrangement in the positions of the part. They
-/// are those of the whole train, as the 3D view shows it, without what the part leaves out.
+/// The drawn part of a document's train: placement, wheels and arrangement by the positions of the part. They
+/// are those of the whole train, as in the 3D view, without the elements that the part leaves out.
 struct DrawnTrain {
   Placement placement;
   TrainWheels wheels;
-  Arrangement arrangement;  ///< axes with their bearings, arms, shafts, cups, walls, pins and tees
+  Arrangement arrangement;  ///< axes with bearings, arms, shafts, ring-gear carriers, walls, pins and
+                            ///< cross-shaft bosses
 };
 
-/// The part's share of the document's train; where the document's turning joints are no spanning tree, the
-/// train of the part alone. std::nullopt if the part has no tree, or if cancelled. Cost:
-/// DerivedGeometry::arrangement(), and linear in the train.
+/// The train of the part; if the document's turning joints are no spanning tree, made for the part alone.
+/// std::nullopt if the part has no tree, or if cancelled. Cost: DerivedGeometry::arrangement(), and linear in
+/// the train.
 /// @pre the part is the document's
 [[nodiscard]] std::optional<DrawnTrain> drawnTrain(const DrawnPart& part, const DerivedGeometry& document,
                                                    const std::stop_token& stop = {});

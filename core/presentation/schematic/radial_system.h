@@ -5,28 +5,27 @@
 
 namespace geargraph::inline schematic {
 
-/// Parallel axes rolled out into one plane: at which heights they lie, how large wheels are drawn.
+/// Parallel axes unrolled into one plane: the heights of the axes and the drawn radii of the wheels.
 struct RadialSystem {
   struct Wheel {
     int axis = 0;
     double radius = 0;
   };
   struct Contact {
-    int tail = 0;  ///< wheels
+    int tail = 0;  ///< positions of wheels
     int head = 0;
     bool internal = false;
-    bool kept = true;  ///< the wheels touch in the end
+    bool kept = true;  ///< the wheels touch in the result
   };
-  std::vector<double> heights;  ///< by axis: whence it starts, and the order that stays
+  std::vector<double> heights;  ///< by axis: the initial value, whose order is kept; then the result
   std::vector<Wheel> wheels;
   std::vector<Contact> contacts;
-  bool changed = false;  ///< radii differ from what they were
+  bool changed = false;  ///< radii differ from the given ones
 
-  /// Finds heights and radii for which wheels in mesh touch: the given ones where they fit, else those with
-  /// the least squares of relative changes of the radii. Contacts that would shrink a wheel to a quarter are
-  /// given up, the last ones first.
-  /// Cost: cubic in axes + wheels + contacts if they do not fit; beyond kMostWheels contacts are given up.
-  /// Of no use when `stop` was requested meanwhile.
+  /// Finds heights and radii for which wheels in mesh touch: the given ones if they fit, else those with the
+  /// least sum of squared relative changes of the radii. Contacts that would shrink a wheel to a quarter are
+  /// dropped, the last ones first. Cost: cubic in axes + wheels + contacts if they do not fit; beyond
+  /// kMostWheels contacts are dropped. The result is meaningless if `stop` was requested meanwhile.
   void settle(const std::stop_token& stop = {});
 
   static constexpr std::size_t kMostWheels = 150;

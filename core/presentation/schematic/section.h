@@ -11,16 +11,16 @@
 
 namespace geargraph::inline schematic {
 
-/// The lines of a section drawing, before its labels: marks in their plain look, what can be hit, and where
-/// labels belong.
+/// A section drawing before its labels: marks without highlights, outlines for hit tests, and anchors for
+/// labels.
 struct Section {
   std::vector<Mark> marks;
-  /// Marks that show only while their element stands out: where two gears mesh.
+  /// Marks that are shown only while their element is highlighted: where two gears mesh.
   std::vector<Mark> highlights;
   std::vector<Outline> outlines;
   std::vector<LinkLine> lines;  ///< of all links; -1: arrows, axes
 
-  /// Where a label may stand: near one of these, the first if there is room.
+  /// The possible places of a label, in order of preference.
   struct Anchors {
     ElementId element;
     std::vector<SheetPoint> places;
@@ -36,12 +36,12 @@ constexpr double kShaftWidth = 3.4;
 constexpr double kLinkWidth = 2.2;
 constexpr double kAxisWidth = 1;
 
-/// Of no use when `stop` was requested meanwhile.
+/// Makes the section of a part. The result is meaningless if `stop` was requested meanwhile.
 [[nodiscard]] Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
                                 const ShaftPlan& plan, const std::stop_token& stop = {});
 
 [[nodiscard]] Extent extentOf(const Section& section);
-/// Everything that is drawn as obstacles, for what comes to stand up to `beyond` outside of it.
+/// Everything drawn as obstacles, for marks that are placed up to `beyond` px outside of the drawing.
 [[nodiscard]] ObstacleGrid obstaclesOf(const Section& section, double beyond);
 
 }  // namespace geargraph::inline schematic

@@ -8,8 +8,8 @@ namespace geargraph::inline schematic {
 
 struct DrawnTrain;
 
-/// A turning joint as a bearing: the parent's bars about the child's shaft, or on a pin of the parent's
-/// within the child's hub.
+/// A turning joint as a bearing: bars of the parent around the child's shaft, or a pin of the parent within
+/// the child's hub.
 struct SheetBearing {
   int joint = 0;
   int axis = 0;  ///< of the layout
@@ -17,22 +17,22 @@ struct SheetBearing {
   int child = 0;
   double at = 0;        ///< px along the axis
   double height = 0;    ///< of the child's shaft above the axis, or of its wall
-  bool isHeld = false;  ///< the parent reaches it without an arm: by a pin, a wall or the end of its shaft
-  bool onPin = false;   ///< on a shaft of the parent's within the child's
-  bool driven = false;  ///< an input: its shaft has an arrow at the end
-  double freeEnd = -1;  ///< which end of the child's shaft that is, along the axis
+  bool isHeld = false;  ///< the parent supports it without an arm: by a pin, a wall or the end of its shaft
+  bool onPin = false;   ///< on a shaft of the parent inside the child's
+  bool driven = false;  ///< an input: there is an arrow at the end of its shaft
+  double freeEnd = -1;  ///< that end of the child's shaft: -1 or 1 along the axis
 };
 
 /// An arm from a link's own axis to a bearing on another.
 struct SheetArm {
   int link = 0;
-  int joint = 0;            ///< whose bearing it ends at
-  int axis = 0;             ///< that it begins on
+  int joint = 0;            ///< at whose bearing it ends
+  int axis = 0;             ///< where it begins
   double at = 0;            ///< px along it
   bool isStraight = false;  ///< to a parallel axis
 };
 
-/// The side wall that carries a ring.
+/// The ring-gear carrier: the side wall that supports a ring gear.
 struct SheetCup {
   int wheel = 0;
   double at = 0;
@@ -46,17 +46,18 @@ struct SheetWall {
   SheetPoint to;
 };
 
-/// The stretch of an axis that a link holds: on the axis itself (lane 0), or as a hollow shaft about others.
+/// The interval of an axis that a link's shaft occupies: on the axis itself (lane 0), or as a hollow shaft
+/// around others.
 struct SheetShaft {
   int axis = 0;
   int link = 0;
   double low = 0;
   double high = 0;
-  int lane = 0;       ///< shafts nested within it, one in the other
+  int lane = 0;       ///< number of shafts nested inside it
   bool turns = true;  ///< its link turns about this axis
 };
 
-/// Where bearings, arms and shafts go.
+/// The places of bearings, arms and shafts.
 struct ShaftPlan {
   std::vector<SheetBearing> bearings;  ///< by joint of the part
   std::vector<SheetArm> arms;
@@ -64,13 +65,13 @@ struct ShaftPlan {
   std::vector<SheetWall> walls;
   std::vector<SheetShaft> shafts;
 
-  /// The link's shaft on an axis, of several the one nearest to the place; null: it has none.
+  /// The link's shaft on an axis, of several the one nearest to `near`; null: it has none.
   [[nodiscard]] const SheetShaft* shaft(int axis, int link, double near) const;
 };
 
 /// The arrangement of a train on its sheet: the order along every axis and the nesting of shafts are the
-/// arrangement's; distances are what the symbols need. Wheels of a parallel layout are moved together with
-/// them. Bearings that the arrangement does not show (BearingForm::hidden) get a free place on their shafts.
+/// arrangement's; distances follow from the symbols. Wheels of a parallel layout are moved accordingly.
+/// Bearings that are not visible in the arrangement (BearingForm::hidden) get a free place on their shafts.
 /// Cost: O((wheels + joints + walls)^2).
 [[nodiscard]] ShaftPlan shaftPlan(const DrawnPart& part, const DrawnTrain& train, SheetLayout& layout);
 
@@ -84,7 +85,7 @@ constexpr double kHatching = 7;
 constexpr double kArrowPlace = 20;
 constexpr double kDrivenEnd = 29;
 constexpr double kShaftEnd = 15;
-/// Beyond its pitch line: the rim of a ring.
+/// The rim of a ring gear beyond its pitch line, px.
 constexpr double kRimHeight = 15;
 
 }  // namespace geargraph::inline schematic

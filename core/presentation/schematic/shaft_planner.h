@@ -9,30 +9,30 @@
 
 namespace geargraph::inline schematic {
 
-/// How shaftPlan() goes: places of wheels, walls, bearings and arms in the arrangement first, as slots of the
-/// parallel axes that they are on; then px for the slots, and shafts from what they hold.
+/// The algorithm of shaftPlan(): first the places of wheels, walls, bearings and arms in the arrangement
+/// become slots of their parallel axes; then the slots get px, and shafts their extents.
 class ShaftPlanner {
  public:
   ShaftPlanner(const DrawnPart& part, const DrawnTrain& train, SheetLayout& layout);
   ShaftPlan plan();
 
  private:
-  /// A place along the axes of a family, where something goes.
+  /// A place along the parallel axes of a family.
   struct Spot {
     int axis = 0;
     double place = 0;   ///< along the family's first axis
-    int rank = 0;       ///< order of what the machine has at one place and the sheet side by side
+    int rank = 0;       ///< order on the sheet of items at one place of the machine
     double wanted = 0;  ///< px
     std::optional<double> fixed;
     std::vector<SheetSpan> spans;
     double at = 0;  ///< px along the family's first axis, once found
   };
-  /// What a link holds on an axis: its shaft reaches there.
+  /// Something on an axis that a link's shaft has to reach.
   struct Held {
     int axis = 0;
     int link = 0;
     std::size_t spot = 0;
-    double before = 0;  ///< px that the shaft goes on
+    double before = 0;  ///< px by which the shaft extends before it
     double after = 0;
   };
 
@@ -61,7 +61,7 @@ class ShaftPlanner {
   [[nodiscard]] std::size_t wheelSpot(const SheetWheel& wheel) const {
     return m_wheelSpots[static_cast<std::size_t>(&wheel - m_layout.wheels.data())].at;
   }
-  /// px along an axis of what was found for a spot on a parallel one.
+  /// px along an axis of a placed spot on a parallel one.
   [[nodiscard]] double atOn(int axis, std::size_t spot) const;
   [[nodiscard]] double crossing(int axis, int other) const;
   [[nodiscard]] double hiddenPlace(SheetBearing& bearing);
@@ -105,7 +105,7 @@ class ShaftPlanner {
     std::size_t to = 0;
   };
   std::vector<WallSpots> m_wallSpots;
-  std::vector<double> m_levels;  ///< by wall of the arrangement: height, of level ones
+  std::vector<double> m_levels;  ///< by wall of the arrangement: height of an axial wall
   ShaftPlan m_plan;
 };
 

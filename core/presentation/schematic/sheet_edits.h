@@ -10,20 +10,20 @@ namespace geargraph::inline schematic {
 struct DrawnShaft {
   SheetPoint from;
   SheetPoint to;
-  LinkId carrier;    ///< what holds it; empty: what holds the axis already, else the ground
-  double reach = 8;  ///< px: so near to an axis is on it
+  LinkId carrier;  ///< the link that carries it; empty: the one that holds the axis already, else the ground
+  double reach = 8;  ///< px: within this distance of an axis it is on the axis
 };
 
-/// A new link with a turning joint on the axis that the shaft is drawn on, or on a new one where there is
-/// none: level or upright as it is drawn, at a whole number of length units. The joint's offset is where the
-/// middle of the shaft lies. The first axis of all goes through the origin.
+/// A new link with a turning joint on the axis that the shaft is drawn on, or on a new one if there is none:
+/// horizontal or vertical as drawn, at a whole number of length units. The joint's offset is that of the
+/// middle of the shaft. The first axis of a document passes through the origin.
 ///
-/// An axis belongs to what holds it: a shaft that another link carries gets an axis of its own there.
-/// Refuses unknown-id.
+/// An axis belongs to the link that holds it: a shaft on another link gets an axis of its own there. Rejects
+/// unknown-id.
 [[nodiscard]] Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const SheetFrame& frame,
                                                    const DrawnShaft& shaft);
 
-/// Two links put into mesh on the sheet, from a place on one to a place on the other.
+/// A mesh drawn on the sheet, from a point on one link to a point on another.
 struct DrawnMesh {
   LinkId tail;
   LinkId head;
@@ -31,11 +31,10 @@ struct DrawnMesh {
   SheetPoint to;
 };
 
-/// A gear mesh with teeth that fit the axes as they lie, at the document's module: the wheel that a link has
-/// already keeps its teeth, two new wheels are equal. A drag that ends beyond the other's axis, seen from its
-/// own, makes a ring about it; so does one that begins beyond. Axes that meet get a bevel pair. Two wheels
-/// that are there already come together (withMeshSnapped).
-/// Refuses self-joint and unknown-id.
+/// Adds a gear mesh with teeth that fit the present axes at the document's module: an existing wheel keeps
+/// its teeth, two new wheels are equal. A drag that begins or ends beyond the other link's axis makes that
+/// wheel a ring gear. Intersecting axes get a bevel pair. Two existing wheels are brought together
+/// (withMeshSnapped()). Rejects self-joint and unknown-id.
 [[nodiscard]] Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
                                                         const DrawnMesh& mesh);
 
@@ -44,12 +43,12 @@ struct DraggedAxis {
   AxisId axis;
   SheetPoint from;
   SheetPoint to;
-  bool snapped = true;  ///< the module to kModuleStep (axis_drag.h), a place to whole length units
+  bool snapped = true;  ///< the module to kModuleStep (axis_drag.h), a position to whole length units
 };
 
-/// The axis goes where it is dragged. With meshes it keeps its ray from the axis that it meshes with nearest
-/// the ground, and the module follows its distance there (withAxisReach); the sheet shows those distances,
-/// not places in space. One without goes there in space. Refuses unknown-id and what the fitting refuses.
+/// Moves a dragged axis. An axis with meshes moves along its ray from the meshing axis nearest the ground,
+/// and the module follows the distance (withAxisReach()), because the sheet shows those distances rather than
+/// places in space. One without meshes moves in space. Rejects as the edits of fitting.
 [[nodiscard]] Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before,
                                                         const SheetFrame& frame, const DraggedAxis& drag);
 

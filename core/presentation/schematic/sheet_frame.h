@@ -9,16 +9,16 @@
 
 namespace geargraph::inline schematic {
 
-/// How a sheet lies in space: what a place on it means for the mechanism that is drawn there. As it stands it
-/// is the sheet of a mechanism without axes: the first one will be horizontal.
+/// The frame of a sheet in space, which maps points of the sheet to the mechanism. The default is the sheet
+/// of a mechanism without axes, whose first axis will be horizontal.
 struct SheetFrame {
   Vector3 base{};
-  Vector3 right{0, 0, 1};  ///< unit vectors: what lies to the right and what upward
+  Vector3 right{0, 0, 1};  ///< unit vectors in space: right and up on the sheet
   Vector3 up{1, 0, 0};
-  SheetPoint origin;  ///< where `base` lies
-  double scale = 3;   ///< px a unit of length
-  /// Where along the sheet is not to scale: (px to the right, coordinate), ascending in both; empty where it
-  /// is.
+  SheetPoint origin;  ///< the point of the sheet for `base`
+  double scale = 3;   ///< px per unit of length
+  /// The map along a sheet that is not to scale: (px to the right, coordinate), ascending in both; empty if
+  /// it is to scale.
   std::vector<std::pair<double, double>> stops;
 
   struct Line {
@@ -29,7 +29,7 @@ struct SheetFrame {
   std::vector<Line> axes;
 
   [[nodiscard]] Vector3 spaceOf(SheetPoint p) const;
-  /// The axis whose line comes nearest to a place, if that is at most `reach` away.
+  /// The axis whose line is nearest to a point, if within `reach`; else null.
   [[nodiscard]] const Line* axisNear(SheetPoint p, double reach) const;
   [[nodiscard]] const Line* line(AxisId axis) const;
 };

@@ -12,26 +12,26 @@
 
 namespace geargraph::inline schematic {
 
-/// A line of the mechanism laid into the sheet: an axis class, or an axis that nothing turns about yet.
+/// A line of the mechanism in the sheet: an axis class, or an axis without joints.
 struct SheetAxis {
-  int axis = 0;  ///< position in the part's list: whose name it bears
-  int top = 0;   ///< link that holds it; -1 for an axis without joints
+  int axis = 0;  ///< position in the part's list of the axis that names it
+  int top = 0;   ///< root link of the class; -1 for an axis without joints
   Vector3 base{};
   Vector3 direction{0, 0, 1};
-  Vector3 upInSpace{1, 0, 0};  ///< at right angles to direction: what `up` shows
-  SheetPoint origin;           ///< where `base` lies, px
+  Vector3 upInSpace{1, 0, 0};  ///< at right angles to direction: shown as `up`
+  SheetPoint origin;           ///< the point of the sheet for `base`, px
   SheetPoint along{1, 0};      ///< unit vectors
   SheetPoint up{0, -1};
   bool half = false;    ///< a half section: only the upper side is drawn
-  bool turned = false;  ///< does not lie so in space: turned into the sheet
+  bool turned = false;  ///< turned into the sheet: not so in space
 
-  /// px along the axis and away from it.
+  /// The point of the sheet at px along the axis and away from it.
   [[nodiscard]] SheetPoint at(double coordinate, double height) const {
     return origin + coordinate * along + height * up;
   }
   [[nodiscard]] double coordinateOf(SheetPoint p) const { return dot(p - origin, along); }
   [[nodiscard]] double heightOf(SheetPoint p) const { return dot(p - origin, up); }
-  /// Along the axis in space, in the document's unit.
+  /// The coordinate along the axis in space, in the document's unit.
   [[nodiscard]] double spaceCoordinate(const Vector3& p) const { return geargraph::dot(p - base, direction); }
 };
 
@@ -41,9 +41,9 @@ struct SheetWheel {
   int axis = 0;  ///< of the layout
   GearKind kind = GearKind::external;
   std::vector<int> meshes;
-  double space = 0;  ///< where along the axis it stands in space
-  double at = 0;     ///< where its body meets the axis
-  double low = 0;    ///< parallel: where the first and the last of its meshes lie, most often both at `at`
+  double space = 0;  ///< coordinate along the axis in space
+  double at = 0;     ///< where its body is on the axis
+  double low = 0;    ///< parallel: places of its first and last mesh, mostly both `at`
   double high = 0;
   double radius = 0;   ///< height of the body's end: the middle of the pitch line
   SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
@@ -52,7 +52,7 @@ struct SheetWheel {
   [[nodiscard]] bool isRing() const { return kind == GearKind::internal; }
 };
 
-/// Is the wheel fastened to the frame behind its teeth?
+/// Is the wheel fixed to the frame behind its teeth?
 [[nodiscard]] inline bool isInFrame(const SheetWheel& wheel) {
   return wheel.link == 0 && wheel.kind != GearKind::external;
 }
@@ -60,7 +60,7 @@ struct SheetWheel {
 /// Two wheels in mesh.
 struct SheetPair {
   int mesh = 0;
-  int tail = 0;  ///< wheels
+  int tail = 0;  ///< positions of wheels
   int head = 0;
   bool apart = false;  ///< they do not touch on the sheet
 };
@@ -70,15 +70,15 @@ struct SheetLayout {
   std::vector<SheetAxis> axes;  ///< axis classes first, in their order
   std::vector<SheetWheel> wheels;
   std::vector<SheetPair> pairs;
-  double scale = 1;         ///< px a unit of length, at right angles to parallel axes
-  bool parallel = true;     ///< all axes lie horizontally, where along them is not to scale
+  double scale = 1;         ///< px per unit of length, at right angles to parallel axes
+  bool parallel = true;     ///< all axes are horizontal, and not to scale along them
   bool otherRadii = false;  ///< radii were changed so that wheels touch on the sheet
-  Vector3 right{0, 0, 1};   ///< unit vectors: what lies to the right and upward on the sheet
+  Vector3 right{0, 0, 1};   ///< unit vectors in space: right and up on the sheet
   Vector3 up{1, 0, 0};
-  int root = 0;                ///< the axis that the others are laid out from
-  std::vector<double> planes;  ///< parallel: where along the axes wheels stand, in space, ascending
+  int root = 0;                ///< the axis from which the others are laid out
+  std::vector<double> planes;  ///< parallel: coordinates of the wheels along the axes in space, ascending
 
-  /// px along an axis of a place in space.
+  /// px along an axis of a point in space.
   [[nodiscard]] double along(const SheetAxis& axis, const Vector3& p) const {
     const double coordinate = axis.spaceCoordinate(p);
     return parallel ? stretched(coordinate) : coordinate * scale;
@@ -87,30 +87,30 @@ struct SheetLayout {
   [[nodiscard]] double stretched(double coordinate) const;
 };
 
-/// What places on the sheet mean in space, wheels standing where they stand now.
+/// The frame of the sheet for the present places of the wheels.
 /// @pre the layout has an axis
 [[nodiscard]] SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout);
 
-/// Where planes of wheels stand apart before things are put between them, px.
+/// The initial distance of planes of wheels, px.
 constexpr double kPlaneDistance = 150;
 /// Half of the length of a spur gear's pitch line.
 constexpr double kBarHalf = 9;
-/// Between a pitch line and the true pitch point: the lines of two wheels in mesh lie side by side.
+/// The offset of a pitch line from the true pitch point, px: the lines of two wheels in mesh are side by
+/// side.
 constexpr double kBarGap = 1.8;
 
 /// Lays axes and wheels out.
 ///
-/// All axes parallel: side by side at their centre distances, rolled out upward where they do not lie in one
-/// plane; where that cannot keep all distances, radii give way by the least squares of their relative
-/// changes.
-/// Otherwise: as in space where the axes lie in one plane (z up); else each axis is turned about its
-/// neighbour into the sheet, its distance and angle to it kept.
-/// Of no use when `stop` was requested meanwhile.
+/// If all axes are parallel: side by side at their centre distances, unrolled upward if they are not in one
+/// plane; if that cannot keep all distances, radii are changed by least squares of their relative changes.
+/// Otherwise: as in space if the axes are in one plane (z up); else each axis is turned about its neighbour
+/// into the sheet, with its distance and angle to it kept. The result is meaningless if `stop` was requested
+/// meanwhile.
 /// @pre placement and stacked wheels are the part's, and there is a tree
 [[nodiscard]] SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement,
                                       const TrainWheels& train, const std::stop_token& stop = {});
 
-// The two ways, and what both need.
+// The two cases of sheetLayout(), and a helper.
 void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement,
                  const std::stop_token& stop);
 void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement& placement);

@@ -5,7 +5,7 @@
 
 namespace geargraph::inline schematic {
 
-/// What a symbol occupies along parallel axes, on either side of its place, and across them; px.
+/// The extent of a symbol along parallel axes, on either side of its place, and across them; px.
 struct SheetSpan {
   double before = 0;
   double after = 0;
@@ -17,19 +17,19 @@ struct SheetSpan {
 /// shows the order of the arrangement.
 struct SheetSlot {
   double place = 0;             ///< in the machine, along the axes
-  double wanted = 0;            ///< where that is on the sheet if there is room, px
+  double wanted = 0;            ///< preferred place on the sheet, px
   std::optional<double> fixed;  ///< px
   std::vector<SheetSpan> spans;
   std::vector<int> axes;  ///< that the symbols are on, ascending
-  double at = 0;          ///< px: what the functions below find
+  double at = 0;          ///< px: the result of the functions below
 };
 
-/// Each slot as near to those before it as its symbols allow. Cost: O(slots^2).
+/// Places each slot as near to those before it as its symbols allow. Cost: O(slots^2).
 /// @pre ascending places
 void packSlots(std::vector<SheetSlot>& slots);
 
-/// Each slot where it is wanted if there is room, else pushed aside; where fixed ones leave too little room,
-/// in order all the same. Cost: O(slots^2).
+/// Places each slot where it is wanted if there is room, else pushed aside; the order is kept even if fixed
+/// slots leave too little room. Cost: O(slots^2).
 /// @pre ascending places
 void spreadSlots(std::vector<SheetSlot>& slots);
 

@@ -18,7 +18,7 @@ enum class SheetFileForm : std::uint8_t { html, latex, pdf, json };
 
 [[nodiscard]] std::optional<SheetFileForm> sheetFileForm(std::string_view name);  ///< "latex"
 
-/// What a teacher wants on paper or on screens.
+/// The options of an exercise sheet's files.
 struct SheetWish {
   SheetPlan plan;
   std::vector<std::string> students;  ///< by variant, printed on the sheets; may be empty
@@ -29,10 +29,11 @@ struct SheetWish {
 /// "sheet-07.pdf", "solution-07.pdf".
 [[nodiscard]] std::vector<std::string> sheetFileNames(const SheetWish& wish);
 
-/// The files of a sheet: the sheet itself, from which the program makes everything again, and for each
-/// variant the questions and the solution in every form and a file for the answers. `progress` is told how
-/// many variants are made. Of no use when `stop` was requested meanwhile. Cost: variants · forms documents.
-/// @pre every kind of the plan is offered; students.size() is 0 or plan.variants
+/// The files of a sheet: the sheet itself, from which the program can reproduce everything, and for each
+/// variant the questions and the solution in every form and a file for the answers. `progress` is called with
+/// the number of finished variants. The result is meaningless if `stop` was requested meanwhile. Cost:
+/// variants · forms documents.
+/// @pre the source supports every kind of the plan; students.size() is 0 or plan.variants
 [[nodiscard]] Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetWish& wish,
                                                const std::function<void(int variants)>& progress = {},
                                                const std::stop_token& stop = {});

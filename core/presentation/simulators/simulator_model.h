@@ -27,28 +27,28 @@ enum class SimulatorMotor : std::uint8_t {
 struct SimulatorOptions {
   double timestep = 0.001;  ///< s
   SimulatorMotor motor = SimulatorMotor::speed;
-  std::optional<double> armature;  ///< inertia of each rotor, kg m²; none: 100 times what the input feels
-  double tolerance = kScreenTolerance;  ///< of the meshes that are shown, modules
+  std::optional<double> armature;       ///< rotor inertia, kg m²; none: 100 times the reflected inertia
+  double tolerance = kScreenTolerance;  ///< of the visual meshes, modules
 };
 
-/// A link as a rigid body with the joint that ties it to its parent. Lengths in m; all frames are parallel to
-/// the base frame in the reference pose.
+/// A link as a rigid body with the joint to its parent. Lengths in m; all frames are parallel to the base
+/// frame in the reference pose.
 struct SimulatedLink {
   int link = 0;
-  int parent = 0;    ///< link; the ground is its own
+  int parent = 0;    ///< link; that of the ground is the ground
   std::string name;  ///< its id
   int joint = -1;    ///< ordinal; -1 for the ground
   std::string jointName;
-  /// The axis of the joint's rotation: its direction where the joint's arrow leads away from the ground, else
-  /// the opposite, so that the angle is the document's.
+  /// The axis of the joint's rotation: its direction if the joint's arrow points away from the ground, else
+  /// the opposite, so that the angle is that of the document.
   Eigen::Vector3d axis{0, 0, 1};
   Eigen::Vector3d origin{0, 0, 0};  ///< of its frame, on the axis at the bearing, in the base frame
   MassProperties body;              ///< base frame
-  bool isBall = false;              ///< it has no solid and no stated mass: a ball of a bearing's size
-  std::string mesh;                 ///< file within the folder, base frame, document's unit; empty: none
+  bool isBall = false;  ///< it has neither a solid nor a stated mass: a ball of a bearing's size is used
+  std::string mesh;     ///< file within the folder, base frame, document's unit; empty: none
 };
 
-/// A linear equation of joint angles that holds: a mesh, or an engaged coupling.
+/// A linear constraint of joint angles: a mesh, or an engaged coupling.
 struct SimulatedRow {
   std::string name;
   std::vector<std::pair<int, double>>
@@ -59,10 +59,10 @@ struct SimulatedRow {
 struct SimulatedInput {
   int joint = 0;
   double speed = 0;    ///< rad/s
-  double inertia = 0;  ///< that it feels in the reference pose, the others at rest, kg m²
+  double inertia = 0;  ///< reflected inertia in the reference pose, the other inputs at rest, kg m²
 };
 
-/// A mechanism for programs that simulate rigid bodies.
+/// A mechanism for rigid-body simulators.
 struct SimulatorModel {
   std::string name;
   double metres = 0.001;  ///< in one of the document's unit
@@ -73,10 +73,10 @@ struct SimulatorModel {
   std::vector<std::string> joints;   ///< names by ordinal
   std::vector<SimulatedRow> rows;
   std::vector<SimulatedInput> inputs;
-  /// K by joint and input, exact: which joints follow which.
+  /// K by joint and input, exact: theta_joint = K theta_inputs.
   std::vector<std::vector<Rational>> gains;
   FolderFiles meshes;
-  std::vector<std::string> notes;  ///< what a reader of the file has to know, sentences
+  std::vector<std::string> notes;  ///< notes for the reader of the file, as sentences
 };
 
 /// Why there is no model, as a sentence.
@@ -87,8 +87,8 @@ struct SimulatorError {
 };
 
 /// The model of a mechanism as engaged. Rows of meshes are teeth times metres per tooth (pitch radius of the
-/// tail over its teeth): the ratio is that of the teeth, exactly.
-/// Fails for links too light for simulators, unknown units of length, and over the limit of triangles.
+/// tail over its teeth), so the ratio is exactly that of the teeth. Fails for links too light for simulators,
+/// unknown units of length, and above the limit of triangles.
 /// Cost: that of the solids and masses.
 /// @pre the snapshot has no errors, a tree and a solution with its matrix; `train` is its own
 [[nodiscard]] std::variant<SimulatorModel, SimulatorError> simulatorModel(const AnalysisSnapshot& snapshot,
@@ -96,12 +96,12 @@ struct SimulatorError {
                                                                           const SimulatorOptions& options,
                                                                           const std::stop_token& stop = {});
 
-/// The model as MJCF, the format of MuJoCo: every mesh a fixed tendon that an equality holds, couplings
-/// likewise.
+/// The model as MJCF, the format of MuJoCo: every mesh and coupling is a fixed tendon with an equality
+/// constraint.
 [[nodiscard]] std::string mjcfText(const SimulatorModel& model, const SimulatorOptions& options);
 
-/// The model as URDF, in which a joint follows at most one other joint.
-/// Fails where a joint follows several; the message gives the equation of the first three.
+/// The model as URDF, in which a joint can mimic only one other joint. Fails if a joint depends on several;
+/// the message has the equations of the first three.
 [[nodiscard]] std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model);
 
 }  // namespace geargraph::inline simulators

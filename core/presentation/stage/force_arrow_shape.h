@@ -7,8 +7,8 @@
 
 namespace geargraph::inline stage {
 
-/// An arrow of a force in the picture, in logical pixels: a line from `from` to `neck`, and a filled
-/// triangle. One that points along the line of sight, shorter than its head would be, is a disc about `from`
+/// The arrow of a force in the picture, in logical pixels: a line from `from` to `neck`, and a filled
+/// triangle. An arrow along the line of sight, which would be shorter than its head, is a disc around `from`
 /// instead.
 struct ForceArrowShape {
   Eigen::Vector2d from{0, 0};
@@ -21,7 +21,7 @@ constexpr double kForceShaft = 2.8;   ///< width, px
 constexpr double kForceCasing = 1.4;  ///< px on each side of shaft, head and disc, in the sheet's colour
 constexpr double kForceDisc = 4.5;    ///< radius, px
 
-/// Arrows are painted over the solids: most begin inside of one.
+/// Arrows are painted over the solids, because most begin inside one.
 [[nodiscard]] ForceArrowShape forceArrowShape(const ForceArrow& arrow, const LabelGround& ground);
 
 }  // namespace geargraph::inline stage

@@ -6,13 +6,12 @@
 
 namespace geargraph::inline stage {
 
-/// Angles of the inputs over time, known at some times: a motion whose speeds change, as forward dynamics
-/// gives it.
+/// Sampled angles of the inputs over time: a motion with varying speeds, as from forward dynamics.
 class InputTrajectory {
  public:
   struct Sample {
     double time = 0;             ///< s
-    std::vector<double> angles;  ///< rad, one an input; at 0 the reference pose
+    std::vector<double> angles;  ///< rad, one per input; 0 is the reference pose
     std::vector<double> speeds;  ///< rad/s
   };
 
@@ -20,11 +19,12 @@ class InputTrajectory {
   explicit InputTrajectory(std::vector<Sample> samples);
 
   [[nodiscard]] std::size_t inputs() const { return m_samples.front().angles.size(); }
-  /// How long it takes, s; 0 with one sample.
+  /// The duration, s; 0 with one sample.
   [[nodiscard]] double seconds() const { return m_samples.back().time; }
   [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
 
-  /// Between samples by the cubic with their angles and speeds, before the first and after the last as there.
+  /// Interpolated by the cubic Hermite polynomial between samples, constant before the first and after the
+  /// last.
   /// Cost: the logarithm of the samples.
   [[nodiscard]] Sample at(double time) const;
 

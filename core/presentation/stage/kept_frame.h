@@ -8,11 +8,11 @@
 
 namespace geargraph::inline stage {
 
-/// A frame with the stage it is of, which keeps all that it looks at: for a picture that is painted later, on
+/// A frame that owns everything it refers to, including its stage: for a picture that is painted later, on
 /// another thread. Cost: O(instances).
 class KeptFrame {
  public:
-  /// `stage` may be null: then the picture is of an empty scene.
+  /// `stage` may be null: then the scene is empty.
   KeptFrame(StagePtr stage, const Frame& frame)
       : m_stage(std::move(stage)),
         m_poses(frame.poses.begin(), frame.poses.end()),

@@ -11,10 +11,10 @@
 
 namespace geargraph::inline stage {
 
-/// Half of a label's plate, in logical pixels.
+/// Half the size of a label's plate, in logical pixels.
 constexpr double kLabelRadius = 11.5;
 
-/// What a picture shows, and how.
+/// The picture for which labels are placed.
 struct LabelGround {
   const Stage& stage;
   std::span<const Pose> poses;
@@ -22,7 +22,7 @@ struct LabelGround {
   const Camera& camera;
   const Viewport& viewport;
   double pixelRatio = 1;
-  const SeenMap* seen = nullptr;  ///< what the picture shows where; none: it was not looked at anew
+  const SeenMap* seen = nullptr;  ///< what is visible in the picture; null: no new map
 
   [[nodiscard]] bool isShown(const StageLabel& label) const {
     return showing.empty() || showing[label.instance] == Showing::solid;
@@ -37,26 +37,26 @@ struct LabelGround {
   }
 };
 
-/// The cells of a map that labels are placed by.
+/// The size of the grid of a SeenMap for label placement.
 [[nodiscard]] Viewport labelCells(const Viewport& viewport, double pixelRatio);
 
-/// Where the label of a link stands: on what is seen of the link, or beside it with a line to it.
+/// The place of a link's label: on the visible part of the link, or beside it with a leader line.
 struct LabelAnchor {
-  Eigen::Vector3d off{0, 0, 0};  ///< mm in the world, from the middle of the part; no turning turns it
+  Eigen::Vector3d off{0, 0, 0};  ///< mm in the world, from the middle of the part; does not turn with it
   Eigen::Vector2d away{0, 0};    ///< logical pixels from there to the plate
 };
 
-/// The anchors of links' labels: in the midst of what is seen of a link, so that a number never stands on
-/// another part. One stays where it is as long as that shows its link well, so labels of turning parts do not
+/// The anchors of links' labels: in the middle of the visible part of a link, so that a number is never on
+/// another part. An anchor stays while its link is well visible there, so that labels of turning parts do not
 /// wander.
 class LabelAnchors {
  public:
-  /// @pre the ground has a map
-  /// Cost: the map's cells; for parts that are narrower than a plate, as many places as there are round them.
+  /// @pre the ground has a map Cost: the map's cells; for parts that are narrower than a plate, as many
+  /// places as there are round them.
   void renew(const LabelGround& ground);
   void reset() { *this = {}; }
   [[nodiscard]] bool areNew() const { return m_areNew; }
-  /// None where nothing of the link is seen.
+  /// Null if nothing of the link is visible.
   [[nodiscard]] const LabelAnchor* of(const ElementId& link) const {
     const auto anchor = m_anchors.find(link);
     return anchor == m_anchors.end() ? nullptr : &anchor->second;

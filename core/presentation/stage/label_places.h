@@ -12,29 +12,30 @@ namespace geargraph::inline stage {
 struct LabelPlate {
   std::size_t label = 0;         ///< position in Stage::labels
   Eigen::Vector2d middle{0, 0};  ///< of the plate
-  Eigen::Vector2d anchor{0, 0};  ///< what it speaks of; a line leads there where the plate does not cover it
+  Eigen::Vector2d anchor{0, 0};  ///< of the leader line, which is left out where the plate covers it
   [[nodiscard]] bool hasLine() const { return (middle - anchor).norm() > kLabelRadius + 1; }
-  /// Where that line meets the plate.
+  /// Where the leader line meets the plate.
   [[nodiscard]] Eigen::Vector2d rim() const { return middle + kLabelRadius * (anchor - middle).normalized(); }
 };
 
-/// Places for the labels of the kinds that are shown: a link's on what is seen of it (LabelAnchors), a
-/// joint's and an axis' at its place; pushed apart where two would touch. A link that is not seen has no
-/// label. Before the first map of what is seen, links' labels stand at the middles of their parts.
+/// Places the labels of the kinds that are shown: a link's on its visible part (LabelAnchors), a joint's and
+/// an axis' at its place; labels that would touch are pushed apart. A link that is not visible has no label.
+/// Before the first SeenMap, links' labels are at the middles of their parts.
 class LabelPlaces {
  public:
   void setShown(LabelKind kind, bool shown) { m_shown[static_cast<std::size_t>(kind)] = shown; }
   [[nodiscard]] bool isShown(LabelKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
   void reset() { m_anchors.reset(); }
-  /// No map was seen yet, or none since reset().
+  /// Is there no map yet, or none since reset()?
   [[nodiscard]] bool areNew() const { return m_anchors.areNew(); }
-  /// What lies over the picture's upper and lower edge, which labels keep clear of; logical pixels.
+  /// The overlays at the picture's upper and lower edge, which labels avoid; logical pixels.
   void setBorders(double above, double below) {
     m_above = above;
     m_below = below;
   }
 
-  /// Labels of hidden instances are left out; so are all of more than 60. Cost: O(labels²), for the pushing.
+  /// Labels of hidden instances are left out; with more than 60 all are. Cost: O(labels²), for pushing them
+  /// apart.
   [[nodiscard]] std::vector<LabelPlate> find(const LabelGround& ground);
 
  private:
@@ -46,7 +47,7 @@ class LabelPlaces {
   LabelAnchors m_anchors;
 };
 
-/// A length that reads well (1, 2 or 5 times a power of ten) and takes at most `most` pixels of the picture.
+/// The largest round length (1, 2 or 5 times a power of ten) of at most `most` pixels in the picture, mm.
 /// @pre both positive
 [[nodiscard]] double niceLength(double millimetresPerPixel, double most);
 

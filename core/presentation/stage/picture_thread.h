@@ -15,56 +15,55 @@
 
 namespace geargraph::inline stage {
 
-/// A picture that is wanted.
+/// A request for a picture.
 struct PictureOrder {
   KeptFramePtr frame;
-  /// Painted with a side of this part of the frame's, for a quick look; in (0, 1].
+  /// The scale of the picture's sides relative to the frame, for a draft frame; in (0, 1].
   double scale = 1;
-  /// Cells of the map of what is seen that is wanted with it.
+  /// The grid of the SeenMap that is wanted with it; none: no map.
   std::optional<Viewport> cells;
-  /// The map need not come with the picture, so that this is there sooner: it is delivered after it, alone,
-  /// unless the next order is there by then.
+  /// The map may be delivered after the picture, by itself, so that the picture comes sooner; it is dropped
+  /// if the next order arrives first.
   bool mapMayFollow = false;
 };
 
-/// What is under a place of a picture?
+/// A pick request: what is under a point of a picture?
 struct PictureQuestion {
   KeptFramePtr frame;
   double x = 0;  ///< as of Renderer::pick()
   double y = 0;
-  /// Dropped when a newer one that gives way too is asked before its turn: of a hovering pointer only the
-  /// last place counts.
+  /// Dropped if a newer question of this kind is asked before its turn: for a hovering pointer only the last
+  /// position matters.
   bool givesWay = false;
   std::function<void(const std::optional<Hit>& hit)> answer;  ///< called on the painting thread
 };
 
-/// The picture of an order. An empty image where the driver had no room.
+/// The picture of an order; the image is empty if the driver was out of memory.
 struct PaintedPicture {
   PictureOrder order;
   Image image;
   std::optional<SeenMap> seen;
-  bool isMapAlone = false;  ///< the picture has been delivered before
-  double cost = 0;          ///< ms that the thread has worked on it, waiting for the driver's own threads too
+  bool isMapAlone = false;  ///< the picture was delivered before
+  double cost = 0;  ///< time that the thread spent on it, ms, including waiting for the driver's threads
 };
 
-/// Paints pictures beside the screen, on a thread of its own: where the processor has to paint, the window
-/// stays free for everything else. The newest order wins; one that is overtaken before its turn is dropped.
+/// Paints pictures offscreen, on a thread of its own, so that the window stays responsive with software
+/// rendering. The newest order wins; an order replaced before its turn is dropped.
 ///
-/// Its functions may be called from any one thread.
+/// To be called from one thread at a time.
 class PictureThread {
  public:
-  /// Called on the painting thread with every picture that is finished.
+  /// Called on the painting thread with every finished picture.
   using Deliver = std::function<void(PaintedPicture picture)>;
 
   /// Fails with `graphics` as EglHost::create() does.
   [[nodiscard]] static Expected<std::unique_ptr<PictureThread>> start(Deliver deliver);
-  /// The picture under way is given up, unless the driver has all of it already; what was ordered after it is
-  /// dropped.
+  /// Cancels the current picture, unless the driver has all of it already; pending orders are dropped.
   ~PictureThread();
   PictureThread(const PictureThread&) = delete;
   PictureThread& operator=(const PictureThread&) = delete;
 
-  /// What paints, and whether that is the processor.
+  /// The driver's name, and whether it is software rendering.
   [[nodiscard]] const std::string& name() const { return m_name; }
   [[nodiscard]] bool isSoftware() const { return m_isSoftware; }
 
@@ -74,14 +73,14 @@ class PictureThread {
   [[nodiscard]] bool hasEnded() const { return m_thread->hasEnded(); }
 
   void order(PictureOrder order);
-  /// Paints these one by one whenever there is nothing else to do, and delivers nothing: so that a driver
-  /// compiles what it needs for them before somebody waits. An order or a question waits for one of them.
-  /// Those of another stage than the last that was ordered are dropped.
+  /// Paints these when idle, without delivering them, so that the driver compiles its shaders ahead of time.
+  /// An order or a question waits for at most one of them. Those of another stage than that of the last order
+  /// are dropped.
   void rehearse(std::vector<PictureOrder> orders);
-  /// Returns when all that was ordered has been delivered, or when nothing is painted any more.
+  /// Blocks until all orders have been delivered, or until painting has ended.
   void finish();
-  /// Answered in the order of the questions, and before any picture that has not been begun. Questions that
-  /// are open when the thread ends are not answered.
+  /// Questions are answered in order, before any picture that has not begun. Open questions are not answered
+  /// when the thread ends.
   void ask(PictureQuestion question);
 
  private:
@@ -100,7 +99,7 @@ class PictureThread {
   Deliver m_deliver;
   std::unique_ptr<EglHost> m_host;  ///< of the painting thread
   std::stop_token m_quit;           ///< of the thread itself
-  StagePtr m_stage;                 ///< whose scene the host has; of the painting thread
+  StagePtr m_stage;                 ///< the stage of the host's scene; of the painting thread
   bool m_hasScene = false;
   std::string m_name;
   bool m_isSoftware = false;
@@ -110,10 +109,10 @@ class PictureThread {
   std::condition_variable m_idle;
   std::optional<PictureOrder> m_next;       ///< guarded by m_mutex
   std::deque<PictureQuestion> m_questions;  ///< guarded by m_mutex
-  std::optional<PictureOrder> m_mapDue;     ///< whose map has still to follow; guarded by m_mutex
+  std::optional<PictureOrder> m_mapDue;     ///< the order whose map is pending; guarded by m_mutex
   std::deque<PictureOrder> m_rehearsals;    ///< guarded by m_mutex
   bool m_isPainting = false;                ///< guarded by m_mutex
-  std::optional<EndingThread> m_thread;     ///< last: it is stopped before what it uses goes
+  std::optional<EndingThread> m_thread;     ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline stage

@@ -15,23 +15,23 @@ namespace geargraph::inline stage {
 
 enum class LabelKind : std::uint8_t { link, joint, axis };
 
-/// A disc with a text that faces the viewer, beside what it names.
+/// A disc with a text that faces the viewer, at its element.
 struct StageLabel {
   LabelKind kind = LabelKind::link;
   std::string text;
   Rgb colour;                      ///< of the disc's ring
   ElementId element;               ///< what a click on it selects
-  std::size_t instance;            ///< it follows this one
-  Eigen::Vector3d place{0, 0, 0};  ///< middle of what is named, in the instance's frame
+  std::size_t instance;            ///< that it follows
+  Eigen::Vector3d place{0, 0, 0};  ///< middle of its element, in the instance's frame
   double radius = 0;               ///< mm from that middle that the disc must not cover
 };
 
-/// How a part can be taken by hand: it turns about a line, and so much for each input.
+/// How a part can be dragged: it turns about a line, with a gain for each input.
 struct StageHandle {
   Eigen::Vector3d point{0, 0, 0};      ///< of the line, at the scene's own poses
   Eigen::Vector3d direction{0, 0, 1};  ///< length 1
   std::vector<double>
-      gains;  ///< rad about +direction, against what carries it, a rad of each input; empty: fixed
+      gains;  ///< rad about +direction, relative to its carrier, per rad of each input; empty: fixed
 };
 
 enum class MarkKind : std::uint8_t { pitchCircle, axis };
@@ -39,7 +39,7 @@ enum class MarkKind : std::uint8_t { pitchCircle, axis };
 /// A line of the geometry that no solid shows: a pitch circle, a turning axis.
 struct StageMark {
   MarkKind kind = MarkKind::pitchCircle;
-  std::size_t instance = 0;             ///< it moves with this one
+  std::size_t instance = 0;             ///< that it moves with
   std::vector<Eigen::Vector3d> points;  ///< mm, in the instance's frame
   bool dashed = false;
 };
@@ -52,7 +52,8 @@ struct StageContact {
   std::size_t head = 0;
 };
 
-/// How an instance moves at a moment: angular velocity, and the velocity of its point that is at the origin.
+/// The instantaneous motion of an instance: its angular velocity, and the velocity of its point at the
+/// origin.
 struct Twist3 {
   Eigen::Vector3d angular{0, 0, 0};  ///< rad/s
   Eigen::Vector3d linear{0, 0, 0};   ///< mm/s
@@ -61,28 +62,28 @@ struct Twist3 {
   }
 };
 
-/// Something that is not shown, or simplified, and why, in a sentence.
+/// A note on something that is not shown or is simplified, as a sentence.
 struct StageNote {
   ElementId element;
   std::string text;
 };
 
-/// A turning joint: how fast its head turns against its tail is the same combination of the inputs' speeds in
+/// A turning joint: its rate (head relative to tail) is the same linear combination of the inputs' speeds in
 /// every pose.
 struct StageJoint {
   ElementId element;
   std::string text;           ///< its label
   Rgb colour;                 ///< of the link that it moves
-  std::vector<double> gains;  ///< one an input
+  std::vector<double> gains;  ///< one per input
 };
 
-/// One end of the times that a motion may take.
+/// One end of the time range of a motion.
 struct StageLimit {
   double time = 0;   ///< s; infinite: there is none
-  std::string text;  ///< the joint that is at its limit there: "joint 8 at 170°"
+  std::string text;  ///< the joint that reaches its limit there: "joint 8 at 170°"
 };
 
-/// The times that joints with limits leave to a motion.
+/// The time range of a motion within the limits of joints.
 struct StageRange {
   StageLimit from{-std::numeric_limits<double>::infinity(), {}};
   StageLimit to{std::numeric_limits<double>::infinity(), {}};
@@ -90,27 +91,28 @@ struct StageRange {
   [[nodiscard]] bool isLimited() const { return std::isfinite(from.time) || std::isfinite(to.time); }
 };
 
-/// A scene that moves: where every instance is for given angles of the inputs. Poses are a function of the
-/// angles, never a sum of steps, so nothing drifts however long the train runs.
+/// A scene that moves: the pose of every instance is a function of the inputs' angles, never a sum of steps,
+/// so nothing drifts however long the train runs.
 struct Stage {
   Scene scene;
   std::vector<StageLabel> labels;
   std::vector<StageHandle> handles;  ///< by instance; empty where nothing moves
-  std::vector<StageJoint> joints;    ///< empty where nothing moves
-  std::vector<double> inputSpeeds;   ///< rad/s, one an input
+  std::vector<StageJoint> joints;    ///< empty if nothing moves
+  std::vector<double> inputSpeeds;   ///< rad/s, one per input
   std::string unit = "mm";           ///< of all lengths
   std::vector<StageMark> marks;
   std::vector<StageContact> contacts;
   std::vector<StageNote> notes;
-  double period = 0;  ///< seconds after which everything is where it was; 0: not known, or it never is
-  /// Fills one pose an instance from one angle an input (rad; at 0 the reference pose). Empty: nothing moves.
+  double period = 0;  ///< s; 0: not known, or the motion is not periodic
+  /// Computes one pose per instance from one angle per input (rad; 0 is the reference pose). Empty: nothing
+  /// moves.
   std::function<void(std::span<const double> angles, std::span<Pose> poses)> place;
-  /// How long the inputs may run at their speeds when so much (rad) was added to their angles; empty: as long
-  /// as they like.
+  /// The time range within which the inputs may run at their speeds from angles offset by `added` (rad);
+  /// empty: no limits.
   std::function<StageRange(std::span<const double> added)> range;
-  /// A joint that is beyond its limits at these angles of the inputs, as in StageLimit; empty: none is.
+  /// A joint beyond its limits at these angles of the inputs, as in StageLimit::text; an empty text: none is.
   std::function<std::string(std::span<const double> angles)> beyondLimits;
-  /// Fills the twist of every instance, at these angles and speeds of the inputs. Empty: nothing moves.
+  /// Computes the twist of every instance at these angles and speeds of the inputs. Empty: nothing moves.
   std::function<void(std::span<const double> angles, std::span<const double> speeds,
                      std::span<Twist3> twists)>
       twists;

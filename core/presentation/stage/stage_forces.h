@@ -24,28 +24,29 @@ struct StageForce {
   std::string text;                ///< "mesh 9: 443 N"
   Eigen::Vector3d point{0, 0, 0};  ///< where it acts at the scene's own poses, mm, base frame
   Eigen::Vector3d force{0, 0, 0};  ///< N, base frame
-  std::optional<ElementId> link;   ///< that it moves with; none: the ground
+  std::optional<ElementId> link;   ///< with which it moves; none: the ground
 };
 using StageForces = std::shared_ptr<const std::vector<StageForce>>;
 
-/// An arrow as it is seen: it begins where its force acts.
+/// The arrow of a force in the world as shown; it begins at the point of action.
 struct ForceArrow {
   std::size_t force = 0;  ///< position in the list
   Eigen::Vector3d from{0, 0, 0};
   Eigen::Vector3d to{0, 0, 0};
 };
 
-/// The greatest force is as long as a third of the scene's radius, the others in proportion; what is below a
-/// thousandth of it is left out. `ground`: where the base frame is seen. Cost: O(forces + instances).
+/// The arrow of the greatest force is a third of the scene's radius long, the others in proportion; forces
+/// below a thousandth of it are left out. `ground`: the displayed pose of the base frame. Cost: O(forces +
+/// instances).
 [[nodiscard]] std::vector<ForceArrow> forceArrows(const Stage& stage, std::span<const StageForce> forces,
                                                   std::span<const Pose> poses, const Pose& ground);
 
-/// Tooth forces in the look's ink, bearing reactions in accent, cased in the colour of the sheet.
+/// Adds the arrows as lines: tooth forces in the ink colour, bearing reactions in the accent colour.
 void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const Look& look,
                    std::vector<MarkLine>& lines);
 [[nodiscard]] Rgb forceColour(ForceKind kind, const Look& look);
 
-/// What the arrows of this colour are, for a legend.
+/// The legend of the arrows of this kind.
 [[nodiscard]] std::string_view forceLegend(ForceKind kind);
 
 /// The box of a label in the picture, in logical pixels; a line leads from the tip of its arrow to it.
@@ -59,7 +60,7 @@ struct ForceLabel {
 constexpr std::size_t kMostForceLabels = 6;
 
 /// Labels of the greatest forces, and of those whose elements are in `lit`: beside the tips of their arrows,
-/// clear of all arrows and of each other; one without room is left out. `widthOf`: px of a text.
+/// clear of all arrows and of each other; labels without room are left out. `widthOf`: width of a text, px.
 /// Cost: O(labels * arrows).
 [[nodiscard]] std::vector<ForceLabel> placeForceLabels(
     std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const std::set<ElementId>& lit,

@@ -8,14 +8,14 @@
 
 namespace geargraph::inline stage {
 
-/// The way that a point of a part takes.
+/// The path of a point of a part.
 struct TracedPath {
   std::vector<double> times;            ///< s
-  std::vector<Eigen::Vector3d> points;  ///< mm; one a time
+  std::vector<Eigen::Vector3d> points;  ///< mm; one per time
   double length = 0;                    ///< mm
 };
 
-/// Which point, and seen from where.
+/// The traced point and the reference frame.
 struct TracedPoint {
   std::size_t instance = 0;
   Eigen::Vector3d place{0, 0, 0};  ///< in the instance's frame
@@ -23,15 +23,15 @@ struct TracedPoint {
       watcher;  ///< an instance of the link that the path is seen from; none: the ground
 };
 
-/// The path over so many seconds from time 0, while the inputs run at their speeds from `start` (rad, one an
-/// input), or as `trajectory` moves them beside it. Sampled the more finely until the length changes by less
-/// than a ten-thousandth, or 2^17 poses have been made; the length is extrapolated from the last two.
+/// The path over `seconds` from time 0, while the inputs run at their speeds from `start` (rad, one per
+/// input), or follow `trajectory` in addition to `start`. The sampling is refined until the length changes by
+/// less than 1e-4, or 2^17 poses have been made; the length is extrapolated from the last two.
 /// @pre the stage moves, seconds > 0, the trajectory is of its inputs
 [[nodiscard]] TracedPath tracedPath(const Stage& stage, const TracedPoint& point,
                                     std::span<const double> start, double seconds,
                                     const InputTrajectory* trajectory = nullptr);
 
-/// As CSV: time in s, x, y, z in the unit; a heading line first.
+/// The path as CSV with a header line: time in s, x, y, z in the unit.
 [[nodiscard]] std::string pathCsv(const TracedPath& path, const std::string& unit);
 
 }  // namespace geargraph::inline stage

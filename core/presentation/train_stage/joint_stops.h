@@ -6,7 +6,7 @@
 
 namespace geargraph::inline train_stage {
 
-/// Fills `range` and `beyondLimits` of a stage that moves so, where joints of the mechanism have limits.
+/// Sets `range` and `beyondLimits` of a stage with this motion, if joints of the mechanism have limits.
 void addJointStops(Stage& stage, const Mechanism& mechanism, const JointMotion& motion);
 
 }  // namespace geargraph::inline train_stage

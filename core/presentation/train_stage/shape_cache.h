@@ -12,15 +12,15 @@
 
 namespace geargraph::inline train_stage {
 
-/// The 3D files that links wear, read once while they stay as they are on the disk. What could not be read is
-/// remembered too. Not for two threads at once.
+/// A cache of the attached 3D files of links; a file is read again when it changes on disk. Errors are cached
+/// too. Not thread-safe.
 class ShapeCache {
  public:
   explicit ShapeCache(std::filesystem::path reader = foreignMeshReader(), const ForeignLimits& limits = {})
       : m_reader(std::move(reader)), m_limits(limits) {}
 
-  /// The solid of `folder` / `file`, `scale` times as large; or why there is none, as a sentence. A symbolic
-  /// link that leads out of the folder is not followed.
+  /// The solid of `folder` / `file`, scaled by `scale`; or the reason why there is none, as a sentence. A
+  /// symbolic link that leads out of the folder is not followed.
   [[nodiscard]] std::variant<std::shared_ptr<const Solid>, std::string> find(
       const std::filesystem::path& folder, const std::string& file, double scale,
       const std::stop_token& stop);
@@ -40,7 +40,7 @@ class ShapeCache {
   std::map<Key, Found> m_known;
 };
 
-/// Where a document's 3D files are looked for.
+/// Where a document's attached 3D files are read from.
 struct ShapeSource {
   ShapeCache& cache;
   std::filesystem::path folder;  ///< of the document

@@ -9,7 +9,7 @@
 
 namespace geargraph::inline train_stage {
 
-/// What lies over the picture of the solids.
+/// The overlays of a picture.
 struct OverlayChoice {
   bool links = false;
   bool joints = false;
@@ -20,9 +20,9 @@ struct OverlayChoice {
   [[nodiscard]] bool any() const { return links || joints || axes || scaleBar || forces || power; }
 };
 
-/// The labels and the scale bar of the 3D view as a drawing, one picture of a film after the other: a link's
-/// number in a disc ringed with its colour, a joint's in a square, an axis' letter on a plate. Units are
-/// logical pixels from the upper left corner; StagePainter::pixelRatio() of them are a pixel of the picture.
+/// The labels and the scale bar of the 3D view as a drawing, for consecutive pictures of an animation: a
+/// link's number in a disc ringed with its colour, a joint's in a square, an axis' letter on a plate. Units
+/// are logical pixels from the upper left corner; one is StagePainter::pixelRatio() pixels of the picture.
 class StageLabels {
  public:
   explicit StageLabels(const OverlayChoice& choice);

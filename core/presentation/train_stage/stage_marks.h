@@ -9,7 +9,7 @@
 
 namespace geargraph::inline train_stage {
 
-/// The train that a stage was made of, and where its parts went.
+/// The train of a stage, with the instances of its parts.
 struct StagedTrain {
   const Mechanism& mechanism;
   const Placement& placement;
@@ -18,9 +18,9 @@ struct StagedTrain {
   std::span<const int> linkOfInstance;
 };
 
-/// Adds what the geometry holds beside solids: the circles and cones that wheels roll on (through the pitch
-/// points, so profile shifts are in them), the pitch points, the axes of the turning joints, and the labels
-/// of joints and axes.
+/// Adds the geometry other than solids: the operating pitch circles and cones (through the pitch points, so
+/// they include profile shifts), the pitch points, the axes of the turning joints, and the labels of joints
+/// and axes.
 /// Cost: O(instances + joints + meshes). @pre the placement has a tree
 void addMarks(Stage& stage, const StagedTrain& staged);
 

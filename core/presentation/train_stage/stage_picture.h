@@ -21,38 +21,38 @@ namespace geargraph::inline train_stage {
 constexpr int kLeastPictureSide = 16;
 constexpr int kMostPictureSide = 8192;
 
-/// The theme's look as files have it: finely sampled, and on no ground where that is wished (then the shadow
-/// alone says where the floor is).
+/// The theme's render style for files: with more samples; `transparent`: without background and floor disc,
+/// only the shadow shows the floor.
 [[nodiscard]] Look pictureLook(Theme theme, bool transparent);
 
-/// A picture or film of a stage that somebody wants.
+/// A snapshot or animation of a stage.
 struct StageShot {
   StagePtr stage;
   StageView view;
   Viewport size{1600, 1000};
-  bool fits = true;  ///< the camera keeps its direction and goes where all of the picture or film is in view
+  bool fits = true;  ///< the camera keeps its direction and moves so that all pictures show everything
   std::optional<Film> film;
-  double pixelRatio = 0;  ///< pixels of a logical one, for the widths of lines; 0: by the height
+  double pixelRatio = 0;  ///< pixels per logical pixel, for the widths of lines; 0: from the height
 };
 
-/// Paints the pictures of a shot with no display. Use it on the thread that made it.
+/// Paints the pictures of a shot offscreen. To be used on the thread that made it.
 class StagePainter {
  public:
-  /// Fails with `graphics` where nothing can paint, or the driver paints no picture so large. Null when
-  /// `stop` was requested meanwhile; later it ends the picture under way, which is empty then. Cost: a
-  /// context and shaders; where the shot fits, the outline of each solid and up to 24 poses of a film.
+  /// Fails with `graphics` if no renderer is available, or the picture is too large for the driver. Null if
+  /// `stop` was requested meanwhile; a later request ends the current picture, which is then empty. Cost: a
+  /// context and shaders; for a shot that fits, the outline of each solid and up to 24 poses of an animation.
   [[nodiscard]] static Expected<std::unique_ptr<StagePainter>> create(StageShot shot,
                                                                       const std::stop_token& stop = {});
 
-  /// 1 where there is no film.
+  /// The number of pictures; 1 without an animation.
   [[nodiscard]] int pictures() const { return m_shot.film ? m_shot.film->frames : 1; }
-  /// Empty where the driver has no room, or it was stopped.
+  /// Empty if the driver is out of memory, or `stop` was requested.
   [[nodiscard]] Image paint(int picture);
-  /// What the last picture shows where, and what labels are placed by with it; the ground refers to the
-  /// painter and the map. The map is of no use once stopped. @pre paint() was called
+  /// The SeenMap of the last picture, and the data for label placement with it, which refers to the painter
+  /// and the map. The map is meaningless once stopped. @pre paint() was called
   [[nodiscard]] SeenMap seenForLabels();
   [[nodiscard]] LabelGround labelGround(const SeenMap& seen) const;
-  /// What the last picture showed.
+  /// The prepared view of the last picture.
   [[nodiscard]] const SeenStage& seen() const { return m_seen; }
   [[nodiscard]] const StageView& view() const { return m_now; }
   [[nodiscard]] double pixelRatio() const;
@@ -72,7 +72,7 @@ class StagePainter {
   StageView m_now;
 };
 
-/// One picture of the shot; its film is not looked at.
+/// One picture of the shot, ignoring its animation.
 [[nodiscard]] Expected<Image> stagePicture(StageShot shot);
 
 /// Why a shot was not written.
@@ -84,26 +84,26 @@ struct ShotFailure {
 
 struct ShotRun {
   std::function<void(int done, int all)> progress;    ///< after each picture, on the caller's thread
-  std::stop_token stop;                               ///< ends what is under way, too
-  std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, labels for one;
-                                                      ///< clears it where it cannot
-  bool mayOverwrite = false;                          ///< files in a folder that is there already
+  std::stop_token stop;                               ///< also ends the current picture
+  std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, for example labels;
+                                                      ///< empties the image on failure
+  bool mayOverwrite = false;                          ///< files in an existing folder
 };
 
-/// The shot as one file, whole or not at all: a PNG, animated where there is a film. "-" is standard output.
+/// Writes the shot as one file, atomically: a PNG, animated if the shot has an animation. "-" is standard
+/// output.
 [[nodiscard]] std::optional<ShotFailure> writePicture(const StageShot& shot,
                                                       const std::filesystem::path& path,
                                                       const ShotRun& run = {});
 
-/// The film as PNGs in a folder, "0001.png" and on; they come into the folder when all are painted, or not at
-/// all.
+/// Writes the animation as PNGs in a folder, "0001.png" and so on; they appear in the folder when all are
+/// painted, or not at all.
 [[nodiscard]] std::optional<ShotFailure> writePictures(const StageShot& shot,
                                                        const std::filesystem::path& folder,
                                                        const ShotRun& run = {});
 
-/// The solids as the view shows them, in its pose, pulled apart, without what is hidden; the camera, the
-/// section and lines are no part of it. Nodes bear the names of their links. Incomplete when `stop` was
-/// requested meanwhile.
+/// The solids as the view shows them, in its pose, exploded, without hidden ones; the camera, the section and
+/// lines are not included. Nodes have the names of their links. Incomplete if `stop` was requested meanwhile.
 [[nodiscard]] MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline train_stage

@@ -16,19 +16,20 @@ class BodyCache;
 
 namespace geargraph::inline train_stage {
 
-/// Larger trains get no 3D picture: their teeth would fill the memory, and nobody could tell them apart.
+/// Larger trains get no 3D picture: their teeth would exhaust the memory and be indistinguishable.
 constexpr int kMostStageLinks = 4'000;
 
-/// What is kept from one edit to the next beside the solids of wheels. Not for two threads at once.
+/// The caches from one edit to the next, in addition to the solids of wheels. Not thread-safe.
 class StageMemory {
  public:
   StageMemory();
   ~StageMemory();
 
   [[nodiscard]] BodyCache& bodies() { return *m_bodies; }
-  /// Adds what is known of the solids, and of new ones what has to be, unless `stop` is requested.
+  /// Adds the precomputed data of the scene's solids (SolidFacts), computing it for new ones unless `stop` is
+  /// requested.
   void addFactsTo(Scene& scene, const std::stop_token& stop = {});
-  /// Are feature edges found ahead, as for a window that paints by itself?
+  /// Are feature edges precomputed, as for a window that paints on the GUI thread?
   void setFindsEdges(bool finds) { m_findsEdges = finds; }
 
  private:
@@ -38,24 +39,24 @@ class StageMemory {
 };
 
 /// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the
-/// links, turning with the inputs. What the document leaves open is placed automatically; meshes that no
-/// wheels can be made for are left out; without valid inputs nothing moves. An empty scene where the turning
+/// links, turning with the inputs. What the document leaves open is placed automatically; meshes for which no
+/// wheels can be made are left out; without valid inputs nothing moves. The scene is empty if the turning
 /// joints are no spanning tree, or the mechanism has more than kMostStageLinks. Trains of more than
-/// kMostRoutedGears have simple bodies, as Stage::notes tells.
+/// kMostRoutedGears have simple bodies, with a note in Stage::notes.
 ///
-/// A part selects its link. Wheels light up with their meshes too, shafts with their joints.
+/// A click on a part selects its link. Wheels are also highlighted with their meshes, shafts with their
+/// joints.
 ///
-/// `cache` keeps solids from one edit to the next, so that only what changed is made again.
-/// Placement and motion are those of the snapshot's live part; nothing is solved again.
-/// Cost: O(n + t + c), and what new solids cost.
+/// `cache` keeps solids from one edit to the next, so that only changed ones are made again. Placement and
+/// motion are those of the snapshot's live part; nothing is solved again. Cost: O(n + t + c), and that of new
+/// solids.
 ///
-/// `memory`: keeps bodies and what is known of solids; with it the scene brings what follows from them
-/// (SolidFacts).
+/// `memory`: caches bodies and derived data of solids (SolidFacts), which are then part of the scene.
 ///
-/// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
-/// them is said in Stage::notes. Wheels of more than kMostShownTeeth are shown without teeth, and noted too.
+/// `shapes`: where attached 3D files are read from; null: they are left out. Files that cannot be shown are
+/// noted in Stage::notes. Wheels of more than kMostShownTeeth are shown without teeth, with a note too.
 ///
-/// Null when `stop` was requested meanwhile, within some milliseconds.
+/// Null, within some milliseconds, if `stop` was requested meanwhile.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,
                                   const ShapeSource* shapes = nullptr, StageMemory* memory = nullptr,
                                   const std::stop_token& stop = {});

@@ -7,14 +7,14 @@
 
 namespace geargraph::inline typeset {
 
-/// The faces of KaTeX that formulas are set in; all are part of the program.
+/// The KaTeX fonts in which formulas are set; all are embedded in the program.
 enum class FontFace { main, bold, italic, size1, size2, size3, size4 };
 constexpr int kFontFaces = 7;
 
-/// The whole TrueType file of a face. It lives as long as the program.
+/// The TrueType file of a face; static data.
 [[nodiscard]] std::span<const unsigned char> fontFile(FontFace face);
 
-/// A glyph's place in its face and its size, in em at size 1. Upwards is positive.
+/// A glyph's index in its face and its metrics, in em at size 1, upwards positive.
 struct GlyphMetrics {
   std::uint32_t glyph = 0;
   double advance = 0;
@@ -22,15 +22,15 @@ struct GlyphMetrics {
   double height = 0;           ///< of the ink above the baseline
   double depth = 0;            ///< of the ink below the baseline; negative where the ink stays above it
 
-  /// How far slanted ink reaches beyond the advance.
+  /// How far slanted ink extends beyond the advance.
   [[nodiscard]] double slant() const { return right > advance ? right - advance : 0; }
 };
 
-/// None where the face has no such character. Cost: a look-up; the first call reads all faces. From any
-/// thread.
+/// std::nullopt if the face has no such character. Cost: a look-up; the first call reads all faces.
+/// Thread-safe.
 [[nodiscard]] std::optional<GlyphMetrics> glyphMetrics(FontFace face, char32_t character);
 
-/// Of the next character of UTF-8, which is taken off; U+FFFD for what is none.
+/// Removes and returns the next UTF-8 character; U+FFFD for invalid bytes.
 /// @pre text is not empty
 [[nodiscard]] char32_t takeCharacter(std::string_view& text);
 

@@ -9,7 +9,7 @@
 
 namespace geargraph::inline typeset {
 
-/// What is set beside a formula's own ink: the labels of rows and columns.
+/// The colour role: the formula itself, or the labels of rows and columns.
 enum class FormulaInk { formula, label };
 
 /// x to the right from the box's left edge, y downwards from its baseline; em at size 1.
@@ -22,14 +22,14 @@ struct PlacedGlyph {
   FormulaInk ink = FormulaInk::formula;
 };
 
-/// A filled rectangle from its upper left corner; a dashed one is a broken line down its middle.
+/// A filled rectangle from its upper left corner; a dashed one is a dashed vertical line in its middle.
 struct PlacedRule {
   double x = 0, y = 0;
   double width = 0, height = 0;
   bool dashed = false;
 };
 
-/// A formula, set: glyphs and rules and the room they take.
+/// A typeset formula: glyphs, rules and its extent.
 struct FormulaBox {
   double width = 0;
   double height = 0;  ///< above the baseline
@@ -37,10 +37,10 @@ struct FormulaBox {
   std::vector<PlacedGlyph> glyphs = {};
   std::vector<PlacedRule> rules = {};
 
-  /// Adds another box with its left edge at x and its baseline y below this one's, and makes room for it. The
+  /// Adds another box with its left edge at x and its baseline y below this one's; height and depth grow, the
   /// width stays.
   void put(const FormulaBox& box, double x, double y);
-  /// Adds it at the right end, and grows by its width.
+  /// Adds another box at the right end; the width grows by its width.
   void append(const FormulaBox& box);
 };
 
@@ -48,12 +48,12 @@ struct FormulaBox {
 /// @pre the face has it
 [[nodiscard]] FormulaBox glyphBox(FontFace face, char32_t character, double size);
 
-/// One of ()[] of at least `total`, its middle on the axis of formulas, out of pieces where no glyph is as
-/// large.
+/// One of ()[] with a height of at least `total`, centred on the formula axis, assembled from pieces if no
+/// glyph is large enough.
 [[nodiscard]] FormulaBox bracketBox(char bracket, double total, double size);
 
-/// Height of the line on which fractions, brackets and minus signs are centred.
+/// The math axis: the height at which fractions, brackets and minus signs are centred, em.
 constexpr double kFormulaAxis = 0.25;
-constexpr double kFormulaRule = 0.04;  ///< thickness of a fraction's bar
+constexpr double kFormulaRule = 0.04;  ///< thickness of a fraction's bar, em
 
 }  // namespace geargraph::inline typeset

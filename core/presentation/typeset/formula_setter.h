@@ -7,14 +7,14 @@
 
 namespace geargraph::inline typeset {
 
-// How the typesetter works: a row becomes atoms, whose classes say what room is between them (TeX's rules,
-// see Knuth, The TeXbook, appendix G).
+// Internals of the typesetter: a row becomes atoms, whose classes determine the space between them (TeX's
+// rules, see Knuth, The TeXbook, appendix G).
 
 enum class AtomClass { ordinary, binary, relation, opening, closing, punctuation, inner };
 
 struct SetStyle {
   int level = 1;         ///< 0: on its own line, 1: in a sentence, 2: a script, 3: a script's script
-  bool cramped = false;  ///< raised less: below something
+  bool cramped = false;  ///< superscripts are raised less: TeX's cramped style
 
   [[nodiscard]] double size() const { return level < 2 ? 1.0 : level == 2 ? 0.7 : 0.5; }
   [[nodiscard]] SetStyle above() const { return {level < 2 ? 2 : 3, cramped}; }
@@ -24,20 +24,21 @@ struct SetStyle {
 struct SetAtom {
   FormulaBox box;
   AtomClass kind = AtomClass::ordinary;
-  bool isSpace = false;      ///< has no class: it parts nothing
-  bool isCharacter = false;  ///< its scripts stand as at a letter
-  double slant = 0;          ///< how far its ink reaches beyond the width
+  bool isSpace = false;      ///< has no class
+  bool isCharacter = false;  ///< its scripts are placed as for a letter
+  double slant = 0;          ///< how far its ink extends beyond the width
 };
 
-/// The parts of a row, each with its slant within its width, and signs between nothing no longer binary.
+/// The atoms of a row, each with its slant included in its width; binary signs without operands become
+/// ordinary.
 [[nodiscard]] std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle style);
-/// How tall brackets have to be for what they hold: nine tenths of it, and no more than half an em less.
+/// The height of brackets for a content of height `held`: at least 0.9 of it, and at most half an em less.
 [[nodiscard]] double bracketTotal(double held, double size);
-/// The room between two atoms.
+/// The space between two atoms, em.
 [[nodiscard]] double roomBetween(const SetAtom& left, const SetAtom& right, SetStyle style);
 [[nodiscard]] FormulaBox setRow(const FormulaNode& row, SetStyle style);
 [[nodiscard]] FormulaBox setTable(const FormulaNode& table, SetStyle style);
-/// The widths of its columns, in em, without what is between them.
+/// The widths of its columns, in em, without column spacing.
 [[nodiscard]] std::vector<double> columnWidths(const FormulaNode& table, SetStyle style);
 
 }  // namespace geargraph::inline typeset

@@ -7,24 +7,24 @@
 
 namespace geargraph::inline typeset {
 
-/// Within a sentence fractions are small, on a line of its own they are not.
+/// TeX's text and display style: fractions are small in a sentence.
 enum class FormulaPlace { inLine, ownLine };
 
-/// Sets a formula with the spaces, shifts and sizes of TeX. A table whose first row and column are parted
-/// from the rest is set as a matrix between brackets with its labels outside of them, and its other bars are
+/// Typesets a formula with the spaces, shifts and sizes of TeX. A table with labels in its first row and
+/// column (isLabelled()) is set as a matrix in brackets with the labels outside, and its other bars are
 /// dashed. Cost: linear in the formula, times its depth.
 [[nodiscard]] FormulaBox typesetFormula(const FormulaNode& formula, FormulaPlace place);
 
-/// A line of a formula, and which one of "aligned" it belongs to.
+/// A line of a formula, and the row of "aligned" that it belongs to.
 struct FormulaLine {
   FormulaBox box;
   std::size_t row = 0;
 };
 
-/// A formula on lines of its own: those of `aligned`, and more where one is wider than `width` (em). Lines
-/// break before a relation, a plus or minus sign or a bracket that grows, and go on indented; a matrix with
-/// labels that is the last of its formula becomes parts of as many columns each, with the bracket open where
-/// they go on. All lines stand as they are to one left edge. Where nothing breaks a line stays wider.
+/// A displayed formula as lines: those of `aligned`, broken further if wider than `width` (em). Lines break
+/// before a relation, a plus or minus sign or a growing bracket, and continue indented; a labelled matrix at
+/// the end of the formula is split into parts of equally many columns, with open brackets in between. All
+/// lines share one left edge. A line without a break point stays wider.
 [[nodiscard]] std::vector<FormulaLine> typesetLines(const FormulaNode& formula, double width);
 
 /// The widest line.
