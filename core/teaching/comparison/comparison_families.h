@@ -8,12 +8,13 @@
 
 namespace geargraph::inline comparison {
 
-/// Trains of one pattern and any size, on which both methods are counted.
+/// Families of trains of any size, on which the operations of both methods are counted.
 enum class TrainFamily {
   chain,  ///< spur gears on the ground, each in mesh with the next
   stack,  ///< planetary sets in line: the carrier of one is the sun's link of the next, the rings on the
           ///< ground
-  wrist,  ///< nested arms about axes that meet at right angles, each driven by bevel gears from the ground
+  wrist,  ///< nested arms about axes that intersect at right angles, each driven by bevel gears from the
+          ///< ground
 };
 [[nodiscard]] std::string familyName(TrainFamily family);
 /// "8 gears in a row"
@@ -23,7 +24,7 @@ enum class TrainFamily {
 /// program.
 [[nodiscard]] Mechanism familyTrain(TrainFamily family, int size);
 
-/// Both methods, counted on trains of a family.
+/// The operation counts of both methods on one train of a family.
 struct FamilyCount {
   TrainFamily family = TrainFamily::chain;
   int size = 0;
@@ -33,7 +34,7 @@ struct FamilyCount {
   Operations matroid;
   Operations ttGraph;
 };
-/// All families, each by size, up to some thirty links. Computed once in a program. Cost: some tens of
+/// All families, each by size, up to some thirty links. Computed once per program run. Cost: some tens of
 /// milliseconds.
 [[nodiscard]] const std::vector<FamilyCount>& familyCounts();
 

@@ -10,13 +10,13 @@
 
 namespace geargraph::inline comparison {
 
-// Both methods side by side, for one mechanism: which step of one answers to which of the other, what each
-// writes down, and how much arithmetic it takes by hand. Everything is counted on this mechanism.
+// Both methods compared on one mechanism: which steps correspond to each other, the sizes of their equations,
+// and the operations by hand. Everything is counted on this mechanism.
 
-/// How a step of one method answers to one of the other.
+/// How a step of one method corresponds to one of the other.
 enum class StepRelation {
   same,        ///< both do the same
-  equivalent,  ///< one follows from the other: two ways to one statement
+  equivalent,  ///< one follows from the other: two forms of one statement
   onlyMatroid,
   onlyTtGraph,
 };
@@ -26,7 +26,7 @@ struct ComparedStep {
   std::string name;
   std::string matroid;
   std::string ttGraph;
-  std::string relationWords;  ///< what they share, or what the other one lacks
+  std::string relationWords;  ///< what they have in common, or what the other method lacks
   StepRelation relation = StepRelation::same;
 };
 /// The steps, with the numbers of the paper's equations.
@@ -42,8 +42,8 @@ struct ComparedMesh {
   struct Term {
     int joint = 0;
     Rational matroid;  ///< the entry of P, divided by the radius of the head's gear
-    /// The joint's coefficient in w_ik - s n w_jk with both circuits put in, times N_tail / N_head and the
-    /// row's sign.
+    /// The joint's coefficient in w_ik - s n w_jk with both circuits substituted, times N_tail / N_head and
+    /// the row's sign.
     Rational ttGraph;
   };
   int mesh = 0;
@@ -52,17 +52,18 @@ struct ComparedMesh {
   int sign = 0;             ///< of the terminal equation
 };
 
-/// What a method writes down until the rates are there.
+/// The size of a method's equations and its operation counts.
 struct MethodSize {
   int unknowns = 0;
   int equations = 0;
   int rows = 0;  ///< of its matrix
   int columns = 0;
   long long nonZeros = 0;
-  /// From the drawing to the equations. T-T: none but the quotient of teeth of each mesh; the signs are seen.
+  /// From the drawing to the equations. T-T: only the ratio of teeth of each mesh; signs are read from the
+  /// drawing.
   Operations setUp;
   Operations numbers;                 ///< from the equations to the solution matrix
-  std::optional<Operations> symbols;  ///< the same in gear ratios; none where entries grow too long, or
+  std::optional<Operations> symbols;  ///< the same in gear ratios; none if entries grow too long, or
                                       ///< were not asked for
 };
 
@@ -75,19 +76,20 @@ struct MethodComparison {
   bool isEqual = false;  ///< both hand calculations came to the same matrix
 };
 
-/// Hand calculations of more links are not carried out.
+/// With more links the hand calculations are not carried out.
 constexpr int kMostComparedLinks = 60;
 
-/// Compares the methods on a mechanism. std::nullopt where it has more links, where a method has no solution
-/// for it, and where `stop` was requested.
+/// Which hand calculations are carried out: in fractions only, or also in symbols.
+enum class ComparisonDepth { numbers, symbols };
+/// Compares the methods on a mechanism. std::nullopt if it has more than kMostComparedLinks links, a method
+/// has no solution for it, or `stop` was requested.
 /// Cost: O(n^3) operations on fractions and on functions of the ratios.
 /// @pre the snapshot is complete
-enum class ComparisonDepth { numbers, symbols };
 [[nodiscard]] std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot,
                                                              ComparisonDepth depth = ComparisonDepth::symbols,
                                                              const std::stop_token& stop = {});
 
-/// A sentence of the paper's conclusion, and what this comparison says for and against it; with formulas
+/// A claim of the paper's conclusion, with the evidence of this comparison for and against it; with formulas
 /// between dollar signs.
 struct ComparedClaim {
   std::string claim;

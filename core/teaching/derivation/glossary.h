@@ -9,7 +9,7 @@ namespace geargraph::inline derivation {
 
 enum class QuantityKind;
 
-/// The words and symbols of the field that the program shows.
+/// The terms of the field that the program shows.
 enum class Term {
   movingLinks,
   turningJoints,
@@ -59,11 +59,12 @@ struct Definition {
   Term term = Term::link;
   std::string_view symbol;  ///< "n", "Γ⁰"; empty where the term has none
   std::string_view name;    ///< "Moving links"
-  std::string_view text;    ///< what it is, in full sentences
-  int equation = 0;         ///< of the paper, 0 where none defines it
+  std::string_view text;    ///< the definition, in full sentences
+  int equation = 0;         ///< of the paper that defines it; 0: none
 };
 
-/// The one table of definitions: tooltips, search and lessons read it. Every term once, in the order of Term.
+/// The single table of definitions, used by tooltips, search and lessons. Every term once, in the order of
+/// Term.
 [[nodiscard]] const std::vector<Definition>& glossary();
 [[nodiscard]] const Definition& definitionOf(Term term);
 [[nodiscard]] Term termOf(MatrixKind kind);

@@ -13,7 +13,7 @@ namespace geargraph::inline derivation {
 /// Tab-separated, for the clipboard of spreadsheet programs; the first cell is the matrix's symbol.
 [[nodiscard]] std::string matrixTsv(const IntegerMatrix& matrix);
 
-/// Comma-separated, for the clipboard; files are written by core/io. No label needs quotes.
+/// Comma-separated, for the clipboard; files are written by matrix_csv.h (files). No label needs quotes.
 [[nodiscard]] std::string matrixCsv(const IntegerMatrix& matrix);
 
 /// An array environment, for math mode; needs no package.
@@ -25,7 +25,7 @@ namespace geargraph::inline derivation {
 /// An assignment for Python, with numpy imported as np.
 [[nodiscard]] std::string matrixNumpy(const IntegerMatrix& matrix);
 
-/// The name of the matrix where only ASCII letters may stand: Gamma0, Gamma, Z, T, C, Q.
+/// The name of the matrix as an ASCII identifier: Gamma0, Gamma, Z, T, C, Q.
 [[nodiscard]] std::string matrixAsciiName(MatrixKind kind);
 
 }  // namespace geargraph::inline derivation

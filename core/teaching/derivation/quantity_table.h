@@ -17,7 +17,7 @@ struct CsvOptions;
 
 namespace geargraph::inline derivation {
 
-/// What either method computes beside the matrices of the digraph.
+/// The quantities of both methods other than the matrices of the digraph.
 enum class QuantityKind {
   screws,        ///< û of every joint of every cycle [AU, Eqs. (6)-(12)]
   coefficients,  ///< P [AU, Eqs. (17)-(20), (24)]
@@ -26,7 +26,7 @@ enum class QuantityKind {
   ttCutsets,     ///< Q' = [U | -B_t^T], its f-cutsets: the equations of its statics
 };
 
-/// In which numbers a quantity is told.
+/// The form of the entries of a quantity.
 enum class EntryForm { decimals, fractions, symbols };
 
 [[nodiscard]] const std::vector<QuantityKind>& allQuantityKinds();
@@ -39,14 +39,13 @@ enum class EntryForm { decimals, fractions, symbols };
 /// One entry that is not 0.
 struct QuantityEntry {
   int column = 0;
-  std::string
-      text;  ///< "-15/2", "-i18*i17", "0.707107"; "≈ 0.707107" where a fraction was wanted and is none
+  std::string text;  ///< "-15/2", "-i18*i17", "0.707107"; "≈ 0.707107": no fraction
   std::string latex;
   double value = 0;
   bool isFormula = false;  ///< in the gear ratios
 };
 
-/// A quantity as a table with labels: an immutable value; rows are answered when they are asked for.
+/// A quantity as a table with labels: an immutable value whose rows are computed on demand.
 class QuantityTable {
  public:
   virtual ~QuantityTable() = default;
@@ -57,19 +56,19 @@ class QuantityTable {
   [[nodiscard]] EntryForm form() const { return m_form; }
   [[nodiscard]] virtual int rows() const = 0;
   [[nodiscard]] virtual int columns() const = 0;
-  /// `element` of a heading is empty where nothing lights up with it (the components of a screw).
+  /// `element` of a heading is empty if nothing is highlighted with it (the components of a screw).
   [[nodiscard]] virtual Heading rowHeading(int row) const = 0;
   [[nodiscard]] virtual Heading columnHeading(int column) const = 0;
   /// The non-zeros by column. Cost: O(length of the cycle), for a solution O(inputs).
   [[nodiscard]] virtual std::vector<QuantityEntry> row(int row) const = 0;
-  /// What a row speaks of.
+  /// The elements that a row is about.
   [[nodiscard]] virtual std::set<ElementId> elementsOfRow(int row) const = 0;
   [[nodiscard]] virtual CellExplanation explanation(int row, int column) const = 0;
-  /// The first column behind the dashed line.
+  /// The first column after the dashed line.
   [[nodiscard]] virtual std::optional<int> partition() const { return std::nullopt; }
   /// Do the headings name rates (θ̇8) rather than elements?
   [[nodiscard]] virtual bool headsAreRates() const { return false; }
-  /// A row in the terms of a matrix of numbers: 0 where nothing stands.
+  /// The entry at a position; std::nullopt for a zero. Cost: that of row().
   [[nodiscard]] std::optional<QuantityEntry> entry(int row, int column) const;
 
  protected:
@@ -82,19 +81,19 @@ class QuantityTable {
 
 using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
 
-/// The forms that a quantity has now: symbols only where they are solved for and not over their budget,
-/// fractions of a solution when the exact part is there. Empty where the quantity is undefined.
+/// The forms available in this snapshot: symbols only if they were solved within their budget, fractions of a
+/// solution only with the exact part. Empty if the quantity is undefined.
 [[nodiscard]] std::vector<EntryForm> formsOf(const AnalysisSnapshot& snapshot, QuantityKind kind);
 
-/// The table; null where the snapshot does not have it in this form.
+/// The table; null if the snapshot does not have it in this form.
 [[nodiscard]] QuantityTablePtr quantityTable(const SnapshotPtr& snapshot, QuantityKind kind, EntryForm form);
 
-// As text for other programs, with the labels, as matrix_text.h writes matrices; symbols as formulas.
+// As text for other programs, with the labels, in the formats of matrix_text.h; symbols as formulas.
 // Cost: O(rows * columns).
 [[nodiscard]] std::string quantityTsv(const QuantityTable& table);
 [[nodiscard]] std::string quantityCsv(const QuantityTable& table);
-/// The same row by row, until the sink fails. Texts are quoted where they hold the separator; the decimal
-/// point is that of decimals, symbols and fractions stay as they are.
+/// The same row by row, until the sink fails. Texts that contain the separator are quoted; the decimal point
+/// of the options applies to decimals, not to symbols and fractions.
 void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptions& options);
 [[nodiscard]] std::string quantityLatex(const QuantityTable& table);
 [[nodiscard]] std::string quantityMatlab(const QuantityTable& table);
@@ -102,7 +101,7 @@ void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptio
 
 /// "-15/2" as "-\frac{15}{2}".
 [[nodiscard]] std::string latexOf(const Rational& value);
-/// About six digits, as a screen shows them.
+/// The value with about six digits, for the screen.
 [[nodiscard]] std::string shortDecimal(double value);
 
 }  // namespace geargraph::inline derivation

@@ -7,7 +7,7 @@ namespace geargraph::inline derivation {
 // The tables of quantity_table.h. @pre formsOf() names the form
 
 /// A row for each joint of each cycle, "C16 12"; columns L M N of its direction, P Q R of its moment about
-/// the pitch point, the parts divided.
+/// the pitch point, partitioned between them.
 [[nodiscard]] QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form);
 
 /// A row for each mesh, a column for each joint: lengths as Eq. (19) prints them; as symbols the row divided
@@ -27,7 +27,7 @@ namespace geargraph::inline derivation {
 
 [[nodiscard]] QuantityEntry decimalEntry(int column, double value);
 [[nodiscard]] QuantityEntry fractionEntry(int column, const Rational& value);
-/// Where an exact value was wanted and a root stands in the way.
+/// For an irrational value that was requested as a fraction.
 [[nodiscard]] QuantityEntry irrationalEntry(int column, double value);
 
 }  // namespace geargraph::inline derivation

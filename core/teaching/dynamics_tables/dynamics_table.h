@@ -14,26 +14,27 @@ struct DynamicState {
   Eigen::MatrixXd reflected;  ///< TrainDynamics::reflectedInertias()
 };
 
-/// What each moving link weighs: a row a link, in the order of the document. Lengths in its unit.
+/// The masses of the moving links: one row per link, in the order of the document. Lengths in the document's
+/// unit.
 enum class MassColumn { link, mass, centerX, centerY, centerZ, inertiaX, inertiaY, inertiaZ, source, count };
 /// `metres`: in one of the document's unit. @pre an inertia for each link
 [[nodiscard]] ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> links,
                                    double metres);
 
-/// The inertia that each link has at each motor: a row a link, a column an input; the sums last.
+/// The inertia of each link reflected to each motor: one row per link, one column per input; the sums last.
 [[nodiscard]] ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                                         const DynamicState& state);
 
-/// M theta'' + h = tau + load: a row an input; its row of M, then h, the load, and the torque that holds it
-/// at constant speeds, h - load.
+/// M theta'' + h = tau + load: one row per input; its row of M, then h, the load, and the torque for constant
+/// speeds, h - load.
 [[nodiscard]] ValueTable equationTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                                        const DynamicState& state);
-/// The same in TeX, with its numbers as matrices; empty for more than kMostTypesetInputs.
+/// The equation in TeX, with its numbers as matrices; empty for more than kMostTypesetInputs inputs.
 [[nodiscard]] std::string equationTex(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                                       const DynamicState& state);
 constexpr int kMostTypesetInputs = 6;
 
-/// "from its solids", "stated", ...: where a link's mass comes from, for people.
+/// The source of a link's mass in words: "from its solids", "stated", ...
 [[nodiscard]] std::string massSourceText(MassSource source);
 
 /// A number in TeX with this many digits: "0.0123", "1.5\cdot 10^{-7}".

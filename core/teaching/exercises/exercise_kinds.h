@@ -12,7 +12,7 @@
 
 namespace geargraph::inline exercises {
 
-/// What can be asked about a mechanism, in the order of the paper.
+/// The kinds of questions about a mechanism, in the order of the paper.
 enum class ExerciseKind : std::uint8_t {
   incidence,
   orientation,
@@ -44,18 +44,19 @@ enum class ExerciseKind : std::uint8_t {
 };
 
 [[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();
-[[nodiscard]] std::string_view kindName(ExerciseKind kind);  ///< "cycle-basis": stable, of the command line
+[[nodiscard]] std::string_view kindName(ExerciseKind kind);  ///< "cycle-basis": stable, for the command line
 [[nodiscard]] std::string kindTitle(ExerciseKind kind);      ///< "Fill in a row of C"
 [[nodiscard]] std::optional<ExerciseKind> kindFromName(std::string_view name);
-/// Where to look and which rule to use, in plain text. It is the same for every mechanism, so it cannot hold
-/// the answer.
+/// A hint where to look and which rule to use, in plain text. It is the same for every mechanism, so it
+/// cannot reveal the answer.
 [[nodiscard]] std::string kindHint(ExerciseKind kind);
 
-/// Why the mechanism gives no question of this kind: "no brakes or clutches". Nothing where it does.
+/// Why there is no question of this kind for the mechanism: "no brakes or clutches". std::nullopt if there is
+/// one.
 [[nodiscard]] std::optional<std::string> reasonAgainst(const ExerciseSource& source, ExerciseKind kind);
 
-/// A question of this kind; the random numbers choose the mesh, the cells, the numbers. The same numbers make
-/// the same question. @pre !reasonAgainst(source, kind)
+/// Generates a question of this kind; the random numbers choose the mesh, the cells, the numbers. The same
+/// random numbers give the same question. @pre !reasonAgainst(source, kind)
 [[nodiscard]] Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseRandom& random);
 
 }  // namespace geargraph::inline exercises

@@ -5,8 +5,8 @@
 
 namespace geargraph::inline exercises {
 
-/// The generator of exercises: splitmix64 (Steele, Lea and Flood, 2014) on 64-bit whole numbers. It uses
-/// no distribution of the standard library, so that a seed makes the same sheet on every platform.
+/// The generator of exercises: splitmix64 (Steele, Lea and Flood, 2014) on 64-bit integers. It uses no
+/// distribution of the standard library, so that a seed gives the same sheet on every platform.
 ///
 ///     state += 0x9E3779B97F4A7C15
 ///     z = (state ^ state >> 30) * 0xBF58476D1CE4E5B9
@@ -15,13 +15,13 @@ namespace geargraph::inline exercises {
 class ExerciseRandom {
  public:
   explicit ExerciseRandom(std::uint64_t seed) : m_state(seed) {}
-  /// The stream of one question of one variant: after each of the three numbers is added to the state, one
-  /// number is drawn and becomes the state.
+  /// The stream of one question of one variant: each of the three numbers in turn is added to the state, then
+  /// one number is drawn and becomes the state.
   ExerciseRandom(std::uint64_t seed, std::uint64_t variant, std::uint64_t question);
 
   [[nodiscard]] std::uint64_t next();
-  /// One of 0 .. count-1, all equally likely: draws that are not below the greatest multiple of count are
-  /// dropped, the others taken modulo count. @pre count > 0
+  /// A number in 0 .. count-1, uniformly distributed: draws not below the greatest multiple of count are
+  /// rejected, the others taken modulo count. @pre count > 0
   [[nodiscard]] int below(int count);
   /// One of least .. most. @pre least <= most
   [[nodiscard]] int between(int least, int most) { return least + below(most - least + 1); }
@@ -29,7 +29,7 @@ class ExerciseRandom {
   [[nodiscard]] const Value& oneOf(const std::vector<Value>& values) {
     return values[static_cast<std::size_t>(below(static_cast<int>(values.size())))];
   }
-  /// `count` of these numbers, or all where they are fewer, in their order.
+  /// A random choice of `count` of these numbers, or all if there are fewer, in their order.
   [[nodiscard]] std::vector<int> someOf(std::vector<int> numbers, int count);
 
  private:

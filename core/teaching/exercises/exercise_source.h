@@ -9,21 +9,20 @@
 
 namespace geargraph::inline exercises {
 
-/// More moving links than this make no exercise that can be answered on paper.
+/// With more moving links, exercises cannot be answered on paper.
 constexpr int kMostExerciseLinks = 60;
 
-/// A row of P over the turning joints in numbers of teeth, zeros included, and the same with a change that a
-/// learner might make.
+/// A typical mistake in a row of P: with the teeth exchanged, or with the wrong sign of the head.
 enum class RowChange { none, upsideDown, signOfHead };
 
-/// Couplings that may be engaged together, and what they do to the drive and driven link of a state.
+/// Couplings engaged together, and the resulting motion for the drive and driven link of a state.
 struct EngagedSet {
   std::vector<int> couplings;  ///< by position, ascending
   StateSolution solution;
 };
 
-/// A mechanism and all that its exercises are made from: the train with every coupling released. An
-/// immutable value.
+/// A mechanism with the results from which its exercises are generated, for the train with every coupling
+/// released. An immutable value.
 class ExerciseSource {
  public:
   /// Cost: a live analysis, an exact solution; with states the solutions of all sets of couplings that are
@@ -34,28 +33,30 @@ class ExerciseSource {
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
   [[nodiscard]] const Digraph& graph() const { return *m_snapshot->graph; }
   [[nodiscard]] const IntegerMatrixPtr& matrix(MatrixKind kind) const { return m_snapshot->matrix(kind); }
-  /// Null where the turning joints are no spanning tree.
+  /// Null if the turning joints are no spanning tree.
   [[nodiscard]] const SpanningTree* tree() const { return m_snapshot->tree.get(); }
-  /// Null where a mesh has no equations.
+  /// Null if a mesh has no equations.
   [[nodiscard]] const TtGraph* ttGraph() const;
-  /// Null where a mesh has no geometry.
+  /// Null if a mesh has no geometry.
   [[nodiscard]] const MatroidAnalysis* matroid() const { return m_snapshot->matroid(); }
   [[nodiscard]] MeshKind meshKind(int mesh) const;
 
-  /// A valid set of inputs, and by joint its rate over them. @pre matroid()
+  /// A valid set of inputs, and by joint its rate as a combination of them. @pre matroid()
   [[nodiscard]] const std::vector<int>& inputs() const { return matroid()->choice.joints; }
   [[nodiscard]] const std::vector<std::vector<Rational>>& rates() const { return m_rates; }
-  /// Over all joints. @pre matroid()
+  /// The row of P of a mesh in numbers of teeth, by joint, including zeros, with a mistake if wanted. @pre
+  /// matroid()
   [[nodiscard]] std::vector<Rational> teethRow(int mesh, RowChange change = RowChange::none) const;
 
-  /// By state of the document: what each considered set of couplings does to its drive and driven link. Empty
-  /// without states.
+  /// The most sets of couplings that are considered.
   static constexpr std::size_t kMostEngagedSets = 256;
+  /// By state of the document: the considered sets of couplings with their results. @pre there is such a
+  /// state
   [[nodiscard]] const std::vector<EngagedSet>& engagedSets(int state) const {
     return m_engagedSets[static_cast<std::size_t>(state)];
   }
-  /// The position among engagedSets(state) of the couplings that the state engages; none where it was not
-  /// considered.
+  /// The position among engagedSets(state) of the couplings that the state engages; std::nullopt if that set
+  /// was not considered.
   [[nodiscard]] std::optional<std::size_t> setOfState(int state) const;
 
   [[nodiscard]] std::string linkLabel(int node) const { return std::to_string(graph().nodeLabel(node)); }
@@ -76,7 +77,7 @@ class ExerciseSource {
 
 enum class Difficulty { easy, medium, hard };
 
-/// By cycles, inputs and what is uncommon about the mechanism.
+/// The difficulty, estimated from cycles, inputs and uncommon features of the mechanism.
 struct DifficultyNote {
   Difficulty level = Difficulty::easy;
   std::string text;  ///< "medium: 4 cycles, 3 inputs"

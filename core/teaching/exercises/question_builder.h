@@ -11,43 +11,44 @@
 
 namespace geargraph::inline exercises {
 
-/// Collects a question. Mistakes are tried in the order in which they are added; one whose answer is accepted
-/// or explained by an earlier one on this mechanism is left out.
+/// Builds a question. Mistakes are tested in the order in which they are added; one whose answer is accepted,
+/// or explained by an earlier mistake on this mechanism, is left out.
 class QuestionBuilder {
  public:
   QuestionBuilder(ExerciseKind kind, int points);
 
   Question question;
 
-  /// A field of the list. A name of words is marked by toTranslate(); titled() where it holds labels, too.
+  /// Adds a field to the list. A name that consists of words is marked by toTranslate(); if it also has
+  /// labels, use titled().
   void field(std::string name, FieldKind kind, std::vector<std::string> options = {},
              std::vector<ElementId> elements = {});
-  /// What people read for the last field, where its name is no marked text.
+  /// Sets the displayed title of the last field, if its name is no marked text.
   void titled(const std::string& title);
-  /// A table of whole numbers or others, its fields named "row,column".
+  /// Adds a table of fields named "row,column".
   void table(std::vector<std::string> rows, std::vector<std::string> columns, FieldKind kind);
 
-  /// These values, and nothing else but the alternatives.
+  /// Accepts exactly these values, and the alternatives.
   void accept(std::vector<std::string> values,
               const std::vector<std::vector<std::string>>& alternatives = {});
   void accept(std::vector<std::string> solution, std::vector<Condition> conditions);
 
-  /// A whole answer that shows a mistake.
+  /// Adds a mistake by a complete answer.
   void wrong(const char* name, const std::vector<std::string>& values, std::string reason,
              std::vector<ElementId> elements = {});
-  /// The same of an accepted multiple: any multiple of these values.
+  /// The same for any multiple of these values.
   void wrongMultiple(const char* name, const std::vector<std::string>& values, std::string reason,
                      std::vector<ElementId> elements = {});
-  /// What some fields read like, one text each in each row, whatever the others hold.
+  /// Adds a mistake by the values of some fields, one text per field in each row, whatever the others are.
   void wrongFields(const char* name, const std::vector<int>& fields,
                    const std::vector<std::vector<std::string>>& values, std::string reason,
                    std::vector<ElementId> elements = {});
   void wrongField(const char* name, int field, const std::vector<std::string>& texts, std::string reason,
                   std::vector<ElementId> elements = {});
-  /// Any conditions.
+  /// Adds a mistake by arbitrary conditions.
   void wrongIf(const char* name, std::vector<Condition> when, std::string reason,
                std::vector<ElementId> elements = {}, std::vector<int> fields = {});
-  /// Some field is none of -1, 0, 1.
+  /// Adds the mistake that some field is none of -1, 0, 1.
   void wrongNonSigns();
 
  private:
@@ -59,10 +60,10 @@ class QuestionBuilder {
 [[nodiscard]] std::string asText(int value);  ///< "-1"
 [[nodiscard]] std::vector<std::string> asTexts(const std::vector<int>& values);
 [[nodiscard]] std::vector<std::string> asTexts(const std::vector<Rational>& values);
-[[nodiscard]] std::string inWords(int value);  ///< "−1", as in print
+[[nodiscard]] std::string inWords(int value);  ///< "−1", with the Unicode minus sign
 [[nodiscard]] std::string inWords(const Rational& value);
 [[nodiscard]] std::string asTex(const Rational& value);  ///< "-\frac{3}{2}"
-/// A user's name in a prompt, whose dollar signs would begin a formula.
+/// A user's name escaped for a prompt, because dollar signs would begin a formula.
 [[nodiscard]] std::string namedInPrompt(const std::string& name);
 
 [[nodiscard]] std::vector<int> negated(std::vector<int> values);

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline exercises {
 
-// One function for each kind of question. @pre of each: its reason against the kind is none.
+// One function for each kind of question. @pre reasonAgainst() the kind is std::nullopt
 
 Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& random);
@@ -43,13 +43,13 @@ struct PlanetPair {
 };
 [[nodiscard]] std::vector<PlanetPair> planetPairs(const ExerciseSource& source);
 
-/// Matrices small enough to be searched for a wrong entry.
+/// Matrices small enough for searching a wrong entry.
 [[nodiscard]] std::vector<MatrixKind> searchableMatrices(const ExerciseSource& source);
 
 /// Joints whose rate follows from the inputs and is not 0.
 [[nodiscard]] std::vector<int> predictableJoints(const ExerciseSource& source);
 
-/// States with a ratio, of which some couplings are engaged.
+/// States with a ratio that engage at least one coupling.
 [[nodiscard]] std::vector<int> statesWithRatio(const ExerciseSource& source);
 
 /// Does a state engage couplings of different torques, or a coupling carry different torques in some states?
@@ -58,8 +58,7 @@ struct PlanetPair {
 /// Does a state engage a brake that carries a torque about the axis of the drive?
 [[nodiscard]] bool hasBrakeReaction(const ExerciseSource& source);
 
-/// Meshes of which each of the others is a combination, or which are one: any of them may be left out. By
-/// mesh.
+/// By mesh: 1 if its row is a linear combination of others, so that it may be left out.
 [[nodiscard]] std::vector<char> dispensableMeshes(const ExerciseSource& source);
 
 }  // namespace geargraph::inline exercises

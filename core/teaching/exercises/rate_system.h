@@ -10,7 +10,8 @@
 namespace geargraph::inline exercises {
 
 /// The rates of all joints from some linear equations and the rates of the inputs, by elimination in
-/// fractions: also of equations that a learner has set up wrongly. Nothing where the rates do not follow.
+/// fractions; also for wrong equations of a learner. std::nullopt if the equations do not determine the
+/// rates.
 /// Cost: cubic in the unknowns.
 /// @pre rows of one length
 [[nodiscard]] std::optional<std::vector<Rational>> ratesFrom(

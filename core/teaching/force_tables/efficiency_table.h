@@ -5,13 +5,13 @@
 
 namespace geargraph::inline force_tables {
 
-/// What a curve is followed over: "speed of joint 6 / joint 5", "efficiency of every mesh".
+/// The title of the curve's variable: "speed of joint 6 / joint 5", "efficiency of every mesh".
 [[nodiscard]] std::string axisTitle(const Mechanism& mechanism, const EfficiencyCurve& curve);
-/// What a balance of the curve acts on: "joint 6", "link 3"; `held` is one of EfficiencyCurve::held.
+/// The title of a balance of the curve: "joint 6", "link 3"; `held` is one of EfficiencyCurve::held.
 [[nodiscard]] std::string heldTitle(const Mechanism& mechanism, const StaticsReport& report, int held);
 
-/// The curve: a row for each of its points; its place, efficiency forward and backward, the torques of the
-/// balances. Cells are empty where the train locks itself or nothing is fed.
+/// The curve as a table: one row per point with the variable, efficiency forward and backward, and the
+/// torques of the balances. Cells are empty if the train is self-locking or no power is fed.
 [[nodiscard]] ValueTable efficiencyTable(const Mechanism& mechanism, const StaticsReport& report,
                                          const EfficiencyCurve& curve);
 

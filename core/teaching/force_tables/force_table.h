@@ -11,7 +11,7 @@
 
 namespace geargraph::inline force_tables {
 
-/// The tables of statics, as the window shows them and CSV files hold them.
+/// The tables of statics, for the window and CSV files.
 enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circulations, states };
 
 /// Those of one problem: all but `states`.
@@ -22,25 +22,25 @@ enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circula
 struct ForceColumn {
   std::string head;
   std::string unit;     ///< empty for texts and plain numbers
-  std::string meaning;  ///< the definition of what is in the column, with its sign
+  std::string meaning;  ///< the definition of the values, with their sign
   bool isNumber = false;
-  bool isFraction = false;    ///< of the next column, which has the same as decimals: CSV leaves it out
-  std::string headInFiles{};  ///< English, where `head` is translated
+  bool isFraction = false;    ///< the next column has the same values as decimals: CSV leaves this one out
+  std::string headInFiles{};  ///< in English, if `head` is translated
 };
 
 struct ForceCell {
-  std::string text;              ///< as it is shown: "-7/2", "12.5", "shared"; empty where there is nothing
-  std::optional<double> number;  ///< of a number that is determined
-  std::string exact;             ///< of a decimal of the shift table: its fraction, where it is a short one
-  std::string textInFiles{};     ///< English, where `text` is translated
+  std::string text;              ///< as displayed: "-7/2", "12.5", "shared"; may be empty
+  std::optional<double> number;  ///< of a determined number
+  std::string exact;             ///< of a decimal of the shift table: its fraction, if short
+  std::string textInFiles{};     ///< in English, if `text` is translated
 };
 
 struct ForceRow {
-  std::vector<ElementId> elements;  ///< what lights up with it
-  std::vector<ForceCell> cells;     ///< one a column
+  std::vector<ElementId> elements;  ///< that are highlighted with it
+  std::vector<ForceCell> cells;     ///< one per column
 };
 
-/// A table as an immutable value, in the language in use; what files hold of it is English.
+/// A table of texts and numbers in the current language; its texts for files are English.
 struct ValueTable {
   std::vector<ForceColumn> columns;
   std::vector<ForceRow> rows;
@@ -50,34 +50,34 @@ struct ForceTable : ValueTable {
   ForceTableKind kind = ForceTableKind::joints;
 };
 
-/// Torques in N m, forces in N, rates in rad/s, powers in W, places in the document's unit. Without rows
-/// where there is no equilibrium, or the quantity is undefined: powers without a motion, forces without a
-/// length's size. Cost: O(elements). @pre all of one mechanism
+/// Torques in N m, forces in N, rates in rad/s, powers in W, places in the document's unit. Without rows if
+/// there is no equilibrium, or the quantity is undefined: powers without a motion, forces with an unknown
+/// unit of length. Cost: O(elements). @pre all of one mechanism
 [[nodiscard]] ForceTable forceTable(const Mechanism& mechanism, const KinematicModel& model,
                                     const Placement& placement, const StaticsReport& report,
                                     ForceTableKind kind);
 
-/// The torques in one state of a gearbox; none where nothing was solved.
+/// The statics of one state of a gearbox; none if it was not solved.
 struct StateForces {
   int state = 0;  ///< position in the document
   std::optional<StaticsReport> report;
 };
 
-/// What follows the columns of the couplings in the shift table.
+/// The columns after those of the couplings in the shift table.
 enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent, circulating, count };
 
-/// The shift table of torques: a row for each of these states, a column for each coupling of the document;
-/// then those of ShiftColumn: the ratio, the torque at the driven link, efficiency forward and backward, the
-/// latent ratio and the greatest power that circulates.
+/// The shift table of torques: one row per state, one column per coupling of the document; then those of
+/// ShiftColumn: the ratio, the torque at the driven link, efficiency forward and backward, the latent ratio
+/// and the greatest circulating power.
 [[nodiscard]] ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states);
 
-/// The table as CSV [RFC 4180]: a head row with units, then its rows; numbers as the shortest decimals that
+/// The table as CSV [RFC 4180]: a header row with units, then its rows; numbers as the shortest decimals that
 /// read back as the same doubles.
 void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& options = {});
 
-/// About six digits, as screens show them, with the decimal sign in use: "12.5", "-0.333333".
+/// The number with about six digits and the current decimal sign, for the screen: "12.5", "-0.333333".
 [[nodiscard]] std::string shownNumber(double number);
-/// A fraction where it is one and short, else about six digits.
+/// As a fraction if it is rational and short, else with about six digits.
 [[nodiscard]] std::string shownReal(const Real& value);
 
 }  // namespace geargraph::inline force_tables

@@ -6,7 +6,7 @@
 
 namespace geargraph::inline grading {
 
-/// Does the condition hold of this answer? Fields that cannot be read fulfil none but `differs` of others.
+/// Does the condition hold for this answer? A condition on a field that cannot be parsed does not hold.
 /// Cost: linear in the condition and the answer; `basis` and `dependent` an exact elimination, `rows` the
 /// square of the rows.
 /// @pre the condition belongs to the question that the answer was read by

@@ -12,8 +12,8 @@
 
 namespace geargraph::inline grading {
 
-/// Reads members of JSON objects and keeps the first fault, with its JSON pointer: `schema`, unless told
-/// otherwise.
+/// Reads members of JSON objects and keeps the first error with its JSON pointer: `schema`, unless another
+/// code is given.
 class MemberReader {
  public:
   [[nodiscard]] const std::optional<Diagnostic>& fault() const { return m_fault; }
@@ -23,7 +23,8 @@ class MemberReader {
     m_fault = Diagnostic{code, message, {}, pointer};
   }
 
-  /// The member, if it is there and of this kind; a fault if it is of another, or missing and needed.
+  /// The member, if it exists and is of this kind; an error if it is of another kind, or missing although
+  /// needed.
   std::optional<JsonValue> member(const JsonValue& object, std::string_view name, JsonKind kind,
                                   const std::string& pointer, bool isNeeded = true) {
     if (!object.is(JsonKind::object)) {
@@ -62,7 +63,7 @@ class MemberReader {
     return number(*found, pointer + '/' + std::string(name));
   }
 
-  /// Calls visit(element, pointer) for each element of the member, if it is there.
+  /// Calls visit(element, pointer) for each element of the member, if it exists.
   template <class Visit>
   void each(const JsonValue& object, std::string_view name, const std::string& pointer, bool isNeeded,
             Visit visit) {

@@ -5,8 +5,7 @@
 
 namespace geargraph::inline grading {
 
-/// A mistake that is recognised, and what it is in a few words. Names are stable: tables of results and
-/// scripts depend on them.
+/// A known mistake with a short title. Names are stable: tables of results and scripts depend on them.
 struct MistakeName {
   std::string_view name;
   std::string_view title;

@@ -11,7 +11,7 @@
 
 namespace geargraph::inline grading {
 
-/// With the key (what is accepted, the solution, the mistakes), or only what a learner sees.
+/// With the key (accepted answers, solution, mistakes), or only what a learner sees.
 enum class QuestionPart { withKey, withoutKey };
 
 /// A question as an object of exercises.schema.json.
@@ -21,13 +21,13 @@ constexpr int kQuestionsVersion = 1;
 
 /// {"format": "geargraph-questions", "version": 1, "questions": [...]}
 [[nodiscard]] std::string questionsJson(const std::vector<Question>& questions, QuestionPart part);
-/// Reads questions with their keys. `syntax`, `format`, `version`, or `schema` with the place of the first
-/// fault. Identity: readQuestions(questionsJson(q, withKey)) is q.
+/// Reads questions with their keys. Fails with `syntax`, `format`, `version`, or `schema` at the place of the
+/// first error. Identity: readQuestions(questionsJson(q, withKey)) is q.
 [[nodiscard]] Expected<std::vector<Question>> readQuestions(std::string_view text);
 
-/// What a learner handed in: by number of the question, from 1, the texts by field name.
+/// A submission: by question number, from 1, the texts by field name.
 struct AnswerSheet {
-  std::string sheet;  ///< ExerciseSheet::mark() of the sheet that was answered
+  std::string sheet;  ///< sheetMark() of the sheet
   int variant = 1;
   std::string student;  ///< as written by them; may be empty
   std::map<int, std::map<std::string, std::string>> answers;
@@ -39,7 +39,7 @@ constexpr int kAnswersVersion = 1;
 /// {"format": "geargraph-answers", "version": 1, "sheet": ..., "variant": 7, "student": "", "answers": {"1":
 /// {"C16,8": "1"}}}
 [[nodiscard]] std::string answersJson(const AnswerSheet& answers);
-/// The same faults as readQuestions(). Numbers may be JSON numbers, with their spelling. Identity:
+/// Fails as readQuestions(). Answers may be JSON numbers, whose spelling is kept. Identity:
 /// readAnswers(answersJson(a)) is a.
 [[nodiscard]] Expected<AnswerSheet> readAnswers(std::string_view text);
 

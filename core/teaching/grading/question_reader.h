@@ -10,13 +10,13 @@
 
 namespace geargraph::inline grading {
 
-/// Reads a member with conditions, as in exercises.schema.json. Whether they fit the fields of a question is
-/// asked by unsoundPart().
+/// Reads a member with conditions, as in exercises.schema.json. unsoundPart() checks whether they fit the
+/// fields of a question.
 [[nodiscard]] std::vector<Condition> readConditions(MemberReader& reader, const JsonValue& object,
                                                     std::string_view name, const std::string& pointer);
 
-/// The member of what keeps a question from being graded: "fields", "table", "solution", "accepted" or
-/// "mistakes"; std::nullopt where it can be.
+/// The member because of which a question cannot be graded: "fields", "table", "solution", "accepted" or
+/// "mistakes"; std::nullopt if it can.
 [[nodiscard]] std::optional<std::string> unsoundPart(const Question& question);
 
 }  // namespace geargraph::inline grading

@@ -10,16 +10,16 @@ namespace geargraph::inline grading {
 
 enum class AnswerFault { none, empty, notANumber, ambiguousNumber, notAChoice };
 
-/// One field of an answer, read.
+/// One parsed field of an answer.
 struct ReadField {
   FieldKind kind = FieldKind::integer;
   AnswerFault fault = AnswerFault::none;
   bool isEmpty = false;               ///< nothing was filled in
-  WrittenNumber number;               ///< of numbers
-  std::string text;                   ///< of a choice: the option
-  std::vector<std::string> elements;  ///< of a set: the options in it, in the question's order, each once
+  WrittenNumber number;               ///< for numbers
+  std::string text;                   ///< for a choice: the option
+  std::vector<std::string> elements;  ///< for a set: its options, in the question's order, each once
 
-  /// Is it what this text is read as? A text "" is an empty field.
+  /// Does the text `value` parse to the same? "" is an empty field.
   [[nodiscard]] bool readsLike(const std::string& value) const;
 };
 
@@ -31,7 +31,7 @@ using ReadAnswer = std::vector<ReadField>;
 /// @pre a text for each field
 [[nodiscard]] ReadAnswer readAnswer(const Question& question, const std::vector<std::string>& answer);
 
-/// A set as texts and conditions write it: "8,9,11".
+/// A set in the notation of answers and conditions: "8,9,11".
 [[nodiscard]] std::string setText(const std::vector<std::string>& elements);
 
 }  // namespace geargraph::inline grading

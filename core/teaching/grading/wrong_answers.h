@@ -8,9 +8,9 @@
 
 namespace geargraph::inline grading {
 
-/// An answer in which this mistake is made and that is not accepted, as near the question's solution as its
-/// conditions allow: for corpora by which graders are compared. If possible one that no mistake before it
-/// explains. Nothing where none is found among some thousand candidates.
+/// An answer with this mistake that is not accepted, as near to the question's solution as its conditions
+/// allow: for test corpora of graders. If possible one that no earlier mistake explains. std::nullopt if none
+/// is found among some thousand candidates.
 /// @pre the mistake is an element of question.mistakes
 [[nodiscard]] std::optional<std::vector<std::string>> wrongAnswer(const Question& question,
                                                                   const Mistake& mistake);

@@ -6,10 +6,10 @@
 
 namespace geargraph::inline lessons {
 
-/// The lessons that the program brings, in the order in which they are taught. Read once, from any thread.
+/// The bundled lessons, in teaching order. Parsed on first use; thread-safe.
 [[nodiscard]] const std::vector<Lesson>& course();
 
-/// The examples that the program brings, by the names of their files: "robot".
+/// A bundled example, by the name of its file: "robot".
 [[nodiscard]] Expected<MechanismPtr> bundledExample(const std::string& name);
 
 }  // namespace geargraph::inline lessons

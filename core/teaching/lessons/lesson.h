@@ -12,7 +12,8 @@
 
 namespace geargraph::inline lessons {
 
-/// What the analysis tells about a mechanism and a task asks for. Those with a name in the comment need it.
+/// The results of the analysis that a task can ask for. Those with "this" in the comment need
+/// AskedQuantity::of.
 enum class Quantity : std::uint8_t {
   links,          ///< moving ones
   turningJoints,  ///< and so on: counts
@@ -25,10 +26,10 @@ enum class Quantity : std::uint8_t {
   dof,
   kutzbachDof,
   errors,          ///< findings that are errors
-  finding,         ///< how many findings there are with this code or sub-code
+  finding,         ///< the number of findings with this code or sub-code
   blamed,          ///< the joints, meshes and links that the findings with this code name
   rate,            ///< of this joint with the document's inputs, rad/s
-  outputRates,     ///< of all joints on the ground that are not driven
+  outputRates,     ///< of all joints on the ground that are not inputs
   ratio,           ///< of this state
   torque,          ///< that holds the loads in this joint or coupling, N m
   cycle,           ///< the turning joints on the cycle of this mesh
@@ -41,21 +42,21 @@ struct AskedQuantity {
   friend bool operator==(const AskedQuantity&, const AskedQuantity&) = default;
 };
 
-/// A mechanism of a lesson: one that it holds, or an example's.
+/// A mechanism of a lesson: contained in the lesson, or an example.
 struct LessonDocument {
   std::string example;  ///< its name; empty: `mechanism`
   MechanismPtr mechanism;
 };
 
 enum class AnswerKind : std::uint8_t {
-  type,     ///< numbers are written
-  choose,   ///< one of some sentences
+  type,     ///< numbers are typed
+  choose,   ///< one of several sentences
   pick,     ///< elements are selected in the drawing
-  predict,  ///< numbers that the analysis gives are foretold
+  predict,  ///< results of the analysis are predicted
   find,     ///< the elements of a mistake in the document are selected
 };
 
-/// A field and, where the analysis decides, what it has to hold.
+/// A field and, if the analysis determines it, the required quantity.
 struct TaskField {
   AnswerField field;
   std::optional<AskedQuantity> is;
@@ -63,48 +64,48 @@ struct TaskField {
 
 struct TaskMistake {
   Mistake mistake;                   ///< its conditions, fields, elements and reason
-  std::vector<std::string> example;  ///< an answer in which it is made, one text a field
+  std::vector<std::string> example;  ///< an answer with the mistake, one text per field
 };
 
-/// A question that the lesson's author wrote. Fields of which the analysis decides need no accepted answers.
+/// A question written by the lesson's author. Fields determined by the analysis need no accepted answers.
 struct AnswerTask {
   AnswerKind kind = AnswerKind::type;
-  std::vector<ElementKind> from;  ///< what can be picked; the options are the labels
+  std::vector<ElementKind> from;  ///< the kinds that can be picked; the options are the labels
   std::vector<TaskField> fields;
   AnswerTable table;
-  std::vector<std::vector<std::string>> accepted;  ///< answers, one text a field each
-  std::vector<Condition> conditions;               ///< instead of them: all hold of a right answer
-  std::vector<std::string> solution;               ///< one right answer; where `accepted` does not give it
+  std::vector<std::vector<std::string>> accepted;  ///< answers, one text per field
+  std::vector<Condition> conditions;               ///< instead of `accepted`: all hold for a right answer
+  std::vector<std::string> solution;               ///< one right answer, if not given by `accepted`
   std::vector<TaskMistake> mistakes;
   std::string rule;
 };
 
-/// A question that the generator of exercises makes of the step's document.
+/// A question generated from the step's document.
 struct ExerciseTask {
   ExerciseKind kind = ExerciseKind::incidence;
   std::uint64_t seed = 1;
-  std::optional<ElementId> about;  ///< seeds are counted up until the question is about this element
+  std::optional<ElementId> about;  ///< seeds are incremented until the question is about this element
 };
 
-/// A question that was made before, of a sheet: what practiceLesson() makes. No file of a lesson holds one.
+/// A ready-made question of a sheet, from practiceLesson(); never in a lesson's file.
 struct QuestionTask {
   Question question;
 };
 
-/// What a drawing has to fulfil: some value of the quantity lies between the bounds.
+/// A condition on a drawing: some value of the quantity is within the bounds.
 struct DrawingCondition {
   AskedQuantity quantity;
   std::optional<std::string> least;  ///< numbers, as texts
   std::optional<std::string> most;
-  std::string reason;  ///< told where it does not hold
+  std::string reason;  ///< shown if it does not hold
 };
 
 struct WrongDrawing {
   LessonDocument drawing;
-  int failing = 0;  ///< position of the first condition that does not hold of it
+  int failing = 0;  ///< position of the first condition that does not hold
 };
 
-/// The learner edits a copy of the step's document until all conditions hold, in any way.
+/// The learner edits a copy of the step's document until all conditions hold.
 struct DrawTask {
   std::vector<DrawingCondition> conditions;
   LessonDocument solution;
@@ -114,27 +115,27 @@ struct DrawTask {
 
 using LessonTask = std::variant<AnswerTask, ExerciseTask, QuestionTask, DrawTask>;
 
-/// The drawing in front while a step is worked on.
+/// The drawing shown during a step.
 enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
 
 struct LessonStep {
   std::string title;
   std::string text;      ///< sentences, with formulas in TeX between dollar signs
-  std::string formula;   ///< in TeX, on a line of its own; may be empty
+  std::string formula;   ///< in TeX, displayed; may be empty
   std::string equation;  ///< its number, "5"; may be empty
   LessonView view = LessonView::digraph;
   LessonDocument document;
-  std::vector<ElementId> elements;  ///< lit up when the step begins
-  std::string prompt;               ///< the task in words; of an exercise it may be empty: the question's own
-  std::vector<std::string> hints;   ///< where to look, the rule, the first half of the answer
+  std::vector<ElementId> elements;  ///< highlighted when the step begins
+  std::string prompt;              ///< the task in words; if empty for an exercise, the question's own prompt
+  std::vector<std::string> hints;  ///< where to look, the rule, the first half of the answer
   LessonTask task;
 };
 
-/// A lesson as its author wrote it: an immutable value. Whether its tasks can be solved is checkLesson()'s.
+/// A lesson: an immutable value. checkLesson() tests whether its tasks can be solved.
 struct Lesson {
-  std::string id;  ///< "cycle-basis": progress is kept under it; empty: it is not kept
+  std::string id;  ///< "cycle-basis": key of the stored progress; empty: none is stored
   std::string title;
-  int minutes = 5;                 ///< that it takes; 0: not said
+  int minutes = 5;                 ///< duration; 0: not given
   std::string goal;                ///< what the learner can do afterwards: "fill in a row of C"
   std::vector<std::string> terms;  ///< names of the glossary
   std::vector<LessonStep> steps;

@@ -5,8 +5,8 @@
 
 namespace geargraph::inline lessons {
 
-/// A variant of a sheet as a lesson on its mechanism, a step for each question: with hints, feedback and a
-/// score like any lesson. Progress is not kept. Cost: that of makeVariant().
+/// A variant of a sheet as a lesson on its mechanism, with one step per question: with hints, feedback and a
+/// score like any lesson. Progress is not stored. Cost: that of makeVariant().
 /// @pre every kind of the plan is offered, 1 to kMostLessonSteps of them; 1 <= variant
 [[nodiscard]] Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant);
 

@@ -12,41 +12,42 @@
 
 namespace geargraph::inline lessons {
 
-/// The example of a name, or why there is none.
+/// Returns the example with this name, or an error.
 using ExampleSource = std::function<Expected<MechanismPtr>(const std::string& name)>;
 
-/// A step ready to be worked on: its mechanism and, unless the learner draws, its question with the key that
-/// the analysis gives. An immutable value.
+/// A prepared step: its mechanism and, unless the learner draws, its question with the key from the analysis.
+/// An immutable value.
 struct PreparedStep {
   MechanismPtr mechanism;
   std::optional<Question> question;
 };
 
-/// Fails with findings whose pointers lead to the step: `schema` where the task does not fit the document,
-/// `unknown-id` where the document has not what is named. Of no use when `stop` was requested meanwhile.
+/// Fails with pointers into the step: `schema` if the task does not fit the document, `unknown-id` if the
+/// document lacks a named element. The result is meaningless if `stop` was requested meanwhile.
 /// Cost: at most an analysis of the document. @pre the step is one of the lesson's
 [[nodiscard]] Expected<PreparedStep> prepareStep(const Lesson& lesson, std::size_t step,
                                                  const ExampleSource& examples,
                                                  const std::stop_token& stop = {});
 
-/// A lesson's mechanism; the finding has this pointer.
+/// The mechanism of a lesson's document; errors have this pointer.
 [[nodiscard]] Expected<MechanismPtr> mechanismOf(const LessonDocument& document,
                                                  const ExampleSource& examples, const std::string& pointer);
 
-/// Judges a drawing: right if all conditions hold; else the first that does not is the reason, and what the
-/// findings of the drawing blame is lit up where errors are what fails. No points.
-/// Cost: at most an analysis of the drawing.
+/// The result of checkDrawing().
 struct DrawingVerdict {
   Verdict verdict;
-  int failing = -1;  ///< position of that condition
+  int failing = -1;  ///< position of the first condition that does not hold; -1: none
 };
+/// Judges a drawing: right if all conditions hold; else the reason is that of the first one that does not,
+/// and if that one is about errors, the elements of the drawing's diagnostics are highlighted. No points.
+/// Cost: at most an analysis of the drawing.
 [[nodiscard]] DrawingVerdict checkDrawing(const DrawTask& task, const MechanismPtr& drawing,
                                           const std::stop_token& stop = {});
 
-/// What a task is about in two words: "Type", "Find the mistake".
+/// The short title of a task: "Type", "Find the mistake".
 [[nodiscard]] std::string_view taskTitle(const LessonStep& step);
 
-/// The element of a label ("8") or of a coupling's id; none where the mechanism has no such element.
+/// The element of a label ("8") or of a coupling's id; std::nullopt if the mechanism has no such element.
 [[nodiscard]] std::optional<ElementId> elementLabelled(const Mechanism& mechanism, const std::string& label);
 
 }  // namespace geargraph::inline lessons

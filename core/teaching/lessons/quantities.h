@@ -12,31 +12,32 @@
 
 namespace geargraph::inline lessons {
 
-/// "links", "output-rates": as lessons write it.
+/// "links", "output-rates": the name in lessons.
 [[nodiscard]] std::string_view quantityName(Quantity quantity);
 [[nodiscard]] std::optional<Quantity> quantityFromName(std::string_view name);
-/// Has it to name what it is `of`?
+/// Does it need AskedQuantity::of?
 [[nodiscard]] bool needsName(Quantity quantity);
 /// Is it a set of elements? All others are numbers.
 [[nodiscard]] bool isSetOfElements(Quantity quantity);
 
 /// Numbers or elements, in the order of the document.
 struct QuantityValues {
-  std::vector<Rational> numbers;  ///< several only of outputRates
+  std::vector<Rational> numbers;  ///< several only for outputRates
   std::vector<ElementId> elements;
 };
 
-/// What the analysis tells about one mechanism. Each part is computed when it is first asked for.
+/// The results of the analysis of one mechanism. Each part is computed on first use. Not thread-safe.
 class LessonAnalysis {
  public:
   explicit LessonAnalysis(MechanismPtr mechanism, std::stop_token stop = {});
 
   [[nodiscard]] const Mechanism& mechanism() const { return *m_mechanism; }
-  /// `unknown-id` where the mechanism has nothing of this name, `schema` where the quantity is not defined of
-  /// it: each with a sentence. Of no use when `stop` was requested meanwhile.
-  /// Cost: a live analysis; findings a complete one, ratios those of all states, torques an exact solution.
+  /// Fails with `unknown-id` if the mechanism has no element of this name, `schema` if the quantity is not
+  /// defined for it. The result is meaningless if `stop` was requested meanwhile.
+  /// Cost: a live analysis; for findings a complete one, for ratios the solution of all states, for torques
+  /// an exact solution.
   [[nodiscard]] Expected<QuantityValues> valuesOf(const AskedQuantity& asked);
-  /// The findings of the complete analysis. None if `stop` was requested meanwhile.
+  /// The findings of the complete analysis. Empty if `stop` was requested meanwhile.
   [[nodiscard]] const Diagnostics& findings();
 
  private:

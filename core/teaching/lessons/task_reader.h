@@ -9,7 +9,7 @@
 
 namespace geargraph::inline lessons {
 
-/// A fault where the object has a member of another name.
+/// Reports an error if the object has any other member.
 void checkMembers(MemberReader& reader, const JsonValue& object, const std::string& pointer,
                   std::initializer_list<std::string_view> known);
 
@@ -17,11 +17,11 @@ void checkMembers(MemberReader& reader, const JsonValue& object, const std::stri
 [[nodiscard]] LessonDocument readDocument(MemberReader& reader, const JsonValue& object,
                                           std::string_view name, const std::string& pointer);
 
-/// The element "gearMeshes/17" of a member, if it is there.
+/// Reads a member such as "gearMeshes/17" as an element, if it exists.
 [[nodiscard]] std::optional<ElementId> readElement(MemberReader& reader, const JsonValue& object,
                                                    std::string_view name, const std::string& pointer);
 
-/// Reads the member "task" of a step and what it asks.
+/// Reads the member "task" of a step with its content.
 void readTask(MemberReader& reader, const JsonValue& step, const std::string& pointer, LessonStep& into);
 
 }  // namespace geargraph::inline lessons

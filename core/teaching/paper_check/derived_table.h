@@ -9,7 +9,7 @@
 
 namespace geargraph::inline paper_check {
 
-/// The matrices that a paper is checked against, in the order of the derivation.
+/// The matrices against which a user's text is checked, in the order of the derivation.
 enum class PaperMatrix {
   incidence,
   reducedIncidence,
@@ -26,10 +26,10 @@ enum class PaperMatrix {
 [[nodiscard]] std::string_view paperMatrixSymbol(PaperMatrix kind);  ///< "C"
 [[nodiscard]] std::string_view paperMatrixTitle(PaperMatrix kind);   ///< "Cycle-basis matrix"
 [[nodiscard]] std::optional<PaperMatrix> paperMatrixFromName(std::string_view name);
-/// The equation of the paper: "(5)"; empty where there is none.
+/// The number of the paper's equation: "(5)"; empty if there is none.
 [[nodiscard]] std::string_view paperMatrixEquation(PaperMatrix kind);
 
-/// What may differ between two right ways of writing a row.
+/// In what two correct forms of a row may differ.
 enum class RowFreedom {
   none,
   sign,      ///< a cycle may be walked the other way
@@ -37,11 +37,11 @@ enum class RowFreedom {
 };
 [[nodiscard]] RowFreedom rowFreedom(PaperMatrix kind);
 
-/// An entry as derived: the same for all teeth as a function, and its value for these.
+/// A derived entry: as a function of the ratios, and its value for these teeth.
 struct DerivedEntry {
   RationalFunction function;
   Rational value;
-  bool hasFunction = true;  ///< false where the formula went over its budget
+  bool hasFunction = true;  ///< false if the formula exceeded its budget
 
   [[nodiscard]] DerivedEntry negated() const { return {-function, -value, hasFunction}; }
 };
@@ -58,17 +58,17 @@ struct DerivedTable {
   [[nodiscard]] DerivedTable transposed() const;
 };
 
-/// Empty where the mechanism has no such matrix: its turning joints are no spanning tree, or a mesh has no
-/// geometry. P is in ratios with the head's gear at 1, Eq. (24), its joints in the order of labels; the
+/// std::nullopt if the mechanism has no such matrix: its turning joints are no spanning tree, or a mesh has
+/// no geometry. P is in ratios with the head's gear at 1, Eq. (24), its joints in the order of labels; the
 /// solution has the outputs by label and the inputs in the order of the document, Eq. (25).
 /// Cost: that of the matrix; of the solution one in symbols.
 [[nodiscard]] std::optional<DerivedTable> derivedTable(const Vocabulary& vocabulary, PaperMatrix kind);
 
-/// The entry as it is printed: "-1", "-i16*i15".
+/// The entry as printed: "-1", "-i16*i15".
 [[nodiscard]] std::string entryText(const DerivedEntry& entry);
 
-/// Is the written amount this entry? For these teeth only: the numbers agree and the formulas do not, and no
-/// mesh is redundant.
+/// Does the written amount equal this entry? forTheseTeeth: the numbers agree, but the formulas do not, and
+/// no mesh is redundant.
 enum class Agreement { none, forTheseTeeth, full };  // ascending
 [[nodiscard]] Agreement agreementOf(const Vocabulary& vocabulary, const WrittenAmount& written,
                                     const DerivedEntry& derived);

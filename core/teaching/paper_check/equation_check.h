@@ -5,9 +5,9 @@
 
 namespace geargraph::inline paper_check {
 
-/// Each equation between velocities holds if it is true in every motion of the mechanism: each side as a sum
-/// over the inputs, by the exact solution. Decimals agree within their last place.
-/// Errors: `syntax` with the place of what cannot be read.
+/// Checks equations between velocities: each is right if it holds in every motion of the mechanism, with each
+/// side expressed in the inputs by the exact solution. Decimals agree within their last place. Fails with
+/// `syntax` at the place that cannot be parsed.
 [[nodiscard]] Expected<std::vector<EquationVerdict>> checkEquations(
     const Vocabulary& vocabulary, const std::vector<WrittenEquation>& equations,
     const std::stop_token& stop = {});

@@ -18,7 +18,7 @@ enum class PaperOutcome {
   right,
   wrong,
   /// Right in another order of rows and columns, and a known mistake in the order of the labels: only labels
-  /// can tell.
+  /// could decide.
   ambiguous,
 };
 [[nodiscard]] std::string_view outcomeName(PaperOutcome outcome);
@@ -30,61 +30,61 @@ struct EntryPlace {
   friend bool operator==(const EntryPlace&, const EntryPlace&) = default;
 };
 
-/// A mistake, where it is seen and why it is one. Without entries: in the matrix as a whole.
+/// A mistake with its place and reason. Without entries: in the matrix as a whole.
 struct PaperDifference {
   std::string name;  ///< of mistakeNames() or paperMistakeNames()
   std::vector<EntryPlace> entries;
   std::vector<ElementId> elements;
-  std::string reason;  ///< one sentence: what was written, then what holds
+  std::string reason;  ///< one sentence: what was written, then what is right
 };
 
-/// An entry beside the derived one that belongs in its place.
+/// A written entry with the derived one that belongs in its place.
 struct ComparedEntry {
   WrittenCell written;
-  std::string derived;  ///< in the user's order, sense and multiple
+  std::string derived;  ///< in the user's order, orientation and multiple
   bool differs = false;
   std::vector<ElementId> elements;
 };
 
-/// The user's matrix against the derived one.
+/// The comparison of the user's matrix with the derived one.
 struct MatrixVerdict {
   PaperMatrix kind = PaperMatrix::incidence;
   bool isRecognised = false;  ///< the user did not say which matrix it is
   PaperOutcome outcome = PaperOutcome::wrong;
-  std::vector<Heading> rows;     ///< derived, in the user's order; empty where the sizes differ
+  std::vector<Heading> rows;     ///< derived, in the user's order; empty if the sizes differ
   std::vector<Heading> columns;  ///< the same
   std::vector<std::vector<ComparedEntry>> entries;
-  std::vector<std::string> notes;  ///< permitted changes that the matrix makes use of, in sentences
+  std::vector<std::string> notes;  ///< permitted deviations found in the matrix, as sentences
   std::vector<PaperDifference> differences;
 };
 
-/// An equation of the user's: it holds if it follows from the equations of the mechanism.
+/// The result for one equation of the user's.
 struct EquationVerdict {
   std::string text;
   int line = 1;
   bool isRight = false;
-  std::optional<PaperDifference> difference;  ///< of one that does not hold
-  std::vector<ElementId> elements;            ///< what it speaks of
+  std::optional<PaperDifference> difference;  ///< if it is wrong
+  std::vector<ElementId> elements;            ///< that it is about
 };
 
 using PaperVerdict = std::variant<MatrixVerdict, std::vector<EquationVerdict>>;
 
-/// Compares a text of the user's with what is derived from the mechanism, with every coupling released. A
-/// matrix is right in any order of rows and columns that its labels allow, with cycles walked either way,
+/// Compares a user's text with the results derived from the mechanism, with every coupling released. A matrix
+/// is right in any order of rows and columns that its labels allow, with cycles in either direction,
 /// equations of P multiplied by any number, C, T and Z of any spanning tree, the solution for any valid
-/// inputs that its labels name. Without `kind` the matrix is recognised by its name, size and entries.
+/// inputs named by its labels. Without `kind` the matrix is recognised by its name, size and entries.
 ///
-/// Errors: `syntax` with line and column where the text cannot be read, a label is unknown or no matrix of
-/// the mechanism has this size; those of the mechanism where it has no such matrix.
-/// Cost: that of the derived matrices and of the search for an order; null reason for a long time is the
-/// search alone, which is bounded. Ends soon after `stop` is requested; the verdict is of no use then.
+/// Fails with `syntax` with line and column if the text cannot be parsed, a label is unknown or no matrix of
+/// the mechanism has this size; with the errors of the mechanism if it has no such matrix. Cost: that of the
+/// derived matrices, and of the search for an order, which is bounded. Ends soon after `stop` is requested;
+/// the verdict is then meaningless.
 [[nodiscard]] Expected<PaperVerdict> checkPaper(const ExerciseSource& source, std::string_view text,
                                                 std::optional<PaperMatrix> kind = {},
                                                 const std::stop_token& stop = {});
 
-/// Mistakes that only a check of papers names, beside those of the grader. Names are stable.
+/// The mistakes that only this check reports, in addition to those of the grader. Names are stable.
 [[nodiscard]] std::span<const MistakeName> paperMistakeNames();
-/// Of either list. @pre there is such a mistake
+/// The title of a mistake of either list. @pre there is such a mistake
 [[nodiscard]] std::string_view paperMistakeTitle(std::string_view name);
 
 /// The verdict as JSON: `format` "geargraph-check", version 1.

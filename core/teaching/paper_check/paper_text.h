@@ -9,13 +9,13 @@
 
 namespace geargraph::inline paper_check {
 
-/// A part of the user's text by its bytes.
+/// A range of the user's text, in bytes.
 struct TextRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// The user's text, whose pieces know their place in it.
+/// The user's text, with line and column of its pieces.
 class PaperText {
  public:
   explicit PaperText(std::string_view text) : m_text(text), m_lineStarts{0} {
@@ -33,7 +33,8 @@ class PaperText {
     while (range.end > range.begin && isBlank(m_text[range.end - 1])) --range.end;
     return range;
   }
-  /// The range without blanks at its ends. Cost: logarithmic in the lines, linear in the line.
+  /// The text of the range without blanks at its ends, with its place. Cost: logarithmic in the lines, linear
+  /// in the line.
   [[nodiscard]] WrittenCell piece(TextRange range) const {
     const TextRange inner = trimmed(range);
     WrittenCell cell = placeOf(inner.begin);
@@ -64,14 +65,14 @@ class PaperText {
   std::vector<std::size_t> m_lineStarts;
 };
 
-/// Rows of ranges, as one notation parts them.
+/// The cells of a table by row, as ranges of the text.
 using RangeRows = std::vector<std::vector<TextRange>>;
 
-/// Rows between double backslashes, cells between ampersands. Braces keep both together.
+/// Rows separated by double backslashes, cells by ampersands, neither inside braces.
 [[nodiscard]] RangeRows latexRows(const PaperText& text, TextRange body);
-/// Rows between semicolons or line ends, cells between commas or blanks that are no part of a sum.
+/// Rows separated by semicolons or line ends, cells by commas or by blanks that are not part of a sum.
 [[nodiscard]] RangeRows bracketRows(const PaperText& text, TextRange body);
-/// Rows between line ends, cells between the separator that the text uses; quotes as in CSV.
+/// Rows separated by line ends, cells by the separator that the text uses; quotes as in CSV.
 [[nodiscard]] RangeRows separatedRows(const PaperText& text);
 
 }  // namespace geargraph::inline paper_check

@@ -10,36 +10,36 @@ namespace geargraph::inline paper_check {
 
 using WrittenAmounts = std::vector<std::vector<WrittenAmount>>;
 
-/// Which derived row and column each written one is.
+/// The correspondence of written to derived rows and columns.
 struct Alignment {
   std::vector<int> rows;     ///< by written row
   std::vector<int> columns;  ///< by written column
-  std::vector<char> turned;  ///< by written row: its sign is the other one, or it is a multiple
+  std::vector<char> turned;  ///< by written row: it has the opposite sign, or is a multiple
 
   [[nodiscard]] bool isNatural() const;
 };
 
-/// The labels of a written table as positions of a derived one; nothing where there are none.
+/// The labels of a written table as positions in a derived one; none without labels.
 struct LabelPlaces {
   std::optional<std::vector<int>> rows;
   std::optional<std::vector<int>> columns;
 };
 
-/// What may be in another order where no labels say it.
+/// What may be in another order without labels.
 enum class FreeOrder { none, rows, columns, both };
 
-/// The order in which the written entries are the derived ones, the natural order first; nothing where there
-/// is none, or it was not found within 200,000 steps.
-/// Cost: rows times columns for each step; a right matrix in its natural order takes as many steps as rows.
-/// @pre of one size
+/// The order in which the written entries equal the derived ones, the natural order first; std::nullopt if
+/// there is none, or it was not found within 200,000 steps. Cost: rows times columns per step; a right matrix
+/// in its natural order takes one step per row.
+/// @pre both tables have one size
 [[nodiscard]] std::optional<Alignment> alignmentOf(const Vocabulary& vocabulary,
                                                    const WrittenAmounts& written, const DerivedTable& derived,
                                                    RowFreedom freedom, const LabelPlaces& labels,
                                                    FreeOrder order, const std::stop_token& stop = {});
 
-/// What the derived row would have to read like for the written one to be right: scaled by the factor that
-/// makes the most entries agree, of those that the freedom allows. `columns` are those of the alignment.
-/// Cost: the square of the entries that are not 0, for a multiple.
+/// The derived row scaled to the written one: by the factor, among those that the freedom allows, for which
+/// the most entries agree. `columns` are those of the alignment.
+/// Cost: for a multiple, the square of the number of non-zeros.
 [[nodiscard]] std::vector<DerivedEntry> scaledRow(const Vocabulary& vocabulary,
                                                   const std::vector<WrittenAmount>& written,
                                                   const std::vector<DerivedEntry>& derived,

@@ -8,19 +8,19 @@
 
 namespace geargraph::inline paper_check {
 
-/// A matrix as it looks with a known mistake all over.
+/// A matrix with a known mistake made throughout.
 struct MistakenTable {
   std::string name;
   std::string reason;
   DerivedTable table;
 };
 
-/// All of them for a derived matrix, the most telling first. None equals the right one up to the freedom of
-/// its rows.
+/// All of them for a derived matrix, the most informative first. None equals the right one up to the freedom
+/// of its rows.
 [[nodiscard]] std::vector<MistakenTable> mistakenTables(const Vocabulary& vocabulary,
                                                         const DerivedTable& right);
 
-/// What differs in a row or an entry, by name. Each entry that differs is in one of them.
+/// The differences of rows and entries, by name. Each entry that differs is in one of them.
 /// @pre the alignment has a derived row and column for each written one
 [[nodiscard]] std::vector<PaperDifference> tableDifferences(const Vocabulary& vocabulary,
                                                             const DerivedTable& right,

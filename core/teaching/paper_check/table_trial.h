@@ -5,10 +5,10 @@
 
 namespace geargraph::inline paper_check {
 
-/// A written matrix tried as one kind: first isRight(), then, where it is not, explain().
+/// A comparison of a written matrix with one kind: first call isRight(), then, if false, explain().
 class TableTrial {
  public:
-  /// The vocabulary, table and amounts outlive it.
+  /// All arguments outlive it.
   TableTrial(const Vocabulary& vocabulary, const WrittenTable& table, const WrittenAmounts& amounts,
              PaperMatrix kind, const std::stop_token& stop);
 
@@ -16,16 +16,16 @@ class TableTrial {
   [[nodiscard]] const DerivedTable& right() const { return *m_right; }
   [[nodiscard]] bool hasSize() const { return fits(*m_right); }
 
-  /// The label that this matrix does not have, if its size is right.
+  /// The first label that this matrix does not have, if the size is right; else null.
   [[nodiscard]] const WrittenCell* unknownLabel() const;
 
-  /// Right in the order of the labels, with another tree, or in another order where there are no labels.
+  /// Is it right in the order of the labels, for another tree, or without labels in another order?
   bool isRight();
 
-  /// The mistakes of a matrix that is not right.
+  /// Finds the mistakes of a matrix that is not right.
   void explain();
 
-  /// How much of it differs: entries, or all of them.
+  /// The number of differing entries, or kNotComparable.
   [[nodiscard]] std::size_t badness() const;
   static constexpr std::size_t kNotComparable = 1'000'000;
 
@@ -39,14 +39,14 @@ class TableTrial {
   void addNotes(const DerivedTable& table, const Alignment& alignment);
   void acceptTree(const std::vector<int>& tree);
 
-  /// A mistake all over, if it is one.
+  /// Finds a mistake made throughout.
   bool findMistake(FreeOrder order);
   [[nodiscard]] Alignment naturalAlignment() const;
   [[nodiscard]] std::vector<PaperDifference> naturalDifferences() const;
   [[nodiscard]] std::size_t disagreements(std::size_t written, int derived,
                                           const std::vector<int>& columns) const;
 
-  /// The natural order; where no labels say it, the order of rows in which the fewest entries differ.
+  /// The natural order; without labels the order of rows in which the fewest entries differ.
   [[nodiscard]] Alignment bestAlignment() const;
   void fillEntries(const DerivedTable& table, const Alignment& alignment);
 

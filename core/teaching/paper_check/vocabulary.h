@@ -10,45 +10,47 @@
 
 namespace geargraph::inline paper_check {
 
-/// A name as it is written, without its notation: \omega_{51}'', ω₅₁'' and w51'' are {"w", "51", 2}.
+/// A parsed name, independent of its notation: \omega_{51}'', ω₅₁'' and w51'' are {"w", "51", 2}.
 struct WrittenName {
   std::string base;       ///< i n N d theta w
-  std::string subscript;  ///< digits, two numbers parted by '_'
+  std::string subscript;  ///< digits; two numbers are separated by '_'
   int primes = 0;
 };
 
-/// A sum of rates of joints, by joint: what the name of a velocity stands for.
+/// A velocity as a sum of rates of joints: coefficient by joint.
 using RateSum = std::map<int, int>;
 
-/// A number that a name stands for.
+/// The value of a name.
 struct NamedValue {
   RationalFunction value;
-  bool isRatio = false;  ///< true: a ratio of teeth, kept as a symbol; false: a number of this mechanism
+  bool isRatio = false;  ///< true: a ratio of teeth, treated as a symbol; false: a number of this mechanism
 };
 
-/// What the symbols of a paper mean for one mechanism: i15 = N_tail / N_head, n41 and n14 (by the links),
-/// N4 teeth and d4 pitch diameter of link 4 (N7' and N7'' of its meshes in their order), θ8 the rate of
-/// joint 8, ω40 the velocity of link 4 relative to link 0, ω4 the same to the ground. An immutable value.
+/// The meaning of the symbols for one mechanism: i15 = N_tail / N_head, n41 and n14 (by the links), N4 teeth
+/// and d4 pitch diameter of link 4 (N7' and N7'' of its meshes in their order), θ8 the rate of joint 8, ω40
+/// the velocity of link 4 relative to link 0, ω4 the same to the ground. An immutable value.
 class Vocabulary {
  public:
   explicit Vocabulary(const ExerciseSource& source);
 
   [[nodiscard]] const RatioRingPtr& ring() const { return m_ring; }
   [[nodiscard]] const ExerciseSource& source() const { return m_source; }
-  /// Empty where the mechanism has no such number; `fault` then says why.
+  /// std::nullopt, with the reason in `fault`, if the mechanism has no such number.
   [[nodiscard]] std::optional<NamedValue> value(const WrittenName& name, std::string& fault) const;
-  /// Empty where it is no velocity, or one that is no sum of rates: about several directions.
+  /// std::nullopt, with the reason in `fault`, if it is no velocity, or no sum of rates: about several
+  /// directions.
   [[nodiscard]] std::optional<RateSum> rate(const WrittenName& name, std::string& fault) const;
   [[nodiscard]] static bool isRate(const WrittenName& name) {
     return name.base == "theta" || name.base == "w";
   }
 
-  /// Is every mesh independent? Where one is redundant its ratio follows from others, and a formula may be
-  /// written in several ways.
+  /// Is every mesh independent? The ratio of a redundant one follows from others, so that a formula can have
+  /// several forms.
   [[nodiscard]] bool ratiosAreFree() const;
 
-  /// The number as a function that is the same for all ratios.
+  /// The number as a constant function of the ratios.
   [[nodiscard]] RationalFunction constant(const Rational& value) const;
+  /// The value of a function at the mechanism's own ratios.
   [[nodiscard]] Rational atTeeth(const RationalFunction& value) const;
 
  private:

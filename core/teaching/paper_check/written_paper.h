@@ -11,19 +11,19 @@ namespace geargraph::inline paper_check {
 
 constexpr std::size_t kLargestPaper = 1'000'000;  ///< bytes
 
-/// A piece of the user's text and where it begins, both counted from 1, columns in characters.
+/// A piece of the user's text with its line and column, counted from 1, columns in characters.
 struct WrittenCell {
   std::string text;
   int line = 1;
   int column = 1;
 };
 
-/// A matrix as it is written: rows of one length, its labels split off where the text has them.
+/// A matrix as written: rows of one length, with the labels separated, if there are any.
 struct WrittenTable {
   std::string name;  ///< "C" of "C = [...]"; may be empty
   std::vector<std::vector<WrittenCell>> cells;
-  std::vector<WrittenCell> rowLabels;     ///< one a row, or none
-  std::vector<WrittenCell> columnLabels;  ///< one a column, or none
+  std::vector<WrittenCell> rowLabels;     ///< one per row, or none
+  std::vector<WrittenCell> columnLabels;  ///< one per column, or none
 
   [[nodiscard]] int rows() const { return static_cast<int>(cells.size()); }
   [[nodiscard]] int columns() const { return cells.empty() ? 0 : static_cast<int>(cells.front().size()); }
@@ -36,15 +36,15 @@ struct WrittenEquation {
 
 using WrittenPaper = std::variant<WrittenTable, std::vector<WrittenEquation>>;
 
-/// Reads a matrix in CSV (commas, semicolons, tabs, blanks or bars), LaTeX (matrix and array environments,
-/// also between the vectors of an equation, which then give the labels), MATLAB or NumPy, as this program
-/// writes them and as people do; or equations, one a line, in plain text or LaTeX.
+/// Parses a matrix in CSV (commas, semicolons, tabs, blanks or bars), LaTeX (matrix and array environments,
+/// also between the vectors of an equation, which then give the labels), MATLAB or NumPy, as written by this
+/// program or by hand; or equations, one per line, in plain text or LaTeX.
 ///
-/// Errors are `syntax` with line and column: no text, a row of another length, a bracket that is not closed.
+/// Fails with `syntax` with line and column: no text, a row of another length, a bracket that is not closed.
 /// Cost: linear in the text.
 [[nodiscard]] Expected<WrittenPaper> readPaper(std::string_view text);
 
-/// Is the text of a cell a label and no entry: of a row, a link, a rate, or empty?
+/// Is the text of a cell a label (of a row, a link, a rate, or empty) rather than an entry?
 [[nodiscard]] bool isLabelText(std::string_view text);
 
 }  // namespace geargraph::inline paper_check
