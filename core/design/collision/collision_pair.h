@@ -8,16 +8,16 @@
 
 namespace geargraph::inline collision {
 
-/// How finely the motion of two parts is followed.
+/// The resolution of a collision check in time.
 struct CollisionResolution {
-  /// Parts that are nearer than this are looked at again whenever a point of one can have moved so far
-  /// against the other, modules: a contact that lasts for less is missed.
+  /// Parts that are nearer than this are tested whenever a point of one can have moved by this much relative
+  /// to the other, modules; a shorter contact is missed.
   double step = 0.1;
-  /// To which a time of first contact is found, as a part of that step.
+  /// The precision of the time of first contact, as a fraction of `step`.
   double bisection = 0.01;
 };
 
-/// Two parts that move against each other.
+/// Two parts in relative motion. The arguments outlive it.
 class CollisionPair {
  public:
   CollisionPair(const CollisionPart& p, const CollisionPart& q, const RelativeMotion& motion, double speed,
@@ -25,8 +25,8 @@ class CollisionPair {
 
   /// The first time of contact from 0 to `until` (negative: backwards), by conservative advancement: where
   /// the parts are a distance d apart they cannot touch before d / speed has passed. std::nullopt if they do
-  /// not touch, the budget is spent, or cancelled. `budget`: tests of two bounding volumes or two triangles
-  /// that may still be made; counted down, below 0 when spent. Cost: per step a distance of two bounding
+  /// not touch, the budget is spent, or cancelled. `budget`: the remaining number of tests of two bounding
+  /// volumes or two triangles; counted down, below 0 when spent. Cost: per step a distance of two bounding
   /// volume hierarchies, some tens of microseconds; per test about a tenth of one.
   [[nodiscard]] std::optional<double> firstContact(double until, std::int64_t& budget,
                                                    const std::stop_token& stop) const;

@@ -14,23 +14,24 @@ namespace geargraph::inline collision {
 /// The triangles of a part in a bounding volume hierarchy of FCL.
 class CollisionShape;
 
-/// A piece of a link that can collide with others: a wheel as the solid that its tips sweep when it turns, or
+/// A piece of a link that can collide with others: a wheel as the solid of revolution swept by its tips, or
 /// one part of a body (a shaft, an arm, a bearing). In the base frame, in the reference pose.
 struct CollisionPart {
   int link = 0;
-  double module = 1;  ///< the length that resolutions are counted in
-  /// The line about which it is a solid of revolution, where it is one.
+  double module = 1;  ///< the unit of resolutions
+  /// The line about which it is a solid of revolution; none: it is not one.
   std::optional<TurningLine> revolvedAbout;
   std::shared_ptr<const CollisionShape> shape;
-  Eigen::Vector3d centre{0, 0, 0};  ///< of a ball about it
+  Eigen::Vector3d centre{0, 0, 0};  ///< of the bounding sphere
   double radius = 0;
 };
 
 /// Chordal error of the parts' surfaces, modules.
 constexpr double kCollisionTolerance = 0.05;
 
-/// The parts of all links of a train. Windows of wheels are filled: what passes through one is hit when the
-/// wheel turns on. Those made by then if `stop` was requested. Cost: O(triangles), about 0.1 ms a wheel.
+/// The parts of all links of a train. Windows of wheels are filled, because a part that passes through one
+/// collides as the wheel turns. Incomplete if `stop` was requested. Cost: O(triangles), about 0.1 ms per
+/// wheel.
 [[nodiscard]] std::vector<CollisionPart> collisionParts(const GearTrain& train,
                                                         const std::stop_token& stop = {});
 
@@ -38,14 +39,14 @@ constexpr double kCollisionTolerance = 0.05;
 [[nodiscard]] CollisionPart collisionPart(int link, const Solid& solid, double module,
                                           const std::optional<TurningLine>& revolvedAbout = {});
 
-/// Where a solid is about a line: distances from it, and coordinates along it from the line's point.
+/// The extent of a solid about a line: distances from it, and coordinates along it from the line's point.
 struct AxialExtent {
-  double inner = 0;  ///< of the surface; 0 where the line passes through it
+  double inner = 0;  ///< of the surface; 0 if the line passes through it
   double outer = 0;
   double low = 0;
   double high = 0;
 };
-/// Cost: O(triangles).
+/// The extent of a part about a line. Cost: O(triangles).
 [[nodiscard]] AxialExtent axialExtent(const CollisionPart& part, const TurningLine& line);
 
 /// The greatest distance of the part's points from a point. Cost: O(vertices).

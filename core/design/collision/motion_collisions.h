@@ -10,7 +10,7 @@
 
 namespace geargraph::inline collision {
 
-/// Two links that touch each other while the mechanism moves.
+/// A collision of two links in motion.
 struct MotionCollision {
   int one = 0;  ///< positions of the links, the smaller first
   int other = 0;
@@ -18,10 +18,10 @@ struct MotionCollision {
   friend bool operator==(const MotionCollision&, const MotionCollision&) = default;
 };
 
-/// What was looked at, and what was found.
+/// The result of a collision check, and its extent.
 struct MotionCheck {
   std::vector<MotionCollision>
-      collisions;  ///< by time, those of the motion forwards first; one a pair of links
+      collisions;  ///< by time, those of the forward motion first; one per pair of links
   /// s: all pairs of parts were followed from `from` to `to`, each until it repeats; `from` is below 0 where
   /// limits let the motion run backwards.
   double from = 0;
@@ -31,23 +31,23 @@ struct MotionCheck {
   bool isComplete = true;  ///< false: cancelled, or the budget was spent; pairs may be missing
 };
 
-/// Tests in whose time the broad phase finds a pair and its relative motion.
+/// The cost of finding a pair and its relative motion in the broad phase, in tests.
 constexpr std::int64_t kPairWork = 10;
 
 struct MotionCheckOptions {
-  /// Of parts whose relative motion does not repeat sooner: turns of the fastest joint between them.
+  /// The most turns of the fastest joint between two parts whose relative motion does not repeat sooner.
   double mostTurns = 20;
-  /// Tests of two bounding volumes or two triangles that are made at most, all in all, about a tenth of a
-  /// microsecond each; what is done before them for a pair of parts counts as kPairWork.
+  /// The most tests of two bounding volumes or two triangles in total, about a tenth of a microsecond each;
+  /// the work before them for a pair of parts counts as kPairWork.
   std::int64_t mostTests = 20'000'000;
 };
 
 /// Checks the parts of different links for collisions over the motion that starts in the reference pose.
 ///
-/// Pairs: only parts whose distance can change (RelativeMotion). The contacts that a pair is meant to have
-/// need no exemption list: where teeth mesh, a shaft turns in a bearing or a wheel on its shaft, one of the
-/// two parts is a solid of revolution about the line of the turn, so their distance is that of the reference
-/// pose for all time; the train's own diagnostics speak of that pose.
+/// Pairs: only parts whose distance can change (RelativeMotion). Intended contacts need no exemption list:
+/// where teeth mesh, a shaft turns in a bearing or a wheel on its shaft, one of the two parts is a solid of
+/// revolution about the line of the turn, so their distance stays that of the reference pose, which the
+/// train's own diagnostics cover.
 ///
 /// Duration: until the relative motion of the two parts repeats (about one line: one turn), but at most
 /// `mostTurns` of the fastest joint between them; where joints have limits, within `range` and both ways.
@@ -55,7 +55,7 @@ struct MotionCheckOptions {
 /// Resolution: conservative advancement (CollisionPair). A contact during which no point moves by a tenth of
 /// a module may be missed. Parts that overlap in the reference pose are reported at time 0.
 ///
-/// Cost: a broad phase over the boxes that the parts sweep, then some tens of microseconds a step for each
+/// Cost: a broad phase over the boxes that the parts sweep, then some tens of microseconds per step for each
 /// pair that comes near; at most `mostTests` in all (tests/bench/bench_scene.cpp, motionCheck). The token is
 /// polled for each pair and each step.
 [[nodiscard]] MotionCheck motionCollisions(std::span<const CollisionPart> parts, const JointRates& motion,

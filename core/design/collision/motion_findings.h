@@ -9,16 +9,16 @@
 
 namespace geargraph::inline collision {
 
-/// Larger mechanisms are not checked: all their parts would be compared with each other.
+/// Larger mechanisms are not checked, because all pairs of parts would have to be compared.
 constexpr int kMostCheckedLinks = 300;
 
-/// Pairs of links that are reported one by one, the earliest first.
+/// The most pairs of links that are reported individually, the earliest first.
 constexpr std::size_t kMostMotionFindings = 20;
 
 /// The motion of a mechanism with its inputs at their speeds, and what collides in it.
 struct MotionReport {
   MotionCheck check;
-  /// One `interference/motion-collision` a pair of links, with the time of their first contact. Pairs that
+  /// One `interference/motion-collision` per pair of links, with the time of their first contact. Pairs that
   /// the train's diagnostics report as overlapping in the reference pose are left out.
   Diagnostics diagnostics;
 };
@@ -32,11 +32,11 @@ struct MotionReport {
                                                       const std::stop_token& stop = {},
                                                       const MotionCheckOptions& options = {});
 
-/// "4.5 s"; below 1 s with two digits that count.
+/// "4.5 s"; below 1 s with two significant digits.
 [[nodiscard]] std::string secondsText(double seconds);
 
-/// One sentence on motion that was not checked, for a person: too many links, the budget spent, or no
-/// repetition within what was checked. Empty if all of it was checked, or nothing is known yet (`report`
+/// One sentence for the user on motion that was not checked: too many links, the budget spent, or no
+/// repetition within what was checked. Empty if everything was checked, or there is no result yet (`report`
 /// null).
 [[nodiscard]] std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report);
 

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline fixes {
 
-// The makers behind fixesFor(), by what is wrong. Each may give more than kMostFixes; order counts.
+// The parts of fixesFor(), by diagnostic. Each may return more than kMostFixes, the best first.
 
 /// disconnected, turning-loop with its details.
 [[nodiscard]] std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
@@ -20,13 +20,14 @@ namespace geargraph::inline fixes {
 /// assembly, undercut, locked, dead-joint.
 [[nodiscard]] std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 
+/// The fix that deletes an element. `why`: appended to its text.
 [[nodiscard]] Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element,
                             const std::string& why = {});
 
 /// "link 3", "joint 8", "mesh 15"
 [[nodiscard]] std::string wordFor(const Mechanism& mechanism, const ElementId& element);
 
-/// Drops the fixes that are refused, change nothing, or after which `stillWrong` holds.
+/// The fixes without those that are rejected, change nothing, or after which `stillWrong` holds.
 template <class StillWrong>
 [[nodiscard]] std::vector<Fix> tried(std::vector<Fix> fixes, const Mechanism& mechanism,
                                      const StillWrong& stillWrong) {

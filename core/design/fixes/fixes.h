@@ -9,17 +9,17 @@
 
 namespace geargraph::inline fixes {
 
-/// A way to mend a finding: what a button says, "Delete joint 15", and the edit behind it.
+/// A quick fix for a diagnostic: the text of a button, "Delete joint 15", and its edit.
 struct Fix {
   std::string text;
   std::function<Expected<Mechanism>(const Mechanism&)> edit;
 };
 
-/// What would mend this finding of this snapshot (or of the train of its mechanism: assembly, undercut,
-/// overlaps in 3D), the likeliest first, kMostFixes at most; empty where only a person can tell. Geometric
-/// fixes have been tried: none is offered that leaves the finding, or that the edits refuse.
+/// The quick fixes for this diagnostic of the snapshot (or of the train of its mechanism: assembly, undercut,
+/// overlaps in 3D), the likeliest first, at most kMostFixes; empty if only the user can decide. Geometric
+/// fixes have been tried: none is offered that leaves the diagnostic, or that the edits reject.
 ///
-/// Cost: near linear in n + t + c for each try; some dozen tries for teeth that do not fit together.
+/// Cost: near linear in n + t + c per try; some dozen tries for teeth that do not fit.
 [[nodiscard]] std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 
 constexpr std::size_t kMostFixes = 3;

@@ -5,12 +5,12 @@
 
 namespace geargraph::inline synthesis {
 
-/// The set's links, joints, meshes, couplings and states in the document, under ids that are free there; its
-/// ground is the document's. Nodes are shifted by `at`, stated places beside what is there. A document of the
-/// ground alone takes name and inputs, too; one with inputs gets the set's besides.
+/// Inserts the set's links, joints, meshes, couplings and states into the document under free ids; its ground
+/// becomes the document's. Nodes are shifted by `at`, stated places are moved beside existing ones. An empty
+/// document also takes the set's name and inputs; one with inputs gets the set's in addition.
 [[nodiscard]] Mechanism withInserted(Mechanism mechanism, const Mechanism& set, SheetPoint at);
 
-/// Where a set's nodes do not lie on those of the document: right of them.
+/// A free place for a set's nodes in the digraph: right of those of the document.
 [[nodiscard]] SheetPoint freePlace(const Mechanism& mechanism);
 
 }  // namespace geargraph::inline synthesis

@@ -5,10 +5,10 @@
 
 namespace geargraph::inline synthesis {
 
-/// As many equal planets as wanted, evenly spread: copies of a drawn one with its joint and its meshes. Where
-/// the document states the planet's place, the copies are turned about the axis of what it meshes with.
-/// Refuses schema where the link is no planet (its meshes are with one axis, on a link that carries it, and
-/// it carries nothing), and assembly where so many do not go in.
+/// Adds copies of a planet with its joint and its meshes, so that there are `total` equally spaced identical
+/// planets. If the document states the planet's place, the copies are turned about the axis of the gears that
+/// it meshes with. Rejects schema if the link is no planet (one that meshes with gears on one axis only, is
+/// carried by another link and carries nothing), and assembly if the assembly condition is violated.
 [[nodiscard]] Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId planet, int total);
 
 }  // namespace geargraph::inline synthesis

@@ -6,8 +6,8 @@
 
 namespace geargraph::inline synthesis {
 
-/// Two external pairs that lead back to the first axis: first with second, third with fourth, where second
-/// and third are one shaft. Equal sums of teeth make both pairs one module.
+/// Tooth counts of a reverted train: two external pairs, first with second and third with fourth, where
+/// second and third are on one countershaft. Equal sums of teeth give both pairs the same module.
 struct RevertedTeeth {
   int first = 20;
   int second = 40;
@@ -26,15 +26,16 @@ struct RevertedWish {
 struct RevertedChoice {
   RevertedTeeth teeth;
   Rational ratio;
-  double error = 0;  ///< relative to the wish
+  double error = 0;  ///< relative to the required ratio
 };
 
-/// Tooth counts within the limits, nearest to the wished ratio first, of equals the smallest first, one for
-/// each ratio; `most` at most. The two pairs may be exchanged; only the one with the smaller first ratio is
-/// named. Cost: O(teeth^2 log teeth).
+/// Tooth counts within the limits, nearest to the required ratio first, among equals the smallest first, one
+/// for each ratio; at most `most`. Of two choices that differ only by exchanging the pairs, the one with the
+/// smaller first ratio is returned. Cost: O(teeth^2 log teeth).
 [[nodiscard]] std::vector<RevertedChoice> revertedChoices(const RevertedWish& wish, std::size_t most = 20);
 
-/// Input 1 and output 3 on one axis, countershaft 2; places left open. The input at 1 rad/s.
+/// A reverted train: input 1 and output 3 on one axis, countershaft 2; places are left open. The input turns
+/// at 1 rad/s.
 [[nodiscard]] Mechanism revertedTrain(const RevertedTeeth& teeth);
 
 }  // namespace geargraph::inline synthesis

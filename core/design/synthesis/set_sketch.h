@@ -7,21 +7,21 @@
 
 namespace geargraph::inline synthesis {
 
-/// Writes a set down, link by link: ids are whole numbers in order of links, joints and meshes; link 0 is the
-/// ground. The members of a set are built with it, and then go into documents (insertion.h).
+/// Builds a mechanism link by link: ids are whole numbers in order of links, joints and meshes; link 0 is the
+/// ground. Sets are built with it and inserted into documents (insertion.h).
 class SetSketch {
  public:
   explicit SetSketch(std::string name);
 
-  /// A new link that turns about the axis on `parent`; an axis that is not known yet is left open. Returns
-  /// its number.
+  /// Adds a link that turns about the axis on `parent`; a new axis is added without a place. Returns the
+  /// link's number.
   int link(int parent, const std::string& axis, std::string name);
-  /// Where along its axis a link's bearing on its parent stands; at the axis's point where nothing is said.
+  /// Sets the offset of a link's bearing on its parent along its axis; 0 by default.
   void bearing(int link, std::int64_t offset);
-  /// An axis with a place.
+  /// Adds an axis with a place.
   void axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction);
   GearMesh& mesh(int tail, int head, int tailTeeth, int headTeeth, MeshKind kind);
-  /// A wheel on a link, for meshes to name: meshes that name several do not share one.
+  /// Adds a wheel on a link, which meshes can name: meshes that name different wheels do not share one.
   WheelId wheel(const std::string& id, int link);
   void input(int link, const Number& speed);
   void brake(const std::string& id, int link);
@@ -30,7 +30,7 @@ class SetSketch {
   void clutch(const std::string& id, int link, int other);
   void state(const std::string& name, const std::vector<std::string>& engaged, int drive, int driven);
 
-  /// With places for the nodes: the ground, the links on it in a column, the rest in another.
+  /// The mechanism with places for the nodes: the ground, the links on it in a column, the rest in another.
   [[nodiscard]] Mechanism build() &&;
 
  private:
