@@ -17,42 +17,42 @@
 
 namespace geargraph::inline base {
 
-/// What becomes of the answers to a request that has been overtaken.
+/// What happens to answers to a request that a newer one has replaced.
 enum class Overtaken {
-  dropped,   ///< its work is asked to stop, nothing of it is delivered any more
-  delivered  ///< what its work still yields is delivered: pictures that follow a drag, if late
+  dropped,   ///< its work is asked to stop, and no more answers to it are delivered
+  delivered  ///< answers that its work still produces are delivered: pictures during a drag, if late
 };
 
-/// One answer to a request, or why there is none.
+/// One answer to a request, or the reason why there is none.
 template <class Answer>
 struct Reply {
   std::uint64_t number = 0;      ///< of the request, from AnswerWorker::request()
   bool isLast = true;            ///< no more answers to this request follow
   std::optional<Answer> answer;  ///< none if the work failed
-  std::string failure;           ///< why it failed; empty if it did not
+  std::string failure;           ///< the reason; empty on success
 };
 
-/// Answers requests on one thread of its own; the newest request wins. A request is answered once, or in
-/// parts of which each replaces the one before, or not at all if it is overtaken or cancelled.
+/// Answers requests on a thread of its own; the newest request wins. A request is answered once, or by
+/// partial answers that replace each other, or not at all if it is replaced by a newer one or cancelled.
 ///
-/// The destructor asks the work under way to stop and waits for it; nothing is delivered after that.
-/// Free of Qt, as RequestWorker is.
+/// The destructor asks the current work to stop and waits for it; nothing is delivered afterwards. Free of
+/// Qt, as RequestWorker is.
 template <class Request, class Answer>
 class AnswerWorker {
  public:
-  /// Called on the thread that has made the reply, never on two threads at once.
+  /// Called on the thread that made the reply, never concurrently.
   using Deliver = std::function<void(const Reply<Answer>& reply)>;
 
-  /// Takes the answers to one request, from any thread. May be copied, and used as long as the worker exists.
+  /// Receives the answers to one request. Thread-safe and copyable; valid as long as the worker exists.
   class Responder {
    public:
-    /// The whole answer.
+    /// Delivers the complete answer.
     void operator()(Answer answer) const {
       m_worker->deliver(*this, {m_number, true, std::move(answer), {}});
     }
-    /// The answer as far as it is known; another one follows.
+    /// Delivers a partial answer; another one follows.
     void partly(Answer answer) const { m_worker->deliver(*this, {m_number, false, std::move(answer), {}}); }
-    /// Runs a part of the work. An exception becomes a failure, which is delivered as the last reply.
+    /// Runs a part of the work; an exception is delivered as the last reply, with its text as the failure.
     template <class Part>
     void guard(const Part& part) const {
       try {
@@ -77,8 +77,8 @@ class AnswerWorker {
     std::stop_token m_stop;
   };
 
-  /// Called on the worker's thread, for one request at a time, guarded. It may leave the answering to threads
-  /// that it owns.
+  /// Called on the worker's thread, for one request at a time, within guard(). It may answer later from
+  /// threads of its own.
   using Work = std::function<void(const Request& request, const Responder& respond)>;
 
   AnswerWorker(Work work, Deliver deliver, Urgency urgency = Urgency::prompt,
@@ -92,26 +92,27 @@ class AnswerWorker {
             },
             urgency) {}
 
-  /// The number of the request: one more than that of the one before. From any thread.
+  /// Adds a request and returns its number, one more than that of the request before. Thread-safe.
   std::uint64_t request(Request request) {
     const std::lock_guard lock(m_asking);
     m_worker.request({std::move(request), ++m_newest});
     return m_newest;
   }
 
-  /// Drops the newest request. Nothing that has been asked for is delivered any more, but for a reply that is
-  /// being delivered.
+  /// Cancels all requests so far: none of their replies is delivered afterwards, except one being delivered
+  /// already. Thread-safe.
   void cancel() {
     const std::lock_guard lock(m_asking);
     m_cancelled = m_newest;  // first: work that sees the stop may answer at once
     m_worker.cancel();
   }
 
-  /// As RequestWorker's.
+  /// As for RequestWorker.
   void tellToEnd() { m_worker.tellToEnd(); }
   [[nodiscard]] bool hasEnded() const { return m_worker.hasEnded(); }
 
-  /// The last reply to a request, as soon as it has been delivered; none if that takes longer than `most`.
+  /// Blocks until the last reply to a request has been delivered, and returns it; std::nullopt after `most`,
+  /// or if the request was replaced.
   [[nodiscard]] std::optional<Reply<Answer>> await(std::uint64_t number, std::chrono::milliseconds most) {
     std::unique_lock lock(m_delivering);
     m_answered.wait_for(lock, most, [&] { return m_last && m_last->number >= number; });
@@ -138,11 +139,11 @@ class AnswerWorker {
   Overtaken m_overtaken;
   std::mutex m_asking;
   std::uint64_t m_newest = 0;                  ///< guarded by m_asking
-  std::atomic<std::uint64_t> m_cancelled = 0;  ///< requests up to this one are answered no more
+  std::atomic<std::uint64_t> m_cancelled = 0;  ///< requests up to this one are no longer answered
   std::mutex m_delivering;
   std::condition_variable m_answered;
   std::optional<Reply<Answer>> m_last;  ///< guarded by m_delivering
-  RequestWorker<Numbered> m_worker;     ///< last: it is stopped before what it uses goes
+  RequestWorker<Numbered> m_worker;     ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline base

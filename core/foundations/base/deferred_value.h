@@ -9,14 +9,14 @@
 
 namespace geargraph::inline base {
 
-/// A value that is computed on demand and then shared: once, whichever threads ask for it. Thread-safe.
+/// A value that is computed once, on first use, and then shared by all threads. Thread-safe.
 ///
 /// The first request computes the value; concurrent ones wait for it, or for their own stop. A computation
 /// that is cancelled leaves nothing behind: one of the waiting requests, else the next one, starts again.
 template <class Value>
 class DeferredValue {
  public:
-  /// What it returns is discarded if the token was cancelled meanwhile.
+  /// The result is discarded if a stop was requested meanwhile.
   using Make = std::function<Value(const std::stop_token& stop)>;
 
   explicit DeferredValue(Make make) : m_make(std::move(make)) {}

@@ -11,8 +11,8 @@ namespace geargraph::inline base {
 
 enum class Severity { error, warning, info };
 
-/// What can be wrong with a document or a mechanism. Names and severities are those of the table in
-/// resources/schema/README.md: people's scripts match on them, so they never change.
+/// The codes of diagnostics. Names and severities are those of the table in resources/schema/README.md; they
+/// never change, because users' scripts depend on them.
 enum class Code {
   syntax,
   format,
@@ -55,7 +55,7 @@ enum class Code {
   deadLoad,
   unknownUnit,
   patternLimit,
-  graphics,  ///< of the machine, not of a file: no OpenGL 3.3, or a driver that fails
+  graphics,  ///< of the computer, not of a file: no OpenGL 3.3, or a failing driver
 };
 
 /// The stable spelling of a code, e.g. "turning-loop".
@@ -67,8 +67,8 @@ enum class Code {
 /// Every code, in the order of the table.
 [[nodiscard]] const std::vector<Code>& allCodes();
 
-/// Which of the findings that share a code: a sub-code, as stable as the code. A code that stands for one
-/// finding has none.
+/// The sub-code, which distinguishes diagnostics with the same code; as stable as the code. `none` for a code
+/// with a single meaning.
 enum class Detail {
   none,
   // turning-loop
@@ -85,12 +85,12 @@ enum class Detail {
   kindAgainstSides,   ///< `kind` contradicts the sides of the axes on which the pitch point lies
   teethAgainstRadii,  ///< the ratio of the teeth is not that of the pitch radii
   equalInternalTeeth,
-  pinnedWheel,  ///< an edit that only pinned gears or axes could follow
+  pinnedWheel,  ///< an edit that would have to change pinned gears or axes
   pinnedModule,
   pinnedAxis,
   // interference
   noToothForm,      ///< no solid can be made of the gear
-  pointedTeeth,     ///< tips lowered to keep a land
+  pointedTeeth,     ///< tips lowered to keep a top land
   contactRatio,     ///< too few pairs of teeth in contact
   faceTooWide,      ///< a bevel's face over a third of the cone distance
   tipInterference,  ///< tips of pinion and ring collide outside of the mesh
@@ -98,26 +98,26 @@ enum class Detail {
   planetsOverlap,   ///< tips of neighbouring planets
   wheelsOverlap,    ///< gears that do not mesh with each other
   bodiesOverlap,    ///< shafts, arms and carriers for which no clear route was found
-  motionCollision,  ///< links that meet while the mechanism moves (Diagnostic::time)
+  motionCollision,  ///< links that collide while the mechanism moves (Diagnostic::time)
 };
 
-/// The stable spelling of a detail behind its code, e.g. "interference/wheels-overlap"; empty for none.
+/// The stable spelling of a detail after its code, e.g. "interference/wheels-overlap"; empty for none.
 [[nodiscard]] std::string_view detailName(Detail detail);
-/// The code of which it is a case. @pre it is not none
+/// The code of a detail. @pre it is not none
 [[nodiscard]] Code codeOf(Detail detail);
 /// Every detail but none, in the order of the enumeration.
 [[nodiscard]] const std::vector<Detail>& allDetails();
 
-/// One finding about a document: what is wrong, in a sentence that says what to do, and the culprits.
+/// A diagnostic about a document: an explanation that says what to do, and the elements concerned.
 struct Diagnostic {
   Code code = Code::schema;
   std::string message;
-  std::vector<ElementId> elements;  ///< the culprits, which every view lights up
+  std::vector<ElementId> elements;  ///< the elements to blame, which every view highlights
   std::string pointer;              ///< JSON pointer into the file (schema errors), else empty
-  int line = 0;                     ///< 1-based place in the file (syntax errors), else 0
+  int line = 0;                     ///< 1-based position in the file (syntax errors), else 0
   int column = 0;
   Detail detail = Detail::none;     ///< one of `code`
-  std::optional<double> time = {};  ///< s of the motion at which it shows (collisions in motion)
+  std::optional<double> time = {};  ///< time in the motion at which it occurs, s (collisions in motion)
 
   [[nodiscard]] Severity severity() const { return severityOf(code); }
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
@@ -125,7 +125,7 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// Adds `more` behind `all`.
+/// Appends `more` to `all`.
 inline void append(Diagnostics& all, const Diagnostics& more) {
   all.insert(all.end(), more.begin(), more.end());
 }

@@ -8,10 +8,10 @@
 
 namespace geargraph::inline base {
 
-/// A value, or the diagnostics that say why there is none. The member names are those of std::expected, which
-/// this toolchain does not have, so that this becomes an alias later.
+/// A value, or the diagnostics that explain why there is none. The member names are those of std::expected,
+/// which this toolchain lacks, so that this can become an alias later.
 ///
-/// At least one diagnostic comes with a failure, and one of them is an error.
+/// A failure has at least one diagnostic, one of which is an error.
 template <class Value>
 class [[nodiscard]] Expected {
  public:

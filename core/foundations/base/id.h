@@ -8,8 +8,8 @@
 
 namespace geargraph::inline base {
 
-/// An immutable text that is stored once per process: an atom is its number, so ids cost as much as an
-/// integer to copy, compare and hash. Texts are never freed; a session sees few.
+/// An interned immutable text: an atom is a number, so ids are as cheap as an integer to copy, compare and
+/// hash. Texts are never freed; a session has few.
 ///
 /// Thread-safe: atoms may be made and compared from any thread.
 class Atom {
@@ -19,21 +19,21 @@ class Atom {
 
   [[nodiscard]] const std::string& text() const;
   [[nodiscard]] bool empty() const { return m_number == 0; }
-  /// The text's number, counted in the order in which the process met them: ids of one list lie close
-  /// together. 0 for the empty one.
+  /// The text's number, in the order of interning: ids of one list have numbers close together. 0 for the
+  /// empty text.
   [[nodiscard]] std::size_t hash() const { return m_number; }
 
   friend bool operator==(Atom a, Atom b) { return a.m_number == b.m_number; }
   friend bool operator!=(Atom a, Atom b) { return a.m_number != b.m_number; }
-  /// By text, so that an order does not depend on the run.
+  /// By text, so that the order does not depend on the run.
   friend bool operator<(Atom a, Atom b) { return a.m_number != b.m_number && a.text() < b.text(); }
 
  private:
   std::uint32_t m_number = 0;
 };
 
-/// The stable identity of an element, unique within its list of the document. Tags keep a link's id from
-/// being taken for a joint's. Labels (the paper's numbers) are derived from positions and are not ids.
+/// The stable identity of an element, unique within its list of the document. Tags prevent confusing the ids
+/// of links and joints. Labels (the paper's numbers) are derived from positions and are not ids.
 template <class Tag>
 class Id {
  public:
@@ -68,7 +68,7 @@ enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, st
 /// inside a member with its path, "view/notes".
 [[nodiscard]] std::string_view listName(ElementKind kind);
 
-/// Anything that can be selected, hovered or blamed.
+/// The id of any element, for selection, highlighting and diagnostics.
 struct ElementId {
   ElementKind kind = ElementKind::link;
   Atom id;

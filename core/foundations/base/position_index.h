@@ -12,9 +12,9 @@
 
 namespace geargraph::inline base {
 
-/// Positions in a list by id. Ids that the process met together, as those of a file's list, have numbers
-/// close together: then it is a table by number, several times quicker to fill and ask than a map of nodes;
-/// else a flat table of open places.
+/// Positions in a list by id. Ids that were interned together, as those of a file's list, have numbers close
+/// together: then it is a table by number, several times faster than a hash map; else a hash table with open
+/// addressing.
 template <class Tag>
 class PositionIndex {
  public:
@@ -31,7 +31,7 @@ class PositionIndex {
   /// The positions of these ids themselves. @pre they are unique
   explicit PositionIndex(std::span<const Id<Tag>> ids) { fill(ids); }
 
-  /// -1 where the list has no such id.
+  /// -1 if the list has no such id.
   [[nodiscard]] int positionOf(Id<Tag> id) const {
     if (!m_places.empty()) return m_places[find(id)].position;
     const std::size_t at =
@@ -76,7 +76,7 @@ class PositionIndex {
     for (const Id<Tag> id : ids) m_places[find(id)] = {id, position++};
   }
 
-  /// The place of the id, or the free one where it would stand.
+  /// The slot of the id, or the free slot for it.
   [[nodiscard]] std::size_t find(Id<Tag> id) const {
     const std::size_t mask = m_places.size() - 1;
     std::size_t at = (static_cast<std::uint64_t>(numberOf(id)) * 0x9e3779b97f4a7c15U) >> 32U;
@@ -84,9 +84,9 @@ class PositionIndex {
     return at;
   }
 
-  std::size_t m_first = 0;       ///< the least number of an id
+  std::size_t m_first = 0;       ///< the smallest number of an id
   std::vector<int> m_positions;  ///< by number, from m_first on; -1 where no id of the list has it
-  std::vector<Place> m_places;   ///< instead, where the numbers lie far apart
+  std::vector<Place> m_places;   ///< used instead if the numbers are far apart
 };
 
 }  // namespace geargraph::inline base

@@ -9,8 +9,8 @@
 
 namespace geargraph::inline base {
 
-/// An exact fraction of whole numbers of any size, always in lowest terms with a positive denominator.
-/// A value around FLINT's fmpq; small ones (below 2^62) allocate nothing.
+/// An exact fraction of integers of any size, always in lowest terms with a positive denominator. Wraps
+/// FLINT's fmpq; small ones (below 2^62) do not allocate.
 class Rational {
  public:
   Rational() { fmpq_init(m_value); }
@@ -31,9 +31,9 @@ class Rational {
   }
   ~Rational() { fmpq_clear(m_value); }
 
-  /// Reads "3", "-22/7", "0.125" or "1.5e-3", exactly. Nothing where the text is none of these, the
-  /// denominator is 0, or the number has more than 4,300 digits or an exponent beyond ±4,300 (a hostile file
-  /// must not cost minutes).
+  /// Reads "3", "-22/7", "0.125" or "1.5e-3", exactly. std::nullopt if the text is none of these, the
+  /// denominator is 0, or the number has more than 4,300 digits or an exponent beyond ±4,300 (so that a
+  /// malicious file cannot take minutes).
   [[nodiscard]] static std::optional<Rational> fromText(std::string_view text);
   /// The exact value of a finite double.
   [[nodiscard]] static Rational fromDouble(double value);
@@ -41,14 +41,14 @@ class Rational {
   [[nodiscard]] bool isZero() const { return fmpq_is_zero(m_value) != 0; }
   [[nodiscard]] bool isInteger() const { return fmpz_is_one(fmpq_denref(m_value)) != 0; }
   [[nodiscard]] int sign() const { return fmpq_sgn(m_value); }
-  /// The nearest double (ties to even), infinite where there is none.
+  /// The nearest double (ties to even), infinite beyond the range.
   [[nodiscard]] double toDouble() const;
   /// "-3/2", "5": lowest terms, as the command line prints exact values.
   [[nodiscard]] std::string toString() const;
   [[nodiscard]] Rational abs() const;
   /// @pre not zero
   [[nodiscard]] Rational inverse() const;
-  /// The exact root where the value is the square of a fraction, else nothing.
+  /// The exact root if the value is the square of a fraction, else std::nullopt.
   [[nodiscard]] std::optional<Rational> squareRoot() const;
 
   Rational& operator+=(const Rational& other) {

@@ -13,24 +13,24 @@
 
 namespace geargraph::inline base {
 
-/// How soon somebody waits for work: at once, or only when all else is done and requests no longer come one
-/// after the other.
+/// The urgency of work: immediately, or in the background, when requests have paused for kRest.
 enum class Urgency { prompt, background };
 
-/// So long nobody has asked for anything newer when background work begins: more than a frame, so that a drag
-/// leaves its processors to what it shows.
+/// The pause in requests before background work begins: more than a frame, so that during a drag the
+/// processors are free for what is displayed.
 constexpr std::chrono::milliseconds kRest{30};
 
-/// Works off requests on one thread of its own; the newest wins. A request that is overtaken before its turn
-/// is dropped, one under way is asked to stop through its token.
+/// Processes requests on a thread of its own; the newest wins. A waiting request is replaced by a newer one,
+/// the current one is asked to stop through its token.
 ///
-/// The destructor asks the work under way to stop and waits for it; no work is begun after that.
-/// Free of Qt on purpose: the distribution's Qt is not built for the thread sanitizer, this is.
+/// The destructor asks the current work to stop and waits for it; no work begins afterwards. Free of Qt on
+/// purpose: the distribution's Qt is not built with the thread sanitizer, this is.
 template <class Request>
 class RequestWorker {
  public:
-  /// Called on the worker's thread, for one request at a time. A newer request asks to stop what is done for
-  /// this one elsewhere, too: as long as there is none, its token stays quiet, also when the call is over.
+  /// Called on the worker's thread, for one request at a time. The token is signalled by a newer request,
+  /// cancel() or the destructor only, also after the call has returned, so that it can be used for work on
+  /// other threads.
   using Work = std::function<void(Request request, const std::stop_token& stop)>;
 
   explicit RequestWorker(Work work, Urgency urgency = Urgency::prompt)
@@ -54,16 +54,17 @@ class RequestWorker {
     m_wake.notify_one();
   }
 
-  /// As the destructor, but waits for nothing: of many workers that end, none then waits for another's end.
+  /// Requests the end like the destructor, but does not wait for it, so that many workers can end at the same
+  /// time.
   void tellToEnd() {
     m_thread.tellToEnd();
     const std::lock_guard lock(m_mutex);
     m_underWay.request_stop();
   }
-  /// Has it been told to end, and is no work under way any more?
+  /// Was the end requested, and is no work in progress?
   [[nodiscard]] bool hasEnded() const { return m_thread.hasEnded(); }
 
-  /// Drops the request that waits and asks the work under way to stop.
+  /// Drops the waiting request and asks the current work to stop.
   void cancel() {
     const std::lock_guard lock(m_mutex);
     m_underWay.request_stop();
@@ -96,7 +97,7 @@ class RequestWorker {
   std::optional<Request> m_next;                  ///< guarded by m_mutex
   Clock::time_point m_asked;                      ///< guarded by m_mutex
   std::stop_source m_underWay{std::nostopstate};  ///< guarded by m_mutex
-  EndingThread m_thread;                          ///< last: it starts when all else is there
+  EndingThread m_thread;                          ///< last member: it starts when the others are initialised
 };
 
 }  // namespace geargraph::inline base

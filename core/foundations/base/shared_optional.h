@@ -5,8 +5,8 @@
 
 namespace geargraph::inline base {
 
-/// An optional value that few of many objects have: it takes two pointers in the object, and copies of the
-/// object share it. Equality compares the values.
+/// An optional value for a member that few of many objects have: it takes two pointers in the object, and
+/// copies of the object share the value. Equality compares the values.
 template <class Value>
 class SharedOptional {
  public:

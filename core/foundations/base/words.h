@@ -7,33 +7,33 @@
 
 namespace geargraph::inline base {
 
-/// Marks a text as one to be translated where it is shown, by translated(). A text in a table, for instance.
+/// Marks a text for extraction that is translated later, where it is shown, by translated(): for instance a
+/// text in a table.
 constexpr const char* toTranslate(const char* text) {
   return text;
 }
 
-/// A text for people in the language in use: that of the catalogue, else the text itself. With a literal it
-/// marks it for extraction, too (the target "translations"). Never for names that files or scripts read. Safe
-/// on all threads.
+/// The text in the current language from the catalogue, else the text itself. A literal is also marked for
+/// extraction (the target "translations"). Never for names that files or scripts read. Thread-safe.
 [[nodiscard]] std::string translated(const char* text);
-/// A text that toTranslate() has marked elsewhere.
+/// For a text that toTranslate() has marked elsewhere.
 [[nodiscard]] std::string translated(std::string_view text);
-/// In the plural form of `n`, which also takes the place of "%n". English: the literal with its "(s)" is for
-/// translators; give both forms by the catalogue or choose between two texts.
+/// The plural form for `n`, which also replaces "%n". In English the literal with its "(s)" is for
+/// translators only: provide both forms by the catalogue, or choose between two texts.
 [[nodiscard]] std::string translated(const char* text, int n);
 
-/// A text with others in its places %1 to %9, as filled(): whole sentences, never halves that are put
-/// together.
+/// The translation with its placeholders %1 to %9 filled: for whole sentences, never for concatenated parts.
 [[nodiscard]] std::string translated(const char* text, std::initializer_list<std::string_view> places);
 
-/// Puts texts in the places %1 to %9 of a translated one, in whatever order its language has them.
+/// Replaces the placeholders %1 to %9 of a text, which may be in any order.
 [[nodiscard]] std::string filled(std::string_view text, std::initializer_list<std::string_view> places);
 
-/// The translation of a text, of -1 or a count of things; empty where there is none. Called from all threads.
+/// Returns the translation of a text, in the plural form for n, or with n = -1 without one; empty if there is
+/// none. Called from any thread.
 using Catalogue = std::function<std::string(const char* text, int n)>;
 
-/// Where texts are looked up from now on; empty: nowhere, they are English. A program sets it at its start,
-/// and when its user chooses another language. Safe while other threads look up.
+/// Sets the catalogue for translated(); empty: texts stay English. Set it at the start of a program, and when
+/// the user chooses another language. Thread-safe.
 void setCatalogue(Catalogue catalogue);
 
 }  // namespace geargraph::inline base

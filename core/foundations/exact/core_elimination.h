@@ -13,21 +13,20 @@
 
 namespace geargraph::inline exact {
 
-/// Gaussian elimination of the rows that peeling left, sparsest pivots first (Markowitz). Used by
-/// eliminate().
+/// Gaussian elimination of the rows left by peeling, sparsest pivots first (Markowitz). Used by eliminate().
 ///
-/// 1. A row with one unknown solves it; in other rows the unknown rides along from then on, as solved and
-///    given columns do, so that nothing grows.
-/// 2. Else take a row with the fewest unknowns; in it, of the entries that are fit to divide by, one whose
-///    column is shortest. Subtract the row from the other rows of that column.
-/// 3. A row that loses its last unknown is empty; repeat until all rows are used or empty. (Rows in which
-///    nothing is fit to divide by to the end count as empty too: at the ratios' own values they say nothing.)
+/// 1. A row with one unknown solves it; in other rows the unknown is then kept like solved and given columns,
+///    so that there is no fill-in.
+/// 2. Else take a row with the fewest unknowns; among its acceptable pivots one with the shortest column.
+///    Subtract the row from the other rows of that column.
+/// 3. A row that loses its last unknown is empty; repeat until all rows are used or empty. (Rows that never
+///    have an acceptable pivot count as empty too: at the ratios' own values they vanish.)
 template <class Field>
 class CoreElimination {
  public:
   using Value = typename Field::Value;
 
-  /// `solved`, by unknown: the columns that peeling took.
+  /// `solved`, by unknown: 1 for those solved by peeling.
   CoreElimination(const Field& field, const SparseRows<Value>& matrix, std::span<const int> sources,
                   std::span<const char> solved, int columns)
       : m_field(field), m_rows(sources.size()), m_count(sources.size(), 0) {
@@ -48,7 +47,7 @@ class CoreElimination {
     }
   }
 
-  /// False where `stop` was requested.
+  /// False if `stop` was requested.
   [[nodiscard]] bool run(const std::stop_token& stop) {
     while (!m_waiting.empty()) {
       if (stop.stop_requested()) return false;
@@ -83,8 +82,8 @@ class CoreElimination {
     Value value;
   };
 
-  /// An entry is fit where it is not much lighter than the heaviest of its row; of the fit ones, the shortest
-  /// column. Entries of weight 0 may not be divided by.
+  /// An entry is an acceptable pivot if its weight is at least kFit of the largest of its row; among these
+  /// the one with the shortest column. Entries of weight 0 are never pivots.
   [[nodiscard]] std::size_t choosePivot(const std::vector<Entry>& row) const {
     constexpr double kFit = 0.1;
     double heaviest = 0;
@@ -184,9 +183,9 @@ class CoreElimination {
   std::vector<std::vector<Entry>> m_rows;
   std::vector<int> m_count;                    ///< by row: its unsolved unknowns
   std::vector<char> m_active;                  ///< by column: an unknown without a pivot
-  std::vector<std::vector<int>> m_columnRows;  ///< by column: the waiting rows it stands in
+  std::vector<std::vector<int>> m_columnRows;  ///< by column: the waiting rows that have it
   std::vector<int> m_place;                    ///< by column: scratch of subtract(), -1 between calls
-  std::set<std::pair<int, int>> m_waiting;     ///< (unknowns, row) of the rows still to be treated
+  std::set<std::pair<int, int>> m_waiting;     ///< (unknowns, row) of the rows not processed yet
   std::vector<int> m_postponed;
   std::vector<Pivot> m_solved;
   std::vector<Pivot> m_pivots;

@@ -17,9 +17,8 @@
 
 namespace geargraph::inline exact {
 
-/// A homogeneous sparse system A x = 0, brought into an order in which every unknown follows from those
-/// before. The unknowns are the columns 0 .. unknowns-1; the other columns are given (inputs, right-hand
-/// sides).
+/// A homogeneous sparse system A x = 0 in an order of substitution: every unknown follows from those before.
+/// The unknowns are the columns 0 .. unknowns-1; the other columns are given (inputs, right-hand sides).
 ///
 /// Identity  rank of A's unknown columns = rank(); unknowns = rank() + free columns; rows = lines + checks.
 template <class Value>
@@ -30,16 +29,15 @@ struct Elimination {
     int row = 0;  ///< of `rows`, or of `coreRows`
     bool core = false;
   };
-  /// A row in which no unknown is left: 0 = 0 where its mesh is redundant, else a relation among given
-  /// columns.
+  /// A row without unknowns: 0 = 0 if its mesh is redundant, else a relation among given columns.
   struct Check {
-    int source = 0;  ///< the row of A it came from
+    int source = 0;  ///< the row of A that it came from
     int row = 0;     ///< of `rows`, or of `coreRows`
     bool core = false;
   };
 
   SparseRows<Value> rows;      ///< A itself
-  SparseRows<Value> coreRows;  ///< what elimination made of the rows that peeling left
+  SparseRows<Value> coreRows;  ///< the rows left by peeling, after elimination
   int unknowns = 0;
   int columns = 0;
   std::pmr::vector<Line> lines;  ///< in order of substitution
@@ -47,7 +45,7 @@ struct Elimination {
   std::pmr::vector<int> freeColumns;  ///< unknowns that no equation gives, ascending
   int coreSize = 0;                   ///< rows that needed arithmetic
 
-  /// Kept where the rows are.
+  /// Uses the memory resource of the rows.
   Elimination(SparseRows<Value> system, int unknownCount, int columnCount)
       : rows(std::move(system)),
         coreRows(memory()),
@@ -56,17 +54,17 @@ struct Elimination {
         lines(memory()),
         checks(memory()),
         freeColumns(memory()) {}
-  Elimination() = default;  ///< of nothing
+  Elimination() = default;  ///< an empty system
 
   [[nodiscard]] std::pmr::memory_resource* memory() const { return rows.pattern().memory(); }
   [[nodiscard]] int rank() const { return static_cast<int>(lines.size()); }
   [[nodiscard]] const SparseRows<Value>& matrixOf(bool core) const { return core ? coreRows : rows; }
 };
 
-/// Puts the system into that order: rows and columns with one entry first, which need no arithmetic, then
-/// Markowitz' sparsest pivots in what is left. Nothing where `stop` was requested.
+/// Brings the system into that order: first rows and columns with one entry, which need no arithmetic, then
+/// the rest with Markowitz pivots. std::nullopt if `stop` was requested.
 ///
-/// Cost: linear in the non-zeros, and the elimination of the core, which real trains keep small.
+/// Cost: linear in the non-zeros, and the elimination of the core, which is small for real trains.
 /// @pre every column is below `columns`, unknowns <= columns; `peeling` is that of the rows' pattern
 template <class Field>
 [[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
@@ -116,7 +114,7 @@ template <class Value>
   return rows.value(entry);
 }
 
-/// Fills in the solved unknowns of `Width` solutions: substitute() below.
+/// Computes the unknowns of `Width` solutions, for substitute().
 template <std::size_t Width, class Field>
 void substituteSideBySide(const Field& field, const Elimination<typename Field::Value>& system,
                           typename Field::Value* x) {
@@ -141,9 +139,9 @@ void substituteSideBySide(const Field& field, const Elimination<typename Field::
 
 constexpr std::size_t kMostSideBySide = 4;
 
-/// Fills in the solved unknowns, line by line, of `width` solutions at once: column j of solution k stands at
-/// x[j * width + k]. @pre x has a place for every column; the given and the free ones are set;
-/// width <= kMostSideBySide
+/// Computes the unknowns of `width` solutions at once, line by line: column j of solution k is x[j * width +
+/// k]. @pre x has `width` elements for every column; the given and the free ones are set; width <=
+/// kMostSideBySide
 /// Cost: the non-zeros of the lines, times the width.
 template <class Field>
 void substitute(const Field& field, const Elimination<typename Field::Value>& system,
@@ -177,7 +175,7 @@ template <class Field>
   return sum;
 }
 
-/// What a check row comes to (negated), once x is filled in: 0 where the row holds.
+/// The (negated) value of a check row after substitute(): 0 if the row holds.
 template <class Field>
 [[nodiscard]] typename Field::Value checkValue(
     const Field& field, const Elimination<typename Field::Value>& system,

@@ -13,7 +13,7 @@
 
 namespace geargraph::inline exact {
 
-// The scalars that the one elimination (elimination.h) is run with. A field offers
+// The scalars of the elimination (elimination.h). A field has
 //   Value                          copyable; a default one is 0
 //   fromInteger(k), one()
 //   isZero(value)                  decided exactly, never from a tolerance
@@ -25,13 +25,14 @@ namespace geargraph::inline exact {
 //   negated(a)
 //   pivotWeight(value)             0: not to be divided by; else larger is better
 
-/// A double beside the same number modulo a prime: the prime decides what is 0, the double is what is shown.
+/// A double together with the same number modulo a prime: the residue decides what is 0, the double is the
+/// value.
 struct Fused {
   double number = 0;
   PrimeField::Residue residue = 0;
 };
 
-/// The live arithmetic.
+/// The arithmetic of live results.
 class FusedField {
  public:
   using Value = Fused;
@@ -62,7 +63,8 @@ class FusedField {
     return value.residue == 0 ? 0 : std::max(std::abs(value.number), kLightest);
   }
 
-  /// The residue is reduced at the end only, or where two terms may have cancelled before a third one comes.
+  /// The residue is reduced only at the end, or when two terms may have cancelled before a third one is
+  /// added.
   struct Sum {
     double number = 0;
     int terms = 0;
@@ -86,8 +88,8 @@ class FusedField {
   }
 
  private:
-  /// Trains have few different tooth counts, and the next analysis has the same: a small table for each
-  /// thread answers nearly all.
+  /// Cached, because trains have few different tooth counts, and the next analysis has the same: a small
+  /// table per thread has nearly all of them.
   [[nodiscard]] PrimeField::Residue inverse(PrimeField::Residue a) const {
     struct Remembered {
       PrimeField::Residue of = 0;
@@ -128,7 +130,7 @@ class RationalFunctionField {
   using Value = RationalFunction;
 
   explicit RationalFunctionField(RatioRingPtr ring) : m_ring(std::move(ring)) {}
-  /// Asks `enough` to stop, and leaves values as they are from then on, once one has more than `mostTerms`
+  /// Requests a stop of `enough`, and no longer changes values, as soon as one has more than `mostTerms`
   /// terms.
   RationalFunctionField(RatioRingPtr ring, std::int64_t mostTerms, std::stop_source enough)
       : m_ring(std::move(ring)), m_mostTerms(mostTerms), m_enough(std::move(enough)) {}
@@ -151,7 +153,7 @@ class RationalFunctionField {
   using Sum = Value;
   [[nodiscard]] const Value& divisor(const Value& value) const { return value; }
   [[nodiscard]] Value negated(const Value& a) const { return -a; }
-  /// Short pivots first; none that vanishes at the ratios' own values, where the ring knows them.
+  /// Short pivots first; none that vanishes at the ratios' own values, if the ring has them.
   [[nodiscard]] double pivotWeight(const Value& value) const {
     if (value.isZero() || value.vanishesAtValues()) return 0;
     return 1.0 / static_cast<double>(value.termCount());

@@ -8,7 +8,7 @@
 
 namespace geargraph::inline exact {
 
-/// A row of 32-bit words, a few of them in place: most values of an analysis allocate nothing.
+/// A vector of 32-bit words with small-buffer optimisation: most values of an analysis do not allocate.
 class SmallWords {
  public:
   SmallWords() = default;
@@ -29,14 +29,14 @@ class SmallWords {
   [[nodiscard]] const std::uint32_t* data() const { return isOnHeap() ? m_heap : m_inPlace; }
   [[nodiscard]] std::uint32_t* data() { return isOnHeap() ? m_heap : m_inPlace; }
   void clear() { m_size = 0; }
-  /// So many words more, to be written by the caller.
+  /// Appends `more` uninitialised words and returns a pointer to them.
   std::uint32_t* grow(std::size_t more) {
     if (m_size + more > m_capacity) reserve(m_size + more);
     std::uint32_t* const place = data() + m_size;
     m_size += static_cast<std::uint32_t>(more);
     return place;
   }
-  /// Gives the last words back.
+  /// Removes the last `less` words.
   void shrink(std::size_t less) { m_size -= static_cast<std::uint32_t>(less); }
 
  private:
@@ -62,11 +62,11 @@ class SmallWords {
   };
 };
 
-/// A sum of whole multiples of products of whole powers of the gear ratios, as -2 i15/i17 + 1: what solving
-/// one equation after another comes to, because each is divided by a ratio or by 1 only. No common divisor is
-/// ever looked for, and a term costs its own factors whatever the number of ratios.
+/// A Laurent polynomial in the gear ratios with integer coefficients, such as -2 i15/i17 + 1: the result of
+/// solving one equation after another, because each is divided by a ratio or by 1 only. No common divisors
+/// are computed, and a term takes memory for its own factors only, whatever the number of ratios.
 ///
-/// Coefficients are below 2^62, powers below 128; where a result would not be, the functions say false.
+/// Coefficients are below 2^62, powers below 128; if a result would exceed these, the functions return false.
 class LaurentPolynomial {
  public:
   LaurentPolynomial() = default;  ///< 0
@@ -84,7 +84,7 @@ class LaurentPolynomial {
   static LaurentPolynomial term(std::int64_t factor);
   static LaurentPolynomial term(std::int64_t factor, int ratio, int power);
 
-  /// One product of powers, by ratio: packed(ratio, power) ascending.
+  /// A product of powers: packed(ratio, power), ascending.
   using Powers = std::span<const std::uint32_t>;
   struct Term {
     std::int64_t coefficient = 0;
@@ -104,11 +104,11 @@ class LaurentPolynomial {
 
   [[nodiscard]] bool isZero() const { return m_terms == 0; }
   [[nodiscard]] int termCount() const { return m_terms; }
-  /// Its terms and their factors.
+  /// The number of its terms and their factors.
   [[nodiscard]] std::size_t size() const {
     return m_words.size() - (kHead - 1) * static_cast<std::size_t>(m_terms);
   }
-  /// + or - a product of powers: everything may be divided by it.
+  /// Is it + or - a product of powers? Then every Laurent polynomial can be divided by it.
   [[nodiscard]] bool isUnit() const;
   [[nodiscard]] bool isOne() const;
 
@@ -119,11 +119,11 @@ class LaurentPolynomial {
     std::size_t at = 0;
     for (int i = 0; i < m_terms; ++i) use(termAt(at));
   }
-  /// Puts a term behind the others. @pre it comes behind them in order, and its coefficient is not 0
+  /// Appends a term. @pre it is after the others in the order of terms, and its coefficient is not 0
   void append(const Term& term);
 
   void negate();
-  /// this +- other. False, and as it was, where there is no room.
+  /// this +- other. False, without a change, on overflow of a coefficient.
   [[nodiscard]] bool add(const LaurentPolynomial& other) { return combine(other, 1); }
   [[nodiscard]] bool subtract(const LaurentPolynomial& other) { return combine(other, -1); }
   [[nodiscard]] bool subtract(LaurentPolynomial&& other) {
@@ -132,7 +132,7 @@ class LaurentPolynomial {
     negate();
     return true;
   }
-  /// this = a * b. False, and of no use, where neither is a single term or there is no room.
+  /// this = a * b. False, with a meaningless value, if neither is a single term or on overflow.
   /// @pre neither is this
   [[nodiscard]] bool setProduct(const LaurentPolynomial& a, const LaurentPolynomial& b);
   /// this = a / b; false likewise. @pre b.isUnit(), neither is this
@@ -141,7 +141,7 @@ class LaurentPolynomial {
   friend bool operator==(const LaurentPolynomial& a, const LaurentPolynomial& b);
 
  private:
-  /// A term in words: the number of its powers, its coefficient in two words, its powers.
+  /// The layout of a term: the number of its powers, its coefficient in two words, its powers.
   static constexpr std::size_t kHead = 3;
 
   [[nodiscard]] Term termAt(std::size_t& at) const;

@@ -13,19 +13,19 @@ struct Pivot {
   int column = 0;
 };
 
-/// What a homogeneous sparse system gives away without arithmetic. Columns below `unknowns` are solved for,
-/// the others are given.
+/// The part of a homogeneous sparse system that can be solved without arithmetic. Columns below `unknowns`
+/// are solved for, the others are given.
 ///
 /// 1. A row with one unsolved unknown solves it (`first`, in order of solution). Repeat.
-/// 2. A column that stands in one remaining row only is solved by it at the end (`last`, in order of
-///    removal). Repeat. Real trains peel nearly whole: the rest (`coreRows`) is small.
+/// 2. A column in only one remaining row is solved by it at the end (`last`, in order of removal). Repeat.
+///    Real trains are peeled nearly completely: the rest (`coreRows`) is small.
 ///
 /// Cost: linear in the non-zeros.
 struct Peeling {
   std::pmr::vector<Pivot> first;
   std::pmr::vector<Pivot> last;
   std::pmr::vector<int> coreRows;   ///< in row order
-  std::pmr::vector<int> emptyRows;  ///< rows that lost all their unknowns to others' equations
+  std::pmr::vector<int> emptyRows;  ///< rows whose unknowns were all solved by other rows
   std::pmr::vector<char> solved;    ///< by unknown: in `first` or `last`
 
   Peeling(const SparsePattern& pattern, int unknowns);

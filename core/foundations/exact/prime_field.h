@@ -9,19 +9,19 @@ namespace geargraph::inline exact {
 
 __extension__ using Wide = unsigned __int128;  ///< GCC and clang have it, ISO C++ does not
 
-/// Arithmetic modulo a 61-bit prime drawn from a seed. Residues are in Montgomery's form: only 0 looks like
-/// itself.
+/// Arithmetic modulo a 61-bit prime drawn from a seed. Residues are in Montgomery form: only 0 is represented
+/// by itself.
 ///
-/// What is not 0 here is not 0 over the rationals. What is 0 here is 0 there but for a chance near 2^-60,
-/// which a second prime squares.
+/// What is not 0 here is not 0 over the rationals. What is 0 here is 0 there except with a probability near
+/// 2^-60, which a second prime squares.
 class PrimeField {
  public:
   using Residue = std::uint64_t;
 
-  static constexpr std::uint64_t kFirstSeed = 0x6765617267726170U;  ///< where nothing asks for another prime
-  static constexpr std::uint64_t kSecondSeed = 0x6d6174726f6964U;  ///< confirms what vanished under the first
+  static constexpr std::uint64_t kFirstSeed = 0x6765617267726170U;  ///< the default
+  static constexpr std::uint64_t kSecondSeed = 0x6d6174726f6964U;   ///< to confirm zeros of the first
 
-  /// The smallest prime above a number of 61 bits that `seed` gives.
+  /// Uses the smallest prime above a 61-bit number derived from `seed`.
   explicit PrimeField(std::uint64_t seed = kFirstSeed);
 
   [[nodiscard]] std::uint64_t prime() const { return m_prime; }
@@ -34,9 +34,9 @@ class PrimeField {
     const Residue residue = multiply(magnitude < m_prime ? magnitude : magnitude % m_prime, m_square);
     return value < 0 ? negate(residue) : residue;
   }
-  /// Nothing where the prime divides the denominator.
+  /// std::nullopt if the prime divides the denominator.
   [[nodiscard]] std::optional<Residue> fromRational(const Rational& value) const;
-  /// The number 0..p-1 that a residue stands for.
+  /// The number 0..p-1 of a residue.
   [[nodiscard]] std::uint64_t toNumber(Residue residue) const { return reduce(residue); }
 
   [[nodiscard]] Residue add(Residue a, Residue b) const {
@@ -46,7 +46,7 @@ class PrimeField {
   [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + m_prime - b; }
   [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : m_prime - a; }
   [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(static_cast<Wide>(a) * b); }
-  /// A sum of products that is reduced at its end only, by valueOf(): `sum` + b c. It starts with 0.
+  /// `sum` + b c, for sums of products that are reduced only at the end, by valueOf(). A sum starts with 0.
   [[nodiscard]] Wide addProduct(Wide sum, Residue b, Residue c) const {
     const Wide longer = sum + static_cast<Wide>(b) * c;
     const Wide whole = static_cast<Wide>(m_prime) << 64U;
@@ -74,7 +74,7 @@ class PrimeField {
   Residue m_one = 0;                 ///< 2^64 modulo p
 };
 
-/// A stream of residues that depends on its seed alone, for evaluations at random places.
+/// A pseudorandom sequence of residues, determined by its seed, for evaluations at random points.
 class ResidueStream {
  public:
   ResidueStream(const PrimeField& field, std::uint64_t seed) : m_field(&field), m_state(seed) {}

@@ -17,11 +17,11 @@
 
 namespace geargraph::inline exact {
 
-/// The names of the gear ratios, and FLINT's context for polynomials in them. Make one per thread and
+/// The names of the gear ratios, and FLINT's context for polynomials in them. Create one per thread and
 /// analysis.
 ///
-/// Names are text like "i15" (a letter and a label) and print as "i_{15}" in LaTeX. Where the ratios' teeth
-/// are given, functions know whether they vanish there.
+/// Names are text like "i15" (a letter and a label) and print as "i_{15}" in LaTeX. If tooth counts are
+/// given, functions can be tested for zero at these values.
 class RatioRing {
  public:
   /// N_tail and N_head of a mesh.
@@ -39,7 +39,7 @@ class RatioRing {
   [[nodiscard]] const std::string& name(int variable) const {
     return m_names[static_cast<std::size_t>(variable)];
   }
-  /// N_tail / N_head by variable; none where no teeth were given. From any thread.
+  /// N_tail / N_head by variable; empty without teeth. Thread-safe.
   [[nodiscard]] std::span<const Rational> values() const;
 
   /// FLINT takes the context as non-const everywhere, and never writes to it.
@@ -49,20 +49,20 @@ class RatioRing {
   std::vector<std::string> m_names;
   std::vector<Teeth> m_teeth;
   mutable std::once_flag m_valued;
-  mutable std::vector<Rational> m_values;  ///< once they are asked for
+  mutable std::vector<Rational> m_values;  ///< computed on first use
   mutable fmpz_mpoly_ctx_t m_context;
 };
 
 using RatioRingPtr = std::shared_ptr<const RatioRing>;
 
-/// A quotient of two polynomials with whole coefficients in the gear ratios, in lowest terms, the
+/// A quotient of two polynomials with integer coefficients in the gear ratios, in lowest terms, the
 /// denominator's leading coefficient positive: equal functions are equal values. For the paper's robot the
 /// single monomials of Eq. (25).
 ///
-/// Kept as a Laurent polynomial wherever it is one, which is everywhere but in coupled equations; else as
-/// FLINT's two polynomials, which need their common divisor.
+/// Stored as a Laurent polynomial if it is one, which is always so except in coupled equations; else as two
+/// FLINT polynomials, which need greatest common divisors.
 ///
-/// A default value is 0 of no ring; it may be assigned to, added to and subtracted from.
+/// A default value is 0 without a ring; it may be assigned to, added to and subtracted from.
 class RationalFunction {
  public:
   RationalFunction() = default;
@@ -84,12 +84,12 @@ class RationalFunction {
 
   [[nodiscard]] bool isZero() const { return !m_fraction && m_laurent.isZero(); }
   [[nodiscard]] bool isOne() const { return !m_fraction && m_laurent.isOne(); }
-  /// Is it 0 at the ring's values? False where the ring has none.
+  /// Is it 0 at the ring's values? False if the ring has none.
   [[nodiscard]] bool vanishesAtValues() const;
-  /// Terms of numerator and denominator together: what a budget counts.
+  /// The number of terms of numerator and denominator, for budgets.
   [[nodiscard]] std::int64_t termCount() const;
-  /// Terms and their factors, to which the length of its text is proportional. Cost: O(1), of quotients that
-  /// are no Laurent polynomials O(terms * ratios).
+  /// The number of terms and their factors, to which the length of its text is proportional. Cost: O(1), for
+  /// quotients that are no Laurent polynomials O(terms * ratios).
   [[nodiscard]] std::int64_t size() const;
 
   RationalFunction& operator+=(const RationalFunction& other);
@@ -114,11 +114,11 @@ class RationalFunction {
   friend RationalFunction operator-(RationalFunction a);
   friend bool operator==(const RationalFunction& a, const RationalFunction& b);
 
-  /// Its value at these ratios, one for each variable; nothing where the denominator is 0 there.
+  /// The value at these ratios, one per variable; std::nullopt if the denominator is 0 there.
   [[nodiscard]] std::optional<Rational> valueAt(std::span<const Rational> ratios) const;
 
   /// "-i18*i17*i16", "i15/i17", "(i16 + 1)/(i15*i17 - 2)": factors in the paper's order, the highest label
-  /// first. Every computer algebra system reads it.
+  /// first. Computer algebra systems can read it.
   [[nodiscard]] std::string toText() const;
   /// The same for formulas: "-i_{18} i_{17} i_{16}", "\frac{i_{15}}{i_{17}}".
   [[nodiscard]] std::string toLatex() const;
@@ -155,7 +155,7 @@ class RationalFunction {
 
   RatioRingPtr m_ring;  ///< null: the default 0
   LaurentPolynomial m_laurent;
-  FractionPtr m_fraction;  ///< where it is no Laurent polynomial, which is 0 then
+  FractionPtr m_fraction;  ///< if it is no Laurent polynomial; m_laurent is 0 then
 };
 
 }  // namespace geargraph::inline exact

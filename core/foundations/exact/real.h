@@ -7,8 +7,8 @@
 
 namespace geargraph::inline exact {
 
-/// A real number as its double, and as a fraction where it is known to be one. Sums and products of exact
-/// numbers are exact; what comes from a root or a measurement is not.
+/// A real number as a double, and as a fraction if it is known to be one. Sums and products of exact numbers
+/// are exact; values from roots or measurements are not.
 class Real {
  public:
   Real() = default;        ///< 0, exactly
@@ -23,7 +23,7 @@ class Real {
   }
 
   [[nodiscard]] double number() const { return m_number; }
-  /// None where it is not known to be one.
+  /// std::nullopt if it is not known to be one.
   [[nodiscard]] const std::optional<Rational>& fraction() const { return m_fraction; }
   [[nodiscard]] bool isExact() const { return m_fraction.has_value(); }
   [[nodiscard]] bool isZero() const { return m_fraction ? m_fraction->isZero() : m_number == 0; }
@@ -40,7 +40,7 @@ class Real {
   }
   friend Real operator-(const Real& a) { return a.m_fraction ? Real(-*a.m_fraction) : inexact(-a.m_number); }
   friend Real operator-(const Real& a, const Real& b) { return a + -b; }
-  /// Nothing times a number of any kind is nothing.
+  /// An exact zero times any number is an exact zero.
   friend Real operator*(const Real& a, const Real& b) {
     if (a.isExactZero() || b.isExactZero()) return {};
     if (a.m_fraction && b.m_fraction) return *a.m_fraction * *b.m_fraction;

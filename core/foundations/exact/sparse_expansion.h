@@ -11,11 +11,11 @@
 
 namespace geargraph::inline exact {
 
-/// The non-zeros of a vector, by ascending place.
+/// The non-zeros of a vector, by ascending position.
 template <class Value>
 using SparseVector = std::vector<std::pair<int, Value>>;
 
-/// Sums of multiples of sparse vectors, in one scratch array.
+/// Computes sums of multiples of sparse vectors in one scratch array.
 template <class Field>
 class SparseSum {
  public:
@@ -30,7 +30,7 @@ class SparseSum {
   void subtract(const Value& factor, const SparseVector<Value>& vector) {
     for (const auto& [place, value] : vector) m_field.subtractProduct(at(place), factor, value);
   }
-  /// The place in the sum, 0 if untouched so far.
+  /// The element of the sum, 0 if untouched so far.
   Value& at(int place) {
     if (m_touched[place] == 0) {
       m_touched[place] = 1;
@@ -39,7 +39,7 @@ class SparseSum {
     }
     return m_sum[place];
   }
-  /// The sum divided by `divisor`, and an empty sum again.
+  /// Returns the sum divided by `divisor` and resets it to 0.
   [[nodiscard]] SparseVector<Value> take(const Value& divisor) {
     std::sort(m_places.begin(), m_places.end());
     SparseVector<Value> result;
@@ -58,9 +58,9 @@ class SparseSum {
   std::vector<int> m_places;
 };
 
-/// Every unknown as a combination of the free and the given columns. Nothing where `stop` was requested or
-/// more than `most` entries came up: then substitute() for one column at a time is the way. Cost: the entries
-/// that come up, times the length of a line.
+/// Every unknown as a combination of the free and the given columns. std::nullopt if `stop` was requested or
+/// there were more than `most` entries: then use substitute() for one column at a time. Cost: the entries,
+/// times the length of a line.
 template <class Field>
 [[nodiscard]] std::optional<std::vector<SparseVector<typename Field::Value>>> expandSparse(
     const Field& field, const Elimination<typename Field::Value>& system, std::size_t most,

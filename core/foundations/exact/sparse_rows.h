@@ -8,15 +8,15 @@
 
 namespace geargraph::inline exact {
 
-/// Where the non-zeros of a matrix stand, row by row.
+/// The positions of the non-zeros of a matrix, row by row.
 struct SparsePattern {
-  std::pmr::vector<int> starts;   ///< by row, and one behind the last
+  std::pmr::vector<int> starts;   ///< by row, and one for the end
   std::pmr::vector<int> columns;  ///< of the entries, row by row; no column twice in a row
 
   explicit SparsePattern(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
       : starts(1, 0, memory), columns(memory) {}
 
-  /// Where it is kept, and so what an elimination makes of it.
+  /// The memory resource, also of eliminations of it.
   [[nodiscard]] std::pmr::memory_resource* memory() const { return columns.get_allocator().resource(); }
   [[nodiscard]] int rows() const { return static_cast<int>(starts.size()) - 1; }
   [[nodiscard]] int begin(int row) const { return starts[static_cast<std::size_t>(row)]; }

@@ -5,7 +5,7 @@
 
 namespace geargraph::inline files {
 
-/// Bytes in the letters of RFC 4648, section 4, padded. Cost: O(bytes).
+/// The bytes in base64 (RFC 4648, section 4) with padding. Cost: O(bytes).
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace geargraph::inline files

@@ -6,8 +6,8 @@
 
 namespace geargraph::inline files {
 
-/// Takes bytes: a file, a pipe, a text. Failures are remembered by the sink, not returned on each call, so
-/// that writers stay free of them; whoever owns the sink asks at the end.
+/// Receives bytes, for a file, a pipe or a text. Failures are stored by the sink instead of being returned by
+/// each call, so that writers need not handle them; the owner of the sink checks failed() at the end.
 class ByteSink {
  public:
   ByteSink() = default;
@@ -16,11 +16,11 @@ class ByteSink {
   virtual ~ByteSink() = default;
 
   virtual void write(std::string_view bytes) = 0;
-  /// Nothing more can be written; a long writer may stop.
+  /// True if nothing more can be written; a long writer may stop.
   [[nodiscard]] virtual bool failed() const { return false; }
 };
 
-/// Gathers everything in a text.
+/// Collects all bytes in a string.
 class TextSink final : public ByteSink {
  public:
   void write(std::string_view bytes) override { m_text += bytes; }

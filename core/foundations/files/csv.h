@@ -15,22 +15,22 @@
 
 namespace geargraph::inline files {
 
-/// How a table is written. Lines end with a line feed, which spreadsheet programs and scripts both read.
+/// The format of a table. Lines end with a line feed, which both spreadsheet programs and scripts accept.
 struct CsvOptions {
   char separator = ',';        ///< ',' ';' or a tab
   char decimalPoint = '.';     ///< '.' or ','
   bool labels = true;          ///< a header row and a first column of labels
-  bool byteOrderMark = false;  ///< EF BB BF, by which spreadsheet programs know UTF-8
+  bool byteOrderMark = false;  ///< EF BB BF, by which spreadsheet programs recognise UTF-8
 };
 
-/// One text as a field [RFC 4180]: quoted where it holds the separator, a quote or a line end. A text that a
+/// One text as a field [RFC 4180]: quoted if it contains the separator, a quote or a line end. A text that a
 /// spreadsheet program would take for a formula (it begins with = + - @, a tab or a return) gets an
 /// apostrophe in front.
 [[nodiscard]] std::string csvLabel(std::string_view text, char separator);
 
-/// Writes a table row by row, in chunks, as fast as a disk takes it: zeros are copied in long pieces from a
-/// template "0,0,0,", runs of -1 from another, and only what is left is formatted. Whoever owns the sink asks
-/// it at the end whether all went well.
+/// Writes a table row by row, in chunks, at about the speed of a disk: zeros are copied in long pieces from a
+/// template "0,0,0,", runs of -1 from another, and only other values are formatted. The owner of the sink
+/// checks it for failure at the end.
 /// Cost: about that of write() on the same bytes.
 class CsvWriter {
  public:
@@ -40,22 +40,22 @@ class CsvWriter {
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
 
-  /// A row of whole numbers from its non-zeros: anything with `column` and `value`, in column order.
+  /// Writes a row of integers from its non-zeros: anything with `column` and `value`, in column order.
   template <class Entry>
   void row(std::string_view label, std::span<const Entry> entries);
-  /// A row that holds 0 or one and the same sign: column j is `sign` where bit j % 64 of word j / 64 is set.
-  /// The fastest: fields are copied eight columns at a time. @pre sign is 1 or -1, a word for each 64 columns
+  /// Writes a row whose non-zeros all equal `sign`: where bit j % 64 of word j / 64 is set. The fastest way:
+  /// fields are copied eight columns at a time. @pre sign is 1 or -1, a word for each 64 columns
   void signRow(std::string_view label, std::span<const std::uint64_t> columns, int sign);
-  /// A row of real numbers: each the shortest decimal that reads back as the same double, quoted where its
-  /// decimal point is the separator. @pre as many as columns, all finite
+  /// Writes a row of real numbers: each as the shortest decimal that reads back as the same double, quoted if
+  /// its decimal point is the separator. @pre one per column, all finite
   void row(std::string_view label, std::span<const double> values);
-  /// A row of real numbers from its non-zeros: anything with `column` and `value`, in column order. @pre all
-  /// finite
+  /// Writes a row of real numbers from its non-zeros: anything with `column` and `value`, in column order.
+  /// @pre all finite
   /// Cost: that of copying its zeros, and some 50 ns for each non-zero.
   template <class Entry>
   void sparseRow(std::string_view label, std::span<const Entry> entries);
 
-  /// Nothing more can be written; a long loop may stop.
+  /// True if nothing more can be written; a long loop may stop.
   [[nodiscard]] bool failed() const { return m_sink.failed(); }
 
  private:
@@ -64,7 +64,7 @@ class CsvWriter {
   static constexpr std::size_t kLongestReal = 32;   // 24 characters, quotes and separator
   static constexpr std::size_t kSlack = 32;         // short runs are copied with more than they have
 
-  /// What eight columns look like, by the bits of those that are not zero.
+  /// The text of eight columns, by the bits of the non-zeros.
   struct SignFields {
     int sign = 0;
     std::array<std::array<char, kSlack>, 256> text{};
@@ -72,11 +72,11 @@ class CsvWriter {
   };
   const SignFields& signFields(int sign);
 
-  /// Puts the label and its separator, where there are labels.
+  /// Writes the label and its separator, if there are labels.
   void beginRow(std::string_view label);
   /// Writes a number and a separator. @pre there is room for kLongestReal more bytes
   char* putReal(char* out, double value) const;
-  /// The place for `bytes` more bytes.
+  /// Ensures space for `bytes` more bytes and returns a pointer to it.
   char* reserve(std::size_t bytes);
   void append(std::string_view bytes);
   void flush();

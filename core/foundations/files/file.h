@@ -13,27 +13,26 @@
 
 namespace geargraph::inline files {
 
-/// Why a file could not be read or written, as a sentence for its user. No diagnostic: nothing is wrong with
-/// a document.
+/// Why a file could not be read or written, as a sentence for the user. No diagnostic, because it does not
+/// concern a document.
 struct FileError {
   std::string message;
 };
 
-/// The bytes of a file, or of standard input for the path "-". Reads no more than `most` + 1 bytes, so that
-/// whoever refuses what is longer need not hold it.
+/// The bytes of a file, or of standard input for the path "-". Reads at most `most` + 1 bytes, so that a
+/// caller can reject longer files without reading them completely.
 [[nodiscard]] std::variant<std::string, FileError> readFile(const std::filesystem::path& path,
                                                             std::size_t most);
 
-/// A file that is written whole or not at all: bytes go to a temporary file in the same folder, which
-/// replaces the file at commit(), after they are on the disk. Without commit(), or if anything failed, the
-/// temporary file goes and what was there before stays untouched. Owner, permissions and extended attributes
-/// are kept.
+/// Writes a file atomically: bytes go to a temporary file in the same folder, which replaces the file at
+/// commit(), after they are on the disk. Without commit(), or on failure, the temporary file is deleted and
+/// the old file stays untouched. Owner, permissions and extended attributes are kept.
 ///
 /// A symbolic link stays one: what it points to is replaced. A device or pipe is written to directly.
 ///
 /// A file with several hard links, or whose owner the process may not give to a new one, is overwritten in
-/// place instead, since a new inode would leave them behind. Until that is done its new bytes are whole in a
-/// second file in its folder; a process that is killed in that moment leaves it there (interruptedWrites()).
+/// place instead, because a new inode would lose them. Meanwhile a complete copy of the new bytes is in a
+/// second file in its folder; a process that is killed then leaves it there (interruptedWrites()).
 class AtomicFile final : public ByteSink {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
@@ -41,7 +40,7 @@ class AtomicFile final : public ByteSink {
 
   void write(std::string_view bytes) override;
   [[nodiscard]] bool failed() const override { return m_error.has_value(); }
-  /// Nothing where all went well, else the first thing that went wrong.
+  /// Replaces the file. std::nullopt on success, else the first failure.
   [[nodiscard]] std::optional<FileError> commit();
 
  private:
@@ -49,7 +48,7 @@ class AtomicFile final : public ByteSink {
   void takeAttributes();
   void replace();
   void overwrite();
-  /// Keeps the first failure as a sentence; `more` is added to it.
+  /// Stores the first failure as a sentence, with `more` appended.
   void fail(const std::error_code& what, const std::string& more = {});
   void discard();
 
@@ -58,11 +57,11 @@ class AtomicFile final : public ByteSink {
   std::filesystem::path m_temporary;  ///< empty while there is none
   OpenFile m_file;
   bool m_isInPlace = false;
-  unsigned m_mode = 0;  ///< permissions of the file that is there; used if m_isInPlace
+  unsigned m_mode = 0;  ///< permissions of the existing file; used if m_isInPlace
   std::optional<FileError> m_error;
 };
 
-/// Bytes to standard output, which stays open.
+/// Writes to standard output, which stays open.
 class StandardOutput final : public ByteSink {
  public:
   void write(std::string_view bytes) override;
@@ -73,11 +72,11 @@ class StandardOutput final : public ByteSink {
   bool m_failed = false;
 };
 
-/// The whole copies that processes have left which were killed while they overwrote this file in place: then
-/// the file itself may be a mixture of old and new bytes. Cost: its folder is listed.
+/// The complete copies left behind by processes that were killed while overwriting this file in place; the
+/// file itself may then be a mixture of old and new bytes. Cost: lists the folder.
 [[nodiscard]] std::vector<std::filesystem::path> interruptedWrites(const std::filesystem::path& path);
 
-/// A whole file in one call.
+/// Writes a file atomically in one call; std::nullopt on success.
 [[nodiscard]] std::optional<FileError> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace geargraph::inline files

@@ -6,7 +6,7 @@
 
 namespace geargraph::inline files {
 
-/// What the system knows a file by, whatever its names: symbolic links and hard links lead to the same one.
+/// The identity of a file in the file system, equal for all its symbolic and hard links.
 struct FileIdentity {
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
@@ -17,7 +17,7 @@ struct FileIdentity {
 /// identities.
 [[nodiscard]] std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
 
-/// What a chain of symbolic links ends in, which need not exist; still a link if the chain is a loop.
+/// The end of a chain of symbolic links, which need not exist; still a link if the chain is a loop.
 [[nodiscard]] std::filesystem::path followedLinks(std::filesystem::path path);
 
 /// The absolute path without ".", ".." and symbolic links, as far as the path exists.

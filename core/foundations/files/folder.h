@@ -16,9 +16,9 @@ namespace geargraph::inline files {
 using FolderFiles = std::vector<std::pair<std::string, std::string>>;
 
 struct FolderOptions {
-  bool overwrite = false;  ///< files that are there already
+  bool overwrite = false;  ///< existing files
   std::stop_token stop;
-  std::function<void(double)> progress;  ///< the part that is written, growing to 1
+  std::function<void(double)> progress;  ///< the fraction written, increasing to 1
 };
 
 /// Why a folder was not written; `isStopped`: because `stop` was requested.
@@ -27,9 +27,9 @@ struct FolderError {
   bool isStopped = false;
 };
 
-/// Writes files into a folder. A folder that is not there is made beside its place and takes it when it is
-/// complete, so it is there whole or not at all. Into one that is there each file is written whole; where a
-/// file is in the way and may not be overwritten nothing is written.
+/// Writes files into a folder. A new folder is built under a temporary name and renamed when complete, so it
+/// is created atomically. In an existing one each file is written atomically; if a file exists and must not
+/// be overwritten, nothing is written. std::nullopt on success.
 [[nodiscard]] std::optional<FolderError> writeFolder(const std::filesystem::path& folder,
                                                      const FolderFiles& files,
                                                      const FolderOptions& options = {});

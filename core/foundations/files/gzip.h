@@ -6,7 +6,7 @@
 namespace geargraph::inline files {
 
 /// The bytes as a gzip file (RFC 1952), without name or time: equal bytes give equal files. Cost: O(bytes),
-/// some 20 MB a second.
+/// some 20 MB per second.
 [[nodiscard]] std::string gzip(std::string_view bytes);
 
 }  // namespace geargraph::inline files

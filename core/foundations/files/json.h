@@ -15,18 +15,18 @@ enum class JsonKind : std::uint8_t { null, boolean, number, string, array, objec
 
 class JsonValue;
 
-/// A JSON text (RFC 8259), checked and indexed, but not copied: every value is a slice of the text. So
-/// numbers keep their spelling (0.10, 1e-3, whole numbers of any size), unknown members can be kept as they
-/// were written, and every finding knows its place.
+/// A JSON text (RFC 8259), validated and indexed, but not copied: every value is a slice of the text. So
+/// numbers keep their spelling (0.10, 1e-3, integers of any size), unknown members can be preserved as
+/// written, and every diagnostic has its position.
 ///
-/// The text has to outlive the document. Memory: 16 bytes a value beside the text.
+/// The text has to outlive the document. Memory: 16 bytes per value, in addition to the text.
 class JsonDocument {
  public:
-  /// Arrays and objects inside each other; the outermost is 1.
+  /// The deepest nesting of arrays and objects; the outermost is 1.
   static constexpr int kDeepest = 64;
 
-  /// Checks the whole text. Fails with one `syntax` (line and column are said), or with `schema` where it is
-  /// nested deeper than kDeepest. Cost: O(bytes).
+  /// Validates the whole text. Fails with one `syntax` with line and column, or with `schema` if it is nested
+  /// deeper than kDeepest. Cost: O(bytes).
   [[nodiscard]] static Expected<JsonDocument> parse(std::string_view text);
 
   [[nodiscard]] JsonValue root() const;
@@ -40,7 +40,7 @@ class JsonDocument {
   struct Node {
     std::uint32_t begin = 0;  ///< the slice of the text
     std::uint32_t end = 0;
-    std::uint32_t next = 0;  ///< the node behind this value and all it holds
+    std::uint32_t next = 0;  ///< the node after this value and its content
     JsonKind kind = JsonKind::null;
   };
 
@@ -53,7 +53,8 @@ class JsonValue {
  public:
   [[nodiscard]] JsonKind kind() const { return node().kind; }
   [[nodiscard]] bool is(JsonKind kind) const { return node().kind == kind; }
-  /// As it is written, e.g. `1e-3` or `"a\n"`.
+  /// The text as written, e.g. `1e-3` or `"a
+  /// "`.
   [[nodiscard]] std::string_view slice() const {
     return m_document->m_text.substr(node().begin, node().end - node().begin);
   }
@@ -81,13 +82,13 @@ class JsonValue {
       visit(JsonValue(*m_document, at), JsonValue(*m_document, at + 1));
     }
   }
-  /// Elements or members. Cost: O(size). @pre an array or object
+  /// The number of elements or members. Cost: O(size). @pre an array or object
   [[nodiscard]] std::size_t size() const;
-  /// The first member of that name. @pre an object
+  /// The first member with this name; std::nullopt if there is none. @pre an object
   [[nodiscard]] std::optional<JsonValue> member(std::string_view name) const;
   [[nodiscard]] std::optional<JsonValue> element(std::size_t position) const;
 
-  /// The same JSON in one line with canonical spaces; numbers and strings as they are written.
+  /// The same JSON in one line with canonical spaces; numbers and strings as written.
   [[nodiscard]] std::string compact() const;
 
  private:
@@ -102,7 +103,7 @@ class JsonValue {
 /// Is the text a number by JSON's grammar ("1e-3", "-0", but not "+1", ".5", "01")?
 [[nodiscard]] bool isJsonNumber(std::string_view text);
 
-/// A text as a JSON string with its quotes; control characters, quote and backslash escaped.
+/// Appends a text as a JSON string with its quotes; control characters, quote and backslash escaped.
 void appendJsonString(std::string& json, std::string_view text);
 
 }  // namespace geargraph::inline files

@@ -9,8 +9,8 @@
 
 namespace geargraph::inline files {
 
-/// Writes JSON piece by piece into a sink, readable: containers of Layout::lines put each member on its own
-/// line, indented by two spaces, containers of Layout::row stand in one line.
+/// Writes readable JSON piece by piece into a sink: containers with Layout::lines have each member on its own
+/// line, indented by two spaces, containers with Layout::row are on one line.
 class JsonWriter {
  public:
   enum class Layout { lines, row };
@@ -27,14 +27,14 @@ class JsonWriter {
   void number(std::int64_t value);
   /// The shortest decimal that reads back as the same double; 0 for -0. @pre finite
   void number(double value);
-  /// The same of a value that a double may not hold, such as an exact ratio's: null where it is not finite.
+  /// The same, but null if the value is not finite, as for an exact ratio beyond the range of doubles.
   void numberOrNull(double value);
   void boolean(bool value) { json(value ? "true" : "false"); }
   void null() { json("null"); }
-  /// A value that is JSON already.
+  /// Writes a value that is JSON already.
   void json(std::string_view text);
 
-  /// A key with its value.
+  /// Writes a key with its value.
   template <class Value>
   void member(std::string_view name, const Value& value) {
     key(name);

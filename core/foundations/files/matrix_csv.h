@@ -7,8 +7,8 @@
 
 namespace geargraph::inline files {
 
-/// Writes a labelled matrix whose rows answer with their non-zeros: an IntegerMatrix of core/graph, or
-/// anything of its shape, so that this layer need not know that one.
+/// Writes a labelled matrix by the non-zeros of its rows: an IntegerMatrix of core/mechanism/graph, or any
+/// type with the same members, so that this layer does not depend on that one.
 template <class Entry, class UniformRow, class Matrix>
 void writeMatrixCsv(ByteSink& sink, const Matrix& matrix, const CsvOptions& options = {}) {
   std::vector<std::string> columns;

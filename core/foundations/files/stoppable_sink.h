@@ -7,8 +7,8 @@
 
 namespace geargraph::inline files {
 
-/// Passes bytes on to another sink until the work is to stop. The one that owns the other sink throws away
-/// what was written.
+/// Forwards bytes to another sink until a stop is requested. The owner of the other sink then discards what
+/// was written.
 class StoppableSink final : public ByteSink {
  public:
   StoppableSink(ByteSink& sink, std::stop_token stop) : m_sink(sink), m_stop(std::move(stop)) {}

@@ -10,12 +10,12 @@
 
 namespace geargraph::inline platform {
 
-/// A program that reads one file from its standard input and answers on standard output.
+/// A program that reads a file from its standard input and writes its result to standard output.
 struct ChildProgram {
   std::filesystem::path program;
-  std::vector<std::string> words;  ///< of its command line, without its name
+  std::vector<std::string> words;  ///< command line arguments
   std::filesystem::path input;
-  std::size_t mostInput = 0;   ///< bytes; a larger file is not given to it
+  std::size_t mostInput = 0;   ///< bytes; a larger file is rejected
   std::size_t mostOutput = 0;  ///< bytes that are kept
   std::size_t mostErrors = 0;  ///< bytes of standard error that are kept
   std::chrono::steady_clock::time_point deadline{};
@@ -24,14 +24,14 @@ struct ChildProgram {
 enum class ChildEnd {
   exited,           ///< with `status`
   crashed,          ///< by a signal
-  outOfTime,        ///< killed at the deadline, or by its own limit of processor time
-  stopped,          ///< killed, as `stop` was requested
+  outOfTime,        ///< killed at the deadline, or by its own limit of CPU time
+  stopped,          ///< killed because `stop` was requested
   notStarted,       ///< the program cannot be run
   tooManyFiles,     ///< this process has too many open files
   inputMissing,     ///< there is no such file
   inputUnreadable,  ///< it cannot be opened
   inputNoFile,      ///< it is a folder, a device or a pipe
-  inputTooLarge,    ///< `inputSize` tells how large
+  inputTooLarge,    ///< its size is in `inputSize`
 };
 
 struct ChildResult {
@@ -42,10 +42,11 @@ struct ChildResult {
   std::string errors{};
 };
 
-/// Runs the program to its end, without environment and with no other open files; it is never left behind.
-/// The input is opened without waiting for anybody (a pipe without a writer would). Ends within 0.1 s once
-/// `stop` is requested. Portable: it has the environment and the open files of this process, nothing limits
-/// its processor time but the deadline, and it is ended (`crashed`) where it writes 1 MiB more than is kept.
+/// Runs the program to its end, without environment and with no other open files; it never outlives the call.
+/// The input is opened without blocking (a pipe without a writer would block). Returns within 0.1 s after
+/// `stop` is requested. Portable version: the program inherits the environment and the open files of this
+/// process, only the deadline limits its processor time, and it is terminated (`crashed`) once its output
+/// exceeds `mostOutput` by 1 MiB.
 [[nodiscard]] ChildResult runChild(const ChildProgram& child, const std::stop_token& stop);
 
 /// Can a program on this system give up its rights before it reads a file (core/foundations/sandbox)?
