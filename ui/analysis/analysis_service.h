@@ -12,7 +12,7 @@ class AnalysisService final : public Service<AnalysisRequest, SnapshotPtr> {
   /// `ahead`: ServiceOptions::ahead
   explicit AnalysisService(QObject* parent = nullptr, std::function<void(const SnapshotPtr&)> ahead = {});
 
-  /// The newest snapshot that has arrived; null before the first.
+  /// The newest snapshot received; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return answer(); }
 };
 

@@ -4,14 +4,14 @@
 
 namespace geargraph::inline canvas {
 
-// What brakes and clutches do, as steps of the undo list: to be applied, or only tried (MenuPreview).
+// Edits of brakes and clutches, to be applied or only previewed (MenuPreview).
 
-/// A new brake holds the link.
+/// Adds an engaged brake that holds the link.
 [[nodiscard]] Edit holdEdit(const Mechanism& now, LinkId link);
-/// A new clutch makes both links turn as one.
+/// Adds an engaged clutch that makes both links turn as one.
 [[nodiscard]] Edit tieEdit(LinkId one, LinkId other);
 [[nodiscard]] Edit engageEdit(const Mechanism& now, CouplingId coupling, bool engaged);
-/// Engages the brake of the link, a new one where it has none, or releases it.
+/// Engages or releases the brake of the link; adds one if it has none.
 [[nodiscard]] Edit toggleBrakeEdit(const Mechanism& now, LinkId link);
 
 }  // namespace geargraph::inline canvas

@@ -11,10 +11,10 @@ class QMenu;
 
 namespace geargraph::inline canvas {
 
-/// What the entries of a context menu do; the view carries it out. Links are added and drawings tidied only
-/// where it says how.
+/// The actions of a context menu, implemented by the view. Entries for adding links and tidying appear only
+/// if their actions are set.
 struct ContextActions {
-  std::set<ElementId> selected;                           ///< the element of the menu among them
+  std::set<ElementId> selected;                           ///< including the menu's element
   std::function<std::optional<MeshKind>(MeshId)> kindOf;  ///< as shownKind()
   std::function<void()> rename;
   std::function<void()> toggleInput;
@@ -28,7 +28,7 @@ struct ContextActions {
   std::function<void()> hold;                     ///< the link, with a new brake
   std::function<void(LinkId, LinkId)> tie;        ///< two links, with a new clutch
   std::function<void(CouplingId, bool)> engage;   ///< or release a brake or a clutch
-  std::function<void(const ElementId&)> takeOff;  ///< a brake or a clutch goes
+  std::function<void(const ElementId&)> takeOff;  ///< removes a brake or a clutch
   std::function<void()> remove;
   std::function<void()> open;  ///< the text of the note, in place
   std::function<void()> addLink;
@@ -38,7 +38,7 @@ struct ContextActions {
   std::function<void()> fit;
 };
 
-/// Fills a menu for an element, or for the empty sheet. An entry that is not possible is grey and says why in
+/// Fills a menu for an element, or for the empty sheet. An unavailable entry is disabled, with the reason in
 /// its text.
 void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
                      const ContextActions& actions);

@@ -10,9 +10,9 @@ namespace geargraph::inline canvas {
 
 using DigraphGeometryPtr = std::shared_ptr<const DigraphGeometry>;
 
-/// The drawing of the digraph on a scene. It places and draws again only what changed, so that dragging a
-/// node of a thousand stays smooth; a large drawing that is new, and changes of thousands of elements, are
-/// put up in slices, between which the window answers.
+/// The drawing of the digraph on a scene. Only changed parts are placed and drawn again, so that dragging one
+/// node of a thousand stays smooth; a large new drawing, and changes of thousands of elements, are drawn in
+/// slices, between which the window stays responsive.
 class DigraphScene final : public DrawingScene {
   Q_OBJECT
 
@@ -21,12 +21,12 @@ class DigraphScene final : public DrawingScene {
 
   /// Shows a mechanism with its nodes at these places.
   void show(const Mechanism& mechanism, NodePositions positions);
-  /// The same with what digraphGeometry() makes of both, from geometry() or from nothing.
+  /// The same with the result of digraphGeometry() for them.
   void show(NodePositions positions, DigraphGeometryPtr geometry);
 
   /// Never null.
   [[nodiscard]] const DigraphGeometryPtr& geometry() const { return m_geometry; }
-  /// Is everything there, where it belongs? What stands out may still be drawn again.
+  /// Is everything drawn in its place? Highlights may still be pending.
   [[nodiscard]] bool isDrawn() const { return !m_putUp && !m_isMoving; }
 
   [[nodiscard]] const NodePositions& positions() const { return m_positions; }
@@ -34,7 +34,7 @@ class DigraphScene final : public DrawingScene {
   [[nodiscard]] DisplayList displayList(const Emphases& emphases) const override;
 
  signals:
-  void drawn();  ///< a large drawing or a change of one, wholly
+  void drawn();  ///< a large drawing, or a change of one, is complete
 
  protected:
   void drawAgain(const std::unordered_set<ElementId>& changed) override;
@@ -57,14 +57,14 @@ class DigraphScene final : public DrawingScene {
 
   NodePositions m_positions;
   DigraphGeometryPtr m_geometry = std::make_shared<const DigraphGeometry>();
-  std::optional<std::size_t> m_putUp;  ///< while that goes on: how many arrows, nodes, ... are there
+  std::optional<std::size_t> m_putUp;  ///< arrows, nodes, ... drawn so far; empty: not drawing
   // By arrow, node, coupling, note, in this order:
   std::vector<std::size_t> m_slots;  ///< its first outline
   std::vector<bool> m_isStale;       ///< it is to be drawn again
   std::size_t m_staleCount = 0;
-  std::size_t m_staleFrom = 0;  ///< none before this one
-  bool m_isMoving = false;      ///< some of these have other places than they are drawn at
-  bool m_isSliceDue = false;    ///< of those that are to be drawn again
+  std::size_t m_staleFrom = 0;  ///< index of the first stale one
+  bool m_isMoving = false;      ///< some stale ones have moved
+  bool m_isSliceDue = false;    ///< a slice of stale ones is scheduled
 };
 
 }  // namespace geargraph::inline canvas

@@ -8,7 +8,7 @@
 namespace geargraph::inline canvas {
 
 /// The digraph of the document, drawn and edited [AU, Fig. 2]. The fundamental cycle of the chosen mesh is
-/// shown as a walk.
+/// highlighted as a walk.
 class DigraphView final : public GraphView {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class DigraphView final : public GraphView {
                                                const std::string& text) const override;
 
  private:
-  /// What makes a large drawing: placing its arrows and labels takes a thread of its own.
+  /// A request for a large drawing, whose arrows and labels are placed on a background thread.
   struct Request {
     MechanismPtr mechanism;
     NodePositions places;

@@ -11,51 +11,50 @@
 
 namespace geargraph::inline canvas {
 
-/// Plays a drawing on a scene: the marks of one element at one depth are one part, repainted only where they
-/// changed. Picking asks outlines(), never the scene.
+/// Shows a drawing on a scene: the marks of one element at one depth are one part, repainted only if changed.
+/// Picking uses outlines(), never the scene.
 class DrawingScene : public QGraphicsScene {
   Q_OBJECT
 
  public:
-  /// Makes the drawing for what stands out.
+  /// Makes the drawing for given emphases.
   using Draw = std::function<DisplayList(const Emphases&)>;
 
   explicit DrawingScene(QObject* parent = nullptr);
   ~DrawingScene() override;
 
-  /// Shows what `draw` makes, now and again whenever the emphases change.
+  /// Shows the result of `draw`, and calls it again whenever the emphases change.
   void show(Draw draw);
   void setEmphases(Emphases emphases);
   void setTheme(Theme theme);
   [[nodiscard]] Theme theme() const { return m_theme; }
 
-  /// What can be hit where.
+  /// The outlines for hit tests.
   [[nodiscard]] const std::vector<Outline>& outlines() const { return m_outlines; }
-  /// The drawing as one list, for export: as it is seen, or with other emphases.
+  /// The drawing as one list, for export: as shown, or with other emphases.
   [[nodiscard]] DisplayList displayList() const { return displayList(m_emphases); }
   [[nodiscard]] virtual DisplayList displayList(const Emphases& emphases) const;
-  /// All that is drawn, with what is under it, without halos.
+  /// The extent of the drawing and the underlay, without halos.
   [[nodiscard]] QRectF drawnRect() const;
 
-  /// The parts of the drawing, for what is drawn at which depth.
+  /// The parts of the drawing, by depth.
   [[nodiscard]] const SheetParts& parts() const { return m_item->parts(); }
-  /// How many parts have been drawn since the scene was made: what a change costs.
+  /// The number of parts drawn since the scene was made, to measure the cost of changes.
   [[nodiscard]] quint64 drawnParts() const { return m_drawnParts; }
-  /// What of the viewport the view is about to paint.
+  /// Tells the region of the viewport that the view is about to paint.
   void beginPainting(const QRegion& exposed);
   void endPainting() { m_item->setExposed({}); }
 
-  /// Marks under the drawing, that can be hit where nothing of it can.
+  /// Sets marks under the drawing, which are hit only where the drawing is not.
   void setUnderlay(DisplayList underlay);
   [[nodiscard]] const DisplayList& underlay() const { return m_underlayList; }
 
-  /// Marks over the drawing: what is being drawn, the rubber band, guides.
+  /// Sets marks over the drawing: previews, the rubber band, guides.
   void setOverlay(DisplayList overlay);
 
  protected:
   [[nodiscard]] const Emphases& emphases() const { return m_emphases; }
-  /// The emphases of these elements changed. Draws everything again; a drawing that knows better overrides
-  /// it.
+  /// Called when the emphases of these elements have changed. Draws everything again by default.
   virtual void drawAgain(const std::unordered_set<ElementId>& changed);
 
   // For scenes that draw element by element. Parts that are not set between beginDrawing() and endDrawing()
@@ -65,9 +64,9 @@ class DrawingScene : public QGraphicsScene {
   /// All parts of an element.
   void setElement(const ElementId& element, std::vector<Mark> marks);
   void endDrawing();
-  /// A drawing that is ready, instead of the one that there is. Cost: that of freeing the latter.
+  /// Replaces the drawing by a finished one. Cost: that of freeing the old one.
   void setParts(SheetParts parts, std::vector<Outline> outlines);
-  void growSheet();  ///< where the drawing has come near its end
+  void growSheet();  ///< if the drawing has come near its border
   [[nodiscard]] std::vector<Outline>& editableOutlines() { return m_outlines; }
 
  private:
@@ -80,7 +79,7 @@ class DrawingScene : public QGraphicsScene {
   std::vector<Outline> m_outlines;
   Theme m_theme = Theme::light;
   quint64 m_drawnParts = 0;
-  int m_repaints = 0;           ///< areas that wait to be painted, or more than can be told apart
+  int m_repaints = 0;           ///< number of areas waiting to be painted, up to the number kept apart
   PartsItem* m_item = nullptr;  ///< owned by the scene, as the next one
   MarkItem* m_overlay = nullptr;
   MarkItem* m_underlay = nullptr;

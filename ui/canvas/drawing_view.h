@@ -22,88 +22,87 @@ struct ShownTorque;
 
 namespace geargraph::inline canvas {
 
-/// A drawing of the document: what all of them have in common. It zooms, pans and fits, lights up what is
-/// hovered and selected in any view, picks by the drawing's outlines, gives tips and menus, and carries out
-/// the commands on elements. A drawing of its own derives from it, fills the scene in rebuild() and says what
-/// its tools do with the mouse.
+/// The common base of drawings of the document. It zooms, pans and fits, highlights what is hovered and
+/// selected in any view, picks by the drawing's outlines, shows tool tips and menus, and carries out the
+/// commands on elements. A derived drawing fills the scene in rebuild() and handles the mouse for its tools.
 ///
-/// Keys while it has the focus: V L T G I W N H pick a tool, Esc cancels, then deselects, then goes back to
+/// Keys while it has the focus: V L T G I W N H choose a tool, Esc cancels, then deselects, then returns to
 /// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
 /// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
 /// the mouse; the middle button, or Space with the left one, pans.
 ///
 /// Without a mouse: Page down and up select the next and the last element, Ctrl and an arrow key the nearest
-/// one that way, with Shift besides what is selected. Return does what a click on it does with the tool, an
-/// arrow begins at one and ends at the next; with Select it opens the element. The Menu key opens its menu,
-/// Tab goes on to the next control.
+/// one in that direction, with Shift in addition to the selection. Return acts like a click with the tool: an
+/// arrow begins at the current element and ends at the next one; with Select it opens the element. The Menu
+/// key opens its menu, Tab moves to the next control.
 class DrawingView : public QGraphicsView {
   Q_OBJECT
 
  public:
-  /// Takes the scene over.
+  /// Takes ownership of the scene.
   DrawingView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent = nullptr);
 
   [[nodiscard]] virtual ToolKind tool() const { return m_tool; }
   virtual void setTool(ToolKind tool);
-  /// What the tool expects next, as last told by hintChanged().
+  /// What the tool expects next, as last emitted by hintChanged().
   [[nodiscard]] QString hint() const { return m_hint; }
 
-  /// The newest analysis.
+  /// Sets the newest analysis.
   virtual void setSnapshot(const SnapshotPtr& snapshot);
 
   void setTheme(Theme theme);
-  /// A grid of dots that new and dragged nodes keep to, where the drawing has nodes; Alt suspends it.
+  /// Switches a grid to which new and dragged nodes snap, if the drawing has nodes; Alt suspends it.
   virtual void setGrid(bool /*on*/) {}
-  /// How far fit() enlarges a small drawing; a lecture hall wants more than a desk.
+  /// Sets the largest scale of fit() for small drawings; it is larger for presentations.
   void setLargestFit(double scale);
   static constexpr double kLargestFit = 1.25;
   [[nodiscard]] Theme theme() const;
 
-  /// Are the document's notes on this drawing?
+  /// Does this drawing show the document's notes?
   [[nodiscard]] virtual bool showsNotes() const { return false; }
 
-  /// Why no load can be put on what is selected, as a sentence; empty where one can.
+  /// Why no load can be put on the selection, as a sentence; empty if one can.
   [[nodiscard]] QString whyNoLoad() const;
-  /// Why no gear can be attached to the one selected link, as a sentence; empty where one can.
+  /// Why no gear can be attached to the one selected link, as a sentence; empty if one can.
   [[nodiscard]] QString whyNoGear() const;
 
-  /// Makes the bands of a mechanism's power, and the torques that act on it, for the drawing as it is now, on
-  /// any thread.
+  /// Draws the power bands of a mechanism, and the torques that act on it, for the present state of the
+  /// drawing. Thread-safe.
   using PowerDraw =
       std::function<DisplayList(const PowerPicture&, const std::vector<ShownTorque>&, const Mechanism&)>;
-  /// None where the drawing shows neither, or is not that of the document now.
+  /// Empty if the drawing shows neither, or is not up to date.
   [[nodiscard]] virtual PowerDraw powerDraw() const { return {}; }
-  /// What is painted under the drawing: such bands, or nothing.
+  /// Sets what is painted under the drawing: such bands, or nothing.
   void setUnderlay(DisplayList underlay);
   /// Further words for the tooltips of what is painted there, by element.
   void setUnderlayTips(std::map<ElementId, QString> tips) { m_underlayTips = std::move(tips); }
   [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
 
-  [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
-  [[nodiscard]] DisplayList picture();            ///< the same with nothing standing out, for export
-  /// Why picture() was not that of the document as it is now, as a sentence; empty where it was.
+  [[nodiscard]] DisplayList displayList() const;  ///< as shown, with highlights
+  [[nodiscard]] DisplayList picture();            ///< the same without highlights, for export
+  /// Why picture() was not up to date with the document, as a sentence; empty if it was.
   [[nodiscard]] virtual QString whyNoPicture() const { return {}; }
-  /// The entries for what is at a place of the viewport; the caller owns the menu.
+  /// The menu for the element at a point of the viewport; the caller owns it.
   [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
-  /// The entries for an element that another view shows, or for the sheet; the caller owns the menu.
+  /// The menu for an element shown by another view, or for the sheet; the caller owns it.
   [[nodiscard]] QMenu* contextMenuFor(const std::optional<ElementId>& element, SheetPoint at);
-  /// The lines in the box at the lower left, and the ones at the upper left; empty where there is none.
+  /// The lines in the box at the lower left, and those at the upper left.
   [[nodiscard]] QStringList caption() const { return m_caption; }
   [[nodiscard]] QStringList notice() const { return m_notice; }
 
-  /// Is a gesture of mouse or keys under way, which Esc gives up?
+  /// Is a gesture of mouse or keys in progress, which Esc cancels?
   [[nodiscard]] bool isDrawing() const { return !isIdle() || isLoadDragged(); }
-  /// All elements that are drawn, as keys walk along them: links, joints, meshes, what else there is, each in
-  /// the order of the document. Cost: O(elements).
+  /// All drawn elements in keyboard order: links, joints, meshes, others, each in the order of the document.
+  /// Cost: O(elements).
   [[nodiscard]] std::vector<ElementId> drawnElements() const;
-  /// The one that the keys are at; none where nothing drawn is selected.
+  /// The current element for the keyboard; std::nullopt if no drawn element is selected.
   [[nodiscard]] std::optional<ElementId> currentElement() const;
-  /// The box of an element in the viewport; null where it is not drawn. Cost: O(elements).
+  /// The box of an element in the viewport; null if it is not drawn. Cost: O(elements).
   [[nodiscard]] QRect boxOf(const ElementId& element) const;
-  /// What an element is, and what is known of it: as its tip says.
+  /// The description of an element, as in its tool tip.
   [[nodiscard]] QString describe(const ElementId& element) const { return toolTipFor(element); }
   [[nodiscard]] bool isSelected(const ElementId& element) const { return m_selection->isSelected(element); }
-  /// Selects an element as the keys do, and brings it into sight.
+  /// Selects an element as the keyboard does, and scrolls it into view.
   void walkTo(const ElementId& element, bool add = false);
 
  public slots:
@@ -114,67 +113,68 @@ class DrawingView : public QGraphicsView {
   void resetZoom();
   void selectAll();
   void deleteSelected();
-  void flipSelected();    ///< tail and head of the selected arrows exchanged
-  void renameSelected();  ///< opens the editor in place on the one selected link or note
+  void flipSelected();    ///< exchanges tail and head of the selected joints and meshes
+  void renameSelected();  ///< opens the in-place editor for the one selected link or note
   void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
-  toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
-  void editLoad();        ///< opens the editor in place for the torque on the one selected joint or link
-  void toggleBrake();     ///< holds the one selected link, or releases it
+  toggleInputs();      ///< makes the selected joints, or those that carry the selected links, inputs, or not
+  void editLoad();     ///< opens the in-place editor for the torque on the one selected joint or link
+  void toggleBrake();  ///< holds the one selected link, or releases it
   virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
 
  signals:
   void toolChanged(geargraph::ToolKind tool);
   void hintChanged(const QString& hint);
-  /// While an arrow is being drawn: the joint it would make; nothing when it is done or given up.
+  /// While an arrow is being drawn: the joint that it would make; std::nullopt when it is finished or
+  /// cancelled.
   void previewChanged(const std::optional<geargraph::JointPreview>& preview);
-  /// A double click on what has no name to edit in place: show its properties.
+  /// A double click on an element without a name to edit in place: its properties should be shown.
   void propertiesWanted(const geargraph::ElementId& element);
-  /// The drawing has other places: what is painted under it belongs to the former ones.
+  /// The places of the drawing have changed, so that the underlay is out of date.
   void redrawn();
-  /// A context menu has been made for an element, or for the sheet: others may add what they know of it.
+  /// A context menu has been made for an element, or for the sheet: others may add entries.
   void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
-  /// Keys have selected an element: for those who do not see the drawing.
+  /// The keyboard has selected an element, for screen readers.
   void walkedTo(const geargraph::ElementId& element);
-  /// Space was tapped, not held for panning: play or pause.
+  /// Space was pressed briefly, not held for panning: play or pause.
   void spaceTapped();
 
  protected:
-  /// Shows the document as it is now. Called after every change; a drawing calls it once when it is made.
+  /// Shows the current document. Called after every change; a drawing calls it once in its constructor.
   virtual void rebuild() = 0;
-  /// The drawing is wanted though nobody sees it: what was put off until it is shown is to be done now.
+  /// The drawing is needed although it is hidden: do now what was postponed until it is shown.
   virtual void catchUp() {}
-  /// Another document has come: what was known of the last one counts no more. rebuild() follows.
+  /// The document was replaced: discard everything about the old one. rebuild() follows.
   virtual void forgetDocument() {}
 
-  /// What a drawing shows besides what is selected and hovered: a cycle, say, and lines that put it in words.
+  /// Highlights of a drawing in addition to selection and hovering, for example a cycle, with an explanation.
   struct Highlight {
     Emphases emphases;
     QStringList caption;
-    std::vector<ColorRole> colors;  ///< by line of the caption; accent for those beyond its end
+    std::vector<ColorRole> colors;  ///< by line of the caption; accent for further ones
   };
   [[nodiscard]] virtual Highlight highlight() const { return {}; }
-  /// What stands where there is no drawing yet.
+  /// The text shown while there is no drawing.
   [[nodiscard]] virtual QString message() const { return {}; }
   [[nodiscard]] virtual QString toolTipFor(const ElementId& element) const;
-  /// What the words of the caption mean.
+  /// The explanation of the caption's terms.
   [[nodiscard]] virtual QString captionToolTip() const { return {}; }
-  /// May drop entries of the menu, or tell it how to add a link and to tidy the drawing.
+  /// May remove entries of the menu, or set its actions for adding a link and tidying the drawing.
   virtual void adjustMenu(struct ContextActions&, SheetPoint /*at*/) {}
   virtual void fillMenuFurther(QMenu&, const std::optional<ElementId>&, SheetPoint /*at*/) {}
   /// A double click with the Select tool.
   virtual void openElement(const ElementId& element);
 
-  // What the mouse does with the current tool. Select as it stands picks elements.
+  // The mouse with the current tool. The default implements picking by Select.
   virtual void pressed(const Pointer& pointer);
   virtual void moved(const Pointer&) {}
   virtual void released(const Pointer&) {}
-  /// Is no gesture under way, so that menus may open?
+  /// Is no gesture in progress, so that menus may open?
   [[nodiscard]] virtual bool isIdle() const { return true; }
-  /// Esc: false where there was nothing to give up.
+  /// Esc: false if there was nothing to cancel.
   virtual bool cancel() { return false; }
   virtual void nudge(double /*dx*/, double /*dy*/, bool /*repeated*/) {}
-  /// Where what Return has begun with the tool ends at once; none: at the element of the next Return.
+  /// Where a stroke begun by Return ends immediately; std::nullopt: at the element of the next Return.
   [[nodiscard]] virtual std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const;
   /// A place on the sheet near the middle of the view where nothing is drawn.
   [[nodiscard]] SheetPoint freePlace() const;
@@ -192,7 +192,7 @@ class DrawingView : public QGraphicsView {
   void updateCursor();
   void panBy(QPointF sheetUnits);
   void openRenameEditor(LinkId link);
-  /// Does all of the drawing fill the window, as nobody moved it since?
+  /// Does the drawing still fit the window, not moved by the user since?
   [[nodiscard]] bool isFitted() const { return m_fitted; }
   [[nodiscard]] double scaleNow() const { return transform().m11(); }
   [[nodiscard]] std::optional<ElementId> elementUnder(QPointF viewportPlace) const;
@@ -235,10 +235,10 @@ class DrawingView : public QGraphicsView {
   void walkTowards(SheetPoint direction, bool add);
   void clickCurrent();
   [[nodiscard]] QString whyNoLoadOn(const ElementId& element) const;
-  /// The element of a load whose chip is there, beside the drawing.
+  /// The element of the load whose chip is at that point.
   [[nodiscard]] std::optional<ElementId> loadUnder(QPointF viewportPlace) const;
   [[nodiscard]] QString tipAt(const ElementId& element, QPointF viewportPlace) const;
-  /// A press that concerns a load; false: it is the tool's.
+  /// Handles a press on a load; false: it belongs to the tool.
   bool grabLoad(QPointF viewportPlace, Pointer pointer);
   void stepLoad(const ToolEvent& event);
   void pullLoad(const load_tool::PullTorque& pull);
@@ -246,7 +246,7 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] std::optional<SheetPoint> middleOf(const ElementId& element) const;
   struct LineBox {
     QRect box;
-    QStringList lines;  ///< cut to the room there is
+    QStringList lines;  ///< elided to the available space
   };
   [[nodiscard]] QFont lineFont() const;
   [[nodiscard]] LineBox boxOf(const QStringList& lines, Qt::Corner corner) const;
@@ -278,11 +278,11 @@ class DrawingView : public QGraphicsView {
   QPointF m_panFrom;
   bool m_spaceDown = false;
   bool m_spaceUsed = false;
-  bool m_fitted = true;                ///< the drawing was not moved: it fills the window
-  bool m_themeChosen = false;          ///< setTheme() was called: the palette does not decide any more
-  bool m_hovering = false;             ///< what is hovered is under our mouse
-  bool m_showsFocus = false;           ///< the focus came by a key
-  std::optional<ElementId> m_current;  ///< the element that was walked to last
+  bool m_fitted = true;                ///< the drawing was not moved by the user: it fits the window
+  bool m_themeChosen = false;          ///< setTheme() was called: the palette no longer decides
+  bool m_hovering = false;             ///< the hovered element was hovered in this view
+  bool m_showsFocus = false;           ///< the focus came by the keyboard
+  std::optional<ElementId> m_current;  ///< the last element selected by the keyboard
 };
 
 }  // namespace geargraph::inline canvas

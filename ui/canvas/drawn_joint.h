@@ -5,12 +5,12 @@
 
 namespace geargraph::inline canvas {
 
-/// A turning joint as somebody draws it. Meshes that were drawn before their joints, and that the joints on
-/// distinct axes leave without a carrier, are guessed again as withDrawnMesh() guesses those drawn after
-/// them: the axes, and where nobody has changed them, teeth and kind.
+/// Adds a drawn turning joint. For meshes that were drawn before their joints, and that have no carrier with
+/// joints on distinct axes, axes are guessed again as by withDrawnMesh(), and so are teeth and kind if the
+/// user has not changed them.
 ///
-/// Refuses what withTurningJoint() refuses. Cost: that of placementOf(), and of withDrawnMesh() for each such
-/// mesh once the joints are a spanning tree.
+/// Rejects as withTurningJoint(). Cost: that of placementOf(), and of withDrawnMesh() for each such mesh once
+/// the joints are a spanning tree.
 [[nodiscard]] Expected<PlacedMechanism> withDrawnJoint(const Mechanism& before, LinkId tail, LinkId head);
 
 }  // namespace geargraph::inline canvas

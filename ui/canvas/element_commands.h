@@ -8,47 +8,47 @@
 
 namespace geargraph::inline canvas {
 
-/// The mechanism with this torque in a joint or on a link, N m, in place of the one that acts there.
+/// Sets the torque in a joint or on a link, N m, replacing an existing one.
 /// @pre the element is one of either kind
 [[nodiscard]] Expected<Mechanism> withTorque(const Mechanism& before, const ElementId& element,
                                              const Number& torque);
-/// The torque that is given there, N m; 0 where there is none.
+/// The given torque there, N m; 0 if there is none.
 [[nodiscard]] Number givenTorque(const Mechanism& mechanism, const ElementId& element);
 
-/// What keys and menus do with elements in any drawing: an edit of one undo step each.
+/// The commands of keys and menus on elements, for any drawing: one undo step each.
 class ElementCommands {
  public:
-  /// Refers to both.
+  /// Both arguments outlive it.
   ElementCommands(Document& document, Selection& selection) : m_document(document), m_selection(selection) {}
 
-  void selectAll(bool notes);       ///< of which views alone know whether they show them
-  void removeSelected(bool notes);  ///< the ground stays, where other things are selected too
+  void selectAll(bool notes);       ///< `notes`: also notes; only the views know if they show these
+  void removeSelected(bool notes);  ///< the ground is kept if other elements are selected too
   void flipSelected();              ///< tail and head of the selected arrows exchanged
-  /// Drives these joints, or those that carry these links, or stops driving them. Where that is not possible
-  /// it answers why.
+  /// Makes these joints, or those that carry these links, inputs, or removes the inputs. Returns the reason
+  /// if that is not possible, else an empty text.
   QString toggleInputs(const std::set<ElementId>& elements);
   void rename(LinkId link, const QString& name);
   void makeGround(LinkId link);
-  /// A new link beside this one on the same carrier, in mesh with it; it is selected then. Where that is not
-  /// possible it answers why.
+  /// Adds a link on the same carrier that meshes with this one, and selects it. Returns the reason if that is
+  /// not possible, else an empty text.
   QString attachGear(LinkId link);
   void pin(const ElementId& element,
            bool pinned);  ///< an axis, a link for the teeth of its gears, or a mesh for its module
-  void layAxis(AxisId axis, const AxisChoice& choice);  ///< guesses about its meshes give way
+  void layAxis(AxisId axis, const AxisChoice& choice);  ///< guessed kinds of its meshes are adapted
   void makeKind(MeshId mesh, MeshKind kind);            ///< axes and pitch points follow
   void flipSide(MeshId mesh, bool ofTail);              ///< of a bevel: to the other side of the apex
   void hold(LinkId link);                               ///< with a new brake that is engaged
   void tie(LinkId one, LinkId other);                   ///< with a new clutch that is engaged
   void engage(CouplingId coupling, bool engaged);
-  /// Engages the brake of the link, a new one where it has none, or releases it.
+  /// Engages or releases the brake of the link; adds one if it has none.
   void toggleBrake(LinkId link);
   void takeOff(const ElementId& coupling);
-  /// The torque in a joint or on a link, "10 Nm"; an empty text removes it. Where that is not possible it
-  /// answers why.
+  /// Sets the torque in a joint or on a link, "10 Nm"; an empty text removes it. Returns the reason if that
+  /// is not possible, else an empty text.
   QString setTorque(const ElementId& element, const QString& text);
-  /// As setTorque() takes it; empty where no torque acts there.
+  /// The torque in the format of setTorque(); empty if none acts there.
   [[nodiscard]] QString torqueOf(const ElementId& element) const;
-  /// Does a torque act there that is given?
+  /// Is there a given torque?
   [[nodiscard]] bool hasTorque(const ElementId& element) const;
 
  private:

@@ -8,15 +8,15 @@
 
 namespace geargraph::inline canvas {
 
-/// The two fundamental circuits of a mesh as walks round the T-T graph [AU, Fig. 6], and its equations in
-/// words: each along its chord from the gear to the carrier and back through the branches.
+/// The two fundamental circuits of a mesh as highlighted walks in the T-T graph [AU, Fig. 6], and its
+/// equations as text: each walk along its chord from the gear to the carrier and back through the branches.
 struct FCircuits {
   Emphases emphases;
   QStringList caption;
   std::vector<ColorRole> colors;  ///< by line
 };
 
-/// None where the mesh has no transfer vertex. @pre the mesh is in the graph
+/// std::nullopt if the mesh has no transfer vertex. @pre the mesh is in the graph
 [[nodiscard]] std::optional<FCircuits> fCircuits(const TtGraph& graph, int mesh);
 
 }  // namespace geargraph::inline canvas

@@ -6,7 +6,7 @@
 
 namespace geargraph::inline canvas {
 
-/// A drawing in which links are nodes: all tools of the tool bar work in it.
+/// A drawing in which links are nodes: all tools of the tool bar apply.
 class GraphView : public DrawingView, protected NodeSheet {
   Q_OBJECT
 
@@ -21,8 +21,8 @@ class GraphView : public DrawingView, protected NodeSheet {
   /// Opens the editor in place: for a new note with its middle there, or for the text of one.
   void openNoteEditor(SheetPoint at, const std::optional<NoteId>& note = {});
 
-  /// Shows the circuit of this mesh. With an empty id the view decides: the mesh of the cycle all of which is
-  /// hovered (a row of C in the matrices), else the one that is selected alone.
+  /// Highlights the circuit of this mesh. With an empty id the view decides: the mesh of a completely hovered
+  /// cycle (a row of C in the matrices), else a mesh that is selected alone.
   void showCycle(MeshId mesh);
 
  public slots:
@@ -43,11 +43,11 @@ class GraphView : public DrawingView, protected NodeSheet {
   bool cancel() override;
   void nudge(double dx, double dy, bool repeated) override { m_controller->nudge(dx, dy, repeated); }
 
-  /// The mesh whose circuit is to be shown; empty where there is none, or no analysis yet.
+  /// The mesh whose circuit is highlighted; empty if there is none, or no analysis yet.
   [[nodiscard]] MeshId chosenMesh() const;
-  /// What a key says of the axis of the joint that is being drawn.
+  /// The choice of axis by a key while a joint is being drawn.
   [[nodiscard]] std::optional<AxisChoice::Way> axisKey(const QKeyEvent& event) const;
-  /// Gives all these links their places, as one undo step.
+  /// Moves all these links to their places, as one undo step.
   void place(const NodePositions& positions) { m_controller->place(positions); }
 
   /// A new note, where the drawing has some.

@@ -6,12 +6,11 @@
 
 namespace geargraph::inline canvas {
 
-/// Some marks of a display list on a scene: a node, an arrow, a halo, or what lies over the drawing. Picking
-/// is not its business: the view asks the outlines of the display list.
+/// Some marks of a display list on a scene: a node, an arrow, a halo, or the overlay. Not used for picking,
+/// which uses the outlines of the display list.
 class MarkItem final : public QGraphicsItem {
  public:
-  /// In the colours of `theme` as it is when the item is painted: the scene's, which repaints when it
-  /// changes.
+  /// `theme` is read when painting: that of the scene, which repaints when it changes. It outlives the item.
   MarkItem(double depth, const Theme& theme);
 
   /// Shows other marks; repaints only if they differ.

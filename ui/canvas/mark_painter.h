@@ -24,8 +24,8 @@ namespace geargraph::inline canvas {
   return {extent.left(), extent.top(), 2 * extent.halfWidth, 2 * extent.halfHeight};
 }
 
-/// Paints marks in their order, in sheet coordinates: what the screen, PDF and pictures share. `scale` is how
-/// many pixels a unit of the sheet takes; what would be too small to be seen is left out.
+/// Paints marks in order, in sheet coordinates: for screen, PDF and pictures. `scale`: pixels per unit of the
+/// sheet; marks too small to be visible are left out.
 void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, double scale);
 
 }  // namespace geargraph::inline canvas

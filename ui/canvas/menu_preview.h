@@ -10,14 +10,14 @@ class QMenu;
 
 namespace geargraph::inline canvas {
 
-/// Entries of a menu that are tried while the mouse or the keys are on them: whoever shows the menu is told
-/// which edit is to be shown, and when none is any more: the entry was left, chosen, or the menu closed.
-/// A choice is carried out after that, by the entry itself.
+/// Previews menu entries while they are highlighted: wanted() gives the edit to be previewed, ended() is
+/// emitted when the entry is left or chosen, or the menu closes. A chosen entry is carried out afterwards by
+/// its action.
 class MenuPreview : public QObject {
   Q_OBJECT
 
  public:
-  /// The one of the menu, which owns it; made when first asked for.
+  /// The preview of the menu, which owns it; created on first use.
   [[nodiscard]] static MenuPreview& of(QMenu& menu);
   void add(QAction* entry, const Edit& edit);
 

@@ -8,25 +8,25 @@
 
 namespace geargraph::inline canvas {
 
-/// Knows where every link of a document stands on the sheet: where the document says so, there; else where it
-/// was put before; else where the layout puts it. Small documents are laid out at once, large ones in a
-/// thread of their own, the newest request first.
+/// Finds the places of all links of a document on the sheet: those of the document; else the ones found
+/// before; else from the layout. Small documents are laid out synchronously, large ones on a background
+/// thread, where the newest request wins.
 class NodePlacer final : public QObject {
   Q_OBJECT
 
  public:
   explicit NodePlacer(QObject* parent = nullptr);
 
-  /// The places known now. Emits placesFound() later if some are still being sought.
+  /// The places known now; placesFound() follows if some are still being computed.
   [[nodiscard]] NodePositions placesOf(const MechanismPtr& mechanism);
   [[nodiscard]] bool isSeeking() const { return m_sought != nullptr; }
 
-  /// Seeks a new layout for all links; laidOut() follows, at once for a small document.
+  /// Computes a new layout for all links; laidOut() follows, immediately for a small document.
   void layOut(const MechanismPtr& mechanism);
 
-  /// The document with every place that is known written into it, so that saving keeps what is seen.
+  /// The document with all known places stored in it, so that saving keeps the drawing.
   [[nodiscard]] Mechanism adopted(Mechanism mechanism) const;
-  /// Another document: what was found for the last one counts no more.
+  /// Discards the places found, for another document.
   void forget();
 
  signals:

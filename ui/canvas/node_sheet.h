@@ -12,7 +12,7 @@ namespace geargraph::inline canvas {
 using NodeMoves = std::vector<std::pair<LinkId, SheetPoint>>;
 using NoteMoves = std::vector<std::pair<NoteId, SheetPoint>>;
 
-/// A drawing whose links stand at places that tools may change: what the tools have to know of it.
+/// The interface of a drawing with movable nodes, for tools.
 class NodeSheet {
  public:
   NodeSheet() = default;
@@ -20,13 +20,13 @@ class NodeSheet {
   NodeSheet& operator=(const NodeSheet&) = delete;
   virtual ~NodeSheet() = default;
 
-  /// Where the links stand now.
+  /// The current places of the links.
   [[nodiscard]] virtual const NodePositions& positions() const = 0;
   [[nodiscard]] virtual const std::vector<Outline>& outlines() const = 0;
-  /// Marks over the drawing, until others are given.
+  /// Replaces the marks over the drawing.
   virtual void setOverlay(DisplayList overlay) = 0;
 
-  // Where this drawing keeps places in a document.
+  // Edits of the places that the document stores for this drawing.
   [[nodiscard]] virtual Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                                       const NodeMoves& places) const = 0;
   [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const = 0;

@@ -7,21 +7,19 @@
 
 namespace geargraph::inline canvas {
 
-/// All parts of a drawing as one item of the scene, of which it paints what can be seen. An item for each of
-/// thousands of parts would cost more than the parts: their order, their areas and their removal are kept by
-/// lists of the scene.
+/// All parts of a drawing as one item of the scene, which paints the visible ones. Thousands of single items
+/// would cost more than the parts, because QGraphicsScene keeps lists of their order and areas.
 class PartsItem final : public QGraphicsItem {
  public:
-  /// In the colours of `theme` as it is when the item is painted: the scene's, which repaints when it
-  /// changes.
+  /// `theme` is read when painting: that of the scene, which repaints when it changes. It outlives the item.
   explicit PartsItem(const Theme& theme);
 
   /// After a change, update() the area that it returns.
   [[nodiscard]] SheetParts& parts() { return m_parts; }
   [[nodiscard]] const SheetParts& parts() const { return m_parts; }
-  /// Where parts may be.
+  /// Sets the area in which parts can be.
   void setArea(const QRectF& area);
-  /// What of the viewport is to be painted next; else all of the exposed rectangle is.
+  /// Sets the region of the viewport that is painted next; without it the whole exposed rectangle is painted.
   void setExposed(const QRegion& viewport) { m_exposed = viewport; }
 
   [[nodiscard]] QRectF boundingRect() const override { return m_area; }

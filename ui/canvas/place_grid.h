@@ -5,7 +5,7 @@
 
 namespace geargraph::inline canvas {
 
-/// Which places of a square grid are free, from -rings to rings either way.
+/// The free places of a square grid, from -rings to rings in both directions.
 class PlaceGrid {
  public:
   struct Place {
@@ -13,7 +13,7 @@ class PlaceGrid {
     int down = 0;
     friend bool operator==(const Place&, const Place&) = default;
   };
-  /// From one place to another, both with it; what is outside the grid does not count.
+  /// An interval of places, both ends included; parts outside the grid are ignored.
   struct Span {
     double first = 0;
     double last = 0;
@@ -21,16 +21,16 @@ class PlaceGrid {
 
   explicit PlaceGrid(int rings);
 
-  /// Takes all places of a rectangle. Cost: constant.
+  /// Occupies all places of a rectangle. Cost: O(1).
   void take(Span across, Span down);
-  /// The first free place, ring by ring about the middle, each from above. Cost: the places of the grid.
+  /// The first free place, ring by ring around the middle, each from the top. Cost: the places of the grid.
   [[nodiscard]] std::optional<Place> nearestFree() const;
 
  private:
   int m_rings;
-  int m_side;  ///< places in a row, and one for what ends at the border
+  int m_side;  ///< places in a row, and one for the border
   std::vector<int>
-      m_steps;  ///< by row: how many more rectangles hold a place than the one before it and above
+      m_steps;  ///< by row: differences of a two-dimensional prefix sum of the rectangles' counts
 };
 
 }  // namespace geargraph::inline canvas

@@ -4,8 +4,7 @@
 
 namespace geargraph::inline canvas {
 
-/// Edits one text where it stands: Enter or leaving it takes the text, Esc leaves it as it was. Deletes
-/// itself.
+/// An in-place text editor: Enter or losing the focus accepts the text, Esc cancels. Deletes itself.
 class RenameEditor final : public QLineEdit {
   Q_OBJECT
 

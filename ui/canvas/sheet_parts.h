@@ -9,39 +9,40 @@
 
 namespace geargraph::inline canvas {
 
-/// A drawing taken apart: a part is the marks of one element at one depth. A value without a scene, so that
-/// any thread can make one.
+/// A drawing divided into parts: a part has the marks of one element at one depth. A value independent of a
+/// scene, so that any thread can make one.
 class SheetParts {
  public:
   struct Part {
     ElementId element;
-    std::vector<Mark> marks;  ///< empty: the part is gone
+    std::vector<Mark> marks;  ///< empty: the part was removed
     QRectF bounds;            ///< on the sheet
     quint64 drawing = 0;      ///< the last one that it was in
   };
-  /// Painted in the order of their depths, and within one in that in which they came.
+  /// By depth in painting order, within a depth in the order of insertion.
   using Layers = std::map<int, std::vector<Part>>;
 
   SheetParts() = default;
   /// The marks of a whole drawing.
   explicit SheetParts(std::vector<Mark> marks);
 
-  /// Another content of a part, nothing for empty marks. Returns the area to be painted again, null if
-  /// nothing differs. Cost: of the marks alone.
+  /// Replaces a part; empty marks remove it. Returns the area to be repainted, null if nothing has changed.
+  /// Cost: that of the marks.
   QRectF set(const ElementId& element, int depth, std::vector<Mark> marks);
 
-  /// All parts of an element at once; those at depths that `marks` has none of vanish. The area to be painted
-  /// again, as above.
+  /// Replaces all parts of an element; parts at depths without marks are removed. Returns the area to be
+  /// repainted.
   QRectF setElement(const ElementId& element, std::vector<Mark> marks);
 
-  /// Parts that are not set after this vanish with endDrawing(), which returns their area.
+  /// Parts that are not set between this and endDrawing() are removed by endDrawing(), which returns their
+  /// area.
   void beginDrawing() { ++m_drawing; }
   QRectF endDrawing();
 
   [[nodiscard]] const Layers& layers() const { return m_layers; }
   [[nodiscard]] std::size_t count(int depth) const;
   [[nodiscard]] std::size_t count() const;
-  /// The area of all parts but those of `without`, a depth. Cost: O(parts).
+  /// The extent of all parts except those at the depth `without`. Cost: O(parts).
   [[nodiscard]] QRectF bounds(int without) const;
 
  private:

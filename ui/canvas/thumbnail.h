@@ -8,12 +8,12 @@
 
 namespace geargraph::inline canvas {
 
-/// Larger mechanisms get no picture: nothing could be told apart on it.
+/// Larger mechanisms get no thumbnail, because nothing would be distinguishable.
 constexpr int kMostThumbnailLinks = 150;
 
-/// The digraph of a mechanism as a small picture of this size in pixels, on a clear ground. Nothing where the
-/// mechanism is too large. May be called from any thread.
-/// Cost: some milliseconds; a layout where the document gives no places.
+/// The digraph of a mechanism as a thumbnail of this size in pixels, on a transparent background.
+/// std::nullopt if the mechanism is too large. Thread-safe.
+/// Cost: some milliseconds, and a layout if the document has no places.
 [[nodiscard]] std::optional<QImage> digraphThumbnail(const Mechanism& mechanism, Theme theme, QSize pixels);
 
 }  // namespace geargraph::inline canvas

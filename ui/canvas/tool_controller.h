@@ -12,8 +12,8 @@
 
 namespace geargraph::inline canvas {
 
-/// Carries out what the tools propose: turns proposals into edits of the document, into the selection, into
-/// what is shown over the drawing; numbers the gestures. The only place where a mouse changes a document.
+/// Carries out the proposals of tools: as edits of the document, as selection, and as overlay of the drawing;
+/// it numbers the gestures. The only place where the mouse changes a document.
 class ToolController final : public QObject {
   Q_OBJECT
 
@@ -29,15 +29,15 @@ class ToolController final : public QObject {
   [[nodiscard]] bool isIdle() const { return m_machine.isIdle(); }
   [[nodiscard]] QString hint() const { return m_hint; }
 
-  /// Is a turning joint under way: begun, and not ended yet?
+  /// Is a turning joint being drawn?
   [[nodiscard]] bool isDrawingJoint() const;
-  /// How the axis of that joint will lie; without it the program guesses. Holds for this one.
+  /// Sets the axis of that joint; without it the program guesses. Applies to this joint only.
   void setAxisOfStroke(AxisChoice::Way way);
 
-  /// `scale`: pixels a unit of the sheet takes, for the width of what lies over the drawing.
+  /// `scale`: pixels per unit of the sheet, for the width of the overlay's lines.
   void handle(const ToolEvent& event, double scale);
 
-  // What keys and menus ask for, as edits of one undo step each.
+  // Commands of keys and menus, one undo step each.
   void toggleInputs(const std::set<ElementId>& elements);
   void nudge(double dx, double dy, bool repeated);
   void addLink(SheetPoint at);
@@ -86,7 +86,7 @@ class ToolController final : public QObject {
   quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held
   double m_scale = 1;
   bool m_grid = false;
-  QString m_notice;  ///< why the last click did nothing; stands until the next one
+  QString m_notice;  ///< why the last click did nothing; kept until the next one
   QString m_hint;
   std::optional<JointPreview> m_preview;
 };

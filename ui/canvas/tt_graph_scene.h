@@ -9,32 +9,32 @@
 
 namespace geargraph::inline canvas {
 
-/// A T-T graph laid out, placed and taken apart: a value that any thread can make.
+/// A T-T graph with layout, geometry and parts: a value that any thread can make.
 struct TtGraphSheet {
-  NodePositions layout;     ///< without what was dragged
-  NodePositions positions;  ///< with it
+  NodePositions layout;     ///< without dragged nodes
+  NodePositions positions;  ///< with dragged nodes
   TtGraphGeometry geometry;
   TtElements elements;  ///< of the geometry
-  SheetParts parts;     ///< with nothing standing out
+  SheetParts parts;     ///< without highlights
   std::vector<Outline> outlines;
 };
 using TtGraphSheetPtr = std::shared_ptr<TtGraphSheet>;
 
-/// `layout` may be empty: then it is made, too. Cost: near linear in links + joints + meshes, some 300 ms for
-/// 10,000 links; null if `stop` was requested meanwhile.
+/// `layout` may be empty: then it is computed too. Cost: near linear in links + joints + meshes, some 300 ms
+/// for 10,000 links; null if `stop` was requested meanwhile.
 /// @pre `graph` is the mechanism's, or null where the turning joints are no spanning tree
 [[nodiscard]] TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph,
                                            NodePositions layout, const std::stop_token& stop = {});
 
-/// The drawing of the T-T graph on a scene. A new one is exchanged as a whole; what stands out is drawn
-/// element by element, thousands of them in slices, between which the window answers.
+/// The drawing of the T-T graph on a scene. A new one is replaced as a whole; highlights are drawn element by
+/// element, thousands of them in slices, between which the window stays responsive.
 class TtGraphScene final : public DrawingScene {
   Q_OBJECT
 
  public:
   explicit TtGraphScene(QObject* parent = nullptr);
 
-  /// Takes the parts out of the sheet.
+  /// Shows the sheet, moving its parts out of it.
   void show(TtGraphSheetPtr sheet);
   /// Null until the first one is shown.
   [[nodiscard]] const TtGraphSheet* sheet() const { return m_sheet.get(); }

@@ -8,12 +8,12 @@
 namespace geargraph::inline canvas {
 
 /// The T-T graph of the document [AU, Figs. 5 and 6]: the tree of turning joints with the levels of its
-/// branches, the chords of every mesh to its transfer vertex. Of the chosen mesh it shows the two f-circuits
-/// as walks, and its equations in words.
+/// branches, the chords of every mesh to its transfer vertex. For the chosen mesh the two f-circuits are
+/// highlighted as walks, with its equations as text.
 ///
 /// Levels and transfer vertices come from the analysis, so the drawing follows setSnapshot(); places follow
-/// the document at once, for drags. Nodes stand where the layout puts them; those that are dragged stay where
-/// they were dropped, in a member of the document of their own.
+/// the document immediately, for drags. Nodes are placed by the layout; dragged ones keep their places, which
+/// the document stores in View::ttNodes.
 class TtGraphView final : public GraphView, public BackgroundWork {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   ~TtGraphView() override;
 
   void setSnapshot(const SnapshotPtr& snapshot) override;
-  /// Is the newest drawing that was asked for on the scene? A hidden one is not asked for.
+  /// Is the last requested drawing shown? A hidden view requests none.
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
   [[nodiscard]] QString whyNoPicture() const override;
   void tellToEnd() override;
@@ -32,7 +32,7 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   void drawn();
 
  public slots:
-  void tidy() override;  ///< gives all dragged nodes back to the layout
+  void tidy() override;  ///< returns all dragged nodes to the layout
 
  protected:
   void rebuild() override;
@@ -50,17 +50,17 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
 
  private:
-  /// Is the analysis that of the document as it is now, but for where things stand?
+  /// Is the analysis up to date with the document, except for places?
   [[nodiscard]] bool isAnalyzed() const;
   /// Null where the turning joints are no spanning tree.
   [[nodiscard]] const TtGraph* graph() const;
-  /// What makes a drawing; a large one takes a thread of its own.
+  /// A request for a drawing; a large one is made on a background thread.
   struct Request {
     MechanismPtr mechanism;
-    SnapshotPtr snapshot;  ///< of the same but for where things are
+    SnapshotPtr snapshot;  ///< of the same mechanism except for places
     NodePositions layout;  ///< empty where it is not known
     quint64 number = 0;
-    std::stop_token stop;  ///< once the document is no longer shown; newer requests let older ones end
+    std::stop_token stop;  ///< when the document is no longer shown, not for newer requests
   };
   void draw();
   void drawNow();
@@ -69,13 +69,13 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   [[nodiscard]] QString meshTip(int mesh) const;
 
   TtGraphScene* m_scene;
-  NodePositions m_layout;           ///< of the analysis, without what was dragged; empty until it is drawn
-  quint64 m_wanted = 0;             ///< the newest drawing asked for
-  quint64 m_shown = 0;              ///< the newest one that is on the scene
-  bool m_toFit = true;              ///< another document has come and is not drawn yet
-  bool m_behind = false;            ///< the drawing is out of date, as it is hidden
+  NodePositions m_layout;           ///< of the analysis, without dragged nodes; empty until it is drawn
+  quint64 m_wanted = 0;             ///< number of the newest request
+  quint64 m_shown = 0;              ///< number of the newest drawing shown
+  bool m_toFit = true;              ///< a new document is not drawn yet
+  bool m_behind = false;            ///< the drawing is out of date because it is hidden
   std::stop_source m_stop;          ///< of the requests of this document
-  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
+  RequestWorker<Request> m_worker;  ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline canvas

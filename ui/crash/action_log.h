@@ -8,21 +8,21 @@
 
 namespace geargraph::inline crash {
 
-/// The last actions of the user by their names, for crash reports: never a text that was typed, the name of a
-/// file or anything of a document. One thread writes; a signal handler of any thread may read, and then at
-/// worst sees a name that is being written.
+/// The names of the user's last actions, for crash reports: never typed text, file names or content of a
+/// document. One thread writes; a signal handler on any thread may read, and at worst sees a name that is
+/// being written.
 class ActionLog {
  public:
   static constexpr std::size_t kCapacity = 64;
-  static constexpr std::size_t kLongestName = 63;  ///< bytes; longer names are cut
+  static constexpr std::size_t kLongestName = 63;  ///< bytes; longer names are truncated
 
   struct Entry {
     std::array<char, kLongestName + 1> name{};
     std::int64_t milliseconds = 0;  ///< of the steady clock, at the last repetition
-    std::uint32_t count = 0;        ///< repetitions in a row
+    std::uint32_t count = 0;        ///< consecutive repetitions
   };
 
-  /// Notes an action; a repetition of the last one is counted.
+  /// Records an action; a repetition of the last one is counted.
   void note(std::string_view name);
   /// Calls visit(entry) for each, the oldest first. Allocates nothing.
   template <class Visit>
@@ -32,7 +32,7 @@ class ActionLog {
       visit(m_entries[i % kCapacity]);
   }
 
-  /// The steady clock in milliseconds; may be called in a signal handler.
+  /// The steady clock in milliseconds; async-signal-safe.
   [[nodiscard]] static std::int64_t now();
 
  private:

@@ -4,13 +4,13 @@
 
 namespace geargraph::inline crash {
 
-/// Notes in actionLog() what the user does: commands by their object names, presses and drags by button and
-/// view, keys that are no text. Cost: a look at the type of each event.
+/// Records the user's actions in actionLog(): commands by object name, presses and drags by button and view,
+/// and keys that are no text. Cost: a test of the type of each event.
 class ActionRecorder : public QObject {
   Q_OBJECT
 
  public:
-  /// From now on, for all windows that are made later. @pre there is an application
+  /// Records from now on, for all windows made later. @pre there is an application
   explicit ActionRecorder(QObject* parent);
 
  protected:
@@ -19,7 +19,7 @@ class ActionRecorder : public QObject {
  private:
   void onTriggered();
 
-  quint64 m_lastInput = 0;  ///< time stamp: an event that a widget leaves to its parent is noted once
+  quint64 m_lastInput = 0;  ///< time stamp: an event that a widget passes to its parent is recorded once
 };
 
 }  // namespace geargraph::inline crash

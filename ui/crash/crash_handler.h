@@ -5,14 +5,14 @@
 
 namespace geargraph::inline crash {
 
-/// From now on a crash of this process (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT with broken contracts,
-/// std::terminate) writes a report as text into `folder` before it ends the process as it would have without:
-/// `details`, time, signal, thread, last actions (actionLog()) and backtrace. Nothing of a document, no name
-/// of a file that the user has.
+/// Installs a handler for crashes of this process (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT with violated
+/// contracts, std::terminate), which writes a text report into `folder` before the process ends as usual:
+/// `details`, time, signal, thread, last actions (actionLog()) and backtrace, but nothing of a document and
+/// no names of the user's files.
 ///
-/// The handler allocates nothing and takes no lock of the program; it gives up after ten seconds. It has a
-/// stack of its own for the thread that calls this, so that a stack overflow there is reported, too. Call it
-/// once, before other threads start.
+/// The handler does not allocate or take locks of the program; it gives up after ten seconds. It has a stack
+/// of its own for the calling thread, so that a stack overflow there is reported too. To be called once,
+/// before other threads start.
 /// @pre no report is being written
 void installCrashHandler(const std::filesystem::path& folder, const std::string& details);
 

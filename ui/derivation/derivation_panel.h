@@ -11,27 +11,27 @@ class QToolButton;
 
 namespace geargraph::inline ui_derivation {
 
-/// The derivation of the newest snapshot: a list of its sections, and the derivation as on a page. It is
-/// worked out only while it is in sight.
+/// The derivation of the newest snapshot: a list of its sections, and the derivation as a page. Computed only
+/// while the panel is visible.
 class DerivationPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit DerivationPanel(Selection* selection, QWidget* parent = nullptr);
 
-  /// `whyNot`: what keeps this mechanism from being derived; empty for nothing.
+  /// `whyNot`: why there is no derivation of this mechanism; empty if there is one.
   void setSnapshot(const SnapshotPtr& snapshot, const QString& whyNot);
-  /// Is it in sight?
+  /// Tells whether the panel is visible.
   void setAwake(bool awake);
-  /// Brings the section with this heading into sight, once the derivation is there; the beginning where it
-  /// has none.
+  /// Scrolls to the section with this heading as soon as the derivation is available; to the beginning if
+  /// there is no such section.
   void showSection(const QString& heading);
-  /// Is the derivation that is shown the newest snapshot's?
+  /// Is the shown derivation that of the newest snapshot?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_snapshot; }
 
   [[nodiscard]] DerivationView& view() { return *m_view; }
   [[nodiscard]] QComboBox& sections() { return *m_sections; }
-  /// What stands in its place; empty while a derivation is shown.
+  /// The text shown instead; empty while a derivation is shown.
   [[nodiscard]] QString emptyText() const;
 
  signals:
@@ -53,10 +53,10 @@ class DerivationPanel : public QWidget {
   QComboBox* m_sections = nullptr;
   QToolButton* m_export = nullptr;
   SnapshotPtr m_snapshot;
-  SnapshotPtr m_wanted;  ///< asked for last
+  SnapshotPtr m_wanted;  ///< last requested
   SnapshotPtr m_shown;
   QString m_whyNot;
-  QString m_section;  ///< the heading that is to come into sight with the next report
+  QString m_section;  ///< the heading to scroll to with the next report
   bool m_isAwake = false;
 };
 

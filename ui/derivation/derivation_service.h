@@ -10,9 +10,9 @@ namespace geargraph::inline ui_derivation {
 
 using SetReportPtr = std::shared_ptr<const SetReport>;
 
-/// Works out and sets derivations.
+/// Computes and typesets derivations on a background thread.
 ///
-/// @pre the snapshots that are requested are complete and of no more than kMostReportLinks links
+/// @pre requested snapshots are complete and have at most kMostReportLinks links
 class DerivationService final : public Service<SnapshotPtr, SetReportPtr> {
  public:
   explicit DerivationService(QObject* parent = nullptr);

@@ -11,9 +11,9 @@
 
 namespace geargraph::inline ui_derivation {
 
-/// A derivation, set like a printed page, as wide as the view; a matrix that is wider even when it is small
-/// scrolls. Equations of an element light up with it and select it; of what is selected elsewhere the nearest
-/// one comes into sight. Ctrl and the wheel zoom.
+/// A typeset derivation, as wide as the view; a matrix that is too wide even at its smallest size scrolls.
+/// Equations of an element are highlighted with it, and a click selects it; for a selection in another view
+/// the nearest equation is scrolled into view. Ctrl and the wheel zoom.
 class DerivationView : public QAbstractScrollArea {
   Q_OBJECT
 
@@ -22,22 +22,23 @@ class DerivationView : public QAbstractScrollArea {
 
   explicit DerivationView(Selection* selection, QWidget* parent = nullptr);
 
-  /// What is in sight stays there, as far as it is still there.
+  /// Shows a report, keeping the scroll position as far as possible.
   void setReport(const SetReportPtr& report);
   [[nodiscard]] const SetReportPtr& report() const { return m_report; }
 
   [[nodiscard]] double zoom() const { return m_zoom; }
   void setZoom(double zoom);
 
-  /// The blocks that are headings, from the first on.
+  /// The blocks that are headings, in order.
   [[nodiscard]] const std::vector<std::size_t>& headings() const { return m_headings; }
-  /// Of the heading that is above what is in sight; 0 at the beginning.
+  /// The index of the last heading above the visible part; 0 at the beginning.
   [[nodiscard]] int currentHeading() const;
   void showHeading(int heading);
 
-  /// Where the strip of an equation's first line is, in the viewport; empty for none of this number.
+  /// The rectangle of an equation's first line in the viewport; empty if there is no equation with this
+  /// number.
   [[nodiscard]] QRect equationPlace(int number) const;
-  /// What "Copy" takes at a place of the viewport: the TeX of an equation, the text of anything else.
+  /// The text for "Copy" at a point of the viewport: the TeX of an equation, the text of anything else.
   [[nodiscard]] QString textAt(QPoint place) const;
   [[nodiscard]] bool isEquationAt(QPoint place) const;
 
@@ -58,7 +59,7 @@ class DerivationView : public QAbstractScrollArea {
   void scrollContentsBy(int dx, int dy) override;
 
  private:
-  /// A place in the document that a new layout goes back to.
+  /// A position in the document to which a new layout returns.
   struct Anchor {
     int heading = 0;
     int below = 0;  ///< px
@@ -73,20 +74,20 @@ class DerivationView : public QAbstractScrollArea {
   [[nodiscard]] std::optional<ElementId> elementAt(QPoint place) const;
   void paintLight(QPainter& painter, std::size_t line, QPointF origin);
   void hover(const std::optional<ElementId>& element);
-  /// Scrolls to the nearest equation of what is selected where none is in sight.
+  /// Scrolls to the nearest equation of the selection if none is visible.
   void showSelected();
 
   Selection* m_selection;
   SetReportPtr m_report;
   std::optional<FontMeasure> m_measure;
   std::vector<FlowLine> m_lines;
-  std::vector<double> m_tops;           ///< of lines; one more: the end
+  std::vector<double> m_tops;           ///< by line, and one for the end
   std::vector<std::size_t> m_headings;  ///< blocks
   FlowPainter m_painter;
   double m_zoom = 1;
   int m_laidOutFor = -1;  ///< width
-  bool m_hovers = false;  ///< what is hovered was hovered here
-  int m_heading = -1;     ///< told last
+  bool m_hovers = false;  ///< the hovered element was hovered in this view
+  int m_heading = -1;     ///< last emitted
 };
 
 }  // namespace geargraph::inline ui_derivation

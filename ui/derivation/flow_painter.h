@@ -10,8 +10,8 @@
 
 namespace geargraph::inline ui_derivation {
 
-/// Words as QPainter shows them in a font. Remembers the words it has measured: a report says the same words
-/// again and again, and its next version does, too.
+/// Measures words as painted by QPainter in a font. Caches the widths, because words are repeated within a
+/// report and in its next version.
 class FontMeasure : public WordMeasure {
  public:
   explicit FontMeasure(const QFont& base) : m_base(base) {}
@@ -19,7 +19,7 @@ class FontMeasure : public WordMeasure {
   [[nodiscard]] const QFont& font() const { return m_base; }
 
  private:
-  /// Of one size and weight.
+  /// The cache for one size and weight.
   struct Words {
     QFontMetricsF metrics;
     std::map<std::string, double, std::less<>> widths;
@@ -29,7 +29,7 @@ class FontMeasure : public WordMeasure {
   mutable std::map<std::pair<long, bool>, Words> m_words;
 };
 
-/// Paints the strips of a report, on the screen and on pages. Use it on the thread that made it.
+/// Paints the strips of a report, on screen and on pages. To be used on the thread that made it.
 class FlowPainter {
  public:
   struct Colors {
@@ -39,8 +39,8 @@ class FlowPainter {
     Theme theme = Theme::light;  ///< of curves
   };
 
-  /// The strip with its upper left corner at `origin`; words in `base`, as FontMeasure has measured them.
-  /// Rules are `hair` thick.
+  /// Paints a strip with its upper left corner at `origin`; words in the font `base`, as measured by
+  /// FontMeasure. `hair`: thickness of rules.
   void paint(QPainter& painter, const FlowLine& line, QPointF origin, const QFont& base, const Colors& colors,
              double hair = 1);
 

@@ -6,14 +6,14 @@
 
 namespace geargraph::inline ui_derivation {
 
-/// One formula on a line of its own. As wide as it is: put it into a scroll area where it may be long.
+/// A label with one displayed formula at its natural width: put it into a scroll area if it may be long.
 class FormulaLabel : public QWidget {
   Q_OBJECT
 
  public:
   explicit FormulaLabel(QWidget* parent = nullptr);
 
-  /// In the TeX that core writes. @pre it can be read (typeset/tex_reader.h), or is empty
+  /// Sets the formula, in core's subset of TeX. @pre it can be parsed (typeset/tex_reader.h), or is empty
   void setTex(const std::string& tex);
   [[nodiscard]] const std::string& tex() const { return m_tex; }
 

@@ -9,7 +9,7 @@
 
 namespace geargraph::inline ui_derivation {
 
-/// Paints formulas in the faces that they were set in.
+/// Paints typeset formulas in their fonts.
 class FormulaPainter {
  public:
   struct Colors {
@@ -17,7 +17,7 @@ class FormulaPainter {
     QColor label;
   };
 
-  /// The box with the left end of its baseline at `origin` and an em of `size` pixels.
+  /// Paints a box with the left end of its baseline at `origin` and an em of `size` pixels.
   void paint(QPainter& painter, const FormulaBox& box, QPointF origin, double size, const Colors& colors);
 
  private:

@@ -6,8 +6,8 @@ class QUndoStack;
 
 namespace geargraph::inline document {
 
-/// The steps of a history, the oldest first: row 0 is the document before any of them, row i with the first i
-/// of them done.
+/// The steps of a history, the oldest first: row 0 is the document before the first, row i that after i
+/// steps.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
 

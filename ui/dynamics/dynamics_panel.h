@@ -24,9 +24,8 @@ class MotionPage;
 
 enum class DynamicsView { masses, inertia, equation, motion };
 
-/// Dynamics of the window's document: what its links weigh, the inertia that motors feel, the equation of
-/// motion at the moment that the 3D view shows, and the motion that torques cause. Nothing is computed while
-/// it is out of sight.
+/// Dynamics of the window's document: masses, inertia reflected to the motors, the equation of motion at the
+/// pose of the 3D view, and forward dynamics. Nothing is computed while the panel is hidden.
 class DynamicsPanel : public QWidget {
   Q_OBJECT
 
@@ -34,7 +33,7 @@ class DynamicsPanel : public QWidget {
   DynamicsPanel(Document* document, Selection* selection, View3D* view, QWidget* parent = nullptr);
 
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// Is it in sight?
+  /// Tells whether the panel is visible.
   void setAwake(bool awake);
   void showView(DynamicsView view);
 
@@ -44,7 +43,7 @@ class DynamicsPanel : public QWidget {
   [[nodiscard]] InertiaBars& inertia() { return *m_bars; }
   [[nodiscard]] EquationPage& equation() { return *m_equation; }
   [[nodiscard]] MotionPage& motion() { return *m_motion; }
-  /// What the panel shows instead of its views; empty while it shows them.
+  /// The text shown instead of the views; empty while they are shown.
   [[nodiscard]] QString emptyText() const;
   /// The line below the view.
   [[nodiscard]] QString remark() const;
@@ -59,7 +58,7 @@ class DynamicsPanel : public QWidget {
   void showDynamics();
   void showRemark();
   [[nodiscard]] DynamicsView view() const;
-  /// The view as a table, and a name for its file; none where there is nothing to show.
+  /// The view as a table, and a name for its file; std::nullopt if there is nothing to show.
   [[nodiscard]] std::optional<std::pair<QString, std::string>> csv(char separator) const;
 
   View3D* m_view3d;

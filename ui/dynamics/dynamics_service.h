@@ -10,8 +10,8 @@
 
 namespace geargraph::inline ui_dynamics {
 
-/// Angles and speeds of the inputs, rad and rad/s, in the order of the solution's. Empty: the reference pose
-/// at rest.
+/// Angles and speeds of the inputs, rad and rad/s, in the order of the solution. Empty: the reference pose at
+/// rest.
 struct InputMoment {
   std::vector<double> angles;
   std::vector<double> speeds;
@@ -28,16 +28,16 @@ using MechanismDynamicsPtr = std::shared_ptr<const MechanismDynamics>;
 /// The dynamics of a snapshot's mechanism.
 struct Dynamics {
   SnapshotPtr snapshot;
-  MechanismDynamicsPtr train;  ///< null where there is none: `whyNone`
+  MechanismDynamicsPtr train;  ///< null: `whyNone` has the reason
   std::string whyNone;         ///< a sentence
-  DynamicState state;          ///< at the moment that was asked for
+  DynamicState state;          ///< at the requested moment
   bool isMassless = false;     ///< a motion of the inputs moves no mass, so torques determine no acceleration
   double metres = 0;           ///< in one of the document's unit
 };
 using DynamicsPtr = std::shared_ptr<const Dynamics>;
 
-/// The dynamics of the window's document, on a thread of its own, while a view shows them. Masses are kept
-/// from one moment to the next of the same mechanism.
+/// Computes the dynamics of the window's document on a background thread, while a view shows them. Masses are
+/// cached between moments of the same mechanism.
 class DynamicsService final : public Service<DynamicsRequest, DynamicsPtr> {
  public:
   explicit DynamicsService(QObject* parent = nullptr);

@@ -13,15 +13,15 @@ class FormulaLabel;
 
 namespace geargraph::inline ui_dynamics {
 
-/// The equation of motion in the inputs: in symbols, with its numbers as matrices where they are few, and as
-/// a table.
+/// The equation of motion in the inputs: in symbols, with numerical matrices if they are small, and as a
+/// table.
 class EquationPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit EquationPage(Selection* selection, QWidget* parent = nullptr);
 
-  /// Null: nothing.
+  /// Shows the dynamics; null: nothing.
   void show(const DynamicsPtr& dynamics);
   [[nodiscard]] ValueTableModel& model() { return *m_model; }
   [[nodiscard]] const std::string& tex() const;

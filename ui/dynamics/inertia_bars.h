@@ -8,16 +8,15 @@
 
 namespace geargraph::inline ui_dynamics {
 
-/// The inertia at each motor as a bar, parted by the links that make it up: a part is as long as its share.
-/// A part is named where there is room, explained as a tooltip, linked with the selection, and chosen by a
-/// click, or by the arrow keys.
+/// The reflected inertia at each motor as a stacked bar of the links' shares. A part is labelled if there is
+/// room, explained in a tool tip, linked with the selection, and chosen by a click or the arrow keys.
 class InertiaBars : public QWidget {
   Q_OBJECT
 
  public:
   explicit InertiaBars(Selection* selection, QWidget* parent = nullptr);
 
-  /// Null: no bars.
+  /// Shows the dynamics; null: no bars.
   void show(const DynamicsPtr& dynamics);
 
   struct Part {
@@ -31,7 +30,7 @@ class InertiaBars : public QWidget {
     ElementId joint;
     QString title;  ///< "joint 8"
     double inertia = 0;
-    std::vector<Part> parts;  ///< of the links that have any, in their order
+    std::vector<Part> parts;  ///< of the links with a share, in order
   };
   [[nodiscard]] const std::vector<Bar>& bars() const { return m_bars; }
   [[nodiscard]] QRectF placeOf(std::size_t bar, std::size_t part) const;

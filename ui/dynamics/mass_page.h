@@ -12,21 +12,21 @@ class NumberField;
 
 namespace geargraph::inline ui_dynamics {
 
-/// The masses of the links as a table whose masses can be typed, the density of all solids, and gravity.
-/// Every change is an edit that can be undone; what is spun until a field is left is one step.
+/// The masses of the links as a table with editable masses, the density of all solids, and gravity. Every
+/// change is an undoable edit; spinning a field until it is left is one step.
 class MassPage : public QWidget {
   Q_OBJECT
 
  public:
   MassPage(Document* document, Selection* selection, QWidget* parent = nullptr);
 
-  /// Null: no table.
+  /// Shows the dynamics; null: no table.
   void show(const DynamicsPtr& dynamics);
   [[nodiscard]] LinkedTable& table() { return *m_table; }
   [[nodiscard]] ValueTableModel& model() { return *m_model; }
-  /// The link's stated mass; none leaves it to its solids. False where it is refused.
+  /// Sets the link's stated mass; none: from its solids. False if it is rejected.
   bool setMass(int row, const std::optional<Number>& mass, quint64 gesture);
-  /// What the document states of the mass of a row's link.
+  /// The stated mass of a row's link.
   [[nodiscard]] std::optional<Number> statedMass(int row) const;
 
  private:

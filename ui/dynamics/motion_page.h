@@ -21,31 +21,31 @@ namespace geargraph::inline ui_dynamics {
 
 class MotorsForm;
 
-/// Forward dynamics: the torques of the motors, the motion that they cause as plots over time, with its
-/// energy balance, and played by the 3D view. The motion is followed on a thread of its own and can be
-/// stopped; it goes when the mechanism changes.
+/// Forward dynamics: the torques of the motors, the resulting motion as plots over time with its energy
+/// balance, and its playback in the 3D view. The simulation runs on a background thread and can be stopped;
+/// its result is discarded when the mechanism changes.
 class MotionPage : public QWidget {
   Q_OBJECT
 
  public:
   MotionPage(Selection* selection, View3D* view, QWidget* parent = nullptr);
 
-  /// That of the mechanism now; null: none.
+  /// Sets the dynamics of the current mechanism; null: none.
   void show(const DynamicsPtr& dynamics);
-  /// The mechanism is another one: motions of the last one go.
+  /// Discards the motion, for another mechanism.
   void forget();
 
   [[nodiscard]] const SimulatedMotionPtr& motion() const { return m_simulations->answer(); }
-  [[nodiscard]] bool hasMotion() const;  ///< with a start at least
+  [[nodiscard]] bool hasMotion() const;  ///< with at least the start
   [[nodiscard]] bool isRunning() const { return m_simulations->isRunning(); }
-  /// What is known of the motion, as a sentence: its energy balance, or why there is none.
+  /// The result as a sentence: the energy balance, or why there is no motion.
   [[nodiscard]] QString verdict() const;
-  /// Null where there is no motion. `separator`: of the fields.
+  /// The motion as CSV; std::nullopt without a motion. `separator`: of the fields.
   [[nodiscard]] std::optional<std::string> csv(char separator) const;
   [[nodiscard]] MotionPlot& plot() { return *m_plot; }
 
  signals:
-  void motionChanged();  ///< it has come, or gone
+  void motionChanged();  ///< a motion is available, or was discarded
 
  private:
   QWidget* makeLeft();

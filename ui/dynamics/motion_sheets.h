@@ -8,11 +8,11 @@
 
 namespace geargraph::inline ui_dynamics {
 
-/// What is plotted of a simulated motion.
+/// The plotted quantities of a simulated motion.
 enum class MotionQuantity { speeds, torques, energies };
 
 /// The quantity over time: speeds of the inputs and of the turning joints among `chosen`; torques of the
-/// motors; or the energies, the work done, and what they leave, which stays 0.
+/// motors; or the energies, the work done, and the energy balance, which stays 0.
 /// @pre the motion has samples and is the mechanism's
 [[nodiscard]] CurveSheet motionSheet(const Mechanism& mechanism, const SimulatedMotion& motion,
                                      MotionQuantity quantity, const std::set<ElementId>& chosen = {});
@@ -20,7 +20,7 @@ enum class MotionQuantity { speeds, torques, energies };
 /// The motion for the 3D view. @pre it has samples
 [[nodiscard]] InputTrajectoryPtr trajectoryOf(const Simulation& simulation);
 
-/// The motion as CSV: motionColumns() and a row a sample.
+/// The motion as CSV: motionColumns() and one row per sample.
 [[nodiscard]] std::string motionCsv(const Mechanism& mechanism, const SimulatedMotion& motion,
                                     char separator);
 

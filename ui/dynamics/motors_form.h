@@ -14,16 +14,16 @@ class NumberField;
 
 namespace geargraph::inline ui_dynamics {
 
-/// What a simulation begins with: per input the torque of its motor, how much it loses with the speed, angle
-/// and speed at time 0; and how long the motion is followed. No part of the document.
+/// The parameters of a simulation: per input motor torque, damping, angle and speed at time 0; and the
+/// duration. Not part of the document.
 class MotorsForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit MotorsForm(QWidget* parent = nullptr);
 
-  /// The inputs, by position, with the inertia at each: numbers of joints that stay are kept, the torque of a
-  /// new one makes it gain some 10 rad/s in a second.
+  /// Sets the inputs, by position, with their reflected inertias: values of joints that remain are kept; the
+  /// default torque of a new one accelerates it at about 10 rad/s².
   void setInputs(const Mechanism& mechanism, const std::vector<int>& joints, const Eigen::VectorXd& inertias);
   /// For the inputs of setInputs(), in their order; without limits.
   [[nodiscard]] SimulationOptions options() const;

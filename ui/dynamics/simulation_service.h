@@ -11,8 +11,8 @@ namespace geargraph::inline ui_dynamics {
 struct SimulationRequest {
   MechanismDynamicsPtr train;
   SimulationOptions options;
-  std::shared_ptr<std::atomic<double>> reached;  ///< s of the motion, written as it is followed
-  std::stop_source halt;  ///< ends the motion where it is; what is known of it is the answer
+  std::shared_ptr<std::atomic<double>> reached;  ///< simulated time, s, updated while it runs
+  std::stop_source halt;  ///< ends the simulation early; the answer is the motion so far
 };
 
 /// The motion of a train under torques.
@@ -22,18 +22,18 @@ struct SimulatedMotion {
 };
 using SimulatedMotionPtr = std::shared_ptr<const SimulatedMotion>;
 
-/// Follows the motion that torques cause, on a thread of its own.
+/// Runs forward dynamics on a background thread.
 class SimulationService final : public Service<SimulationRequest, SimulatedMotionPtr> {
  public:
   explicit SimulationService(QObject* parent = nullptr);
 
   void start(MechanismDynamicsPtr train, SimulationOptions options);
-  /// Ends the motion under way; its answer is what is known of it.
+  /// Ends the current simulation early; its answer is the motion so far.
   void halt();
-  /// No motion is known or under way any more.
+  /// Cancels the simulation and discards the last answer.
   void forget();
   [[nodiscard]] bool isRunning() const { return !isComplete(); }
-  /// How much of the motion is done, 0..1.
+  /// The fraction done, 0..1.
   [[nodiscard]] double progress() const;
 
  private:

@@ -12,17 +12,17 @@
 
 namespace geargraph::inline ui_exercises {
 
-/// What can be asked about a mechanism; with a plan, its questions as a lesson, too.
+/// A request for the available exercises of a mechanism; with a plan also for its questions as a lesson.
 struct ExerciseRequest {
   MechanismPtr mechanism;
   std::optional<SheetPlan> plan = {};
   int variant = 1;
 };
 
-/// A kind of question, and why the mechanism gives none.
+/// A kind of question, with the reason if it is not available for the mechanism.
 struct KindOffer {
   ExerciseKind kind = ExerciseKind::incidence;
-  std::string reason;  ///< empty where it gives one
+  std::string reason;  ///< empty if it is available
 };
 
 struct ExerciseAnswer {
@@ -33,10 +33,9 @@ struct ExerciseAnswer {
 };
 using ExerciseAnswerPtr = std::shared_ptr<const ExerciseAnswer>;
 
-/// Makes exercises off the GUI thread.
+/// Generates exercises off the GUI thread.
 ///
-/// @pre the mechanisms that are sent have at most kMostExerciseLinks moving links and give every kind of the
-/// plan
+/// @pre requested mechanisms have at most kMostExerciseLinks moving links and support every kind of the plan
 class ExerciseService final : public Service<ExerciseRequest, ExerciseAnswerPtr> {
  public:
   explicit ExerciseService(QObject* parent = nullptr);

@@ -14,17 +14,17 @@ class QSpinBox;
 
 namespace geargraph::inline ui_exercises {
 
-/// Which questions are asked about the mechanism, from which seed: to be practised in a window, or written as
-/// sheets and handouts for a class. Kinds that the mechanism does not give say why.
+/// Chooses questions about the mechanism and their seed: to be practised in a window, or written as sheets
+/// and handouts for a class. Kinds that are not available show the reason.
 class ExercisesDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit ExercisesDialog(QWidget* parent = nullptr);
 
-  /// What is asked about from now on; what was chosen stays chosen.
+  /// Sets the mechanism; the choices are kept.
   void setMechanism(const MechanismPtr& mechanism);
-  /// What is asked with the kinds that are chosen; without kinds where nothing can be asked.
+  /// The plan with the chosen kinds; without kinds if none is available.
   [[nodiscard]] SheetPlan plan() const;
   [[nodiscard]] QListWidget& kinds() { return *m_kinds; }
   [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
@@ -45,9 +45,8 @@ class ExercisesDialog : public QDialog {
 
   ExerciseService* m_service;
   MechanismPtr m_mechanism;
-  MechanismPtr
-      m_offered;  ///< whose kinds are listed: another one while those of m_mechanism are on their way
-  bool m_isPractising = false;  ///< the lesson that was asked for has not come yet
+  MechanismPtr m_offered;       ///< whose kinds are listed: the former one until those of m_mechanism arrive
+  bool m_isPractising = false;  ///< waiting for the requested lesson
   QLabel* m_difficulty;
   QListWidget* m_kinds;
   QSpinBox* m_each;

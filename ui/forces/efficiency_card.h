@@ -16,23 +16,23 @@ class NumberField;
 
 namespace geargraph::inline forces {
 
-/// What takes longer than the torques themselves.
+/// Results that take longer than the torques themselves.
 struct EfficiencyAnswer {
   ForcesPtr forces;
-  std::string formula;  ///< as RationalFunction::toText(); empty: none that is short enough to be read
-  std::optional<LockingLimits> limits;  ///< none where efficiencies cannot be followed
+  std::string formula;                  ///< as RationalFunction::toText(); empty: none within the budget
+  std::optional<LockingLimits> limits;  ///< none if efficiencies have no curve
 };
 using EfficiencyAnswerPtr = std::shared_ptr<const EfficiencyAnswer>;
 
-/// The efficiency of the train: forward and backward, in symbols, and where self-locking begins; with the
-/// efficiency of the document's meshes to move, by a slider (a drag is one undo step) or a number.
+/// The efficiency of the train: forward and backward, in symbols, and where self-locking begins; with a
+/// slider (a drag is one undo step) and a field for the efficiency of the document's meshes.
 class EfficiencyCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit EfficiencyCard(Document* document, QWidget* parent = nullptr);
 
-  /// Those of the newest answer; null: none.
+  /// Shows the newest answer; null: none.
   void show(const ForcesPtr& forces);
   [[nodiscard]] bool isUpToDate() const { return m_answers->isComplete(); }
   [[nodiscard]] QString formula() const;

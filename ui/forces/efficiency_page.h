@@ -15,7 +15,7 @@ struct EfficiencyRequest {
   ForcesPtr forces;
   CurveAxis axis = CurveAxis::meshEfficiency;
 };
-/// A curve of solved torques.
+/// The efficiency curve of solved torques.
 struct FollowedEfficiency {
   ForcesPtr forces;
   EfficiencyCurve curve;
@@ -23,23 +23,23 @@ struct FollowedEfficiency {
 using FollowedEfficiencyPtr = std::shared_ptr<const FollowedEfficiency>;
 
 /// The efficiency of the train as a plot, over the ratio of two speeds or over the efficiency of its meshes;
-/// or the torques that hold the loads. It is followed on a thread of its own while the page is in sight.
+/// or the torques that hold the loads. Computed on a background thread while the page is visible.
 class EfficiencyPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit EfficiencyPage(QWidget* parent = nullptr);
 
-  /// That of the newest answer; null: none.
+  /// Shows the newest answer; null: none.
   void show(const ForcesPtr& forces);
 
   [[nodiscard]] bool isUpToDate() const { return m_curves->isComplete(); }
-  /// Null where nothing is plotted.
+  /// Null if nothing is plotted.
   [[nodiscard]] const FollowedEfficiencyPtr& followed() const { return m_curves->answer(); }
   [[nodiscard]] EfficiencyPlot& plot() { return *m_plot; }
   /// Why nothing is plotted, as a sentence; empty where something is.
   [[nodiscard]] QString emptyText() const;
-  /// Null where nothing is plotted.
+  /// std::nullopt if nothing is plotted.
   [[nodiscard]] std::optional<ValueTable> table() const;
 
  signals:

@@ -8,8 +8,8 @@
 
 namespace geargraph::inline forces {
 
-/// A few lines over one quantity, with axes and a legend; a line has gaps where it has no value. The pointer,
-/// or the left and right arrow keys, move a hair line that reads the values.
+/// A line plot with axes and a legend; a line has gaps where it has no value. The pointer, or the left and
+/// right arrow keys, move a crosshair that reads the values.
 class EfficiencyPlot : public QWidget {
   Q_OBJECT
 
@@ -18,21 +18,21 @@ class EfficiencyPlot : public QWidget {
     QString name;
     ColorRole colour = ColorRole::accent;
     Qt::PenStyle style = Qt::SolidLine;
-    std::vector<std::optional<double>> values;  ///< one a place
+    std::vector<std::optional<double>> values;  ///< one per place
   };
   struct Sheet {
-    QString across;  ///< what the places are
-    QString up;      ///< what the values are, with its unit
+    QString across;  ///< title of the horizontal axis
+    QString up;      ///< title of the vertical axis, with its unit
     std::vector<double> places;
     std::vector<Line> lines;
-    std::optional<double> now;  ///< where the train is
+    std::optional<double> now;  ///< the present value of the train
   };
 
   explicit EfficiencyPlot(QWidget* parent = nullptr);
 
   void setSheet(Sheet sheet);
   [[nodiscard]] const Sheet& sheet() const { return m_sheet; }
-  /// The values at the hair line, in words; empty where there is none.
+  /// The values at the crosshair as text; empty without one.
   [[nodiscard]] QString reading() const;
   [[nodiscard]] QPointF placeOf(double place, double value) const;
 
@@ -51,9 +51,9 @@ class EfficiencyPlot : public QWidget {
   void paintLegend(QPainter& painter) const;
 
   Sheet m_sheet;
-  double m_low = 0;  ///< of the values that are shown
+  double m_low = 0;  ///< lower limit of the vertical axis
   double m_high = 1;
-  std::optional<std::size_t> m_read;  ///< the place that the hair line is at
+  std::optional<std::size_t> m_read;  ///< index of the place at the crosshair
 };
 
 }  // namespace geargraph::inline forces

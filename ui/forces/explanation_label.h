@@ -8,8 +8,9 @@
 
 namespace geargraph::inline forces {
 
-/// Explains what is selected by the torques: the cutset of one joint with its equation, or which gear of one
-/// mesh drives. What the joint cuts off, and what crosses, stays lit in all views while it is explained.
+/// Explains the selected element by its torques: the cutset of a joint with its equation, or which gear of a
+/// mesh drives. The links that the joint cuts off, and the elements that cross, are highlighted in all views
+/// meanwhile.
 class ExplanationLabel : public QLabel {
   Q_OBJECT
 
@@ -17,12 +18,13 @@ class ExplanationLabel : public QLabel {
   explicit ExplanationLabel(Selection* selection, QWidget* parent = nullptr);
 
   void show(const ForcesPtr& forces);
-  /// Nothing is explained, and nothing lit, while it cannot be seen.
+  /// While it is hidden nothing is explained or highlighted.
   void setAwake(bool awake);
 
  private:
   void explain();
-  /// Empty where nothing that can be explained is selected alone; `lit` is what is to stand out with it.
+  /// The explanation; empty unless a single explainable element is selected. `lit`: the elements to
+  /// highlight.
   [[nodiscard]] QString words(std::set<ElementId>& lit) const;
 
   Selection* m_selection;

@@ -12,10 +12,10 @@ class ForceTableModel : public ValueTableModel {
  public:
   using ValueTableModel::ValueTableModel;
 
-  /// The table of `forces` of this kind; without rows where there is none.
+  /// The table of `forces` of this kind; without rows if there is none.
   void show(const ForcesPtr& forces, ForceTableKind kind);
   [[nodiscard]] ForceTableKind kind() const { return m_kind; }
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const ForceTable* table() const { return m_forces ? m_forces->table(m_kind) : nullptr; }
 
  private:

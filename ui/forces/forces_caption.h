@@ -6,8 +6,8 @@
 
 namespace geargraph::inline forces {
 
-/// Why a picture of these forces lacks some, or has none, and what to do: no loads, no equilibrium, a unit of
-/// length that is not known, loads that are shared in unknown parts. Empty where all forces are known.
+/// Why a picture of these forces is incomplete or empty, and what to do: no loads, no equilibrium, an unknown
+/// unit of length, indeterminate forces. Empty if all forces are known.
 /// Cost: O(meshes + joints).
 [[nodiscard]] QString forcesCaption(const ForcesPtr& forces);
 

@@ -25,9 +25,9 @@ class LinkedTable;
 class LoadsList;
 class TwinLine;
 
-/// Torques, forces and powers of the newest snapshot: the loads, a table of what holds them, and what becomes
-/// of the power. A row is linked with the selection both ways. Documents without loads are solved only while
-/// it is in sight.
+/// Torques, forces and powers of the newest snapshot: the loads, a table of the torques that hold them, and
+/// the power balance. Rows are linked with the selection in both directions. Documents without loads are
+/// solved only while the panel is visible.
 class ForcesPanel : public QWidget {
   Q_OBJECT
 
@@ -35,36 +35,36 @@ class ForcesPanel : public QWidget {
   /// `service`: the window's, which follows the document
   ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent = nullptr);
 
-  /// The states that can be chosen.
+  /// Sets the snapshot, whose states can be chosen.
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// Is it in sight?
+  /// Tells whether the panel is visible.
   void setAwake(bool awake);
   void showTable(ForceTableKind kind);
-  /// Couplings of this state are engaged; -1: those that the document engages.
+  /// Shows the forces of this state; -1: of the document's engagement.
   void showState(int state);
 
   [[nodiscard]] bool isUpToDate() const;
   [[nodiscard]] const ForcesPtr& forces() const { return m_service->answer(); }
   [[nodiscard]] ForceTableModel& model() { return *m_model; }
   [[nodiscard]] LinkedTable& table() { return *m_table; }
-  /// The plots of the efficiency, instead of a table.
+  /// Shows the plots of the efficiency instead of a table.
   void showPlots();
   [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
   [[nodiscard]] EfficiencyCard& efficiency() { return *m_card; }
   [[nodiscard]] TwinLine& twinLine() { return *m_twin; }
   [[nodiscard]] QSize minimumSizeHint() const override;
-  /// The finding under the table; empty where all is well.
+  /// The diagnostic under the table; empty if there is none.
   [[nodiscard]] QString remark() const;
-  /// The cutset of the one selected joint with its equation, or which gear of the one selected mesh drives;
-  /// empty else. What a cutset cuts off, and what crosses it, stays lit in all views meanwhile.
+  /// The text of the ExplanationLabel: the cutset of the one selected joint with its equation, or which gear
+  /// of the one selected mesh drives; else empty.
   [[nodiscard]] QString explanation() const;
-  /// What the table is replaced by; empty while it is shown.
+  /// The text shown instead of the table; empty while the table is shown.
   [[nodiscard]] QString emptyText() const;
   /// A value below the table, by its name: "fed", "forward".
   [[nodiscard]] QString total(const QString& name) const;
 
  signals:
-  /// The table that is shown, as CSV, under a name for its file.
+  /// The shown table as CSV, with a name for its file.
   void exportWanted(const QString& name, const QString& csv);
 
  protected:
@@ -98,7 +98,7 @@ class ForcesPanel : public QWidget {
   ForcesService* m_service;
   ForceTableModel* m_model;
   LoadsList* m_loads;
-  QWidget* m_side = nullptr;  ///< the loads, and below them the card where it has no column of its own
+  QWidget* m_side = nullptr;  ///< the loads, with the card below them if it has no column of its own
   QScrollArea* m_sideView = nullptr;
   LinkedTable* m_table;
   QStackedWidget* m_pages;

@@ -7,14 +7,15 @@
 
 namespace geargraph::inline forces {
 
-/// A table of values whose rows are linked with the selection both ways.
+/// A table of values whose rows are linked with the selection in both directions.
 class LinkedTable : public QTableView {
   Q_OBJECT
 
  public:
   LinkedTable(ValueTableModel* model, Selection* selection, QWidget* parent = nullptr);
 
-  /// The row of what is selected; the model does not tell when it has other rows.
+  /// Selects the row of the selection; to be called when the model has new rows, because it does not signal
+  /// this.
   void selectRowOfSelection();
 
  protected:

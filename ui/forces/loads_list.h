@@ -18,9 +18,9 @@ class NumberField;
 
 namespace geargraph::inline forces {
 
-/// The loads of the document, a row each: where it acts, its size in the unit that is chosen, and a button
-/// that removes it; and where torques are found that hold them. Every change is an edit that can be undone;
-/// what is spun until a field is left is one step.
+/// The loads of the document, one per row: element, value in the chosen unit, and a button for removal; and
+/// the places of the torques that hold them. Every change is an undoable edit; spinning a field until it is
+/// left is one step.
 class LoadsList : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class LoadsList : public QWidget {
   LoadsList(Document* document, Selection* selection, QWidget* parent = nullptr);
 
  public slots:
-  /// A load of 1 N m on the selected joint or link, else where a menu says.
+  /// Adds a load of 1 N m on the selected joint or link, else on an element from a menu.
   void addLoad();
 
  protected:
@@ -56,7 +56,7 @@ class LoadsList : public QWidget {
   [[nodiscard]] QString tipOf(const Load& load) const;
   [[nodiscard]] ElementId elementOf(const Load& load) const;
   [[nodiscard]] QString nameOf(const ElementId& element) const;
-  /// N m of one of the unit that is chosen.
+  /// The chosen unit in N m.
   [[nodiscard]] Rational newtonMetres() const;
 
   Document* m_document;

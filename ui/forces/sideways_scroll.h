@@ -4,8 +4,8 @@
 
 namespace geargraph::inline forces {
 
-/// A strip of controls that is as high as it needs and scrolls sideways where it is wider than its room, so
-/// that it does not keep a panel wide.
+/// A strip of controls with its natural height that scrolls horizontally if it is too wide, so that it does
+/// not force a minimum width on a panel.
 class SidewaysScroll : public QScrollArea {
   Q_OBJECT
 

@@ -13,10 +13,10 @@ class QLabel;
 
 namespace geargraph::inline forces {
 
-/// Between the inputs and the results of a document with loads, a row each: the torque of a load (a number to
-/// type or spin, and a button that removes it), the torques that were found, and the links that brakes and
-/// clutches hold. What the document itself holds (a balance of its own, an engaged coupling) has a button
-/// that lets it go. A click on a row's name selects what it is about.
+/// The torque rows between the inputs and the results of a document with loads: the torque of each load (an
+/// editable number and a button for removal), the torques found, and those of brakes and clutches. Balances
+/// and engaged couplings stated in the document have a button that releases them. A click on a row's name
+/// selects its element.
 class TorqueRows : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class TorqueRows : public QWidget {
 
  private:
   enum class Kind { load, found, held };
-  /// What a row says.
+  /// The content of a row.
   struct Content {
     Kind kind = Kind::found;
     int load = -1;  ///< its position in the document
@@ -39,7 +39,7 @@ class TorqueRows : public QWidget {
     std::optional<Number> torque;  ///< of a load
     QString value;                 ///< else
     QString exact;                 ///< the value as a fraction; empty: it is one already, or none
-    bool isOwn = false;            ///< the document holds it, and can let it go
+    bool isOwn = false;            ///< stated in the document, so that it can be released
     [[nodiscard]] bool hasSameRow(const Content& other) const {
       return kind == other.kind && load == other.load && element == other.element && name == other.name &&
              link == other.link && tip == other.tip && isOwn == other.isOwn;

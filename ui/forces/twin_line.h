@@ -7,9 +7,9 @@
 
 namespace geargraph::inline forces {
 
-/// The row of P that holds the speeds of a mesh beside the column that holds the torque in a joint, with the
-/// entry that both use framed. It follows the joint and mesh that are pointed at, else those selected. The
-/// framed entry can be clicked.
+/// The row of P for the speeds of a mesh and the column of P for the torque in a joint, with their common
+/// entry framed. It follows the hovered joint and mesh, else the selected ones. The framed entry can be
+/// clicked.
 class TwinLine : public QLabel {
   Q_OBJECT
 
@@ -17,14 +17,14 @@ class TwinLine : public QLabel {
   explicit TwinLine(Selection* selection, QWidget* parent = nullptr);
 
   void show(const ForcesPtr& forces);
-  /// The row and column of a matrix whose cell is under the mouse; both empty: none is. What is no joint or
-  /// mesh leaves the choice to what else is pointed at.
+  /// Sets the row and column of the matrix cell under the mouse; both empty: none. Elements other than joints
+  /// and meshes are ignored.
   void pointAt(const ElementId& row, const ElementId& column);
 
  signals:
-  /// There is something to show, or no longer.
+  /// Emitted when there is something to show, or no longer.
   void filled(bool isFilled);
-  /// Another entry is chosen, by what is pointed at or selected or by a click on it; both empty: none is.
+  /// Another entry is shown, by hovering, selection or a click; both empty: none.
   void entryChanged(const geargraph::ElementId& mesh, const geargraph::ElementId& joint);
   /// The framed entry was clicked.
   void entryWanted();
@@ -39,10 +39,9 @@ class TwinLine : public QLabel {
 
   Selection* m_selection;
   ForcesPtr m_forces;
-  std::set<ElementId> m_cell;  ///< that of a matrix, under the mouse
-  ElementId m_mesh, m_joint;   ///< of the entry that is framed here
-  std::set<ElementId> m_entry{
-      ElementId()};  ///< that others were told; nobody is told of one that nobody chose
+  std::set<ElementId> m_cell;                ///< that of a matrix, under the mouse
+  ElementId m_mesh, m_joint;                 ///< of the entry that is framed here
+  std::set<ElementId> m_entry{ElementId()};  ///< last emitted; initially a value that no entry has
 };
 
 }  // namespace geargraph::inline forces

@@ -8,22 +8,22 @@
 
 namespace geargraph::inline forces {
 
-/// A table of values with definitions. Fractions stand beside their decimals; every cell explains its column
-/// as a tooltip.
+/// A table of values with definitions. Fractions are shown beside their decimals; the tool tip of a cell
+/// explains its column.
 class ValueTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Without rows where it is null. The selection and the scroll position of views stay while only numbers
-  /// change; `isOther`: it is another table, whatever its shape.
+  /// Shows a table; null: no rows. Selection and scroll position of views are kept if only numbers change;
+  /// `isOther`: treat it as a different table, whatever its shape.
   void showTable(std::shared_ptr<const ValueTable> table, bool isOther = false);
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const std::shared_ptr<const ValueTable>& shownTable() const { return m_table; }
-  /// What lights up with a row.
+  /// The elements that are highlighted with a row.
   [[nodiscard]] std::set<ElementId> elementsAt(int row) const;
-  /// The first row that is about one of these; -1: none is.
+  /// The first row about one of these elements; -1: none.
   [[nodiscard]] int rowOf(const std::set<ElementId>& elements) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -12,8 +12,8 @@ struct ManualPage;
 
 namespace geargraph::inline ui_help {
 
-/// A page of the manual with its formulas and pictures, in the colours and the type of the window. Clicked
-/// commands, pages and lessons are signals; where they lead is the window's.
+/// Shows a page of the manual with its formulas and pictures, in the colours and fonts of the window. Clicks
+/// on commands, pages and lessons are emitted as signals, which the window handles.
 class HelpBrowser : public QTextBrowser {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class HelpBrowser : public QTextBrowser {
   /// @pre the page is one of manualPages()
   void showPage(const ManualPage* page, const QString& anchor);
   [[nodiscard]] const ManualPage* page() const { return m_page; }
-  /// Are all pictures that were asked for there?
+  /// Are all requested pictures available?
   [[nodiscard]] bool isSettled() const { return m_pictures.isSettled(); }
 
  signals:
@@ -48,7 +48,7 @@ class HelpBrowser : public QTextBrowser {
   HelpPictures m_pictures;
   FormulaPainter m_painter;
   std::vector<std::string> m_formulas;  ///< of the page, in TeX
-  int m_laidOutFor = 0;                 ///< the room for pictures then
+  int m_laidOutFor = 0;                 ///< width for pictures in the present layout
 };
 
 }  // namespace geargraph::inline ui_help

@@ -10,22 +10,24 @@
 
 namespace geargraph::inline ui_help {
 
-/// The pictures of the manual: drawings are made beside the window when a page first shows them, pictures of
-/// the window are read from the folder that the build has filled.
+/// The pictures of the manual: drawings are made on a background thread when a page first shows them,
+/// screenshots are read from the folder that the build has filled.
 class HelpPictures : public QObject {
   Q_OBJECT
 
  public:
   explicit HelpPictures(QObject* parent = nullptr);
-  /// Waits for the drawing that is under way, some hundred milliseconds at most.
+  /// Waits for the current drawing, at most some hundred milliseconds.
   ~HelpPictures() override;
 
-  /// Every drawing has this size, so that a page keeps its layout when one comes. `width`: what there is.
+  /// The size of all drawings, so that a page keeps its layout when one arrives. `width`: the available
+  /// width.
   [[nodiscard]] static QSize drawingSize(int width);
 
-  /// "digraph/robot/link.4" on a clear ground; clear as long as it is not made, then drawn() follows.
+  /// A drawing such as "digraph/robot/link.4" on a transparent background; fully transparent until it is
+  /// made, then drawn() follows.
   [[nodiscard]] QImage drawing(const QString& name, Theme theme, QSize size, double pixelRatio);
-  /// "robot", as wide as it fits; null where the build took none.
+  /// The screenshot "robot", as wide as fits; null if the build has none.
   [[nodiscard]] static QImage ofWindow(const QString& name, Theme theme, int width, double pixelRatio);
   [[nodiscard]] bool isSettled() const { return m_underWay == 0; }
 
@@ -35,7 +37,7 @@ class HelpPictures : public QObject {
  private:
   void keep(const QString& key, const QString& name, const QImage& picture);
 
-  QThreadPool m_pool;  ///< one thread: the page is read from its top
+  QThreadPool m_pool;  ///< one thread, so that pictures are made from the top of the page
   QHash<QString, QImage> m_made;
   int m_underWay = 0;
 };

@@ -13,15 +13,15 @@ namespace geargraph::inline ui_help {
 
 class HelpBrowser;
 
-/// The manual in a window of its own beside the document: contents, pages, back and forward, and a field that
-/// finds words in all pages.
+/// The manual in a window of its own beside the document: contents, pages, back and forward, and a search
+/// field for all pages.
 class HelpWindow : public QDialog {
   Q_OBJECT
 
  public:
   explicit HelpWindow(QWidget* parent);
 
-  /// "page", "page#anchor" or "#anchor" of the page that is shown. False where there is no such page.
+  /// Opens "page", "page#anchor" or "#anchor" in the current page. False if there is no such page.
   bool open(const QString& pageAndAnchor);
   /// "page#anchor" as it was opened last.
   [[nodiscard]] const QString& place() const { return m_places[m_at]; }
@@ -49,7 +49,7 @@ class HelpWindow : public QDialog {
   QLabel* m_found;
   QToolButton* m_back = nullptr;
   QToolButton* m_forward = nullptr;
-  std::vector<QString> m_places;  ///< that were shown, the last of them newest
+  std::vector<QString> m_places;  ///< history of shown places, the newest last
   std::size_t m_at = 0;
 };
 

@@ -11,28 +11,29 @@ class QPushButton;
 
 namespace geargraph::inline ui_help {
 
-/// One station of a tour.
+/// One step of a tour.
 struct TourStep {
   QString title;
   QString text;
-  /// Brings to the front what is pointed at; may be empty.
+  /// Makes the target visible; may be empty.
   std::function<void()> prepare;
-  /// What is pointed at, in coordinates of the window; empty for the whole of it.
+  /// The region to point at, in coordinates of the window; empty for the whole window.
   std::function<QRegion()> target;
 };
 
-/// A tour of a window: all but one part is dimmed, and a card beside that part tells what it is for. Return
-/// and the arrow keys go on and back, Esc ends it. Nothing below can be clicked meanwhile.
+/// A guided tour of a window: everything but one part is dimmed, and a card beside that part explains it.
+/// Return and the arrow keys go forward and back, Esc ends it. The widgets below do not receive clicks
+/// meanwhile.
 class Tour : public QWidget {
   Q_OBJECT
 
  public:
-  /// Begins at once. It deletes itself at its end. @pre there is a step
+  /// Starts immediately. Deletes itself at the end. @pre there is a step
   Tour(std::vector<TourStep> steps, QWidget* window);
 
   [[nodiscard]] int step() const { return m_step; }
   [[nodiscard]] int count() const { return static_cast<int>(m_steps.size()); }
-  /// The rectangles that are not dimmed; empty where none is pointed at.
+  /// The region that is not dimmed; may be empty.
   [[nodiscard]] const QRegion& target() const { return m_target; }
   [[nodiscard]] QFrame& card() { return *m_card; }
 

@@ -7,17 +7,17 @@ class QMainWindow;
 
 namespace geargraph::inline ui_help {
 
-/// "What's this" for everything in a window: what states no text of its own answers with its tooltip, and
-/// what has none with the purpose of its panel and the way to the manual.
+/// "What's This?" for everything in a window: widgets without a text of their own show their tool tip, and
+/// those without one the purpose of their panel with a link to the manual.
 class WhatsThis : public QObject {
   Q_OBJECT
 
  public:
   explicit WhatsThis(QMainWindow* window);
 
-  /// What is told of a widget; empty for those of other windows.
+  /// The text for a widget; empty for those of other windows.
   [[nodiscard]] static QString textFor(const QWidget* widget);
-  /// What is told of a command: what it does, or why it is not possible now.
+  /// The text for a command: what it does, or why it is unavailable.
   [[nodiscard]] static QString textFor(const QAction& action);
 
  protected:

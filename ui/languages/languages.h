@@ -10,22 +10,21 @@ namespace geargraph::inline languages {
 /// letters.
 [[nodiscard]] const std::vector<QString>& languageCodes();
 
-/// What a language calls itself: "Deutsch".
+/// The native name of a language: "Deutsch".
 [[nodiscard]] QString nativeName(const QString& code);
 
-/// The language that was chosen last, of the settings; empty where none was, so that it is the system's.
+/// The last chosen language, from the settings; empty: none, use the system's.
 [[nodiscard]] QString savedLanguage();
-/// Empty: the system's from now on.
+/// Saves the chosen language; empty: the system's.
 void saveLanguage(const QString& code);
-/// The first of the system's languages that the program has; English where it has none.
+/// The first of the system's languages that the program has, else English.
 [[nodiscard]] QString systemLanguage();
 
-/// From now on all texts, core's and Qt's own dialogs' too, are looked up in this language, and numbers,
-/// dates and paper are as its countries write them: of the system's country where that speaks it. What was
-/// shown before stays as it is: windows are built anew. @pre one of languageCodes(); called on the thread of
-/// the GUI
+/// Switches all texts, including those of core and of Qt's dialogs, to this language, and numbers, dates and
+/// paper sizes to its locale: that of the system's country if the language is spoken there. Existing widgets
+/// do not change: windows have to be rebuilt. @pre one of languageCodes(); on the GUI thread
 void useLanguage(const QString& code);
-/// The one in use; English at first.
+/// The current language; initially English.
 [[nodiscard]] QString currentLanguage();
 
 }  // namespace geargraph::inline languages

@@ -15,24 +15,24 @@ class QLineEdit;
 
 namespace geargraph::inline ui_lessons {
 
-/// The fields of a question: cells of a table, lines, lists of options. A set of elements is typed, or
-/// selected in any view. A field that has the focus lights up the elements that it is about.
+/// The fields of a question: cells of a table, lines, lists of options. A set of elements can be typed, or
+/// selected in any view. The field with the focus highlights the elements that it is about.
 class AnswerForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit AnswerForm(Selection* selection, QWidget* parent = nullptr);
 
-  /// `mechanism`: whose elements the options of sets name.
+  /// `mechanism`: that of the elements in the options of sets.
   void setQuestion(const Question& question, const MechanismPtr& mechanism);
   void clear();
-  /// One text a field.
+  /// One text per field.
   [[nodiscard]] std::vector<std::string> answer() const;
   void setAnswer(const std::vector<std::string>& answer);
-  /// Frames the fields that are wrong and, of a table, those that are right.
+  /// Marks the wrong fields and, in a table, the right ones.
   void mark(const Verdict& verdict);
   void unmark();
-  /// The first field, or the first that is marked as wrong.
+  /// Focuses the first field that is marked wrong, else the first field.
   void focusFirst();
   void setReadOnly(bool readOnly);
   /// Is a field filled in by selecting elements?
@@ -65,8 +65,8 @@ class AnswerForm : public QWidget {
   Question m_question;
   MechanismPtr m_mechanism;
   std::vector<Field> m_fields;
-  QWidget* m_page = nullptr;                         ///< holds the fields of one question
-  QLineEdit* m_picked = nullptr;                     ///< the set that follows the selection
+  QWidget* m_page = nullptr;                         ///< container of the fields of one question
+  QLineEdit* m_picked = nullptr;                     ///< the field of the set that follows the selection
   std::vector<std::optional<ElementId>> m_pickable;  ///< by option of this set
 };
 

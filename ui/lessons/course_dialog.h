@@ -11,15 +11,15 @@ class QStandardItemModel;
 
 namespace geargraph::inline ui_lessons {
 
-/// The lessons of the program with what they teach, the time they take and how far the learner has come. A
-/// double click, or Return, starts one or takes it up.
+/// The bundled lessons with their goals, durations and the learner's progress. A double click, or Return,
+/// starts or continues one.
 class CourseDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit CourseDialog(QWidget* parent = nullptr);
 
-  /// Reads the progress anew.
+  /// Reloads the progress.
   void renew();
   [[nodiscard]] QListView& list() { return *m_list; }
 

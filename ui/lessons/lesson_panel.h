@@ -22,28 +22,28 @@ namespace geargraph::inline ui_lessons {
 class AnswerForm;
 class StepBar;
 
-/// A lesson, played step by step on the document of a window of its own: text, task, answer, hints, the
-/// reason when the answer is wrong. Each step begins with its mechanism; what a task means lights up by the
-/// shared selection. Progress is kept in the settings.
+/// Plays a lesson step by step on the document of a window of its own: text, task, answer, hints, and the
+/// reason when the answer is wrong. Each step begins with its mechanism; the elements of a task are
+/// highlighted by the shared selection. Progress is stored in the settings.
 class LessonPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// What the learner can do now; Return does the first of it.
+  /// The state of the current step, which determines the buttons; Return triggers the default one.
   enum class State { loading, open, wrong, right, shown, faulty };
 
   LessonPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
 
-  /// Plays a lesson from where the learner left it. `place`: "Lesson 4 of 15", or where it comes from.
+  /// Plays a lesson from the stored progress. `place`: "Lesson 4 of 15", or its origin.
   void play(const LessonPtr& lesson, const QString& place);
-  /// The same lesson as its file is now: at the same step, if there still is one.
+  /// Replaces the lesson by a new version of its file, at the same step if it still exists.
   void reload(const LessonPtr& lesson);
-  /// A lesson's file cannot be read now: says why, and keeps the lesson.
+  /// Shows why a lesson's file cannot be read, and keeps the lesson.
   void showFault(const QString& fault);
   void goTo(int step);
 
   [[nodiscard]] const LessonPtr& lesson() const { return m_lesson; }
-  /// Questions of a sheet, not a lesson that an author wrote.
+  /// Is it a practice with questions of a sheet, not an authored lesson?
   [[nodiscard]] bool isPractice() const { return m_lesson->id.empty(); }
   [[nodiscard]] int step() const { return m_progress.step; }
   [[nodiscard]] State state() const { return m_state; }
@@ -61,9 +61,9 @@ class LessonPanel : public QWidget {
  signals:
   void courseWanted();
   void nextLessonWanted();
-  /// A step is on the screen: this drawing comes to the front.
+  /// A step is shown: bring this drawing to the front.
   void stepBegan(geargraph::LessonView view);
-  /// Whether views that hold the answer may be looked at.
+  /// Emitted with whether views that reveal the answer may be shown.
   void answerOpened(bool isOpen);
 
  protected:
@@ -97,7 +97,7 @@ class LessonPanel : public QWidget {
   QString m_place;
   std::optional<PreparedStep> m_prepared;
   State m_state = State::loading;
-  int m_hints = 0;      ///< that have been shown
+  int m_hints = 0;      ///< number of hints shown
   bool m_clean = true;  ///< no wrong answer and no hint in this step
   QToolButton* m_course = nullptr;
   QLabel* m_placeLabel = nullptr;

@@ -6,12 +6,12 @@
 
 namespace geargraph::inline ui_lessons {
 
-constexpr int kStepPoints = 2;  ///< for a step that is right at the first check, without a hint
+constexpr int kStepPoints = 2;  ///< for a right answer at the first check, without a hint
 constexpr int kNotDone = -1;
 
-/// How far a learner has come in a lesson; kept in the settings under the lesson's id, if it has one.
+/// A learner's progress in a lesson; stored in the settings under the lesson's id, if it has one.
 struct LessonProgress {
-  int step = 0;             ///< where it is taken up
+  int step = 0;             ///< to continue with
   std::vector<int> points;  ///< by step; kNotDone: not worked on yet
 
   [[nodiscard]] int score() const;
@@ -19,7 +19,7 @@ struct LessonProgress {
   [[nodiscard]] bool isComplete() const { return doneSteps() == static_cast<int>(points.size()); }
 };
 
-/// What the settings hold, fitted to the steps that the lesson has now.
+/// The stored progress, adapted to the present number of steps.
 [[nodiscard]] LessonProgress progressOf(const Lesson& lesson);
 void saveProgress(const Lesson& lesson, const LessonProgress& progress);
 

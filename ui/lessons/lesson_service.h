@@ -10,7 +10,7 @@ namespace geargraph::inline ui_lessons {
 
 using LessonPtr = std::shared_ptr<const Lesson>;
 
-/// A step that is to be prepared or, with a drawing, one whose drawing is to be judged.
+/// A request to prepare a step or, with a drawing, to judge the drawing.
 struct LessonRequest {
   LessonPtr lesson;
   std::size_t step = 0;

@@ -9,13 +9,13 @@ class QComboBox;
 
 namespace geargraph::inline mainwindow {
 
-/// Asks how a table is to be written as CSV, with the options of `geargraph-cli export --to csv`; the file is
-/// asked for afterwards. What is chosen is proposed the next time. It does not lock the window.
+/// Asks for the CSV options of a table, those of `geargraph-cli export --to csv`; the file is chosen
+/// afterwards. The choice is remembered. Not modal.
 class CsvDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// `table`: what is exported, for the title.
+  /// `table`: name of the table, for the title.
   explicit CsvDialog(const QString& table, QWidget* parent = nullptr);
 
   [[nodiscard]] CsvOptions options() const;

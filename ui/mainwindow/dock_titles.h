@@ -4,8 +4,8 @@
 
 namespace geargraph::inline mainwindow {
 
-/// Docks that share a place are told apart by their tabs, so they need no title bar; a dock that floats or
-/// stands alone shows one. Keeps that so while docks are moved.
+/// Hides the title bars of tabbed docks, which have tabs instead; a dock that floats or is alone shows its
+/// title bar. Updated while docks are moved.
 class DockTitles : public QObject {
   Q_OBJECT
 

@@ -7,7 +7,7 @@ namespace geargraph::inline mainwindow {
 /// Roles of a list of documents; the name is its display text.
 enum DocumentRole {
   kPathRole = Qt::UserRole + 1,
-  kNoteRole,     ///< one line about it
+  kNoteRole,     ///< one line of description
   kPictureRole,  ///< QImage
 };
 

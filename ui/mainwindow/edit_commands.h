@@ -22,13 +22,13 @@ namespace geargraph::inline mainwindow {
 
 class PictureClipboard;
 
-/// Commands that edit what is selected, whatever view shows it. The clipboard holds a document in JSON, which
-/// reaches other windows, other programs and text editors, and beside it the picture of what was copied.
+/// Commands that edit the selection, independent of the view. The clipboard gets a document in JSON, for
+/// other windows, programs and text editors, and a picture of what was copied.
 class EditCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// `picture`: the drawing in front as it is exported.
+  /// `picture`: returns the drawing in front, for export.
   EditCommands(Workbench& workbench, PictureClipboard* clipboard, std::function<DisplayList()> picture,
                QWidget* window);
 
@@ -36,7 +36,7 @@ class EditCommands : public QObject {
   void cut();
   void paste();
   void duplicate();
-  /// Of the first selected link: it becomes the ground; it gets equally spaced twins, `total` planets in all.
+  /// For the first selected link: makes it the ground; copies it to `total` equally spaced planets.
   void makeGround();
   void makePlanets(int total);
   void insertSet(const Mechanism& set);

@@ -11,10 +11,10 @@ class Workbench;
 
 namespace geargraph::inline mainwindow {
 
-/// While an entry of the menu is tried (MenuPreview), all that is derived from the document (results, speeds,
-/// motion) is that of the document as the entry would leave it. The document itself, its history and its
-/// drawings stay. `tell` gets a sentence about what is shown, or why it cannot be; empty once it is over.
-/// The workbench has to outlive the menu.
+/// While an entry of the menu is previewed (MenuPreview), everything derived from the document (results,
+/// speeds, motion) shows the document after the entry's edit. The document itself, its history and its
+/// drawings do not change. `tell` is called with a sentence about the preview, or why there is none; empty
+/// when it ends. The workbench outlives the menu.
 void showPreviews(QMenu& menu, Workbench& workbench, std::function<void(const QString&)> tell);
 
 }  // namespace geargraph::inline mainwindow

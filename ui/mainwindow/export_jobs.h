@@ -13,8 +13,8 @@ namespace geargraph::inline mainwindow {
 
 class NoticeBar;
 
-/// Files that take a while to be made: made on a thread, one after the other, so that no second one waits
-/// for the first in the window. A notice shows how far the one of several pictures is, and stops it.
+/// Makes files that take long on a background thread, one after the other. A notice shows the progress of one
+/// with several pictures, and can stop it.
 class ExportJobs : public QObject, public BackgroundWork {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ExportJobs : public QObject, public BackgroundWork {
   struct Job {
     QString path;
     bool isLong = false;  ///< worth a notice
-    /// What went wrong, as a sentence; empty where all went well. Runs on another thread.
+    /// Returns the error as a sentence; empty on success. Runs on another thread.
     std::function<QString(const Progress& progress, const std::stop_token& stop)> run;
   };
 
@@ -32,7 +32,7 @@ class ExportJobs : public QObject, public BackgroundWork {
   ~ExportJobs() override;
 
   void add(Job job);
-  void stop();  ///< the one that runs
+  void stop();  ///< stops the current job
   [[nodiscard]] bool isBusy() const { return m_isBusy; }
   void tellToEnd() override;
   [[nodiscard]] bool hasEnded() const override { return !m_isBusy; }
@@ -48,7 +48,7 @@ class ExportJobs : public QObject, public BackgroundWork {
   NoticeBar* m_notices;
   std::deque<Job> m_waiting;
   bool m_isBusy = false;
-  std::jthread m_thread;  ///< last: it ends before what it reports to goes
+  std::jthread m_thread;  ///< last: it ends before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline mainwindow

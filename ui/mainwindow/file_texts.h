@@ -9,10 +9,10 @@ namespace geargraph::inline mainwindow {
 
 /// The file types of the dialog that saves documents.
 [[nodiscard]] QString documentFilter();
-/// Those of the dialog that opens them: tables, too.
+/// Those of the dialog that opens them, including tables.
 [[nodiscard]] QString readableFilter();
 
-/// What changed from one document to another: "2 links added, 1 mesh removed".
+/// A difference between documents as text: "2 links added, 1 mesh removed".
 [[nodiscard]] QString textOf(const Difference& difference);
 
 /// The edit that replaces the whole mechanism, named `text` in the undo list.

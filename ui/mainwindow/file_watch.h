@@ -9,19 +9,19 @@
 
 namespace geargraph::inline mainwindow {
 
-/// Tells when another program writes or removes a file.
+/// Signals when another program writes or removes a file.
 class FileWatch : public QObject {
   Q_OBJECT
 
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// From now on this file, as it stands now; an empty path watches nothing.
+  /// Watches this file from its present state; an empty path watches nothing.
   void watch(const QString& path);
-  /// The file as it stands now is known.
+  /// Accepts the present state of the file as known.
   void accept();
-  /// Has the file been touched since it was known, or is it another one? Its bytes may be the same. A file
-  /// that is gone is not foreign.
+  /// Has the file been modified or replaced since it was known? Its content may be the same. A deleted file
+  /// is not foreign.
   [[nodiscard]] bool isForeign() const;
 
  signals:
@@ -32,7 +32,7 @@ class FileWatch : public QObject {
   struct Stamp {
     qint64 size = -1;  ///< -1: there is no file
     qint64 modified = 0;
-    qint64 changed = 0;  ///< ns, as above; set by the system alone, so that no program can keep it
+    qint64 changed = 0;  ///< ns; set by the system only, so programs cannot preserve it
     std::optional<FileIdentity> identity;
     friend bool operator==(const Stamp&, const Stamp&) = default;
   };

@@ -11,8 +11,8 @@ class HistoryModel;
 
 namespace geargraph::inline mainwindow {
 
-/// The history of a document as a list that follows it: a click on a step, or Return, goes there. It does not
-/// lock the window.
+/// The history of a document as a list: a click on a step, or Return, goes to it. Follows the document. Not
+/// modal.
 class HistoryDialog final : public QDialog {
   Q_OBJECT
 

@@ -73,15 +73,16 @@ class WindowExports;
 class WindowFiles;
 class WindowHelp;
 
-/// One document and all its views: builds them, lays them out, and passes to each what the workbench answers.
+/// The window of one document with all its views: creates them, lays them out, and distributes the results of
+/// the workbench.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
   explicit MainWindow(QWidget* parent = nullptr);
-  /// Built anew in the place of a window, in the language that is now in use: with its document and history,
-  /// selection, layout, drawing, tool, camera and moment of the motion; not shown yet. The former one is
-  /// hidden, and to be deleted before the new one, once control has returned to the event loop.
+  /// Creates a replacement for a window in the current language: with its document and history, selection,
+  /// layout, drawing, tool, camera and time of the motion; not shown yet. The former window is hidden; delete
+  /// it before the new one, after control has returned to the event loop.
   [[nodiscard]] static std::unique_ptr<MainWindow> inPlaceOf(MainWindow& former);
   ~MainWindow() override;
 
@@ -91,9 +92,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] AnalysisService& analysis() { return m_workbench->analysis(); }
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
   [[nodiscard]] TtGraphView& ttGraph() { return *m_ttGraph; }
-  /// The drawing whose tab is in front: commands and tools are its.
+  /// The drawing in front, to which commands and tools apply.
   [[nodiscard]] DrawingView& drawing();
-  /// Brings a drawing to the front by its name: "digraph", "ttgraph". False where there is none of that name.
+  /// Brings a drawing to the front by name: "digraph", "ttgraph". False if there is no such drawing.
   bool showDrawing(const QString& name);
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
@@ -110,38 +111,38 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ExportJobs& exportJobs() { return *m_exportJobs; }
   [[nodiscard]] StartPage& startPage() { return *m_start; }
 
-  /// Opens a file or an example. A broken one is listed in the problems with its places, and the document
-  /// that was open stays. True where it was opened.
+  /// Opens a file or an example. The errors of an invalid one are listed in the problems panel with their
+  /// positions, and the open document stays. True if it was opened.
   bool openDocument(const QString& path);
-  /// False, and said in the status bar, where it could not be written.
+  /// False (and reported in the status bar) if it could not be written.
   bool saveDocument(const QString& path);
-  /// The document with what the views want kept: the camera of the 3D view, where somebody has chosen one.
+  /// The document with the state of views to be saved: the camera of the 3D view, if the user has changed it.
   [[nodiscard]] Mechanism documentToSave() const;
   [[nodiscard]] WindowExports& exports() { return *m_exports; }
   [[nodiscard]] MotionPanel& motion() { return *m_motion; }
 
-  /// The places and sizes of windows and docks as they were when the last window closed.
+  /// Restores places and sizes of windows and docks from when the last window closed.
   void restoreLayout();
   void restoreLayout(const QByteArray& geometry, const QByteArray& state);
-  /// Over an empty document, until there is another one. `withRecent`: with the files of late.
+  /// Shows the start page over an empty document, until there is another one. `withRecent`: with recent
+  /// files.
   void showStartPage(bool withRecent = true);
   void setTheme(Theme theme);
-  /// Plays a lesson in this window from where the learner left it; its document belongs to the lesson from
-  /// now on and is never saved. `place`: "Lesson 4 of 15". `file`: of a preview, which is reloaded when it is
-  /// written.
+  /// Plays a lesson in this window from the stored progress; the document then belongs to the lesson and is
+  /// never saved. `place`: "Lesson 4 of 15". `file`: of a preview, which is reloaded when the file changes.
   void playLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
-  /// Previews the lesson of a file; what is wrong with it is reported in the status bar.
+  /// Previews the lesson of a file; errors are reported in the status bar.
   void openLessonFile(const QString& path);
-  /// Null in windows that play no lesson.
+  /// Null in windows without a lesson.
   [[nodiscard]] LessonPanel* lesson() { return m_lesson; }
   void showCourse();
-  /// Questions about the document, to be practised or exported, in a window beside it.
+  /// Shows the dialog of exercises about the document, to be practised or exported.
   void showExercises();
-  /// Compares matrices of the user's with those of the document, in a window beside it.
+  /// Shows the dialog that compares the user's matrices with those of the document.
   void showPaperCheck();
   [[nodiscard]] WindowHelp& help() { return *m_help; }
   [[nodiscard]] Presentation& presentation() { return *m_presentation; }
-  /// Is everything shown as the document is now?
+  /// Are all views up to date with the document?
   [[nodiscard]] bool isSettled() const;
 
   /// Once it is closed: all that works beside it is told to end. Does not wait.
@@ -150,13 +151,13 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] bool hasEnded() const;
 
  signals:
-  /// Analysis and stage of the document as it is now have reached all views.
+  /// Analysis and stage of the current document have reached all views.
   void settled();
-  /// The window has been closed, and its document given up or saved.
+  /// The window has been closed, and its document saved or discarded.
   void closed();
-  /// A lesson is to be played in a window of its own.
+  /// A lesson should be played in a window of its own.
   void lessonWanted(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
-  /// All windows are to be in this language; empty: the system's.
+  /// All windows should switch to this language; empty: the system's.
   void languageWanted(const QString& code);
 
  protected:
@@ -251,7 +252,7 @@ class MainWindow : public QMainWindow {
   DerivationPanel* m_derivation = nullptr;
   ForcesPanel* m_forces = nullptr;
   DynamicsPanel* m_dynamics = nullptr;
-  InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
+  InsertSetDialog* m_insertSet = nullptr;  ///< created on first use
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;
@@ -273,7 +274,7 @@ class MainWindow : public QMainWindow {
   WindowExports* m_exports = nullptr;
   WindowHelp* m_help = nullptr;
   LessonPanel* m_lesson = nullptr;           ///< made with the first lesson
-  CourseDialog* m_course = nullptr;          ///< made when it is first wanted
+  CourseDialog* m_course = nullptr;          ///< created on first use
   ExercisesDialog* m_exercises = nullptr;    ///< the same
   PaperCheckDialog* m_paperCheck = nullptr;  ///< the same
   FileWatch* m_lessonWatch = nullptr;        ///< of a preview

@@ -11,24 +11,24 @@ class QHBoxLayout;
 
 namespace geargraph::inline mainwindow {
 
-/// Something that the user should decide on, but need not decide now.
+/// A notice that asks for a decision without interrupting the user.
 struct Notice {
   struct Answer {
     QString text;
     QString tip;
     std::function<void()> run;
   };
-  QString key;  ///< a notice takes the place of an older one with its key
+  QString key;  ///< a notice replaces an older one with the same key
   Severity severity = Severity::info;
   QString text;
-  std::vector<Answer> answers;  ///< each takes the notice away before it runs
-  /// A command of the user was not carried out and waits for the answer: it is shown before all notices that
-  /// nobody waits for, which come back after it.
+  std::vector<Answer> answers;  ///< each removes the notice before it runs
+  /// A command of the user waits for the answer: it is shown before all other notices, which reappear after
+  /// it.
   bool isRequired = false;
 };
 
-/// A strip below the tool bar that shows one notice at a time and stops nobody from working: the newest of
-/// those that are required, else the oldest.
+/// A strip below the tool bar that shows one notice at a time without blocking the window: the newest
+/// required one, else the oldest.
 class NoticeBar : public QToolBar {
   Q_OBJECT
 
@@ -36,12 +36,12 @@ class NoticeBar : public QToolBar {
   explicit NoticeBar(QWidget* parent = nullptr);
 
   void post(Notice notice);
-  /// Another text for a notice that is there; its buttons stay, and what is being pressed with them.
+  /// Changes the text of a notice; its buttons stay, even while pressed.
   void setText(const QString& key, const QString& text);
   void withdraw(const QString& key);
-  /// The notice that is shown; null where there is none.
+  /// The shown notice; null if there is none.
   [[nodiscard]] const Notice* current() const { return m_notices.empty() ? nullptr : &m_notices.front(); }
-  /// Shown while there is a notice; a restored layout may have said otherwise.
+  /// Restores the visibility, which a restored layout may have changed: visible while there is a notice.
   void renew();
 
  protected:

@@ -14,12 +14,12 @@
 
 namespace geargraph::inline mainwindow {
 
-/// What is copied: elements as JSON, what they look like, or both.
+/// Content for the clipboard: elements as JSON, a picture of them, or both.
 struct CopiedContent {
   QByteArray json;      ///< a document, which other windows paste; empty: none
-  bool asText = false;  ///< the JSON is the text of the clipboard, too
+  bool asText = false;  ///< the JSON is also the plain text of the clipboard
   DisplayList drawing;  ///< empty: none
-  /// The 3D view as it is seen, with its labels.
+  /// The 3D view as shown, with its labels.
   struct Seen {
     StageShot shot;
     ViewOptions options;
@@ -29,8 +29,8 @@ struct CopiedContent {
   std::optional<Seen> seen;
 };
 
-/// Puts elements on the clipboard at once, and beside them, when a thread has painted it, their picture: SVG
-/// and PNG of a drawing, PNG of the 3D view. Pictures are dark on light, on no ground, as paper wants them.
+/// Puts elements on the clipboard immediately, and adds their picture when a thread has painted it: SVG and
+/// PNG of a drawing, PNG of the 3D view. Pictures are dark on a transparent background, for paper.
 class PictureClipboard : public QObject {
   Q_OBJECT
 
@@ -56,7 +56,7 @@ class PictureClipboard : public QObject {
     QByteArray svg;
     QByteArray png;
     QImage image;
-    QString why;  ///< there is none
+    QString why;  ///< reason why there is no picture
   };
   using Request = std::shared_ptr<const CopiedContent>;
   using Painter = Service<Request, Picture>;
@@ -65,7 +65,7 @@ class PictureClipboard : public QObject {
   void put(const Picture& picture);
 
   Painter* m_painter;
-  bool m_isOurs = false;  ///< the clipboard holds what was copied here last
+  bool m_isOurs = false;  ///< the clipboard has what was copied here last
   bool m_isPutting = false;
 };
 

@@ -12,24 +12,24 @@ class QSpinBox;
 
 namespace geargraph::inline mainwindow {
 
-/// What the 3D view is written as: a PNG (animated where it is a film), a folder of them, or its solids.
+/// The form of a 3D export: a PNG (animated for an animation), a folder of PNGs, or the solids.
 enum class SolidForm { png, pictures, glb };
 
-/// A picture that somebody wants: of which view, and how.
+/// The options of a picture export.
 struct PictureWish {
   QString view;            ///< a drawing's name, or "3d"
-  DrawingPicture picture;  ///< of the 3D view: theme, ground and size
+  DrawingPicture picture;  ///< for the 3D view: theme, background and size
   SolidForm solid = SolidForm::png;
   std::optional<Film> film = {};  ///< of the 3D view
-  bool isFitted = false;          ///< the camera goes where all is in view; else it stays where it is
+  bool isFitted = false;          ///< the camera is moved so that everything is in view; else it stays
 };
 
-/// Asks what picture to export; the file is asked for afterwards. It does not lock the window.
+/// Asks for the options of a picture export; the file is chosen afterwards. Not modal.
 class PictureDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// `views`: names and titles, the one in front first to be chosen. "3d" is pixels only.
+  /// `views`: names and titles; `inFront` is preselected. "3d" is pixels only.
   PictureDialog(const std::vector<std::pair<QString, QString>>& views, const QString& inFront, bool dark,
                 QWidget* parent = nullptr);
 

@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace geargraph::inline mainwindow {
 
-/// Play or pause, and how fast: the middle of the slider is the speed of the inputs as they are, either end
-/// eight times slower or faster. A double click on the slider goes back to 1.0×.
+/// Play or pause, and the playback speed: the middle of the slider is the inputs' own speed, the ends are
+/// eight times slower and faster. A double click on the slider resets it to 1.0×.
 class PlayControls : public QWidget {
   Q_OBJECT
 
@@ -29,13 +29,13 @@ class PlayControls : public QWidget {
   void renewButton();
   void showSpeed();
 
-  QPointer<Playback> m_playback;  ///< gone before the tool bar when a window is taken apart
+  QPointer<Playback> m_playback;  ///< destroyed before the tool bar when a window is destroyed
   QToolButton* m_play;
   QSlider* m_slider;
   QLabel* m_speed;
 };
 
-/// "1.0×", "0.25×": a speed as the tool bar shows it.
+/// "1.0×", "0.25×": a speed for the tool bar.
 [[nodiscard]] QString printedSpeed(double speed);
 
 }  // namespace geargraph::inline mainwindow

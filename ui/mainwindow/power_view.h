@@ -13,9 +13,9 @@ class QMenu;
 
 namespace geargraph::inline mainwindow {
 
-/// Lays the torques of loads and balances under the drawings, and where it is on, bands that show where their
-/// power goes, as the ground or another link sees it. They are made on threads of their own, and follow
-/// loads, motion and drawing.
+/// Shows the torques of loads and balances under the drawings and, if switched on, the power flow as bands,
+/// seen from the ground or another link. They are made on background threads, and follow loads, motion and
+/// drawing.
 class PowerView : public QObject {
   Q_OBJECT
 
@@ -24,17 +24,17 @@ class PowerView : public QObject {
   ~PowerView() override;
 
   void setOn(bool on);
-  /// The link that sees the power; an empty id: the ground.
+  /// Sets the observer of the power flow; an empty id: the ground.
   void setObserver(LinkId observer);
   [[nodiscard]] LinkId observer() const { return m_observer; }
-  /// Entries for the ground and all links.
+  /// Adds entries for the ground and all links.
   void fillObservers(QMenu& menu);
-  /// Why there is no power to show, as a sentence; empty where there is some.
+  /// Why there is no power to show, as a sentence; empty if there is some.
   [[nodiscard]] QString whyNone() const;
   [[nodiscard]] bool isSettled() const;
 
  signals:
-  void shown();  ///< what is painted under a drawing has changed
+  void shown();  ///< the marks under a drawing have changed
 
  private:
   struct Request {

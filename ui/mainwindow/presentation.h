@@ -8,11 +8,11 @@ class QMainWindow;
 
 namespace geargraph::inline mainwindow {
 
-/// The window as a lecture hall wants it: full screen, large type, no bars, the drawing and the panels that
-/// were chosen. The choice is remembered apart from the layout for work; either comes back as it was.
+/// Presentation mode for lecture halls: full screen, large type, no bars, the drawing and the chosen panels.
+/// Its layout is remembered separately from the working layout; both are restored.
 ///
-/// Esc ends it, unless there is something else to give up: a gesture, a menu, what is being typed. Space is
-/// played(), whatever has the focus but a field that text is typed into.
+/// Esc ends it, unless there is something else to cancel: a gesture, a menu, typing. Space emits played(),
+/// unless a text field has the focus.
 class Presentation : public QObject {
   Q_OBJECT
 

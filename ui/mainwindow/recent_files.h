@@ -5,7 +5,7 @@
 
 namespace geargraph::inline mainwindow {
 
-/// The files opened or saved lately, newest first, kept in the settings; and the menu that shows them.
+/// The recently opened or saved files, newest first, stored in the settings; and their menu.
 class RecentFiles : public QMenu {
   Q_OBJECT
 

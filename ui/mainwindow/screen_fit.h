@@ -5,12 +5,12 @@
 
 namespace geargraph::inline mainwindow {
 
-/// Where a window goes that wants `wanted`, without its frame: no larger than `room` and inside of it.
+/// The rectangle `wanted` of a window (without its frame), reduced and moved to fit into `room`.
 [[nodiscard]] QRect fittedInto(const QRect& room, const QRect& wanted);
 
-/// While it lives, windows and dialogs of the program open no larger than the screen, also at scale factors
-/// that leave few logical pixels and with a geometry that was saved on a larger screen. Where the contents
-/// need more than the screen has, they are clipped, not the window.
+/// While it exists, windows and dialogs open no larger than the screen, also at scale factors with few
+/// logical pixels and with a geometry saved on a larger screen. If the contents need more space than the
+/// screen has, they are clipped, not the window.
 class ScreenFit : public QObject {
   Q_OBJECT
 

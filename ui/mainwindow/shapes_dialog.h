@@ -10,15 +10,16 @@ class QToolButton;
 
 namespace geargraph::inline mainwindow {
 
-/// The 3D files that a link wears: which, where, how turned and how large. Every change is an edit that can
-/// be undone. It does not lock the window.
+/// The 3D files attached to a link with position, orientation and scale. Every change is an undoable edit.
+/// Not modal.
 class ShapesDialog final : public QDialog {
   Q_OBJECT
 
  public:
   ShapesDialog(Document* document, LinkId link, QWidget* parent = nullptr);
 
-  /// Puts on a file; refused, and said by the document, where it has no place relative to the document.
+  /// Attaches a file. False (and reported by the document) if its path cannot be expressed relative to the
+  /// document.
   bool add(const QString& path);
 
  private:

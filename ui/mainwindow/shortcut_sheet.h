@@ -6,8 +6,8 @@ class QMenuBar;
 
 namespace geargraph::inline mainwindow {
 
-/// All keys on one sheet: those of the menus as they are now, and what mouse and keys do in the drawings and
-/// in the 3D view.
+/// All keyboard shortcuts on one sheet: those of the menus, and the mouse and keyboard actions in the
+/// drawings and the 3D view.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 

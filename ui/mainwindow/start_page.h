@@ -10,8 +10,8 @@ namespace geargraph::inline mainwindow {
 
 class Thumbnails;
 
-/// What a window shows before there is a document: new, open, the files of late and the examples, with
-/// pictures. It lies over drawings and docks, below the tool bars, and leaves them as they are.
+/// The page of a window without a document: new, open, recent files and examples, with pictures. It covers
+/// drawings and docks, below the tool bars, without changing them.
 class StartPage : public QWidget {
   Q_OBJECT
 
@@ -19,9 +19,9 @@ class StartPage : public QWidget {
   /// @pre parent is a QMainWindow
   explicit StartPage(QWidget* parent);
 
-  /// Fills the lists anew and shows the page. `withRecent`: with the files of late.
+  /// Refills the lists and shows the page. `withRecent`: with recent files.
   void open(bool withRecent);
-  /// Hides the page; what lies below gets the keys.
+  /// Hides the page and gives the focus to `below`.
   void dismiss(QWidget* below);
 
   [[nodiscard]] QListView& examples() { return *m_examples; }

@@ -13,8 +13,8 @@ class QToolButton;
 
 namespace geargraph::inline mainwindow {
 
-/// The status bar: what the tool expects next, or why an edit was refused; and n, t, c, rank, DOF as chips.
-/// Pointing at a chip lights up what it counts.
+/// The status bar: what the tool expects next, or why an edit was rejected; and n, t, c, rank, DOF as chips.
+/// Hovering a chip highlights what it counts.
 class StatusLine : public QStatusBar {
   Q_OBJECT
 
@@ -22,12 +22,12 @@ class StatusLine : public QStatusBar {
   explicit StatusLine(Selection* selection, QWidget* parent = nullptr);
 
   void setHint(const QString& hint);
-  /// Stays until the next edit, or until another hint is due.
+  /// Shows a message until the next edit, or until another hint is set.
   void showRefusal(const QString& why);
   void clearRefusal();
   void showNote(const QString& note);
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// The chips; a lesson may ask for what they count.
+  /// Shows or hides the chips, whose counts a lesson may ask for.
   void showCounts(bool isShown);
 
   [[nodiscard]] QString text() const;
@@ -50,7 +50,7 @@ class StatusLine : public QStatusBar {
   QString m_hint;
   QString m_refusal;
   QString m_note;
-  std::optional<std::tuple<QString, bool, Theme>> m_shown;  ///< the message, refused, in which colours
+  std::optional<std::tuple<QString, bool, Theme>> m_shown;  ///< message, is it a rejection, colours
   QToolButton* m_links;
   QToolButton* m_joints;
   QToolButton* m_meshes;

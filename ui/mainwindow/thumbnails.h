@@ -9,9 +9,9 @@
 
 namespace geargraph::inline mainwindow {
 
-/// Small pictures of documents for lists. Those of examples are drawn when they are asked for, those of files
-/// when the file is opened or saved, and kept in the cache folder, so that showing a list reads no document.
-/// All drawing is done by the thread pool.
+/// Thumbnails of documents for lists. Those of examples are drawn on demand, those of files when the file is
+/// opened or saved, and stored in the cache folder, so that showing a list reads no documents. Drawn by the
+/// thread pool.
 class Thumbnails : public QObject {
   Q_OBJECT
 
@@ -20,14 +20,14 @@ class Thumbnails : public QObject {
 
   explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Draws the pictures of a file, for both themes, and keeps them.
+  /// Draws the thumbnails of a file, for both themes, and stores them.
   static void keep(const QString& filePath, const MechanismPtr& mechanism);
-  /// The picture that was kept, twice as fine as kSize; null where there is none.
+  /// The stored thumbnail, with twice the resolution of kSize; null if there is none.
   [[nodiscard]] static QImage kept(const QString& filePath, Theme theme);
-  /// Where it is kept, for the `img` of a tool tip.
+  /// The path of the stored thumbnail, for the `img` of a tool tip.
   [[nodiscard]] static QString keptPath(const QString& filePath, Theme theme);
 
-  /// Answers with drawn(), soon and in any order.
+  /// Draws asynchronously; drawn() follows, in any order.
   void draw(const QString& path, Theme theme);
 
  signals:

@@ -11,8 +11,8 @@ class QMainWindow;
 
 namespace geargraph::inline mainwindow {
 
-/// Every command of the window, with its key, its icon and its tip; menus and the tool bar show them. What
-/// cannot be done now is disabled, and its tip says why.
+/// All commands of the window, with shortcut, icon and tool tip, for menus and the tool bar. An unavailable
+/// one is disabled, with the reason as its tool tip.
 struct WindowActions {
   explicit WindowActions(QMainWindow* window);
 
@@ -64,7 +64,7 @@ struct WindowActions {
   QAction* load;
   QAction* releaseAll;
   QAction* insertSet;
-  std::array<QAction*, 5> planets{};  ///< 2 to 6 of the selected one
+  std::array<QAction*, 5> planets{};  ///< 2 to 6 planets like the selected one
 
   QAction* fit;
   QAction* zoomIn;
@@ -74,7 +74,7 @@ struct WindowActions {
   QAction* light;
   QAction* dark;
   QAction* highContrast;
-  QActionGroup* typeSizes;  ///< each with its scale as data
+  QActionGroup* typeSizes;  ///< with the scale as data
   QAction* presentation;
   QAction* half3d;
   QAction* grid;

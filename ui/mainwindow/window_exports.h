@@ -44,14 +44,13 @@ class ExportJobs;
 class PictureClipboard;
 class WindowFiles;
 
-/// What a window writes besides its document: matrices and tables as CSV, drawings, 3D pictures and
-/// animations, the derivation, traced paths and speeds. A file is written whole or not at all; refused() and
-/// noted() tell.
+/// The exports of a window: matrices and tables as CSV, drawings, 3D pictures and animations, the derivation,
+/// traced paths and speeds. Files are written atomically; refused() and noted() report.
 class WindowExports : public QObject {
   Q_OBJECT
 
  public:
-  /// They are exported as they are shown.
+  /// The exported views; they are exported as shown.
   struct Views {
     std::vector<DrawingView*> drawings;
     SchematicView* schematic = nullptr;
@@ -59,40 +58,39 @@ class WindowExports : public QObject {
     MotionPanel* motion = nullptr;
   };
 
-  /// `window`: the parent of its dialogs, and of this.
+  /// `window`: parent of the dialogs, and of this object.
   WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
                 PictureClipboard* clipboard, QWidget* window);
 
-  /// A matrix with its labels as CSV; written() follows, and a large one can be stopped. Cost: O(rows ·
+  /// Exports a matrix with its labels as CSV; written() follows; a large one can be stopped. Cost: O(rows ·
   /// columns).
   void exportCsv(const IntegerMatrixPtr& matrix, const QString& path, const CsvOptions& options = {});
   void exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options = {});
-  /// A picture of a view; written() follows, at once for a drawing, later for the 3D view.
+  /// Exports a picture of a view; written() follows, immediately for a drawing, later for the 3D view.
   void exportPicture(const PictureWish& wish, const QString& path);
-  /// A view as a picture on the clipboard, by the name of its drawing, or "3d": soon after, and with the
-  /// document where it is a drawing.
+  /// Copies a view as a picture to the clipboard, by the name of its drawing, or "3d": asynchronously, and
+  /// for a drawing together with the document.
   void copyPicture(const QString& view);
-  /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
+  /// Exports the derivation in the form of the path's suffix (html, pdf, tex, md); written() follows.
   void exportDerivation(const QString& path);
-  /// The mechanism as one page for any browser, or as a package for learning platforms (zip); written()
-  /// follows.
+  /// Exports the mechanism as one HTML page, or as a package for learning platforms (zip); written() follows.
   void exportHandout(const QString& path);
-  /// The same with the questions of a plan, with feedback. Without kinds: one of every kind that the document
-  /// gives.
+  /// The same with the questions of a plan, with feedback. Without kinds: one question of every available
+  /// kind.
   void exportHandoutAsking(const QString& path, const SheetPlan& plan);
-  /// Sheets, solutions and files for answers, into a new folder; written() follows.
+  /// Exports sheets, solutions and files for answers into a new folder; written() follows.
   void exportSheets(const QString& folder, const SheetWish& wish);
-  /// Prints pages on a thread.
+  /// Prints pages on a background thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
-  /// The newest path that the 3D view has traced, as CSV. @pre there is one
+  /// Saves the newest traced path of the 3D view as CSV. @pre there is one
   bool saveTrace(const QString& path);
-  /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
+  /// Saves the plots as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
   bool saveSpeeds(const QString& path);
 
   // The same with a dialog for the path, and for matrices one for the options of CSV.
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
-  /// A table that is CSV already; `name`: proposed for its file.
+  /// A table that is CSV already; `name`: default file name.
   void chooseAndExportTable(const QString& name, const QString& csv);
   void chooseAndExportPicture(const PictureWish& wish);
   void chooseAndExportDerivation();
@@ -102,7 +100,7 @@ class WindowExports : public QObject {
   void chooseAndSaveTrace();
   void chooseAndSaveSpeeds();
 
-  /// What keeps the document from being derived, as a sentence; empty for nothing.
+  /// Why the document has no derivation, as a sentence; empty if it has one.
   [[nodiscard]] QString whyNoDerivation() const;
 
  signals:

@@ -30,13 +30,14 @@ struct WindowActions;
 class NoticeBar;
 class RecentFiles;
 
-/// What a window does with files: opens, saves and reverts its document, minds other programs that write the
-/// same file, keeps unsaved changes in a side file, and offers those that an earlier run left behind.
+/// The file operations of a window: opens, saves and reverts its document, watches for changes of the file by
+/// other programs, keeps unsaved changes in a side file, and offers to restore those that an earlier run left
+/// behind.
 class WindowFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// What it asks of the program's windows together.
+  /// The interface to all windows of the program.
   class Windows {
    public:
     Windows() = default;
@@ -44,77 +45,79 @@ class WindowFiles : public QObject {
     Windows& operator=(const Windows&) = delete;
     virtual ~Windows() = default;
 
-    /// The files of a new window with an empty document.
+    /// Opens a new window with an empty document and returns its files.
     virtual WindowFiles& addWindow() = 0;
-    /// Opens a file or example: in its own window if it is open already, in that of `from` if that holds
-    /// nothing yet, else in a new one.
+    /// Opens a file or example: in its own window if it is open already, in that of `from` if
+    /// from.isUnused(), else in a new one.
     virtual void openFrom(const QString& path, WindowFiles& from) = 0;
-    /// Those of the windows with this file, whatever the spelling of its path, but for one.
+    /// The files of all windows in which this file is open, except `besides`. Different spellings of a path
+    /// count as the same file.
     [[nodiscard]] virtual std::vector<WindowFiles*> filesWith(const QString& path,
                                                               const WindowFiles* besides) const = 0;
-    /// What all running programs have open.
+    /// The documents that all running instances of the program have open.
     [[nodiscard]] virtual OpenDocuments& documents() = 0;
     [[nodiscard]] virtual bool restoresSession() const = 0;
     virtual void setRestoresSession(bool restores) = 0;
-    /// Closes all windows, unless the user minds.
+    /// Closes all windows unless the user cancels.
     virtual void quit() = 0;
   };
 
-  /// `window`: the parent of its dialogs, which it closes and brings to the front. `saved`: the document as
-  /// it is to be written.
+  /// @param window the parent of all dialogs; closed and raised by this object
+  /// @param saved gives the document as it is to be written
   WindowFiles(Workbench& workbench, QWidget* window, NoticeBar* notices, RecentFiles* recent,
               std::function<Mechanism()> saved);
 
-  /// Opens a file or an example in this window. A broken one is listed in the problems with its places, and
-  /// the document that was open stays.
+  /// Opens a file or an example in this window. False if reading failed (broken() gives the diagnostics) or
+  /// was cancelled; then the open document stays.
   bool open(const QString& path);
-  /// Takes a document that was read from there. That of a table gets no file: it is an edit of an empty
-  /// document.
+  /// Shows a document that was read from `path`. One that was imported from a table gets no file: it is an
+  /// edit of an empty document.
   void show(Mechanism mechanism, const QString& path);
-  /// Says why a file was not opened.
+  /// Reports why a file was not opened.
   void sayBroken(const QString& path, const Diagnostics& why);
-  /// False if it was not written; a notice says why before all others, and the document stays modified. A
-  /// file that another program has changed meanwhile is not overwritten: the notice asks.
+  /// False if the file was not written; then a notice, ahead of all others, gives the reason, and the
+  /// document stays modified. A file that another program has changed meanwhile is not overwritten; the
+  /// notice asks what to do.
   bool save(const QString& path);
   void startAnew();
-  /// Back to what is in the file, as an edit that can be undone.
+  /// Returns to the contents of the file, as an edit that can be undone.
   void revert();
 
-  /// The files that somebody drags over the window.
+  /// The local files in dragged data.
   [[nodiscard]] static QStringList filesIn(const QMimeData& dragged);
   void renewActions(const WindowActions& actions) const;
 
-  // What a person asks for: in this window where it holds nothing yet, else in another one.
+  // User commands: in this window if isUnused(), else in another one.
   void newForPerson();
   void newWindow();
   void openForPerson(const QString& path);
   void chooseAndOpen();
   bool saveOrChoose();
   bool chooseAndSave();
-  /// True where the document may be given up: it is saved, or the person does not mind.
+  /// Asks about unsaved changes. True if the document may be discarded: it is saved, or the user agrees.
   bool mayDiscard();
-  /// The document has been given up for good.
+  /// To be called when the document is discarded: removes its side file and releases the document for other
+  /// windows and programs.
   void discard();
   void setRestoresSession(bool restores);
   void quit();
 
-  /// From now on the window is one of several, and unsaved changes are kept in side files.
+  /// Adds the window to the program's windows; from now on unsaved changes are kept in side files.
   void join(Windows* windows, const QString& recoveryFolder);
-  /// Goes on where the files of a window left off that this one is built in place of: its file, side file and
-  /// watch.
+  /// Takes over the file, side file and file watch of the window that this one replaces.
   void takeOver(WindowFiles& former);
-  /// The document is a lesson's: it has this title, no file and no side file, is given up without a question,
-  /// and nothing is opened in its place.
+  /// Marks the document as that of a lesson: it has this title, no file and no side file, is discarded
+  /// without a question, and nothing is opened in its place.
   void keepNothing(const QString& title);
-  /// The window to the front, and active as far as the desktop lets a program do that.
+  /// Raises the window, and activates it as far as the desktop permits.
   void bringForward();
-  /// Offers a document that an earlier run has left in a side file.
+  /// Offers to restore a document that an earlier run has left in a side file.
   void offer(std::unique_ptr<SideFile> side);
-  /// Nothing was drawn or opened here, or only an example looked at.
+  /// Was nothing drawn or opened here, or only an example viewed?
   [[nodiscard]] bool isUnused() const;
-  /// The file or example that is open; empty where there is none.
+  /// The path of the file or example that is open; empty if there is none.
   [[nodiscard]] QString source() const;
-  /// "robot.geargraph", "Untitled"
+  /// The title of the window: "robot.geargraph", "Untitled".
   [[nodiscard]] QString title() const;
   /// Is the file open in another window or program, so that this window does not write to it?
   [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
@@ -124,14 +127,14 @@ class WindowFiles : public QObject {
  signals:
   void titleChanged();
   void sourceChanged();
-  /// renewActions() has something to do.
+  /// renewActions() is to be called: after join(), takeOver() and keepNothing().
   void joined();
-  /// Why something was not done, and what was: for the status bar.
+  /// Messages for the status bar: why a command was rejected, and what was done.
   void refused(const QString& why);
   void noted(const QString& note);
-  /// A file could not be opened, by its findings.
+  /// A file could not be opened, with the diagnostics.
   void broken(const QString& name, const geargraph::Diagnostics& why);
-  /// Another one was: those findings are of no interest any more.
+  /// A file was opened: the diagnostics of broken() are obsolete.
   void read();
 
  private:
@@ -166,9 +169,9 @@ class WindowFiles : public QObject {
   RecentFiles* m_recent;
   Windows* m_windows = nullptr;
   QString m_recoveryFolder;
-  QString m_proposed;     ///< the file's name that is proposed for a document of an imported table
-  QString m_example;      ///< the example that is open, which is no file yet
-  MechanismPtr m_onDisk;  ///< what the file held when it was read or written here
+  QString m_proposed;     ///< file name proposed for a document imported from a table
+  QString m_example;      ///< path of the open example, which is not a file of the user's
+  MechanismPtr m_onDisk;  ///< contents of the file when last read or written here
   FileWatch m_watch;
   QString m_lessonTitle;  ///< of a document that is not kept; else empty
   bool m_isReadOnly = false;

@@ -15,10 +15,10 @@ class QMainWindow;
 
 namespace geargraph::inline mainwindow {
 
-/// What a tour needs of the window that it shows.
+/// What a tour needs from the window.
 struct TourStage {
-  std::function<QString()> whyNone;  ///< the reason why there can be no tour now; empty where there can
-  std::function<void()> begin;       ///< brings a mechanism and its drawing into sight
+  std::function<QString()> whyNone;  ///< why no tour is possible now; empty: one is
+  std::function<void()> begin;       ///< shows a mechanism and its drawing
   std::function<void(const QString& drawing)> showDrawing;
   std::function<void()> end;
 };
@@ -30,20 +30,19 @@ class WindowHelp : public QObject {
  public:
   WindowHelp(QMainWindow* window, TourStage stage);
 
-  /// "page" or "page#anchor".
+  /// Shows a page of the manual, "page" or "page#anchor".
   void showPage(const QString& pageAndAnchor);
-  /// The page about the widget that has the keyboard, also in a dialog of this window.
+  /// Shows the page about the widget with the keyboard focus, also in a dialog of this window.
   void showPageForFocus();
-  /// Carries out a command by its place in the menus, "File > Print"; one that is not possible is refused()
-  /// with its reason.
+  /// Runs a command by its menu path, "File > Print". If it is disabled, refused() gives the reason.
   void runCommand(const QString& menuPath);
 
-  /// Refused where the stage has a reason for none.
+  /// Starts the tour; refused() if TourStage::whyNone() gives a reason.
   void startTour();
-  /// startTour() at the first start of the program of this user, and never again.
+  /// startTour() at this user's first start of the program only.
   void offerTour();
 
-  /// Null while it has not been opened.
+  /// Null until it is opened.
   [[nodiscard]] HelpWindow* manualWindow() { return m_manual; }
   /// Null while there is none.
   [[nodiscard]] Tour* tour() { return m_tour; }

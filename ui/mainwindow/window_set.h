@@ -20,24 +20,24 @@ namespace geargraph::inline mainwindow {
 
 class MainWindow;
 
-/// The windows of the program: makes them, sends files to them, and remembers which files were open, so that
-/// the next start shows them again.
+/// The windows of the program: creates them, opens files in them, and remembers which files were open for the
+/// next start.
 class WindowSet : public QObject, public WindowFiles::Windows {
   Q_OBJECT
 
  public:
-  /// `folder`: where side files of documents without a file are kept, and the lock of the session. Of several
-  /// running programs the first one remembers its windows.
+  /// @param folder for the side files of documents without a file and for the lock of the session: of several
+  /// running instances only the first remembers its windows
   explicit WindowSet(const QString& folder, QObject* parent = nullptr);
   ~WindowSet() override;
 
-  /// The folder for the running user.
+  /// The current user's folder.
   [[nodiscard]] static QString defaultFolder();
 
-  /// The first windows: these documents, else those of the last session, else the start page; and an offer
-  /// for whatever an earlier run left unsaved.
+  /// Opens the first windows: these documents, else those of the last session, else the start page. Offers to
+  /// restore what an earlier run left unsaved.
   void start(const QStringList& documents);
-  /// A window with an empty document.
+  /// Opens a window with an empty document.
   MainWindow& openNew();
   WindowFiles& addWindow() override;
   void openFrom(const QString& path, WindowFiles& from) override;
@@ -46,7 +46,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   [[nodiscard]] OpenDocuments& documents() override { return m_documents; }
   [[nodiscard]] bool restoresSession() const override;
   void setRestoresSession(bool restores) override;
-  /// Closes all windows, unless the user minds, and remembers them.
+  /// Remembers all windows and closes them, unless the user cancels.
   void quit() override;
 
   [[nodiscard]] std::vector<MainWindow*> windows() const;

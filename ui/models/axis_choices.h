@@ -10,22 +10,23 @@
 
 namespace geargraph::inline models {
 
-/// A way in which an axis may lie, in the words of a menu.
+/// A direction or place for an axis, with its menu text.
 struct NamedAxisChoice {
-  QString group;  ///< the submenu it is in; empty: none
+  QString group;  ///< its submenu; empty: none
   QString text;
   AxisChoice choice;
 };
 
-/// How many axes are offered to lay another one by.
+/// The largest number of other axes offered as a reference.
 constexpr std::size_t kMostAxesOffered = 30;
 
-/// All ways for these axes: along x, y, z; square to, parallel to, through the meeting point of each other
-/// one. Of more than kMostAxesOffered others, those first that the fewest joints are away.
+/// All choices for these axes: along x, y, z; and relative to each other axis: perpendicular, parallel, or
+/// through the point of intersection. Of more than kMostAxesOffered other axes those separated by the fewest
+/// joints are offered.
 [[nodiscard]] std::vector<NamedAxisChoice> axisChoices(const Mechanism& mechanism,
                                                        const std::set<AxisId>& of);
 
-/// Fills a menu (QMenu) with them.
+/// Fills a menu (QMenu) with the choices; `chosen` is called with the one that the user picks.
 template <class Menu>
 void fillAxisMenu(Menu& menu, const std::vector<NamedAxisChoice>& choices,
                   const std::function<void(const AxisChoice&)>& chosen) {

@@ -7,15 +7,15 @@
 
 namespace geargraph::inline models {
 
-/// The findings of an analysis or of a file as a list, the errors first.
+/// The diagnostics of an analysis or of a file as a list, errors first.
 class DiagnosticModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
   enum Role {
-    SeverityRole = Qt::UserRole,  ///< int(Severity); info for what is unfinished
+    SeverityRole = Qt::UserRole,  ///< int(Severity); info for unfinished drawings
     CodeRole,                     ///< QString: "turning-loop"
-    UnfinishedRole,               ///< bool: a drawing in the making, which the next stroke goes on with
+    UnfinishedRole,               ///< bool: about a drawing that is not complete yet
     PlaceRole,                    ///< QString: "line 3, column 7", "/links/2/id", or empty
   };
 
@@ -23,7 +23,7 @@ class DiagnosticModel : public QAbstractListModel {
 
   void setDiagnostics(Diagnostics diagnostics);
   [[nodiscard]] const Diagnostics& diagnostics() const { return m_diagnostics; }
-  /// The culprits of a finding.
+  /// The elements that a diagnostic names.
   [[nodiscard]] std::set<ElementId> elementsOf(const QModelIndex& index) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

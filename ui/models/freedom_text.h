@@ -6,8 +6,8 @@
 
 namespace geargraph::inline models {
 
-/// What the degrees of freedom are, in sentences: what each input commands, which joints turn together at
-/// fixed ratios, which never turn. Empty where nothing is solved.
+/// The degrees of freedom in sentences: which joints each input drives, which turn together at fixed ratios,
+/// which never turn. Empty if nothing is solved.
 [[nodiscard]] QString freedomText(const AnalysisSnapshot& snapshot);
 
 }  // namespace geargraph::inline models

@@ -7,15 +7,15 @@
 
 namespace geargraph::inline models {
 
-/// What the matrices would be if the arrow being drawn were let go now.
+/// The matrices as they would be if the arrow being drawn were released now.
 struct PreviewSnapshot {
   SnapshotPtr snapshot;  ///< graph, tree, matrices; no diagnostics, no results
-  ElementId ghost;       ///< the joint to be
+  ElementId ghost;       ///< the joint being drawn
 };
 
-/// The structure of the mechanism with the joint that is being drawn. Nothing while the arrow is over no
-/// link, or the joint would be refused.
-/// Cost: O(n + t + c), so it is done while the mouse moves.
+/// The structure of the mechanism with the joint that is being drawn. std::nullopt if the
+/// arrow is over no link, or if the joint would be rejected.
+/// Cost: O(n + t + c), fast enough for every mouse move.
 [[nodiscard]] std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism,
                                                        const JointPreview& preview);
 

@@ -9,8 +9,8 @@
 
 namespace geargraph::inline models {
 
-/// The angular velocities of the links relative to the ground or to another link, in the reference pose:
-/// about which axes and how fast, exactly, and as a vector in the base frame.
+/// The angular velocities of the links relative to the ground or to another link, in the reference pose: the
+/// exact speeds about their axes, and the vector in the base frame.
 class LinkSpeedsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -24,9 +24,9 @@ class LinkSpeedsModel : public QAbstractTableModel {
 
   void setSnapshot(const SnapshotPtr& snapshot);
   void setUnit(const SpeedUnit& unit);
-  /// The document that names of links are taken from.
+  /// Sets the document that names of links are taken from.
   void setNames(const MechanismPtr& newest);
-  /// The link that speeds are relative to; none, or one that is gone: the ground.
+  /// Sets the link that speeds are relative to; none, or a link that no longer exists: the ground.
   void setObserver(const std::optional<LinkId>& observer);
   [[nodiscard]] ElementId linkAt(int row) const;
 
@@ -40,7 +40,8 @@ class LinkSpeedsModel : public QAbstractTableModel {
   [[nodiscard]] const std::vector<Rational>* exactRates() const;
   [[nodiscard]] int observerNode() const;
   [[nodiscard]] std::vector<SpeedAbout> speedOf(int link) const;
-  /// The speed that ratios are taken to; none where the unit is no ratio, or that link stands or tumbles.
+  /// The reference speed of ratios; std::nullopt if the unit is no ratio, or the reference link is at rest or
+  /// turns about several axes.
   [[nodiscard]] std::optional<Rational> referenceSpeed() const;
   [[nodiscard]] QString aboutText(int link) const;
   [[nodiscard]] QString componentText(int link, int component) const;

@@ -13,19 +13,19 @@
 
 namespace geargraph::inline models {
 
-/// One matrix of the newest snapshot as a table: one of whole numbers, or a quantity (screws, P, solution) in
-/// decimals, fractions or symbols. Entries are asked for when they are shown, so a matrix of 10,000 rows
-/// costs what is on the screen.
+/// One matrix of the newest snapshot as a table: an integer matrix, or a quantity (screws, P, solution) in
+/// decimals, fractions or symbols. Entries are computed on demand, so a matrix of 10,000 rows costs only the
+/// rows on the screen.
 ///
-/// While an arrow is being drawn the matrix is the one that it would make; the joint to be is the ghost.
+/// While an arrow is being drawn the matrix includes its joint, the ghost.
 class MatrixModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Role {
-    ValueRole = Qt::UserRole,  ///< int: the entry, of a quantity its sign
+    ValueRole = Qt::UserRole,  ///< int: the entry; the sign of a quantity
     ChangedRole,               ///< bool: the last edit changed the entry, less than 0.6 s ago
-    GhostRole,                 ///< bool: the cell, row or column of the joint to be
+    GhostRole,                 ///< bool: of the joint being drawn
     FormulaRole,               ///< bool: the text is a formula in the gear ratios
     RateRole,                  ///< bool, of headings: the text names the rate of that joint
   };
@@ -35,29 +35,29 @@ class MatrixModel : public QAbstractTableModel {
 
   [[nodiscard]] MatrixKind kind() const { return m_kind; }
   void setKind(MatrixKind kind);
-  /// Shows a quantity, in this form or, where there is none such yet, in the nearest.
+  /// Shows a quantity in this form, or in the nearest available one.
   void setQuantity(QuantityKind kind, EntryForm form);
   [[nodiscard]] std::optional<QuantityKind> quantityKind() const { return m_quantityKind; }
   [[nodiscard]] EntryForm wantedForm() const { return m_form; }
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);
 
-  /// The quantity that is shown; null where there is none, or a matrix of whole numbers is shown.
+  /// The shown quantity; null if there is none, or an integer matrix is shown.
   [[nodiscard]] const QuantityTablePtr& quantity() const { return m_quantity; }
   [[nodiscard]] bool isThere() const { return m_matrix || m_quantity; }
-  /// The matrix that is shown; null where there is none (no snapshot yet, or no spanning tree), or a quantity
-  /// is shown.
+  /// The shown integer matrix; null if there is none (no snapshot yet, or no spanning tree), or a quantity is
+  /// shown.
   [[nodiscard]] const IntegerMatrixPtr& matrix() const { return m_matrix; }
   /// The newest snapshot without the preview; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
 
-  /// What a heading stands for; its id is empty where nothing does (a component of a screw).
+  /// The element of a heading; an empty id if it has none (a component of a screw).
   [[nodiscard]] ElementId rowElement(int row) const { return rowHeading(row).element; }
   [[nodiscard]] ElementId columnElement(int column) const { return columnHeading(column).element; }
-  /// What lights up for a row: for T and C the whole cycle.
+  /// The elements to highlight for a row: for T and C the whole cycle.
   [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const;
-  /// What lights up for a cell: the row of a cycle or cutset as a whole, else the two elements that meet in
-  /// it.
+  /// The elements to highlight for a cell: the whole cycle or cutset, else the elements of its row and
+  /// column.
   [[nodiscard]] std::set<ElementId> elementsOfCell(int row, int column) const;
   /// @pre the index is in the model
   [[nodiscard]] CellExplanation explanation(const QModelIndex& index) const;
@@ -71,7 +71,7 @@ class MatrixModel : public QAbstractTableModel {
                                     int role = Qt::DisplayRole) const override;
 
  signals:
-  void matrixChanged();  ///< another matrix, or none: titles and empty states are to be renewed
+  void matrixChanged();  ///< another matrix, or none: update titles and empty states
 
  private:
   [[nodiscard]] const AnalysisSnapshot* shown() const;
@@ -89,10 +89,10 @@ class MatrixModel : public QAbstractTableModel {
   std::optional<QuantityKind> m_quantityKind;
   EntryForm m_form = EntryForm::symbols;
   QuantityTablePtr m_quantity;
-  mutable int m_rowAsked = -1;  ///< whose entries are kept: a view asks cell by cell
+  mutable int m_rowAsked = -1;  ///< row of m_rowEntries: views ask cell by cell
   mutable std::vector<QuantityEntry> m_rowEntries;
   IntegerMatrixPtr m_matrix;
-  IntegerMatrixPtr m_before;  ///< while cells glow: the matrix before the edit, else null
+  IntegerMatrixPtr m_before;  ///< while changed cells are highlighted: the matrix before the edit; else null
   std::unordered_map<ElementId, int> m_rowsBefore;
   std::unordered_map<ElementId, int> m_columnsBefore;
   QTimer m_glow;

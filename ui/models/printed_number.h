@@ -6,7 +6,7 @@
 
 namespace geargraph::inline models {
 
-/// A fraction with the minus sign of print, or about six digits of it if it is long.
+/// A number with a Unicode minus sign; a long fraction is given to about six digits.
 [[nodiscard]] QString printedFraction(const Rational& value);
 /// With the decimal sign of the window's language.
 [[nodiscard]] QString printedNumber(double value);

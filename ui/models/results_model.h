@@ -11,8 +11,8 @@ namespace geargraph::inline models {
 /// The solution of the newest snapshot as a table [AU, Eqs. (23), (25)]: a row for each joint that is not an
 /// input; its name, its rate for one unit of each input, and its rate now.
 ///
-/// Entries are numbers at once, exact fractions when they are there, and symbols in the gear ratios where
-/// they are wanted and not over their budget.
+/// Entries are decimals at first, fractions once the exact solution is available, and symbols in the gear
+/// ratios if wanted and within their size limit.
 class ResultsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -20,45 +20,45 @@ class ResultsModel : public QAbstractTableModel {
   enum Role {
     ZeroRole = Qt::UserRole,  ///< bool: the coefficient is exactly 0
     JointLabelRole,           ///< QString: of the row's joint
-    LinkLabelRole,            ///< int: of the link that the joint carries
+    LinkLabelRole,            ///< int: of the joint's head link
     SymbolRole,               ///< bool: the text is a formula in the gear ratios
   };
 
   using QAbstractTableModel::QAbstractTableModel;
 
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// The document that names of links are taken from.
+  /// Sets the document that names of links are taken from.
   void setNames(const MechanismPtr& newest);
   void setSymbolic(bool symbolic);
   [[nodiscard]] bool isSymbolic() const { return m_symbolic; }
-  /// Of the rates now; the coefficients are pure numbers.
+  /// Sets the unit of the current rates; the coefficients are dimensionless.
   void setUnit(const SpeedUnit& unit);
-  /// Are there symbols to be shown?
+  /// Is the symbolic solution available?
   [[nodiscard]] bool hasSymbols() const;
 
   [[nodiscard]] int inputCount() const;
-  /// By their ordinals. @pre the row or input is there
+  /// The joint of a row, of an input (by ordinal). @pre the row or input exists
   [[nodiscard]] ElementId outputAt(int row) const;
   [[nodiscard]] ElementId inputAt(int input) const;
-  /// The ratio output : input and its inverse in one line, where there is one input and the row turns with
-  /// it: "joint 9 (carrier) : joint 8 (sun) = 1/4 (0.25), inverse 4"; else empty. Of relative speeds.
+  /// The ratio output : input and its inverse in one line, if there is one input and the row depends on it:
+  /// "joint 9 (carrier) : joint 8 (sun) = 1/4 (0.25), inverse 4"; else empty. The speeds are relative.
   [[nodiscard]] QString ratioText(int row) const;
-  /// The row that such a ratio is about unless another is chosen: the only joint that turns on the ground
-  /// beside the input; -1 where there are several or none.
+  /// The default row of ratioText(): the only joint on the ground other than the input; -1 if there are
+  /// several or none.
   [[nodiscard]] int ratioRow() const;
-  /// The link that the joint of a row carries: its head.
+  /// The head link of a row's joint.
   [[nodiscard]] ElementId linkAt(int row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  /// Of an input's column: the joint's label.
+  /// For the column of an input: the joint's label.
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                     int role = Qt::DisplayRole) const override;
 
  private:
   [[nodiscard]] const LiveSolution* solution() const;
-  /// By their ordinals in the snapshot's digraph, which knows labels and ends without a search.
+  /// Ordinals in the snapshot's digraph, where labels and ends need no search.
   [[nodiscard]] int jointAt(int row) const { return solution()->outputs[static_cast<std::size_t>(row)]; }
   [[nodiscard]] int linkNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).head; }
   [[nodiscard]] int tailNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).tail; }
@@ -69,7 +69,7 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
   [[nodiscard]] QString coefficient(int row, int input) const;
   [[nodiscard]] QString rateNow(int row, bool asDecimal) const;
-  /// The joint that ratios are taken to, by ordinal; -1: none.
+  /// The ordinal of the reference joint of ratios; -1: none.
   [[nodiscard]] int referenceJoint() const;
   [[nodiscard]] QString headOfRates() const;
   [[nodiscard]] bool isZero(int row, int input) const;

@@ -8,19 +8,19 @@
 
 namespace geargraph::inline models {
 
-/// How speeds are told: in rad/s, in turns a minute, or as ratio to the speed of a chosen joint (relative
-/// speeds) or of the link that it carries (absolute ones).
+/// The unit of displayed speeds: rad/s, revolutions per minute, or the ratio to the speed of a chosen joint
+/// (relative speeds) or of its head link (absolute speeds).
 struct SpeedUnit {
   enum class Kind { radPerSecond, rpm, ratio };
   Kind kind = Kind::radPerSecond;
   JointId reference;  ///< of a ratio
 };
 
-/// A speed of rad/s in the unit: fractions stay fractions, turns a minute are decimals. `reference`: the
-/// speed of the reference in rad/s; a ratio to what stands still is "–".
+/// A speed given in rad/s as text in the unit: fractions stay fractions, rpm are decimals. `reference`: the
+/// speed of the reference in rad/s; the ratio to a speed of 0 is "–".
 [[nodiscard]] QString speedText(const Rational& speed, const SpeedUnit& unit,
                                 const std::optional<Rational>& reference);
-/// The same without a fraction at hand.
+/// The same for a speed that is not known exactly.
 [[nodiscard]] QString speedText(double speed, const SpeedUnit& unit, std::optional<double> reference);
 
 }  // namespace geargraph::inline models

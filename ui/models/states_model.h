@@ -8,12 +8,12 @@
 
 namespace geargraph::inline models {
 
-/// The shift table: a row a state of the document; its name, a column for each coupling, the links that make
-/// the ratio, the ratio exact and decimal, the step from the state before; efficiency and circulating power
-/// as soon as the torques are solved. A coupling's column then has its torque.
+/// The shift table, one row per state of the document: its name, one column per coupling, the input and
+/// output link, the exact and decimal ratio, the step from the previous state; once the torques are solved
+/// also efficiency, circulating power, and the torque in each coupling's column.
 ///
-/// Names and dots are the document's at once; what is computed follows with the complete snapshot of the same
-/// states. Until then the last ratios of these states stay: they would blink at every step of a drag.
+/// Names and dots follow the document immediately, computed values with the complete snapshot of the same
+/// states. Until then the last ratios of these states are kept, since they would flicker during a drag.
 class StatesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,8 +21,8 @@ class StatesModel : public QAbstractTableModel {
   enum Role {
     EngagedRole = Qt::UserRole,  ///< bool: the column's coupling is engaged in the row's state
     RunningRole,                 ///< bool: the row's state is engaged now
-    RemarkRole,                  ///< bool: the text says why there is no ratio
-    HoldsRole,                   ///< text of a head: what its coupling holds, "2 = 0"
+    RemarkRole,                  ///< bool: the text is the reason for the missing ratio
+    HoldsRole,                   ///< QString, of headings: the constraint of the coupling, "2 = 0"
   };
   /// The columns after those of the couplings.
   enum class Tail { links, ratio, decimal, step, efficiency, backward, circulating, count };
@@ -31,45 +31,46 @@ class StatesModel : public QAbstractTableModel {
 
   void setMechanism(const MechanismPtr& mechanism);
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// The shift table of torques of these states; those of other states are not shown.
+  /// Sets the torques of all states of `mechanism`; they are shown only while the document has the same
+  /// states.
   void setTorques(const std::shared_ptr<const ForceTable>& torques, const MechanismPtr& mechanism);
 
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
   [[nodiscard]] int couplingCount() const;
-  /// The coupling of a column, -1 where it is none.
+  /// The coupling of a column; -1 if it has none.
   [[nodiscard]] int couplingAt(int column) const;
   [[nodiscard]] bool isTail(int column, Tail tail) const;
   [[nodiscard]] bool isEngagedNow(int coupling) const;
-  /// The shift table of torques; null until the states of the document are solved.
+  /// The torques of all states; null until they are solved for the document.
   [[nodiscard]] const ForceTable* torques() const;
-  /// Is it a column of torques that no row has anything for?
+  /// Is it a column of statics (efficiency and later) without a value in any row?
   [[nodiscard]] bool isBlank(int column) const;
-  /// The last one that is not blank.
+  /// The last column that is not blank.
   [[nodiscard]] int lastColumn() const;
-  /// Null until the snapshot of these states is there.
+  /// Null until the snapshot of these states is available.
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
   [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }
 
-  /// Has this state no input or no output link yet, so that it has no ratio?
+  /// Has this state no input or output link yet, and so no ratio?
   [[nodiscard]] bool lacksLinks(int row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// Emits renamed(); the document answers.
+  /// Emits renamed(); the model changes when the document does.
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
-  /// Of a coupling: its name, in EngagedRole whether it is engaged now, and in HoldsRole what it holds.
+  /// For a coupling: its name; in EngagedRole whether it is engaged now, in HoldsRole its constraint.
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                     int role = Qt::DisplayRole) const override;
 
  signals:
   void renamed(int row, const QString& name);
-  void computed();  ///< what a snapshot has changed is told: the tails of some rows
+  void computed();  ///< after dataChanged() for what a snapshot has changed
 
  private:
-  /// What is shown of a state beside the document's own names and dots.
+  /// The displayed values of a state other than names and dots.
   struct Row {
     std::array<QString, static_cast<std::size_t>(Tail::count)> tails;
     std::vector<QString> torques;  ///< by coupling

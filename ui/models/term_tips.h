@@ -9,7 +9,7 @@ namespace geargraph::inline models {
 /// The definition of a term as a tooltip: its name in bold, the text, the paper's equation.
 [[nodiscard]] QString tipOf(Term term);
 
-/// A text of core for a widget.
+/// A text from core in the form that widgets show.
 [[nodiscard]] QString shownText(std::string_view text);
 
 }  // namespace geargraph::inline models

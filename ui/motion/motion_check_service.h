@@ -7,16 +7,16 @@
 
 namespace geargraph::inline ui_motion {
 
-/// Null where there is nothing to check: errors, no motion, too many links, axes without places.
+/// Null if there is nothing to check: errors, no motion, too many links, or axes without places.
 using MotionReportPtr = std::shared_ptr<const MotionReport>;
 
-/// Checks the motion of mechanisms for collisions, on a background thread and only when edits no longer come
-/// one after the other. A request that changes nothing of the train is answered already.
+/// Checks the motion of mechanisms for collisions on a background thread, once edits have paused. A request
+/// for an unchanged train is not computed again.
 class MotionCheckService final : public Service<SnapshotPtr, MotionReportPtr> {
  public:
   explicit MotionCheckService(QObject* parent = nullptr);
 
-  /// The report on another train is void at once: the answer is null until the new one arrives.
+  /// If the train has changed, the report is null until the new one arrives.
   void requestCheck(const SnapshotPtr& snapshot);
   [[nodiscard]] const MotionReportPtr& report() const { return answer(); }
 };

@@ -10,7 +10,7 @@ namespace geargraph::inline panels {
 
 class TeethSlider;
 
-/// The document's own name.
+/// The form for the document: its name.
 class DocumentForm : public PropertyForm {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class LinkForm : public PropertyForm {
   QLabel* addParts(const QString& name, Term term);
   static void showParts(QLabel& parts, const QString& text);
 
-  QLineEdit* m_name = nullptr;  ///< for one link, as what follows
+  QLineEdit* m_name = nullptr;  ///< only for a single link, like the following
   QLabel* m_joints = nullptr;
   QLabel* m_gears = nullptr;
   QLabel* m_couplings = nullptr;
@@ -54,15 +54,15 @@ class JointForm : public PropertyForm {
 
  private:
   [[nodiscard]] std::vector<const TurningJoint*> joints() const;
-  /// Component `index` of the points, or directions, of the joints' axes.
+  /// Sets component `index` of the points or directions of the joints' axes.
   void placeAxes(int index, const std::optional<Number>& number, bool ofPoint);
   void chooseAxis(int item);
   void fillAxes();
   void refreshAxes(const std::vector<const TurningJoint*>& joints);
   void addLimits();
-  /// Opens a menu of the ways in which the axes may lie.
+  /// Opens a menu of axisChoices().
   [[nodiscard]] QPushButton* makeLayButton();
-  /// No value: the joints differ; no number in it: none has a limit.
+  /// Outer std::nullopt: the joints differ; inner: none has a limit.
   static void showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit);
 
   QComboBox* m_axis;
@@ -92,7 +92,7 @@ class MeshForm : public PropertyForm {
   NumberField* m_headTeeth;
   TeethSlider* m_tailSlider;
   TeethSlider* m_headSlider;
-  std::optional<PlacedMechanism> m_slidFrom;  ///< what the drag of a slider began with
+  std::optional<PlacedMechanism> m_slidFrom;  ///< state at the start of a slider drag
   QComboBox* m_kind;
   NumberField* m_module;
   TripleField* m_pitchPoint;
@@ -100,10 +100,10 @@ class MeshForm : public PropertyForm {
   QCheckBox* m_pinTail;
   QCheckBox* m_pinHead;
   QCheckBox* m_pinModule;
-  QLabel* m_tooMany;  ///< meshes for the rest of the train to follow
+  QLabel* m_tooMany;  ///< says that there are too many meshes to adapt the rest of the train
 };
 
-/// Elements of several kinds: there is nothing that all of them have.
+/// The form for elements of several kinds, which have no property in common.
 class MixedForm : public PropertyForm {
   Q_OBJECT
 
@@ -112,8 +112,8 @@ class MixedForm : public PropertyForm {
   void refresh() override {}
 };
 
-/// The form for what is selected: links, turning joints or meshes; the document where nothing is; a note
-/// where it is of several kinds. The caller owns it.
+/// Creates the form for the selected elements: links, turning joints or meshes; for the document if none is
+/// selected; a note for elements of several kinds. The caller owns it.
 [[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
 }  // namespace geargraph::inline panels

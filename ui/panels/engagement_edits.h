@@ -4,7 +4,8 @@
 
 namespace geargraph::inline panels {
 
-/// Releases every brake and clutch; the joints that come free are driven as fast as they turn.
+/// An edit that releases all brakes and clutches. The joints that are freed become inputs at their current
+/// speeds.
 [[nodiscard]] Edit releaseAllEdit();
 
 }  // namespace geargraph::inline panels

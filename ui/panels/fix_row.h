@@ -6,24 +6,24 @@ class QPushButton;
 
 namespace geargraph::inline panels {
 
-/// The buttons that mend a finding, along the lower edge of its row in the list. Whatever is not a button
-/// lets the mouse through to the row.
+/// The quick-fix buttons of a diagnostic, along the lower edge of its row in the list. Outside the buttons
+/// mouse events pass through to the row.
 class FixRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `indent`: where the finding's text begins.
+  /// @param indent x of the diagnostic's text, in pixels
   FixRow(int indent, QWidget* parent);
 
   QPushButton* addButton(const QString& text);
-  /// What the buttons need below the text, in as many lines as they take.
+  /// The height of the buttons below the text when wrapped into this width, in pixels.
   [[nodiscard]] int heightFor(int width) const;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// The buttons' places, the first line at y = 0.
+  /// The rectangles of the buttons, with the first line at y = 0.
   [[nodiscard]] QList<QRect> placesFor(int width) const;
 
   int m_indent;

@@ -15,11 +15,11 @@ namespace geargraph::inline panels {
 
 class StatesTable;
 
-/// Brakes, clutches and the shift table. A click on a dot puts a coupling into a state or takes it out; a
-/// click on a state engages it in the document (its ratio asks for its links first, where it has none), the
-/// letters above engage or release single couplings. All views are of the train as engaged, and all of it is
-/// undone like any edit. Each dot has its coupling's torque, under the loads of the document or 1 N m at the
-/// drive.
+/// Brakes, clutches and the shift table. A click on a dot adds a coupling to a state or removes it; a click
+/// on a state engages it in the document (one on its ratio first asks for the input and output link if it has
+/// none); a click on a heading engages or releases that coupling. All views show the train as engaged, and
+/// every change can be undone. Beside each dot is the torque of its coupling, under the loads of the document
+/// or under 1 N m at the input.
 class GearboxPanel : public QWidget {
   Q_OBJECT
 
@@ -27,16 +27,16 @@ class GearboxPanel : public QWidget {
   GearboxPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
 
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// Is it in sight?
+  /// Sets whether the panel is visible.
   void setAwake(bool awake);
-  /// The shift table of torques of this document; null: there is none.
+  /// Sets the torques of all states of `mechanism`; null: there are none.
   void setTorques(const std::shared_ptr<const ForceTable>& torques, const MechanismPtr& mechanism);
   [[nodiscard]] StatesModel& model() { return *m_model; }
-  /// The finding, or the hint, under the table.
+  /// The diagnostic or the hint under the table.
   [[nodiscard]] QString remark() const;
 
  public slots:
-  /// Engages the state; its drive turns at 1 rad/s.
+  /// Engages the state with its input at 1 rad/s.
   void engage(int state);
   void toggleCoupling(int coupling);
   void releaseAll();
@@ -44,14 +44,14 @@ class GearboxPanel : public QWidget {
   void addClutch();
   void addState();
 
-  /// The table as CSV: ratios, torques, efficiencies.
+  /// Copies the table as CSV: ratios, torques, efficiencies.
   void copy();
   void wantExport();
 
  signals:
-  /// Torques of all states should be solved now, or no longer.
+  /// The torques of all states are needed, or no longer.
   void torquesWanted(bool wanted);
-  /// The table as CSV, under a name for its file.
+  /// The table as CSV, with a proposed file name.
   void exportWanted(const QString& name, const QString& csv);
 
  protected:
@@ -89,7 +89,7 @@ class GearboxPanel : public QWidget {
   QLabel* m_remark;
   bool m_isAwake = false;
   bool m_wantsTorques = false;
-  int m_shownState = -1;  ///< whose finding stands under the table
+  int m_shownState = -1;  ///< the state whose diagnostic is shown under the table
 };
 
 }  // namespace geargraph::inline panels

@@ -17,9 +17,8 @@ namespace geargraph::inline panels {
 class NumberField;
 class SpeedSlider;
 
-/// The driven joints with their speeds: a slider and a number each. A drag of a slider is one undo step. Each
-/// can be exchanged for another joint with one click where that leaves the set valid; the motion stays as it
-/// is.
+/// The input joints with a slider and a number for each speed. A drag of a slider is one undo step. Each
+/// input can be exchanged for any joint that keeps the set of inputs valid; the motion stays the same.
 class InputsPanel : public QWidget {
   Q_OBJECT
 
@@ -29,7 +28,7 @@ class InputsPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
 
  public slots:
-  /// Drives these joints (ordinals of the snapshot's digraph) at the speeds that they have now.
+  /// Makes these joints (ordinals of the snapshot's digraph) the inputs, at their current speeds.
   void drive(const std::vector<int>& joints);
 
  protected:
@@ -59,7 +58,7 @@ class InputsPanel : public QWidget {
 
   Document* m_document;
   Selection* m_selection;
-  QLabel* m_engaged;  ///< what is engaged
+  QLabel* m_engaged;  ///< names of engaged couplings
   QToolButton* m_release;
   QGridLayout* m_grid;
   QLabel* m_empty;
@@ -68,7 +67,7 @@ class InputsPanel : public QWidget {
   SnapshotPtr m_snapshot;
   std::vector<Row> m_rows;  ///< of the first inputs
   std::vector<std::string> m_shownTitles;
-  std::size_t m_mostRows;  ///< the others come when they are asked for
+  std::size_t m_mostRows;  ///< shown; "more" shows the others
   quint64 m_gesture = 0;
 };
 

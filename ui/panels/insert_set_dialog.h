@@ -14,7 +14,7 @@ namespace geargraph::inline panels {
 class SetForm;
 class SetPreview;
 
-/// Whole sets in one step: choose a kind, say what is wanted, see it, insert it. Not modal.
+/// Inserts a complete gear set: choose a kind, enter the requirements, see the preview, insert. Not modal.
 class InsertSetDialog : public QDialog {
   Q_OBJECT
 

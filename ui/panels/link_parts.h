@@ -7,9 +7,9 @@
 
 namespace geargraph::inline panels {
 
-/// What is on a link, each as rich text whose links are addressOf() an element: its joints, its gears with
-/// their teeth, its brakes and clutches. Empty where there are none. Of more than kMostListed the first are
-/// listed, and how many more there are.
+/// The joints, the gears with their teeth, and the brakes and clutches of a link, as rich text with an
+/// addressOf() hyperlink for each; empty if there are none. Beyond kMostListed only the number of the others
+/// is given.
 struct LinkParts {
   static constexpr int kMostListed = 12;
 
@@ -21,7 +21,7 @@ struct LinkParts {
 /// Cost: O(joints + meshes + couplings).
 [[nodiscard]] LinkParts partsOf(const Mechanism& mechanism, const ElementIndex& index, const LinkId& link);
 
-/// The target of a link in rich text that stands for an element, and back.
+/// The hyperlink target for an element in rich text, and back.
 [[nodiscard]] QString addressOf(const ElementId& element);
 [[nodiscard]] ElementId elementAt(const QString& address);
 

@@ -18,28 +18,28 @@ class QWidget;
 
 namespace geargraph::inline panels {
 
-/// Applies an edit: why the document refused it, as a sentence; empty where it did not.
+/// Applies an edit. Returns why the document rejected it, as a sentence; empty on success.
 [[nodiscard]] QString refusalOf(Document& document, const Edit& edit);
 
-/// An edit of many elements, worked out on a thread while the window goes on painting. After a moment a
-/// dialog says what is done, how far it is, and can cancel it. When it is ready the document gets it as one
-/// edit; where that has changed meanwhile it is worked out again, so that no edit is lost. Its document owns
-/// it; it ends with itself.
+/// An edit of many elements, computed on a background thread while the window stays responsive. After a short
+/// delay a dialog shows the progress and offers to cancel. The result is applied to the document as one edit;
+/// if the document has changed meanwhile, the edit is computed again, so that no other edit is lost. Owned by
+/// the document; deletes itself when done.
 class LongEdit final : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:
-  /// How far the work is. Any thread.
+  /// Progress and cancellation of the work. Thread-safe.
   struct Progress {
     std::stop_token stop;
-    std::atomic<int>* done;  ///< elements
+    std::atomic<int>* done;  ///< number of elements done
   };
-  /// A pure function, as Reduce. Of no use when a stop was requested meanwhile.
+  /// A pure function, as Reduce. The result is meaningless if `stop` was requested meanwhile.
   using Work =
       std::function<Expected<PlacedMechanism>(const PlacedMechanism& before, const Progress& progress)>;
 
-  /// @param elements how many are changed, each of them one of `Progress::done`
-  /// @param window the dialog's, which is locked while that is there
+  /// @param elements the number of elements to change, the final value of `Progress::done`
+  /// @param window the parent of the dialog, blocked while the dialog is shown
   LongEdit(Document* document, QWidget* window, QString text, quint64 gesture, int elements, Work work);
   ~LongEdit() override;
 
@@ -47,7 +47,7 @@ class LongEdit final : public QObject, public BackgroundWork {
   [[nodiscard]] bool hasEnded() const override { return m_service->hasEnded(); }
 
  signals:
-  /// Why the document refused it, as a sentence; empty where it did not, or the edit was cancelled.
+  /// Why the document rejected the edit, as a sentence; empty if it succeeded or was cancelled.
   void ended(const QString& why);
 
  private:
@@ -64,14 +64,14 @@ class LongEdit final : public QObject, public BackgroundWork {
   quint64 m_gesture;
   int m_elements;
   std::atomic<int> m_done = 0;
-  MechanismPtr m_before;  ///< what is being worked on
+  MechanismPtr m_before;  ///< input of the running computation
   QElapsedTimer m_time;
   QTimer m_telling;
   std::unique_ptr<QProgressDialog> m_dialog;
-  std::unique_ptr<Service<PlacedMechanism, Result>> m_service;  // last: it ends before what it reads
+  std::unique_ptr<Service<PlacedMechanism, Result>> m_service;  // last: uses the members above
 };
 
-/// The elements changed one after the other, until one is refused or a stop is requested.
+/// Applies `change` to the elements one after the other, until one is rejected or a stop is requested.
 template <class Value, class Change>
 Expected<Value> changedInTurn(Value before, const std::vector<ElementId>& elements,
                               const LongEdit::Progress& progress, const Change& change) {

@@ -22,7 +22,7 @@ namespace geargraph::inline panels {
 
 class MatrixView;
 
-/// The matrices of the newest snapshot: a chip for each, the matrix, and what the cell under the mouse means.
+/// The matrices of the newest snapshot: a chip for each, the matrix, and an explanation of the hovered cell.
 class MatricesPanel : public QWidget, public BackgroundWork {
   Q_OBJECT
 
@@ -35,10 +35,10 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);
   void showMatrix(MatrixKind kind);
-  /// Screws, P or the solution, in the form that was chosen last.
+  /// Shows the screws, P or the solution in the last chosen form.
   void showQuantity(QuantityKind kind);
 
-  /// Asks for the export of what is shown, by one of the two signals.
+  /// Requests the export of the shown matrix or quantity, by one of the two signals.
   void wantExport();
 
   [[nodiscard]] MatrixModel& model() { return *m_model; }
@@ -48,7 +48,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
   void quantityExportWanted(const geargraph::QuantityTablePtr& table);
   void copied();
-  void refused(const QString& why);  ///< to copy: as a sentence
+  void refused(const QString& why);  ///< copying failed: why, as a sentence
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -79,7 +79,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   QFrame* m_card = nullptr;
   QLabel* m_cardTitle = nullptr;
   QLabel* m_cardText = nullptr;
-  RequestWorker<std::function<std::string()>> m_writer;  ///< last: it is stopped before what it uses goes
+  RequestWorker<std::function<std::string()>> m_writer;  ///< last: uses the members above
 };
 
 }  // namespace geargraph::inline panels

@@ -5,14 +5,14 @@
 
 namespace geargraph::inline panels {
 
-constexpr int kMatrixBracket = 12;  ///< room for a bracket, beside the first and the last column
+constexpr int kMatrixBracket = 12;  ///< pixels for a bracket beside the first and last column
 
 /// The labels above or beside a matrix; those beside it also draw its left bracket.
 class MatrixHeader : public QHeaderView {
   Q_OBJECT
 
  public:
-  /// `isLit`: is this row or column emphasised?
+  /// @param isLit whether the row or column is highlighted
   MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isLit, QWidget* parent);
 
  signals:
@@ -30,7 +30,8 @@ class MatrixHeader : public QHeaderView {
   int m_hovered = -1;
 };
 
-/// Half of a bracket around rows `top` to `bottom` at x, its hooks pointing by `hook` pixels.
+/// Paints the left or right bracket around the rows from `top` to `bottom` at `x`; its ends extend by `hook`
+/// pixels, to the left if negative.
 void paintBracket(QPainter& painter, int x, int top, int bottom, int hook);
 
 }  // namespace geargraph::inline panels

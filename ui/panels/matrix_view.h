@@ -9,16 +9,16 @@
 
 namespace geargraph::inline panels {
 
-/// A matrix as it is printed: labels above and beside, brackets, the partition as a dashed line, ±1 tinted,
-/// zeros as faint dots. What the mouse is over lights up everywhere through the selection, and what is
-/// hovered or selected elsewhere lights up its row and column here. One entry can be framed.
+/// A matrix as in print: labels above and beside, brackets, the partition as a dashed line, ±1 tinted, zeros
+/// as faint dots. Hovered cells highlight their elements in all views through the selection, and elements
+/// hovered or selected elsewhere highlight their rows and columns here. One entry can be framed.
 class MatrixView : public QTableView {
   Q_OBJECT
 
  public:
-  static constexpr int kColumnWidth = 44;  ///< and down to kNarrowest, where the matrix so fits as a whole
+  static constexpr int kColumnWidth = 44;  ///< down to kNarrowest if the whole matrix then fits
   static constexpr int kNarrowest = 31;
-  static constexpr int kWidest = 360;  ///< of a formula; what is longer is cut, and told in full beside
+  static constexpr int kWidest = 360;  ///< of a formula; longer ones are elided
   static constexpr int kRowHeight = 32;
   static constexpr int kLowest = 20;
   static constexpr int kRestMilliseconds = 500;
@@ -31,22 +31,23 @@ class MatrixView : public QTableView {
 
   [[nodiscard]] bool isRowLit(int row) const;
   [[nodiscard]] bool isColumnLit(int column) const;
-  /// The column of the one element that is pointed at, which is then tinted as a whole.
+  /// Is it the column of the only hovered element? It is tinted as a whole.
   [[nodiscard]] bool isColumnTinted(int column) const;
 
   /// Frames the entry of this mesh and this joint in every matrix that has one: of T, C and P the mesh is the
-  /// row, of Q the joint. Empty: none. Cost: the headings, here and when another matrix is shown.
+  /// row, of Q the joint. Empty: none. Cost: linear in the number of headings, here and when another matrix
+  /// is shown.
   void setFramed(const ElementId& mesh, const ElementId& joint);
   [[nodiscard]] bool isFramed(int row, int column) const {
     return row >= 0 && row == m_framedRow && column == m_framedColumn;
   }
-  /// Scrolls to the framed entry, makes it the current one and explains it; false where there is none.
+  /// Scrolls to the framed entry, makes it current and explains it; false if there is none.
   bool showFramed();
 
  signals:
-  /// The mouse rests on a cell for half a second, or (-1, -1) has left it.
+  /// The mouse has rested on a cell for kRestMilliseconds; an invalid index: it has left the cell.
   void restedOn(const QModelIndex& index);
-  /// What the row and the column of the cell under the mouse stand for; both empty: the mouse is over none.
+  /// The elements of the row and column of the hovered cell; both empty: none.
   void entryHovered(const geargraph::ElementId& row, const geargraph::ElementId& column);
   /// The mouse is over the row of this mesh's cycle; empty: over none.
   void cycleHovered(geargraph::MeshId mesh);

@@ -10,15 +10,14 @@
 
 namespace geargraph::inline panels {
 
-/// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end: an
-/// exact spin box. What is typed is committed by Return, by leaving the field or after kPause, so that 1000
-/// does not make trains of 1, 10 and 100 teeth on the way; Esc drops it. Text that is no such number turns
-/// red and changes nothing. A decimal comma may be typed, except where the locale writes a point and the
-/// comma could group thousands (1,000). Undo and redo are the document's unless something typed is not
-/// committed yet.
+/// A spin box for exact numbers (12, 0.5, 22/7), stepped by the arrow keys, the wheel or its arrow buttons.
+/// Typed text is committed by Return, by leaving the field or after kPause, so that typing 1000 does not
+/// produce trains of 1, 10 and 100 teeth; Esc discards it. Invalid text turns red and changes nothing. A
+/// decimal comma is accepted, except where the locale uses a decimal point and the comma could group
+/// thousands (1,000). Undo and redo act on the document unless typed text is not committed yet.
 class NumberField : public QAbstractSpinBox {
   Q_OBJECT
-  // What QAccessibleAbstractSpinBox reads and sets; it asks for "stepSize", not QSpinBox's "singleStep".
+  // The properties that QAccessibleAbstractSpinBox uses: "stepSize", not QSpinBox's "singleStep".
   Q_PROPERTY(QVariant value READ value WRITE setValue)
   Q_PROPERTY(QVariant minimum READ minimum)
   Q_PROPERTY(QVariant maximum READ maximum)
@@ -29,12 +28,13 @@ class NumberField : public QAbstractSpinBox {
 
   explicit NumberField(QWidget* parent = nullptr);
 
-  /// Whole numbers from `least` to `most` only.
+  /// Accepts only integers from `least` to `most`.
   void setWhole(int least, int most);
-  /// A length in this unit of the document's: others may be typed and are converted (lengthFromText()).
+  /// Makes the field a length in this unit; lengths in other units may be typed and are converted
+  /// (lengthFromText()).
   void setLengthUnit(const std::string& unit);
   void setStep(const Rational& step) { m_step = step; }
-  /// What the field shows while it has no number: "auto", "several".
+  /// The text shown without a number: "auto", "several".
   void setEmptyText(const QString& text);
   /// May the field be emptied? Then edited() has no number.
   void setOptional(bool optional) { m_optional = optional; }
@@ -42,27 +42,27 @@ class NumberField : public QAbstractSpinBox {
   /// Shows the document's number; leaves the text alone while the user types that number.
   void setNumber(const std::optional<Number>& number);
   [[nodiscard]] std::optional<Number> number() const { return m_number; }
-  /// The number of edited() was not accepted: what was typed turns red, and gives way to the number of before
-  /// when the field is left.
+  /// To be called if the number of edited() was rejected: the typed text turns red, and is replaced by the
+  /// former number when the field loses focus.
   void reject(const QString& why);
   /// Is edited() being emitted?
   [[nodiscard]] bool isCommitting() const { return m_isCommitting; }
 
-  /// By `steps` times the step, within the bounds; from 0 where there is no number.
+  /// Changes the number by `steps` times the step, within the bounds; without a number it starts from 0.
   void stepBy(int steps) override;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
   [[nodiscard]] QVariant value() const;
-  void setValue(const QVariant& value);  ///< as if it were typed
+  void setValue(const QVariant& value);  ///< as if typed
   [[nodiscard]] QVariant minimum() const { return m_least ? QVariant(*m_least) : QVariant(); }
   [[nodiscard]] QVariant maximum() const { return m_most ? QVariant(*m_most) : QVariant(); }
   [[nodiscard]] QVariant stepSize() const { return m_step.toDouble(); }
 
  signals:
   void edited(const std::optional<geargraph::Number>& number);
-  void wrongChanged(const QString& why);  ///< why what is typed is no such number; empty: it is one
-  void editingStarted();                  ///< what follows until the next one is one gesture
+  void wrongChanged(const QString& why);  ///< why the text is invalid; empty: it is valid
+  void editingStarted();                  ///< edits until the next one are one gesture
 
  protected:
   [[nodiscard]] StepEnabled stepEnabled() const override;
@@ -76,10 +76,10 @@ class NumberField : public QAbstractSpinBox {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  [[nodiscard]] QString hint() const;  ///< while nothing is wrong
+  [[nodiscard]] QString hint() const;  ///< shown while the text is valid
   [[nodiscard]] std::optional<Number> read(const QString& text) const;
   [[nodiscard]] QSize sizeAround(const QSize& text) const;
-  /// Why there is no number in this text that the field takes; empty where there is one.
+  /// Why the field does not accept this number; empty if it does.
   [[nodiscard]] QString objectionTo(const std::optional<Number>& number) const;
   void onText(const QString& text);
   void commit();
@@ -90,9 +90,9 @@ class NumberField : public QAbstractSpinBox {
   void markWrong(bool isWrong);
 
   std::optional<Number> m_number;
-  std::optional<Number> m_before;  ///< while edited() is emitted: the number until then
+  std::optional<Number> m_before;  ///< the former number, while edited() is emitted
   QTimer m_pause;
-  bool m_isPending = false;  ///< something typed is not committed
+  bool m_isPending = false;  ///< typed text is not committed
   bool m_isCommitting = false;
   Rational m_step = 1;
   std::optional<int> m_least;

@@ -13,26 +13,27 @@ class QStackedWidget;
 
 namespace geargraph::inline panels {
 
-/// What is wrong with the mechanism, or with a file that could not be opened: pointing at a finding lights up
-/// its culprits everywhere, a click selects them, a button under it mends it. In large documents, and far
-/// down the list, the buttons come when a finding is clicked.
+/// The diagnostics of the mechanism, or of a file that could not be opened. Hovering one highlights its
+/// elements in all views, a click selects them, and buttons under it apply quick fixes. In large documents,
+/// and far down the list, the buttons appear only when a diagnostic is clicked.
 class ProblemsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProblemsPanel(Selection* selection, QWidget* parent = nullptr);
 
-  static constexpr int kMostLinksMendedAtOnce = 300;  ///< beyond, fixes are looked for on a click
+  static constexpr int kMostLinksMendedAtOnce = 300;  ///< beyond, fixes are computed on a click
   static constexpr int kMostMendedAtOnce = 12;
 
-  /// The findings of the newest analysis.
+  /// Sets the diagnostics of the newest analysis.
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// What the check of the motion has found, after the other findings, and below them a sentence on what was
-  /// not checked (motionNote()), or nothing.
+  /// Sets the diagnostics of the motion check, listed after the others, and a sentence below them on what was
+  /// not checked (motionNote()); empty: none.
   void setMotionFindings(const Diagnostics& findings, const QString& note);
-  /// What is wrong with the loads of the document, after the findings of the analysis.
+  /// Sets the diagnostics of the document's loads, listed after those of the analysis.
   void setLoadFindings(const Diagnostics& findings);
-  /// The findings of a file that was not opened stay on top until it is dismissed or another file opens.
+  /// Sets the diagnostics of a file that was not opened. They stay on top until dismissed or another file
+  /// opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
   void clearFileProblems();
 
@@ -42,7 +43,7 @@ class ProblemsPanel : public QWidget {
  signals:
   void countChanged(int count);
   void fixWanted(const geargraph::Fix& fix);
-  void momentWanted(double time);  ///< s of the motion: the time of a finding that was clicked
+  void momentWanted(double time);  ///< s of the motion: time of a clicked diagnostic
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -10,7 +10,7 @@ namespace geargraph::inline panels {
 
 class PropertyForm;
 
-/// What can be said about the selected elements, edited live. Nothing selected: the document itself.
+/// The editable properties of the selected elements; of the document if nothing is selected.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
 

@@ -19,19 +19,19 @@ namespace geargraph::inline panels {
 
 class NumberField;
 
-/// Fields about some elements of one kind. Every change is an edit of all of them; what is typed or spun
-/// until the field is left is one undo step.
+/// A form with the properties of elements of one kind. Every change is an edit of all of them; all changes
+/// until a field loses focus are one undo step.
 class PropertyForm : public QWidget {
   Q_OBJECT
 
  public:
-  /// Shows the document as it is now. @pre isAboutExisting()
+  /// Updates the fields from the document. @pre isAboutExisting()
   virtual void refresh() = 0;
-  /// Are all its elements still in the document?
+  /// Are all elements of the form still in the document?
   [[nodiscard]] bool isAboutExisting() const;
 
  signals:
-  /// A link in a text of the form was clicked, or is under the mouse.
+  /// A hyperlink in a text of the form was clicked, or hovered.
   void elementChosen(const geargraph::ElementId& element);
   void elementHovered(const std::optional<geargraph::ElementId>& element);
 
@@ -40,7 +40,7 @@ class PropertyForm : public QWidget {
 
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
   [[nodiscard]] const PlacedMechanism& placed() const { return m_document->placed(); }
-  /// Its elements by id: a form may be about all of a document.
+  /// The index of the document's elements, since a form may have all of them.
   [[nodiscard]] const ElementIndex& index() const { return m_document->elements(); }
   [[nodiscard]] const std::vector<ElementId>& elements() const { return m_elements; }
   [[nodiscard]] QString label(const ElementId& element) const;
@@ -50,21 +50,21 @@ class PropertyForm : public QWidget {
   void addWide(QWidget* widget);
   void addNote(const QString& text);
   NumberField* makeNumber(const QString& objectName);
-  /// A box that pins, of each element of the form, what `of` says.
+  /// A check box that pins the part of each element that `of` returns.
   using PinnedPart = std::function<ElementId(const ElementIndex&, const ElementId&)>;
   QCheckBox* makePin(const QString& text, const QString& tip, const PinnedPart& of);
   void showPin(QCheckBox& box, const PinnedPart& of) const;
 
   using Change = std::function<Expected<Mechanism>(Mechanism, const ElementId&)>;
-  /// One that reads the placement (fitting).
+  /// A change that needs the placement (fitting).
   using FittedChange = std::function<Expected<PlacedMechanism>(const PlacedMechanism&, const ElementId&)>;
-  /// Applies a change to every element, as one edit of the gesture under way. Why it was refused stands below
-  /// the fields until something is accepted.
+  /// Applies a change to every element, as one edit of the current gesture. The reason of a rejection is
+  /// shown below the fields until an edit is accepted.
   void apply(const QString& text, const Change& change);
   void applyFitted(const QString& text, const FittedChange& change);
   void applyAtOnce(const QString& text, const Reduce& reduce);
   void applyToEach(const QString& text, const LongEdit::Work& work);
-  /// What is wrong with what stands in a field, below the fields; empty: nothing.
+  /// Shows below the fields why a text is invalid; empty: it is valid.
   void showWrong(const QString& why);
   void newGesture() { m_gesture = m_document->newGesture(); }
   void endGesture() { m_gesture = 0; }
@@ -78,8 +78,8 @@ class PropertyForm : public QWidget {
   quint64 m_gesture = 0;
 };
 
-/// The three components of points or directions: each shows what all of them share, "several", or "auto"
-/// where there is none.
+/// Fields for the three components of points or directions: each shows the common value, "several" if they
+/// differ, or "auto" if there is none.
 class TripleField : public QWidget {
   Q_OBJECT
 
@@ -87,13 +87,13 @@ class TripleField : public QWidget {
   explicit TripleField(const QString& objectName);
 
   using Triples = std::vector<std::optional<NumberTriple>>;
-  /// A point, in this unit of length.
+  /// Makes the triples points in this unit of length.
   void setLengthUnit(const std::string& unit);
-  /// One for each element.
+  /// Sets one triple per element.
   void setTriples(const Triples& triples);
 
  signals:
-  /// Component `index` of each becomes this number; without one the triples go.
+  /// Component `index` of each triple is to become this number; std::nullopt: the triples are to be removed.
   void edited(int index, const std::optional<geargraph::Number>& number);
   void editingStarted();
   void wrongChanged(const QString& why);
@@ -102,8 +102,8 @@ class TripleField : public QWidget {
   std::array<NumberField*, 3> m_fields{};
 };
 
-/// A triple with one component changed; the others are those of `otherwise` where there was none. Without a
-/// number: none.
+/// A triple with one component changed; if there was no triple the other components are taken from
+/// `otherwise`. std::nullopt without a number.
 [[nodiscard]] std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& triple, int index,
                                                         const std::optional<Number>& number,
                                                         const NumberTriple& otherwise);

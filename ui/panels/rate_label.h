@@ -6,13 +6,15 @@ class QPainter;
 
 namespace geargraph::inline panels {
 
-/// The relative rate of a joint as the paper writes it: θ with a dot above and the joint's label below its
-/// right side. Few text fonts place a combining dot on a θ, so it is painted.
+/// Paints the relative rate of a joint in the paper's notation: θ with a dot above and the joint's label as a
+/// subscript. The dot is painted separately because few fonts place a combining dot on a θ well.
 ///
-/// @return the advance in pixels; without a painter nothing is drawn. `at`: where the base line begins.
+/// @param painter null: only measures
+/// @param at the start of the baseline
+/// @return the advance in pixels
 double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const QString& joint);
 
-/// A rate, and words behind it: "θ̇8 link 4".
+/// A rate followed by text: "θ̇8 link 4".
 class RateLabel : public QWidget {
   Q_OBJECT
 

@@ -8,10 +8,12 @@ class QPainter;
 
 namespace geargraph::inline panels {
 
-/// A formula in the gear ratios, "-i18*i17/(i15 + 1)", as print sets it: italic i with its label lowered,
-/// products side by side, the minus sign of print.
+/// Paints a formula in the gear ratios, "-i18*i17/(i15 + 1)", typeset: italic i with its label as a
+/// subscript, products without a sign, a Unicode minus sign.
 ///
-/// @return the advance in pixels; without a painter nothing is drawn. `at`: where the base line begins.
+/// @param painter null: only measures
+/// @param at the start of the baseline
+/// @return the advance in pixels
 double paintRatios(QPainter* painter, const QFont& font, const QPointF& at, const QString& formula);
 
 }  // namespace geargraph::inline panels

@@ -18,18 +18,18 @@ class ResultsDelegate : public QStyledItemDelegate {
   ResultsDelegate(Selection* selection, QObject* parent);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  /// The pixels that the cell wants. Texts are measured once for a font.
+  /// The preferred width of the cell in pixels. Widths of texts are cached per font.
   [[nodiscard]] int widthOf(const QModelIndex& index, const QFont& font) const;
 
  private:
   [[nodiscard]] int measured(const QModelIndex& index, const QString& text) const;
 
   Selection* m_selection;
-  mutable QFont m_font;  ///< of the widths
+  mutable QFont m_font;  ///< of m_widths
   mutable QHash<QString, int> m_widths;
 };
 
-/// The heads of the columns: the rates of the inputs.
+/// The column headings: the rates of the inputs.
 class ResultsHeader : public QHeaderView {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class ResultsHeader : public QHeaderView {
   void leaveEvent(QEvent* event) override;
 };
 
-/// Paints the absolute velocities: the link's disc before its name.
+/// Paints the absolute velocities, with a coloured dot before each link's name.
 class LinkSpeedsDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -58,9 +58,9 @@ class LinkSpeedsDelegate : public QStyledItemDelegate {
   Selection* m_selection;
 };
 
-/// A disc in the colour that the link has in every view.
+/// Paints a dot in the colour that the link has in all views.
 void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel);
-/// The same as a picture of 12 by 12 logical pixels.
+/// The same as a pixmap of 12 by 12 logical pixels.
 [[nodiscard]] QPixmap linkDot(int linkLabel, qreal pixelRatio);
 
 }  // namespace geargraph::inline panels

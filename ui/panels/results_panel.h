@@ -20,9 +20,8 @@ class QToolButton;
 
 namespace geargraph::inline panels {
 
-/// What the inputs make of all other joints: their rates for one unit of each input, their rates now, and
-/// whether both methods say the same; or the absolute velocities of the links. Speeds in rad/s, rpm or as
-/// ratio.
+/// The solution: the rates of all other joints for one unit of each input, their current rates, and whether
+/// both methods agree; or the absolute velocities of the links. Speeds in rad/s, rpm or as ratios.
 class ResultsPanel : public QWidget {
   Q_OBJECT
 
@@ -32,20 +31,21 @@ class ResultsPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
   [[nodiscard]] ResultsModel& model() { return *m_model; }
   [[nodiscard]] QString verdict() const;
-  /// How many columns of rates have the width of what they hold: those that are or were near to be seen.
+  /// The number of rate columns fitted to their contents: only those that are or were visible, or nearly so.
   [[nodiscard]] int columnsFitted() const;
-  /// The document that names of links are taken from.
+  /// Sets the document that names of links are taken from.
   void setNames(const MechanismPtr& newest);
-  /// The absolute velocities of the links instead of the relative ones of the joints.
+  /// Shows the absolute velocities of the links instead of the relative ones of the joints.
   void setAbsolute(bool absolute);
-  /// The velocities of the links relative to this one.
+  /// Shows the velocities of the links relative to this one.
   void setObserver(LinkId observer);
   void setUnit(const SpeedUnit& unit);
-  /// Asleep, behind another panel, it takes the results up but lays nothing out until it is seen again.
+  /// While not awake (behind another panel) the panel takes results but lays nothing out until it is visible
+  /// again.
   void setAwake(bool awake);
 
  signals:
-  /// These joints are to be driven (ordinals of the snapshot's digraph), the motion staying as it is.
+  /// These joints (ordinals of the snapshot's digraph) are to become the inputs, with the same motion.
   void inputsWanted(const std::vector<int>& joints);
 
  signals:
@@ -73,9 +73,9 @@ class ResultsPanel : public QWidget {
   void fitColumns();
   [[nodiscard]] int widthOfColumn(int column) const;
   void paintVerdict();
-  /// The row whose ratio is told: that of the selected joint or link, else the only one on the ground.
+  /// The row whose ratio is shown: that of the selected joint or link, else ResultsModel::ratioRow().
   [[nodiscard]] int ratioRow() const;
-  /// What there is to be said of the two methods; nothing while the last word stays for a moment.
+  /// The verdict on the two methods; std::nullopt while the former verdict stays shown for a moment.
   [[nodiscard]] std::optional<std::pair<QString, ColorRole>> verdictNow() const;
   [[nodiscard]] bool isWaiting() const;
   [[nodiscard]] QString whyNone() const;
@@ -90,11 +90,11 @@ class ResultsPanel : public QWidget {
   QToolButton* m_unit;
   QToolButton* m_motors;
   LinkNames m_names;
-  MechanismPtr m_newest;  ///< that names are taken from
+  MechanismPtr m_newest;  ///< document that names are taken from
   bool m_absolute = false;
-  std::optional<LinkId> m_observer;  ///< of absolute speeds; none: the ground
+  std::optional<LinkId> m_observer;  ///< reference of absolute speeds; none: the ground
   bool m_isAwake = true;
-  bool m_isBehind = false;      ///< what is shown is not renewed yet
+  bool m_isBehind = false;      ///< the display is out of date
   std::vector<int> m_measured;  ///< widths of columns; 0: not yet
   std::vector<int> m_fitted;    ///< widths of columns; the last is that of the table
   QToolButton* m_symbols;
@@ -103,7 +103,7 @@ class ResultsPanel : public QWidget {
   QLabel* m_note;
   QLabel* m_ratio;
   QLabel* m_verdict;
-  QTimer m_patience;  ///< runs out where solving exactly takes long enough to be said
+  QTimer m_patience;  ///< times out when the exact solution takes long enough to be mentioned
 };
 
 }  // namespace geargraph::inline panels

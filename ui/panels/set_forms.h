@@ -16,14 +16,14 @@ namespace geargraph::inline panels {
 
 class NumberField;
 
-/// What somebody says about one kind of set, and the set that follows.
+/// A form for one kind of gear set: the user's parameters, and the set that they give.
 class SetForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit SetForm(QWidget* parent = nullptr);
 
-  /// The set, or why there is none.
+  /// The set, or why the parameters give none.
   [[nodiscard]] virtual Expected<Mechanism> set() const = 0;
 
  signals:
@@ -38,7 +38,7 @@ class SetForm : public QWidget {
   QFormLayout* m_form;
 };
 
-/// Sets of stated tooth counts.
+/// A form for sets with given numbers of teeth.
 class TeethForm : public SetForm {
   Q_OBJECT
 
@@ -60,7 +60,7 @@ class TeethForm : public SetForm {
   Make m_make;
 };
 
-/// Sets for a wished ratio: the best tooth counts, of which one is chosen.
+/// A form for sets with a required ratio: lists the best numbers of teeth, of which the user chooses one.
 class ChoiceForm : public SetForm {
   Q_OBJECT
 
@@ -77,7 +77,7 @@ class ChoiceForm : public SetForm {
 
   ChoiceForm(const QStringList& teethHeads, const Rational& ratio, QWidget* parent);
   [[nodiscard]] virtual std::vector<Choice> choices(const Rational& ratio) const = 0;
-  /// To be called once the form is complete, and when the wish changes.
+  /// Lists the choices again. To be called once the form is complete, and when a requirement changes.
   void renew();
   void addTable();
 

@@ -7,8 +7,8 @@
 
 namespace geargraph::inline panels {
 
-/// A small picture of a set: the pitch circles of wheels on parallel axes seen along them, the pitch lines of
-/// bevels seen across, in the colours of the links, and the links' names.
+/// A preview of a gear set: the pitch circles of gears on parallel axes seen along them, the pitch cones of
+/// bevel gears seen from the side, in the colours of the links, with the links' names.
 class SetPreview : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class SetPreview : public QWidget {
 
   Mechanism m_mechanism;
   Placement m_placement;
-  bool m_across = false;  ///< bevels: seen along x
+  bool m_across = false;  ///< bevel gears: seen along x
 };
 
 }  // namespace geargraph::inline panels

@@ -4,13 +4,13 @@
 
 namespace geargraph::inline panels {
 
-/// A slider from -range to +range with its zero in the middle; the part between zero and the handle is
-/// filled, so that the direction shows. The arrow keys step, Home sets to zero.
+/// A slider with zero in the middle. The part between zero and the handle is filled to show the direction.
+/// The arrow keys step, Home sets it to zero.
 class SpeedSlider : public QAbstractSlider {
   Q_OBJECT
 
  public:
-  static constexpr int kSteps = 200;  ///< from zero to either end
+  static constexpr int kSteps = 200;  ///< from zero to each end
 
   explicit SpeedSlider(QWidget* parent = nullptr);
 

@@ -18,7 +18,7 @@ class StatesDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 
-/// The heads of the columns: a coupling's name above what it holds; a name is edited in place.
+/// The column headings: a coupling's name above its constraint; names are edited in place.
 class StatesHeader : public QHeaderView {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class StatesHeader : public QHeaderView {
   void paintSection(QPainter* painter, const QRect& rect, int section) const override;
 };
 
-/// The shift table of a StatesModel, its columns as wide as they need.
+/// The shift table of a StatesModel, with columns fitted to their contents.
 class StatesTable : public QTableView {
   Q_OBJECT
 
@@ -41,23 +41,23 @@ class StatesTable : public QTableView {
   explicit StatesTable(StatesModel* model, QWidget* parent = nullptr);
   [[nodiscard]] StatesHeader& heads() { return *m_heads; }
   void fitColumns();
-  /// Is there room for torques beside the dots?
+  /// Are torques shown beside the dots? Only if there is room.
   [[nodiscard]] bool showsTorques() const { return m_showsTorques; }
 
  signals:
-  void left();  ///< the mouse is elsewhere
+  void left();  ///< the mouse has left the table
 
  protected:
   void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// How text is set: in the table's face, bold, or small.
+  /// The font of a text: the table's, its bold or its small variant.
   enum class Face { plain, bold, small };
 
   [[nodiscard]] int widthOf(int column, bool withTorques) const;
   std::vector<int> widthsNow(bool withTorques);
-  /// The text's width in a face; measured once.
+  /// The width of a text in a face, in pixels; cached.
   [[nodiscard]] int advance(Face face, const QString& text) const;
 
   StatesModel* m_model;

@@ -5,21 +5,22 @@
 
 namespace geargraph::inline panels {
 
-/// A slider for the teeth of a gear, in whole numbers over those that gears mostly have, and twice as many as
-/// the gear has. It shows what the document has: teeth that are refused put it back. Esc in a drag puts back.
+/// A slider for the number of teeth of a gear, over the usual range and at least up to twice the gear's
+/// number. It shows the document's number: a rejected number moves it back. Esc during a drag restores the
+/// number at its start.
 class TeethSlider : public QSlider {
   Q_OBJECT
 
  public:
   explicit TeethSlider(QWidget* parent = nullptr);
 
-  /// The document's number; none: of several gears that differ, when nothing can be slid.
+  /// Shows the document's number; std::nullopt: several gears that differ, which disables the slider.
   void showTeeth(const std::optional<int>& teeth);
 
  signals:
-  void started();        ///< what follows until the next one is one gesture
-  void slid(int teeth);  ///< while it is dragged too
-  void putBack();        ///< the gesture is given up
+  void started();        ///< edits until the next one are one gesture
+  void slid(int teeth);  ///< also during a drag
+  void putBack();        ///< the gesture was cancelled
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -31,7 +32,7 @@ class TeethSlider : public QSlider {
  private:
   void follow(int x);
 
-  bool m_isGivenUp = false;  ///< the drag under way
+  bool m_isGivenUp = false;  ///< the current drag was cancelled
 };
 
 }  // namespace geargraph::inline panels

@@ -16,19 +16,19 @@ class Selection;
 
 namespace geargraph::inline ui_paper_check {
 
-/// Matrices and equations of the user's, typed, pasted or read from a file, beside the derived ones. The
-/// verdict follows the text and the document; where the text cannot be read, the last verdict stays, and the
-/// place is told. What is selected in the lists is selected in all views.
+/// Compares the user's matrices and equations (typed, pasted or read from a file) with the derived ones. The
+/// verdict follows the text and the document; if the text cannot be read, the last verdict stays and the
+/// place of the error is shown. Selecting an item in the lists selects it in all views.
 class PaperCheckDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit PaperCheckDialog(Selection* selection, QWidget* parent = nullptr);
 
-  /// What the text is compared with from now on.
+  /// Sets the mechanism that the text is compared with.
   void setMechanism(const MechanismPtr& mechanism);
   void openFile(const QString& path);
-  /// The printed rows of Eq. (45) under the labels of Eq. (25): two rows are exchanged.
+  /// Fills in the rows of Eq. (45) as printed under the labels of Eq. (25): two rows are exchanged.
   void showExample();
 
   [[nodiscard]] QPlainTextEdit& text() { return *m_text; }
@@ -54,7 +54,7 @@ class PaperCheckDialog : public QDialog {
   Selection* m_selection;
   PaperCheckService* m_service;
   MechanismPtr m_mechanism;
-  PaperCheckAnswerPtr m_shown;  ///< the last one with a verdict
+  PaperCheckAnswerPtr m_shown;  ///< the last answer with a verdict
   QPlainTextEdit* m_text;
   QComboBox* m_kind;
   QLabel* m_verdict;

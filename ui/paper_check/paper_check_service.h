@@ -10,25 +10,25 @@
 
 namespace geargraph::inline ui_paper_check {
 
-/// A text of the user's that is to be compared with what is derived from a mechanism.
+/// The user's text, to be compared with the matrices and equations derived from a mechanism.
 struct PaperCheckRequest {
   MechanismPtr mechanism;
   std::string text;
-  std::optional<PaperMatrix> kind = {};  ///< recognised if empty
+  std::optional<PaperMatrix> kind = {};  ///< empty: recognized from the text
 };
 
-/// A verdict, or why there is none.
+/// A verdict, or the reasons why there is none.
 struct PaperCheckAnswer {
   MechanismPtr mechanism;  ///< what the text was compared with
   std::optional<PaperVerdict> verdict;
-  Diagnostics faults;  ///< of the text with line and column; of the mechanism without
+  Diagnostics faults;  ///< with line and column if about the text, without if about the mechanism
 };
 using PaperCheckAnswerPtr = std::shared_ptr<const PaperCheckAnswer>;
 
-/// Checks the user's matrices and equations off the GUI thread. The derived matrices of a mechanism are kept
-/// while only the text changes.
+/// Checks the user's matrices and equations on a background thread. The derived matrices are cached while
+/// only the text changes.
 ///
-/// @pre the mechanisms that are sent have at most kMostExerciseLinks moving links
+/// @pre requested mechanisms have at most kMostExerciseLinks moving links
 class PaperCheckService final : public Service<PaperCheckRequest, PaperCheckAnswerPtr> {
  public:
   explicit PaperCheckService(QObject* parent = nullptr);

@@ -6,15 +6,14 @@
 
 namespace geargraph::inline printing {
 
-/// One page as it will be printed, as large as the widget allows. Page up and down, Home and End turn the
-/// pages.
+/// Shows one page as it will be printed, fitted to the widget. Page Up and Down, Home and End turn the pages.
 class PagePreview final : public QWidget {
   Q_OBJECT
 
  public:
   explicit PagePreview(QWidget* parent = nullptr);
 
-  /// Null: nothing to be printed, and `why` is shown.
+  /// Sets the pages; null: nothing to be printed, `why` is shown instead.
   void setPages(const PrintedPagesPtr& pages, const QString& why);
   [[nodiscard]] int page() const { return m_page; }
   void setPage(int page);

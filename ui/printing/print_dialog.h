@@ -18,16 +18,16 @@ namespace geargraph::inline printing {
 
 class PagePreview;
 
-/// What can be printed of a document, as it was when that was asked for.
+/// The printable parts of a document, as of the opening of the dialog.
 struct PrintSource {
   QString title;
   std::vector<PrintedDrawing> drawings;
-  std::size_t inFront = 0;  ///< the drawing that is chosen at first
-  SnapshotPtr snapshot;     ///< complete; null: there is no derivation
+  std::size_t inFront = 0;  ///< index of the drawing chosen initially
+  SnapshotPtr snapshot;     ///< complete; null: no derivation
   QString whyNoDerivation = {};
 };
 
-/// Asks what to print, shows it page by page, and prints it. It does not lock the window.
+/// Lets the user choose what to print and shows the pages. Not modal.
 class PrintDialog final : public QDialog {
   Q_OBJECT
 
@@ -36,17 +36,17 @@ class PrintDialog final : public QDialog {
 
   [[nodiscard]] PagePreview& preview() { return *m_preview; }
   [[nodiscard]] const PrintedPagesPtr& pages() const { return m_pages->answer(); }
-  /// Are the pages those of what is chosen?
+  /// Are pages() those of the current choice?
   [[nodiscard]] bool isUpToDate() const { return m_pages->isUpToDate(); }
   [[nodiscard]] const std::shared_ptr<QPrinter>& printer() const { return m_printer; }
 
-  /// Paints all pages on a printer: why it could not, as a sentence; empty where it has. Any thread may do
-  /// it, where no other uses the printer.
+  /// Paints all pages on a printer. Returns why it failed, as a sentence; empty on success. May be called
+  /// from any thread while no other one uses the printer.
   [[nodiscard]] static QString print(const PrintedPages& pages, QPrinter& printer,
                                      const std::stop_token& stop = {});
 
  signals:
-  /// The user has chosen a printer: print(pages, printer) is to be called on a thread.
+  /// The user has chosen a printer: print(pages, printer) is to be called on a background thread.
   void printWanted(const geargraph::PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
 
  private:

@@ -13,30 +13,30 @@
 
 namespace geargraph::inline printing {
 
-/// A drawing that gets a page of its own.
+/// A drawing printed on a page of its own.
 struct PrintedDrawing {
   QString title;
   DisplayList list;
 };
 
-/// What is printed: drawings as large as their pages allow, at most at their size on the screen, then the
-/// derivation with its matrices. Black on white, whatever the theme. An immutable value, made on any thread.
+/// The pages of a printed document: drawings fitted to their pages but not larger than on the screen, then
+/// the derivation with its matrices. Black on white in any theme. Immutable; may be created on any thread.
 class PrintedPages {
  public:
-  /// @param paper of a page, in points
+  /// @param paper size of a page, in points
   /// @param report null: no derivation
-  /// Cost: linear in the report. Of no use when `stop` was requested meanwhile.
+  /// Cost: linear in the report. The result is meaningless if `stop` was requested meanwhile.
   PrintedPages(QString title, std::vector<PrintedDrawing> drawings, std::shared_ptr<const SetReport> report,
                QSizeF paper, const QFont& font, const std::stop_token& stop = {});
 
   [[nodiscard]] int count() const { return static_cast<int>(m_drawings.size() + m_flow.size()); }
   [[nodiscard]] const QString& title() const { return m_title; }
   [[nodiscard]] QSizeF paper() const { return m_paper; }
-  /// What a page shows, in a word: for people who do not see it.
+  /// A short description of a page for screen readers.
   [[nodiscard]] QString describe(int page) const;
 
-  /// A page over its paper, from the upper left corner at the origin, `scale` pixels to a point. Not the
-  /// paper itself. @pre 0 <= page < count()
+  /// Paints a page with its upper left corner at the origin, `scale` pixels per point, without the paper.
+  /// @pre 0 <= page < count()
   void paint(QPainter& painter, int page, double scale, FlowPainter& flow) const;
 
  private:

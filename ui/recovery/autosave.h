@@ -16,43 +16,43 @@ class QTimer;
 
 namespace geargraph::inline recovery {
 
-/// Keeps the unsaved changes of a document in a side file, never in the document's own: kDelay after an edit
-/// the newest state is handed to a thread, which writes it whole or not at all. The side file goes as soon as
-/// there is nothing unsaved any more. So a program that is killed loses what was done in the last kDelay, and
-/// the time that one writing takes.
+/// Keeps the unsaved changes of a document in a side file, never in the document's own file: kDelay after an
+/// edit the newest state is passed to a background thread, which writes it atomically. The side file is
+/// removed as soon as nothing is unsaved. A crash therefore loses at most the edits of the last kDelay and of
+/// the duration of one write.
 class Autosave : public QObject, public BackgroundWork {
   Q_OBJECT
 
  public:
   static constexpr int kDelay = 1000;  ///< ms
 
-  /// `folder`: for documents that have no file, or no folder that can be written to.
+  /// @param folder for documents that have no file, or whose folder is not writable
   Autosave(Document* document, QString folder, QObject* parent = nullptr);
-  /// Ends what is being written. The side file of a document that still has unsaved changes stays.
+  /// Completes a pending write. The side file of a document with unsaved changes stays.
   ~Autosave() override;
 
-  /// What the side file calls the document.
+  /// Sets the title of the document in the side file.
   void setTitle(const QString& title) { m_title = title; }
-  /// Goes on in a side file that was left behind, whose document has been restored as unsaved changes.
+  /// Continues with a side file that was left behind, whose document has been restored as unsaved changes.
   void adopt(std::unique_ptr<SideFile> side, const SideNote& note);
-  /// What is not written yet is written first.
+  /// Requests the end of the thread, which first completes pending writes. Does not wait.
   void tellToEnd() override;
   [[nodiscard]] bool hasEnded() const override { return m_thread.hasEnded(); }
-  /// The unsaved changes have been given up.
+  /// Discards the unsaved changes: removes the side file.
   void discard();
   /// Has the newest state been written, or is there nothing unsaved?
   [[nodiscard]] bool isUpToDate() const { return m_written == m_wanted; }
   [[nodiscard]] QString sidePath() const { return m_side ? m_side->path() : QString(); }
 
  signals:
-  /// Once, until it works again.
+  /// Writing failed. Emitted once until it succeeds again.
   void failed(const QString& why);
   void upToDate();
 
  private:
   struct Job {
     std::shared_ptr<SideFile> side;
-    MechanismPtr mechanism;  ///< null: the side file goes
+    MechanismPtr mechanism;  ///< null: remove the side file
     SideNote note;
     quint64 number = 0;
   };
@@ -77,7 +77,7 @@ class Autosave : public QObject, public BackgroundWork {
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
   std::deque<Job> m_jobs;  ///< guarded by m_mutex
-  EndingThread m_thread;   ///< last: it starts when all else is there
+  EndingThread m_thread;   ///< last: started after the members it uses
 };
 
 }  // namespace geargraph::inline recovery

@@ -15,16 +15,16 @@ namespace geargraph::inline recovery {
 
 /// Another running program that has a document open.
 struct DocumentHolder {
-  QString server;  ///< where it listens
-  QString path;    ///< of the document, as it opened it
+  QString server;  ///< name of its local socket
+  QString path;    ///< of the document, as that program opened it
   qint64 process = 0;
 };
 
-/// Which documents the running programs of this user have open, so that only one of them writes each: every
-/// program keeps a list in a common folder, locked while it lives, and listens for requests to show a window.
-/// Lists of programs that have died are removed. Documents are the same if isSameFile() holds, whatever
-/// their spelling and links. A folder that cannot be written to holds no lists: then nothing is known of
-/// other programs, and only the watch on the file (FileWatch) protects it.
+/// The documents that all running programs of this user have open, so that only one program writes each.
+/// Every program keeps a list in a common folder, locked while the program runs, and listens for requests to
+/// show a window. Lists of terminated programs are removed. Paths are of the same document if isSameFile()
+/// holds. If the folder is not writable nothing is known of other programs, and only FileWatch protects the
+/// files.
 class OpenDocuments : public QObject {
   Q_OBJECT
 
@@ -32,20 +32,21 @@ class OpenDocuments : public QObject {
   explicit OpenDocuments(const QString& folder, QObject* parent = nullptr);
   ~OpenDocuments() override;
 
-  /// The other program that has this document open. Cost: a read per running program, two look-ups per
-  /// document that is open.
+  /// The other program that has this document open. Cost: one read per running program, two look-ups per open
+  /// document.
   [[nodiscard]] std::optional<DocumentHolder> holderOf(const QString& path) const;
-  /// From now on the window has this document open, instead of its last one, unless another program has;
-  /// then nothing is claimed and that program is returned. An empty path claims nothing.
+  /// Registers this document for the window, in place of its former one. If another program has it open
+  /// nothing is registered, and that program is returned. An empty path registers nothing.
   std::optional<DocumentHolder> claim(const QObject* window, const QString& path);
   void release(const QObject* window);
 
-  /// Asks a program to show the window with its document; `done` is called later, with false if it has not
-  /// answered within kPatience.
+  /// Asks a program to show the window with its document. `done` is called later, with false if the program
+  /// has not answered within kPatience; never if `context` is destroyed before.
   void show(const DocumentHolder& holder, QObject* context, const std::function<void(bool)>& done);
   static constexpr int kPatience = 2000;  ///< ms
 
-  /// Shows the window with the document that another program asks for; false if there is none.
+  /// Sets the function that shows the window with the document that another program asks for; it returns
+  /// false if there is none.
   void setShower(std::function<bool(const QString& path)> shower) { m_shower = std::move(shower); }
 
  private:

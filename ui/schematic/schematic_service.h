@@ -10,8 +10,8 @@ namespace geargraph::inline ui_schematic {
 
 using SchematicPtr = std::shared_ptr<const SchematicGeometry>;
 
-/// Lays schematics out. A request that changes nothing of the drawing (a node moved, a link renamed) is
-/// answered already.
+/// Lays out schematics on a background thread. A request that does not change the drawing (a node moved, a
+/// link renamed) is not computed again.
 class SchematicService final : public Service<DerivedGeometryPtr, SchematicPtr> {
  public:
   explicit SchematicService(QObject* parent = nullptr);

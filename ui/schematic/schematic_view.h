@@ -7,55 +7,56 @@
 
 namespace geargraph::inline ui_schematic {
 
-/// The functional schematic of the document [AU, Figs. 1 and 3]. The program lays it out, on a thread of its
-/// own, whenever the document changes; until then the last drawing stands. One that nobody sees waits until
-/// it is shown, or until its picture() is asked for.
+/// The functional schematic of the document [AU, Figs. 1 and 3]. It is laid out on a background thread
+/// whenever the document changes; until then the last drawing is shown. A hidden view waits until it is
+/// shown, or until its picture() is requested.
 ///
-/// The tools draw in it: Link a shaft, on an axis that is there or on a new one; Turning joint a shaft that a
-/// link carries; Gear mesh two wheels in mesh, or a wheel and a ring. Select drags axes: the module follows
-/// the mouse, and where the axis is dropped the tooth counts that come near it are offered. All of that is
-/// one undo step; the last valid picture stands while something cannot be.
+/// Tools: Link draws a shaft on an existing or a new axis; Turning joint draws a shaft carried by a link;
+/// Gear mesh draws two meshing gears, or a gear and a ring gear. Select drags axes: the module follows the
+/// mouse, and when the axis is dropped, tooth numbers that approximate its place are offered. All of that is
+/// one undo step; while a position is impossible the last valid drawing stays.
 class SchematicView : public DrawingView {
   Q_OBJECT
 
  public:
   SchematicView(Document* document, Selection* selection, QWidget* parent = nullptr);
 
-  /// Is the document as it is now drawn?
+  /// Is the current document drawn?
   [[nodiscard]] bool isUpToDate() const { return !m_behind && isSettled(); }
-  /// Has all that was to be laid out been drawn? While nobody sees it that may be less than the document.
+  /// Have all requested layouts been drawn? While hidden, the view may not have requested the current
+  /// document's.
   [[nodiscard]] bool isSettled() const { return m_service->isUpToDate(); }
   [[nodiscard]] QString whyNoPicture() const override;
   void setTool(ToolKind tool) override;
   [[nodiscard]] PowerDraw powerDraw() const override;
 
  signals:
-  /// The document as it is now is drawn.
+  /// The current document is drawn.
   void drawn();
 
  protected:
   void rebuild() override;
-  /// Waits no longer than a moment: isUpToDate() tells whether that was long enough.
+  /// Waits for the layout, but only briefly: isUpToDate() tells whether it arrived.
   void catchUp() override;
   void showEvent(QShowEvent* event) override;
   void forgetDocument() override { m_fitNext = true; }
   [[nodiscard]] QString message() const override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
-  /// An axis has its places among the properties of its joints.
+  /// For an axis, opens the properties of its joints, which include its place.
   void openElement(const ElementId& element) override;
   void pressed(const Pointer& pointer) override;
   void moved(const Pointer& pointer) override;
   void released(const Pointer& pointer) override;
   [[nodiscard]] bool isIdle() const override { return m_state.index() == 0 && !m_rim; }
   bool cancel() override;
-  /// Moves the axis of what is selected, as one step.
+  /// Moves the axis of the selected element, as one undo step.
   void nudge(double dx, double dy, bool repeated) override;
   [[nodiscard]] std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const override;
 
  private:
-  /// An axis that goes along with the mouse, until the offer after it is closed.
+  /// A drag of an axis, until the offer of tooth numbers after it is closed.
   struct DraggedOn {
-    SchematicPtr schematic;  ///< as it was when the drag began: what the mouse means
+    SchematicPtr schematic;  ///< at the start of the drag, for interpreting the mouse
     AxisId axis;
   };
 
@@ -79,7 +80,7 @@ class SchematicView : public DrawingView {
   void endDrag();
   [[nodiscard]] std::optional<Mark> axisGhost(SheetPoint moved) const;
   void step(const ToolEvent& event);
-  /// A bearing stands for the shaft in it, as far as tools go.
+  /// For the tools, a bearing is replaced by the shaft in it.
   [[nodiscard]] Pointer meant(Pointer pointer) const;
   void addShaft(const section_tool::AddShaft& shaft);
   void meshLinks(const section_tool::MeshLinks& mesh);
@@ -92,8 +93,8 @@ class SchematicView : public DrawingView {
   canvas::AxisDrag* m_axisDrag;
   std::optional<DraggedOn> m_drag;
   std::optional<RimDrag> m_rim;
-  bool m_fitNext = true;  ///< the next drawing is another document's
-  bool m_behind = false;  ///< the document has changed since, while nobody saw it
+  bool m_fitNext = true;  ///< the next drawing is of another document
+  bool m_behind = false;  ///< the document has changed while the view was hidden
 };
 
 }  // namespace geargraph::inline ui_schematic

@@ -12,11 +12,10 @@ class QMenuBar;
 
 namespace geargraph::inline search {
 
-/// One field for every command, every element of the document, every term and every heading of the manual:
-/// what is typed is looked for by words, arrow keys choose, Enter carries out, Esc goes back to where the
-/// keyboard was.
+/// The search field for commands, elements of the document, terms and headings of the manual. The arrow keys
+/// choose an entry, Enter executes it, Esc returns the focus to the former widget.
 ///
-/// What can be found is gathered when the search begins, so an idle field costs nothing.
+/// Entries are collected when the search begins, so an idle field costs nothing.
 class SearchField : public QLineEdit {
   Q_OBJECT
 
@@ -37,7 +36,7 @@ class SearchField : public QLineEdit {
   void elementChosen(const geargraph::ElementId& element);
   /// A heading of the manual: "drawing#tools".
   void pageChosen(const QString& page);
-  /// A command was chosen that is not possible now; `why` is its reason.
+  /// A disabled command was chosen; `why` is the reason.
   void refused(const QString& why);
 
  protected:
@@ -59,7 +58,7 @@ class SearchField : public QLineEdit {
   QMenuBar* m_menus;
   SearchModel* m_model;
   SearchPopup* m_popup;
-  QPointer<QWidget> m_before;  ///< had the keyboard before the search
+  QPointer<QWidget> m_before;  ///< had the focus before the search
   Scope m_scope = Scope::everything;
 };
 

@@ -6,19 +6,19 @@
 
 namespace geargraph::inline search {
 
-/// What a query finds, best first: of equal matches commands before elements before terms before pages of the
-/// manual.
+/// The results of a query, best first; with equal scores commands come before elements, terms, and pages of
+/// the manual.
 class SearchModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  static constexpr int kMost = 100;  ///< results that are kept: nobody reads more
+  static constexpr int kMost = 100;  ///< number of results kept
 
   enum Role {
-    SideRole = Qt::UserRole,  ///< QString: what stands at the right
-    EnabledRole,              ///< bool: a command that is possible now, or anything else
+    SideRole = Qt::UserRole,  ///< QString: the text at the right
+    EnabledRole,              ///< bool: false only for disabled commands
     KindRole,                 ///< QString: "command", "element", "term", "manual"
-    DetailRole,               ///< QString: what it is or does, or why it is not possible now
+    DetailRole,               ///< QString: description, or why it is disabled
   };
 
   using QAbstractListModel::QAbstractListModel;

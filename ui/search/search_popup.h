@@ -10,8 +10,8 @@ class QStackedWidget;
 
 namespace geargraph::inline search {
 
-/// What a search finds, as a card over the window: a list with what the current entry is or does below it;
-/// after a term was chosen, its definition.
+/// The results of a search, as a card over the window: a list, with a description of the current entry below
+/// it; after a term was chosen, its definition.
 class SearchPopup : public QFrame {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class SearchPopup : public QFrame {
 
   void showList(const QString& whyEmpty);
   void showDefinition(Term term);
-  /// What the results need, `most` at most and some lines at least.
+  /// The preferred height of the results in pixels: at most `most`, at least a few lines.
   [[nodiscard]] int heightForResults(int most) const;
   [[nodiscard]] bool isDefinition() const;
 

@@ -5,16 +5,16 @@
 
 namespace geargraph::inline search {
 
-/// A text as it is searched: lower case, accents taken off, "Γ" spelled "gamma".
+/// The text in the form that is searched: lower case, without accents, "Γ" as "gamma".
 [[nodiscard]] QString foldedText(const QString& text);
 
 /// The words of a query, folded.
 [[nodiscard]] QStringList wordsOf(const QString& query);
 
-/// How well a folded text answers the words of a query; 0 where a word finds nothing in it. Every word has to
-/// stand in the text: as a whole word (best), as the beginning of one, within one, or, where `fuzzy`, with
-/// one slip of the keyboard. A word that holds a digit is never taken fuzzily.
-/// Cost: O(length of the text) a word.
+/// How well a folded text matches the words of a query; 0 if a word does not occur in it. Each word may match
+/// a whole word (best), the beginning of one, a part of one, or, if `fuzzy`, a word with one typing error.
+/// Words with a digit never match fuzzily.
+/// Cost: O(length of the text) per word.
 [[nodiscard]] int matchScore(const QString& text, const QStringList& words, bool fuzzy);
 
 }  // namespace geargraph::inline search

@@ -9,9 +9,9 @@
 
 namespace geargraph::inline selection {
 
-/// What the person points at, shared by all views of a window: the selected elements, the one under the
-/// mouse, and the elements that a derived thing under the mouse stands for (a cycle, a chip of the status
-/// bar, a problem). Ids only, so it survives undo and redo; ids that vanish are dropped by keepOnly().
+/// The selected and the hovered elements, shared by all views of a window. Hovered is the element under the
+/// mouse, or all elements of a derived item under the mouse (a cycle, a chip of the status bar, a
+/// diagnostic). Stores only ids, so it survives undo and redo; keepOnly() drops ids that no longer exist.
 class Selection : public QObject {
   Q_OBJECT
 
@@ -24,17 +24,17 @@ class Selection : public QObject {
   void toggle(const ElementId& element);
   void clear() { select({}); }
 
-  /// All elements that are to light up for what is under the mouse; empty where nothing is.
+  /// The elements to highlight: the hovered ones, else those of keepLit().
   [[nodiscard]] const std::set<ElementId>& hovered() const { return m_hovered.empty() ? m_lit : m_hovered; }
   [[nodiscard]] bool isHovered(const ElementId& element) const { return hovered().contains(element); }
   void hover(std::set<ElementId> elements);
   void hover(const ElementId& element) { hover(std::set<ElementId>{element}); }
   void unhover() { hover(std::set<ElementId>{}); }
 
-  /// What is lit while nothing is under the mouse: what a view explains of the selection.
+  /// Sets the elements highlighted while nothing is hovered, for what a view explains about the selection.
   void keepLit(std::set<ElementId> elements);
 
-  /// Drops what `exists` denies: after every change of the document.
+  /// Drops the elements for which `exists` is false. To be called after every change of the document.
   template <class Exists>
   void keepOnly(Exists exists) {
     if (!std::all_of(m_selected.begin(), m_selected.end(), exists)) select(kept(m_selected, exists));

@@ -14,18 +14,18 @@ template <class Request, class Answer>
 struct ServiceOptions {
   Urgency urgency = Urgency::prompt;
   Overtaken overtaken = Overtaken::dropped;
-  /// Do both requests have the same answer? Then the newer one is not worked on. Without it no two have.
+  /// Do both requests have the same answer? Then the newer one is not computed. Empty: never.
   std::function<bool(const Request& before, const Request& now)> same = {};
-  /// Called with every answer on the thread that has made it, before the GUI thread hears of it, so that
-  /// further work begins while that is busy; never on two threads at once.
+  /// Called with every answer on the thread that computed it, before the GUI thread receives it, so that
+  /// further work can begin while that thread is busy. Never called on two threads at once.
   std::function<void(const Answer& answer)> ahead = {};
 };
 
-/// Answers requests of a window on a thread of its own (AnswerWorker); the newest request wins. Answers
-/// arrive on the GUI thread, and none to an overtaken request reaches a view, unless
-/// ServiceOptions::overtaken asks for that.
+/// Answers requests on a background thread (AnswerWorker); only the newest request counts. Answers arrive on
+/// the GUI thread. Answers to superseded requests are dropped unless ServiceOptions::overtaken says
+/// otherwise.
 ///
-/// request() may be called from any thread, all else from the thread of the object.
+/// request() is thread-safe; all other members are for the object's thread.
 template <class Request, class Answer>
 class Service : public ServiceSignals {
  public:
@@ -47,7 +47,7 @@ class Service : public ServiceSignals {
             },
             options.urgency, options.overtaken) {}
 
-  /// False where the answer to the last request, there or on its way, is that to this one too.
+  /// False if the answer to the last request, arrived or pending, is also the answer to this one.
   bool request(Request request) {
     const std::lock_guard lock(m_asking);
     const bool isSame = m_same && m_request && m_same(*m_request, request);
@@ -55,12 +55,13 @@ class Service : public ServiceSignals {
     if (!isSame) m_wanted = m_worker.request(std::move(request));
     return !isSame;
   }
-  /// Waits for the newest request's last answer, if it comes soon enough: answered() is then emitted at once.
+  /// Waits at most `most` for the final answer to the newest request. If it arrives, answered() is emitted
+  /// before the call returns.
   void await(std::chrono::milliseconds most) {
     if (isComplete()) return;
     if (auto reply = m_worker.await(wanted(), most)) arrived(*std::move(reply));
   }
-  /// No request is open any more: nothing that has been asked for will arrive.
+  /// Cancels all requests: none of their answers will arrive.
   void cancel() {
     m_worker.cancel();
     forgetRequest();
@@ -71,11 +72,11 @@ class Service : public ServiceSignals {
   void tellToEnd() override { m_worker.tellToEnd(); }
   [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
 
-  /// The newest one that has arrived; default-constructed before the first.
+  /// The last answer that arrived; default-constructed before the first.
   [[nodiscard]] const Answer& answer() const { return m_answer; }
-  /// Has the newest request been answered, if only partly?
+  /// Has the newest request been answered, at least in part?
   [[nodiscard]] bool isUpToDate() const { return m_arrived == wanted(); }
-  /// Has all of it been answered?
+  /// Has the newest request been answered completely?
   [[nodiscard]] bool isComplete() const { return isUpToDate() && m_isComplete; }
 
   /// Calls `receive(answer)` for every answer, until `context` is destroyed.
@@ -85,12 +86,12 @@ class Service : public ServiceSignals {
   }
 
  protected:
-  /// The next request is worked on, whatever `same` says of it.
+  /// The next request is computed even if `same` holds.
   void forgetRequest() {
     const std::lock_guard lock(m_asking);
     m_request.reset();
   }
-  /// The answer until another one arrives.
+  /// Sets the answer until another one arrives.
   void setAnswer(Answer answer) {
     m_answer = std::move(answer);
     emit answered();
@@ -117,11 +118,11 @@ class Service : public ServiceSignals {
   Overtaken m_overtaken;
   mutable std::mutex m_asking;
   std::uint64_t m_wanted = 0;        ///< number of the newest request; guarded by m_asking
-  std::optional<Request> m_request;  ///< the newest, if `same` has to know it; guarded by m_asking
+  std::optional<Request> m_request;  ///< the newest, only if `same` is set; guarded by m_asking
   std::uint64_t m_arrived = 0;       ///< number of the newest request that has been answered
-  bool m_isComplete = true;          ///< not only partly
+  bool m_isComplete = true;          ///< false: answered only in part
   Answer m_answer{};
-  Worker m_worker;  ///< last: it is stopped before what its replies touch goes
+  Worker m_worker;  ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline ui_service

@@ -7,7 +7,7 @@
 
 namespace geargraph::inline ui_service {
 
-/// What every Service tells; a template has no signals of its own.
+/// The signals of every Service, because a class template cannot declare signals.
 class ServiceSignals : public QObject, public BackgroundWork {
   Q_OBJECT
 
@@ -15,9 +15,9 @@ class ServiceSignals : public QObject, public BackgroundWork {
   using QObject::QObject;
 
  signals:
-  /// The service's answer() is another one now.
+  /// answer() has changed.
   void answered();
-  /// The newest request cannot be answered; answer() stays as it was.
+  /// The newest request failed; answer() is unchanged.
   void failed(const QString& why);
 };
 

@@ -9,21 +9,20 @@
 
 namespace geargraph::inline ui_stage {
 
-/// What a stage is made of.
+/// The input of a stage.
 struct StageRequest {
   SnapshotPtr snapshot;
-  std::filesystem::path folder;  ///< of the document; empty: the 3D files that links wear are left out
-  bool isPaintedByWindow =
-      false;  ///< by the window's own thread: the stage brings all that painting asks for
+  std::filesystem::path folder;    ///< of the document; empty: the links' external 3D files are left out
+  bool isPaintedByWindow = false;  ///< painted on the GUI thread: the stage has all data for painting
 };
 
-/// Makes the stages of the 3D view from snapshots. Solids are kept from one edit to the next. A request that
-/// changes nothing of the stage (a node moved, a link renamed) is answered already.
+/// Makes the stages of the 3D view from snapshots on a background thread. Solids are cached between edits. A
+/// request that does not change the stage (a node moved, a link renamed) is not computed again.
 class StageService final : public Service<StageRequest, StagePtr> {
  public:
   explicit StageService(QObject* parent = nullptr);
 
-  // Of the requests to come; from any thread.
+  // For later requests. Thread-safe.
   void setFolder(const std::filesystem::path& folder);
   void setPaintedByWindow(bool isPainted);
   void requestStage(const SnapshotPtr& snapshot);
@@ -32,7 +31,7 @@ class StageService final : public Service<StageRequest, StagePtr> {
 
  private:
   std::mutex m_mutex;
-  StageRequest m_next;  ///< but for the snapshot; guarded by m_mutex
+  StageRequest m_next;  ///< without the snapshot; guarded by m_mutex
 };
 
 }  // namespace geargraph::inline ui_stage

@@ -12,53 +12,54 @@
 
 namespace geargraph::inline ui_statics {
 
-/// How torques are solved, beside what the document holds.
+/// The parameters of a statics solution that are not part of the document.
 struct ForcesQuestion {
-  /// Position of the state whose couplings are engaged, instead of those that the document engages; -1:
-  /// these.
+  /// Index of the state whose couplings are engaged; -1: those that the document engages.
   int state = -1;
-  std::optional<Rational> efficiency;  ///< of meshes that state none
-  bool stiffness = false;              ///< shared loads by equal stiffness of all teeth
+  std::optional<Rational> efficiency;  ///< of meshes without one of their own
+  bool stiffness = false;              ///< load sharing with equal stiffness of all teeth
   friend bool operator==(const ForcesQuestion&, const ForcesQuestion&) = default;
 };
 
-/// As analyzeStatics() takes it: with losses, without symbols.
+/// The options for analyzeStatics(): with losses, without symbols.
 [[nodiscard]] StaticsOptions optionsOf(const ForcesQuestion& question);
 
 struct ForcesRequest {
   SnapshotPtr snapshot;
   ForcesQuestion question;
-  bool tables = false;  ///< all tables, the shift table among them, not only what the loads need
+  bool tables = false;  ///< all tables, including the shift table, not only those that loads need
 };
 
 /// The torques of a snapshot's mechanism, with its tables.
 struct Forces {
   SnapshotPtr snapshot;
-  /// That of the train as solved: without what the document engages, where the question is about a state.
+  /// The snapshot that was solved: without the document's engaged couplings if the question is about a state.
   SnapshotPtr solved;
   ForcesQuestion question;
-  std::optional<StaticsReport> report;  ///< none where the mechanism has errors
-  /// On the loads of the document, whatever was asked: as engaged, or in all states where nothing is.
+  std::optional<StaticsReport> report;  ///< std::nullopt if the mechanism has errors
+  /// The diagnostics of the document's loads, independent of the question: for the engaged couplings, or for
+  /// all states if none is engaged.
   Diagnostics findings;
-  StageForces arrows;              ///< for the 3D view; null where there are none
-  std::vector<ForceTable> tables;  ///< allForceTableKinds(), then the shift table where there are states
+  StageForces arrows;              ///< for the 3D view; null if there are none
+  std::vector<ForceTable> tables;  ///< allForceTableKinds(), then the shift table if there are states
 
-  /// Null where there is none of the kind.
+  /// Null if there is none of this kind.
   [[nodiscard]] const ForceTable* table(ForceTableKind kind) const;
 };
 using ForcesPtr = std::shared_ptr<const Forces>;
 
-/// Solves the statics of the window's document on a thread of its own, where the document has loads or a view
-/// shows torques; else it does nothing, and its answer is null.
+/// Solves the statics of the window's document on a background thread if the document has loads or a view
+/// shows torques; else the answer is null.
 class ForcesService final : public Service<ForcesRequest, ForcesPtr> {
  public:
   explicit ForcesService(QObject* parent = nullptr);
 
-  /// The newest analysis: what is solved from now on.
+  /// Sets the newest analysis, which is solved from now on.
   void follow(const SnapshotPtr& snapshot);
   void ask(const ForcesQuestion& question);
   [[nodiscard]] const ForcesQuestion& question() const { return m_question; }
-  /// Does this view show torques now? Then they are solved without loads, too, with all tables.
+  /// Tells whether this view shows torques. While any does, statics are solved even without loads, with all
+  /// tables.
   void setWatched(const QObject* view, bool watched);
 
  private:

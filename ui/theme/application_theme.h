@@ -6,22 +6,22 @@ class QApplication;
 
 namespace geargraph::inline theme {
 
-/// Style, palette, style sheet and font of the whole program, type `typeScale` times as large. May be called
-/// again to switch themes: widgets get a PaletteChange event, and windows repaint when all their parts have
-/// the new sheet (ThemeSheets::settled).
+/// Sets the style, palette, style sheet and font of the program, with fonts scaled by `typeScale`. May be
+/// called again to switch themes: widgets get a PaletteChange event, and windows repaint once all their parts
+/// have the new sheet (ThemeSheets::settled).
 void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
 
-/// The theme that was chosen last, of the settings; the system's where none was.
+/// The theme chosen in the settings; the system's if none was.
 [[nodiscard]] Theme savedTheme();
 void saveTheme(Theme theme);
-/// Has no theme been chosen, so that the window looks as the system does?
+/// Is no theme chosen, so that the program follows the system's?
 [[nodiscard]] bool followsSystemTheme();
-/// No theme is chosen any more.
+/// Removes the chosen theme from the settings.
 void followSystemTheme();
-/// Light or dark, as the system's own palette is.
+/// Light or dark, according to the system's palette.
 [[nodiscard]] Theme systemTheme();
 
-/// How large type is that the user wants, for the normal size 1; of the settings.
+/// The font scale chosen in the settings; 1 is the normal size.
 [[nodiscard]] double savedTypeScale();
 void saveTypeScale(double scale);
 

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline theme {
 
-/// A button of a panel: "Copy ▾".
+/// Creates a button of a panel ("Copy ▾"), owned by `parent`. `name`: its object name.
 [[nodiscard]] QToolButton* controlButton(const QString& name, const QString& text, const QString& tip,
                                          QWidget* parent);
 

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline theme {
 
-/// What a panel says in its middle while it has nothing to show.
+/// Creates the label, owned by `parent`, that a panel shows in its centre while it is empty.
 [[nodiscard]] QLabel* emptyLabel(QWidget* parent, const QString& text = {});
 
 }  // namespace geargraph::inline theme

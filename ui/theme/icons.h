@@ -8,17 +8,16 @@
 
 namespace geargraph::inline theme {
 
-/// An icon of resources/icons, drawn in a colour of the theme. The drawing says `currentColor` where it means
-/// that colour.
+/// An icon of resources/icons in a colour of the theme, which replaces `currentColor` in the SVG.
 [[nodiscard]] QIcon icon(const QString& name, ColorRole role, Theme theme);
 [[nodiscard]] QPixmap iconPixmap(const QString& name, ColorRole role, Theme theme, int pixels,
                                  qreal devicePixelRatio);
 
-/// The icon of a finding's severity; the shapes differ, not only the colours.
+/// The icon of a diagnostic's severity; icons differ in shape, not only in colour.
 [[nodiscard]] QString severityIconName(Severity severity);
 [[nodiscard]] ColorRole severityRole(Severity severity);
 
-/// The program's own icon.
+/// The icon of the program.
 [[nodiscard]] QIcon applicationIcon();
 
 }  // namespace geargraph::inline theme

@@ -4,9 +4,9 @@
 
 namespace geargraph::inline theme {
 
-/// Fusion with what follows the palette better than a style sheet: the lines between docks and the frames of
-/// tips, so that a main window needs no sheet (ThemeSheets), and the indicators of check boxes and radio
-/// buttons, which Fusion shades until they cannot be seen on a dark ground.
+/// The Fusion style, with these drawn from the palette: the separators of docks and the frames of tooltips,
+/// so that a main window needs no style sheet (ThemeSheets), and the indicators of check boxes and radio
+/// buttons, which in Fusion are invisible on a dark background.
 class ProgramStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class ProgramStyle : public QProxyStyle {
   [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                               QStyleHintReturn* answer) const override;
   using QProxyStyle::polish;
-  /// Controls without words of their own are told by their tips to those who do not see them.
+  /// Gives controls without text their tooltip as accessible name.
   void polish(QWidget* widget) override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;

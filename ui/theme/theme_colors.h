@@ -11,19 +11,19 @@ namespace geargraph::inline theme {
 [[nodiscard]] QColor qColor(Color color);
 [[nodiscard]] QColor qColor(ColorRole role, Theme theme);
 
-/// The theme that a widget's palette was made for, so that no view has to be told.
+/// The theme that a widget's palette belongs to, so that views need no notification.
 [[nodiscard]] Theme themeOf(const QPalette& palette);
 
-/// The palette of the theme's colours, for all of the application.
+/// The palette of the application in the theme's colours.
 [[nodiscard]] QPalette paletteOf(Theme theme);
 
-/// Body type and the smaller one, in pixels of a screen with 96 dots per inch, at the scale applied last.
+/// The sizes of body text and of small text, in pixels at 96 dpi, at the current type scale.
 [[nodiscard]] int bodyPixels();
 [[nodiscard]] int smallPixels();
-/// A length that goes with the type.
+/// A length in pixels multiplied by the type scale.
 [[nodiscard]] int scaledPixels(int pixels);
 
-/// What a length is multiplied by from now on, until the next call.
+/// Sets the type scale of the functions above.
 void setTypeScale(double scale);
 
 }  // namespace geargraph::inline theme

@@ -10,22 +10,22 @@ class QWidget;
 
 namespace geargraph::inline theme {
 
-/// Gives the style sheet of the program to the parts of its windows: each dock, bar, dialog and menu has its
-/// own, and the application has none. A change of the theme then takes one part in each turn of the event
-/// loop, at most 10 ms; one sheet for the application takes 100 to 300 ms at once in a window of 600 widgets.
-/// The windows repaint when all parts have the new sheet; a hidden part gets it when it is shown.
+/// Sets the style sheet of the program on the parts of its windows (docks, bars, dialogs, menus), not on the
+/// application. A change of the theme then updates one part per turn of the event loop, in at most 10 ms; a
+/// sheet of the application would block for 100 to 300 ms in a window of 600 widgets. Windows repaint when
+/// all parts have the new sheet; a hidden part gets it when it is shown.
 class ThemeSheets : public QObject {
   Q_OBJECT
 
  public:
-  /// The one of the application; made with the first call.
+  /// The instance of the application, created by the first call.
   static ThemeSheets& instance();
 
   void setSheet(const QString& sheet);
   [[nodiscard]] bool isSettled() const { return m_outdated.empty(); }
 
  signals:
-  /// All parts that are shown have the sheet.
+  /// All visible parts have the sheet.
   void settled();
 
  protected:
@@ -39,7 +39,7 @@ class ThemeSheets : public QObject {
 
   QString m_sheet;
   std::vector<QPointer<QWidget>> m_outdated;
-  std::vector<QPointer<QWidget>> m_held;  // windows that do not paint until all their parts have the sheet
+  std::vector<QPointer<QWidget>> m_held;  // windows that do not repaint until all their parts have the sheet
   QTimer m_turn;
 };
 

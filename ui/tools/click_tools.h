@@ -10,7 +10,7 @@ namespace geargraph::inline tools {
 ///     any --Esc--> Hovering
 namespace link_tool {
 
-/// Where the mouse is, if it is over an empty area: a link would come there.
+/// `place`: the mouse position if over an empty area, where a link would be added.
 struct Hovering {
   std::optional<SheetPoint> place;
 };
@@ -23,7 +23,7 @@ using State = std::variant<Hovering, Placing>;
 
 }  // namespace link_tool
 
-/// Makes a joint an input, or no input any more: click a turning joint, or the link that it carries.
+/// Makes a joint an input, or removes that input: click a turning joint or its head link.
 ///
 ///     Idle --press turning joint or link--> Idle + ToggleInput
 namespace input_tool {
@@ -35,7 +35,7 @@ using State = std::variant<Idle>;
 
 }  // namespace input_tool
 
-/// Writes notes: click on an empty area for a new one, or on one to change its text.
+/// Writes notes: a click on an empty area adds a note, a click on a note edits its text.
 ///
 ///     Idle --press nothing, or a note--> Placing --release--> Idle + WriteNote
 ///     Placing --Esc--> Idle
@@ -51,8 +51,8 @@ using State = std::variant<Idle, Placing>;
 
 }  // namespace note_tool
 
-/// Pulls the sheet along. The grabbed point of the sheet stays under the mouse, so each PanBy is measured on
-/// the sheet as it lies before it.
+/// Pans the sheet. The grabbed point stays under the mouse, so each PanBy is relative to the sheet's position
+/// before it.
 ///
 ///     Idle --press--> Panning --move--> Panning + PanBy
 ///                        +--release, Esc--> Idle

@@ -2,7 +2,7 @@
 
 #include "ui/tools/tool.h"
 
-/// Puts a turning joint or a gear mesh between two links: drag from one to the other, or click one, then the
+/// Adds a turning joint or a gear mesh between two links: drag from one to the other, or click one, then the
 /// other.
 ///
 ///     Idle --press link--> Dragging --release on another link--> Idle + AddJoint
@@ -14,13 +14,13 @@
 namespace geargraph::inline tools::joint_tool {
 
 struct Idle {};
-/// The mouse is down; the arrow follows it.
+/// The mouse button is down; the arrow follows the mouse.
 struct Dragging {
   LinkId tail;
   LinkId over;  ///< another link under the mouse, or empty
   SheetPoint cursor;
 };
-/// The first link was clicked; the arrow follows the mouse, which is up.
+/// The first link was clicked; the arrow follows the mouse with the button up.
 struct Picked {
   LinkId tail;
   LinkId over;
@@ -28,7 +28,7 @@ struct Picked {
 };
 using State = std::variant<Idle, Dragging, Picked>;
 
-/// `kind`: turningJoint or gearMesh.
+/// The transition function. `kind`: turningJoint or gearMesh.
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event, ElementKind kind);
 
 }  // namespace geargraph::inline tools::joint_tool

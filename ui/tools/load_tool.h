@@ -4,8 +4,8 @@
 
 #include "ui/tools/tool.h"
 
-/// Sets torques of loads: a drag to the right or upwards makes one greater, the other way smaller; a click
-/// leaves it to be typed. Select does the same with a load that is drawn.
+/// Sets the torques of loads: a drag to the right or upwards increases one, to the left or downwards
+/// decreases it; a click lets the user type it. The Select tool does the same with a drawn load.
 ///
 ///     Idle --press joint, link--> Grabbed --move--> Pulling + PullTorque --move--> Pulling + PullTorque
 ///                                   |                  |--release--> Idle + TorqueSet
@@ -14,8 +14,8 @@
 ///                                   +--Esc------> Idle
 namespace geargraph::inline tools::load_tool {
 
-/// The torque is that many steps from where it was when the mouse was pressed. Many of them make one gesture,
-/// which one of the next two closes.
+/// The torque is to be this many steps from its value when the mouse was pressed. A sequence of these is one
+/// gesture, ended by TorqueSet or TorquePutBack.
 struct PullTorque {
   ElementId element;
   int steps = 0;
@@ -28,7 +28,7 @@ struct TorqueSet {
 struct TorquePutBack {
   friend bool operator==(const TorquePutBack&, const TorquePutBack&) = default;
 };
-/// A click: its torque is to be typed.
+/// After a click: the user is to type the torque.
 struct TypeTorque {
   ElementId element;
   friend bool operator==(const TypeTorque&, const TypeTorque&) = default;
@@ -50,10 +50,11 @@ struct Step {
   std::optional<std::variant<PullTorque, TorqueSet, TorquePutBack, TypeTorque>> proposal;
 };
 
-/// One step of the torque for each Pointer::slop that the mouse goes. Joints and links only.
+/// The transition function: one torque step for each Pointer::slop of mouse movement. Only for joints and
+/// links.
 [[nodiscard]] Step on(const State& state, const ToolEvent& event);
 
-/// What the tool expects next, a sentence for the status bar.
+/// What the user can do next, as a sentence for the status bar.
 [[nodiscard]] std::string_view hint(const State& state);
 
 }  // namespace geargraph::inline tools::load_tool

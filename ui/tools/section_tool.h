@@ -2,8 +2,8 @@
 
 #include "ui/tools/tool.h"
 
-/// Draws in the section drawing, where the program lays links out: shafts on axes, shafts that a link
-/// carries, and gear meshes. Drags axes.
+/// Draws in the schematic, where the program lays out the links: shafts on axes, shafts carried by a link,
+/// and gear meshes. Drags axes.
 ///
 ///     Idle --press, Link--------------------> Shaft ----release--> Idle + AddShaft
 ///     Idle --press link, Turning joint------> Carried --release--> Idle + AddShaft with its carrier
@@ -13,14 +13,13 @@
 ///                                     +--release--> Idle +--Esc-----> Idle + AxisPutBack
 ///     any --Esc--> Idle
 ///
-/// A mesh that is released on no link is meant with the ground. A click with Turning joint or Gear mesh leads
-/// nowhere.
+/// A mesh released on no link is one with the ground. A click with Turning joint or Gear mesh adds nothing.
 namespace geargraph::inline tools::section_tool {
 
 struct AddShaft {
   SheetPoint from;
   SheetPoint to;
-  LinkId carrier;  ///< empty: what holds the axis
+  LinkId carrier;  ///< empty: the link that carries the axis
   friend bool operator==(const AddShaft&, const AddShaft&) = default;
 };
 struct MeshLinks {
@@ -31,7 +30,7 @@ struct MeshLinks {
   friend bool operator==(const MeshLinks&, const MeshLinks&) = default;
 };
 
-/// The axis goes along with the mouse; many of them make one gesture, which one of the next two closes.
+/// The axis follows the mouse. A sequence of these is one gesture, ended by AxisDropped or AxisPutBack.
 struct DragAxis {
   AxisId axis;
   SheetPoint from;
@@ -77,13 +76,14 @@ struct Step {
   std::optional<std::variant<AddShaft, MeshLinks, DragAxis, AxisDropped, AxisPutBack>> proposal;
 };
 
-/// `tool`: select, link, turningJoint or gearMesh; any other stays idle.
+/// The transition function. `tool`: select, link, turningJoint or gearMesh; with any other the state stays
+/// Idle.
 [[nodiscard]] Step on(const State& state, const ToolEvent& event, ToolKind tool);
 
-/// What the tool expects next, a sentence for the status bar.
+/// What the user can do next, as a sentence for the status bar.
 [[nodiscard]] std::string_view hint(const State& state, ToolKind tool);
 
-/// The line that is being drawn; nothing while idle.
+/// The line being drawn; draft() returns std::nullopt while idle.
 struct Draft {
   SheetPoint from;
   SheetPoint to;

@@ -12,8 +12,8 @@
 ///     Idle --press nothing--> Banding --release--> Idle + SelectInside (a click: ClearSelection)
 ///     any --Esc--> Idle
 ///
-/// A link that is not selected becomes so when it is pressed, so that a drag takes it along; what is selected
-/// already stays so until the release, so that a drag takes all.
+/// Pressing a link that is not selected selects it, so that a drag moves it; selected elements stay selected
+/// until the release, so that a drag moves all of them.
 namespace geargraph::inline tools::select_tool {
 
 struct Idle {};
@@ -30,7 +30,7 @@ struct Banding {
   SheetPoint from;
   SheetPoint to;
   bool add = false;
-  bool wide = false;  ///< it was more than a click
+  bool wide = false;  ///< moved further than a click may
 };
 using State = std::variant<Idle, Armed, Moving, Banding>;
 

@@ -7,21 +7,21 @@
 
 namespace geargraph::inline tools {
 
-/// How far a drag really goes, and along which lines it was pulled.
+/// The snapped displacement of a drag, and the lines that it snapped to.
 struct Snap {
   double dx = 0;
   double dy = 0;
-  std::optional<double> column;  ///< x that a moved node now shares with a resting one
-  std::optional<double> row;     ///< y
+  std::optional<double> column;  ///< x shared by a moved node and a fixed one
+  std::optional<double> row;     ///< y, likewise
   friend bool operator==(const Snap&, const Snap&) = default;
 };
 
-/// Pulls moved nodes onto the nearest row and column of a resting one, if that is at most `reach` away.
-/// `moving` are the places before the drag. Cost: O((moving + resting) log resting).
+/// Snaps the displacement (dx, dy) so that a moved node aligns with the nearest row and column of a fixed
+/// node, if at most `reach` away. `moving`: places before the drag. Cost: O((moving + resting) log resting).
 [[nodiscard]] Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx,
                            double dy, double reach);
 
-/// The nearest point of a square grid through the origin.
+/// The nearest point of a square grid of this step through the origin.
 [[nodiscard]] SheetPoint onGrid(SheetPoint point, double step);
 
 }  // namespace geargraph::inline tools

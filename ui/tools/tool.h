@@ -16,7 +16,7 @@ enum class ToolKind { select, link, turningJoint, gearMesh, input, load, note, p
 constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
 
 [[nodiscard]] std::string_view toolName(ToolKind tool);  ///< "Turning joint"
-[[nodiscard]] char toolKey(ToolKind tool);               ///< 'T', the key that picks it
+[[nodiscard]] char toolKey(ToolKind tool);               ///< shortcut key, 'T'
 
 // --- what happens to a tool -------------------------------------------------------------------------------
 
@@ -24,10 +24,10 @@ constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
 struct Pointer {
   SheetPoint at;
   std::optional<ElementId> on;  ///< the topmost element under the mouse
-  bool onSelected = false;      ///< that element is selected already
+  bool onSelected = false;      ///< that element is selected
   bool add = false;             ///< Shift or Ctrl: adds to the selection
   bool unsnapped = false;       ///< Alt: no snapping
-  double slop = 4;              ///< how far a click may wander, in sheet units
+  double slop = 4;              ///< largest movement of a click, in sheet units
 };
 
 struct Pressed {
@@ -55,15 +55,15 @@ struct ToggleSelected {
 struct ClearSelection {
   friend bool operator==(const ClearSelection&, const ClearSelection&) = default;
 };
-/// Everything inside the rectangle; `add` keeps what is selected.
+/// Selects everything inside the rectangle; `add` keeps the current selection.
 struct SelectInside {
   SheetPoint from;
   SheetPoint to;
   bool add = false;
   friend bool operator==(const SelectInside&, const SelectInside&) = default;
 };
-/// The selected nodes stand this far from where they were when the mouse was pressed. Many of them make one
-/// gesture, which MoveEnded or MoveCancelled closes.
+/// The selected nodes are to be displaced by this from their places when the mouse was pressed. A sequence of
+/// these is one gesture, ended by MoveEnded or MoveCancelled.
 struct MoveSelected {
   double dx = 0;
   double dy = 0;
@@ -87,7 +87,7 @@ struct AddJoint {
   LinkId head;
   friend bool operator==(const AddJoint&, const AddJoint&) = default;
 };
-/// A turning joint, or a link for the joint that carries it.
+/// `element`: a turning joint, or the head link of one.
 struct ToggleInput {
   ElementId element;
   friend bool operator==(const ToggleInput&, const ToggleInput&) = default;
@@ -106,7 +106,7 @@ struct PanBy {
 using Proposal = std::variant<SelectOnly, ToggleSelected, ClearSelection, SelectInside, MoveSelected,
                               MoveEnded, MoveCancelled, AddLink, AddJoint, ToggleInput, WriteNote, PanBy>;
 
-/// What an event did to a tool: its next state, and what it wants done.
+/// The effect of an event on a tool: its next state, and what it proposes.
 template <class State>
 struct Outcome {
   State next;
@@ -122,7 +122,7 @@ struct RubberBand {
   friend bool operator==(const RubberBand&, const RubberBand&) = default;
 };
 
-/// An arrow that is being drawn: from a link to another one, or to the mouse as long as there is none.
+/// An arrow being drawn from a link to another one, or to the mouse while there is none.
 struct ArrowDraft {
   ElementKind kind = ElementKind::turningJoint;
   LinkId tail;
@@ -131,8 +131,8 @@ struct ArrowDraft {
   friend bool operator==(const ArrowDraft&, const ArrowDraft&) = default;
 };
 
-/// What the matrices can show of an arrow that is being drawn: the column it would make. It is `valid` if
-/// releasing the mouse now would make a joint; `head` is empty while the mouse is over no other link.
+/// The joint of an arrow being drawn, for a preview of its column in the matrices. `valid`: releasing the
+/// mouse now would add the joint; `head` is empty while the mouse is over no other link.
 struct JointPreview {
   ElementKind kind = ElementKind::turningJoint;  ///< or gearMesh
   LinkId tail;

@@ -7,22 +7,22 @@
 
 namespace geargraph::inline tools {
 
-/// One tool in one of its states: feeds events to the tool's transition function and tells what to show.
+/// A tool with its current state: passes events to the tool's transition function and gives what to show.
 class ToolMachine {
  public:
   explicit ToolMachine(ToolKind tool);
 
   [[nodiscard]] ToolKind tool() const { return m_tool; }
-  /// Steps to the next state; what the tool wants done, in order.
+  /// Goes to the next state and returns the tool's proposals, in order.
   std::vector<Proposal> on(const ToolEvent& event);
 
-  /// Nothing has been begun: Esc may mean something else.
+  /// Is no gesture in progress? Then Esc may mean something else.
   [[nodiscard]] bool isIdle() const;
-  /// What the tool expects next, a sentence for the status bar.
+  /// What the user can do next, as a sentence for the status bar.
   [[nodiscard]] std::string_view hint() const;
   [[nodiscard]] std::optional<RubberBand> rubberBand() const;
   [[nodiscard]] std::optional<ArrowDraft> arrowDraft() const;
-  /// Where a link would come if the mouse were clicked now.
+  /// Where a click would now add a link.
   [[nodiscard]] std::optional<SheetPoint> linkDraft() const;
 
  private:

@@ -4,15 +4,15 @@
 
 namespace geargraph::inline view3d {
 
-/// Where the picture is painted: in a window of the graphics card, or beside the screen.
+/// Where the 3D view is rendered: in an OpenGL window, or offscreen to an image.
 struct CanvasSurface {
   bool isWindow = true;
-  QString why;       ///< of an image: empty where a window would be possible as well
-  QString driver{};  ///< of the window's OpenGL; empty if there is none or it was not asked
+  QString why;       ///< of an image: why there is no window; empty if one would be possible
+  QString driver{};  ///< OpenGL driver of the window; empty if there is none or it was not queried
 };
 
-/// What this program paints on, decided once; the GEARGRAPH_3D of the environment overrides it: `window` or
-/// `image`. @pre there is an application
+/// The surface of this program, determined once; the environment variable GEARGRAPH_3D (`window` or `image`)
+/// overrides it. @pre a QGuiApplication exists
 [[nodiscard]] const CanvasSurface& canvasSurface();
 
 }  // namespace geargraph::inline view3d

@@ -11,10 +11,10 @@
 
 namespace geargraph::inline view3d {
 
-/// The viewer's picture by the graphics card, in its window.
+/// The canvas that renders the viewer's frame by OpenGL in the window.
 ///
-/// For a real card only, as far as that can be known: a window with a QOpenGLWidget in it is uploaded and put
-/// together by OpenGL as a whole at every change of any part of it, and a processor is slow at that.
+/// Used only with hardware rendering, as far as that can be determined: Qt composes a window that contains a
+/// QOpenGLWidget by OpenGL as a whole at every change of any part, which is slow in software.
 class GlCanvas : public QOpenGLWidget {
   Q_OBJECT
 
@@ -22,14 +22,14 @@ class GlCanvas : public QOpenGLWidget {
   GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent = nullptr);
   ~GlCanvas() override;
 
-  /// What paints, once something was painted; empty before.
+  /// The name of the OpenGL renderer; empty before the first frame.
   [[nodiscard]] QString rendererName() const;
   [[nodiscard]] bool isSoftware() const { return m_renderer != nullptr && m_renderer->isSoftware(); }
   void setDark(bool dark) { m_dark = dark; }
 
  signals:
-  void started();                   ///< a renderer is at work: rendererName() tells which
-  void failed(const QString& why);  ///< no renderer could be made
+  void started();                   ///< a renderer was created: rendererName() is set
+  void failed(const QString& why);  ///< no renderer could be created
 
  protected:
   void initializeGL() override;
@@ -46,7 +46,7 @@ class GlCanvas : public QOpenGLWidget {
   PicturePace m_pace;
   bool m_sceneIsNew = true;
   bool m_dark = false;
-  QElapsedTimer m_picture;  ///< since its painting began
+  QElapsedTimer m_picture;  ///< since the rendering of the frame began
 };
 
 }  // namespace geargraph::inline view3d

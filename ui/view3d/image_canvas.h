@@ -14,11 +14,11 @@
 
 namespace geargraph::inline view3d {
 
-/// The viewer's picture where the processor has to paint, or where no window of the graphics card can be had:
-/// painted beside the screen, on a thread of its own, and shown as an image. So the window waits for nothing,
-/// and is not put together by OpenGL at every change of any part of it.
+/// The canvas for software rendering, or where no OpenGL window is available: the viewer's frame is rendered
+/// offscreen on a background thread and shown as an image. So the window stays responsive, and OpenGL does
+/// not compose it at every change of any part.
 ///
-/// The newest picture that is finished is on the screen; what is grabbed waits for the picture of the moment.
+/// The last finished frame is shown; grabbing the widget waits for the current one.
 class ImageCanvas : public QWidget, public BackgroundWork {
   Q_OBJECT
 
@@ -26,17 +26,17 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   ImageCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent = nullptr);
   ~ImageCanvas() override;
 
-  /// Why nothing can be painted; empty where something can.
+  /// Why rendering is impossible; empty if it is possible.
   [[nodiscard]] QString problem() const { return m_problem; }
-  /// What paints; empty where nothing does.
+  /// The name of the OpenGL renderer; empty if there is none.
   [[nodiscard]] QString rendererName() const;
   [[nodiscard]] bool isSoftware() const { return m_thread != nullptr && m_thread->isSoftware(); }
   void setDark(bool dark) { m_dark = dark; }
-  /// Shown while there are bodies, but no picture of any yet.
+  /// Sets the text shown while there are bodies but no frame yet.
   void setWaitingText(const QString& text) { m_waitingText = text; }
   void tellToEnd() override;
   [[nodiscard]] bool hasEnded() const override { return m_thread == nullptr || m_thread->hasEnded(); }
-  /// Is the picture of the moment on the screen?
+  /// Is the current frame shown?
   [[nodiscard]] bool isUpToDate() const;
 
  protected:
@@ -47,7 +47,7 @@ class ImageCanvas : public QWidget, public BackgroundWork {
  private:
   struct Shown {
     KeptFramePtr frame;
-    QImage image;  ///< in the screen's own format
+    QImage image;  ///< in the format of the screen
     double cost = 0;
   };
   struct Map {
@@ -55,18 +55,18 @@ class ImageCanvas : public QWidget, public BackgroundWork {
     std::size_t parts = 0;  ///< instances of its stage
   };
 
-  /// Orders the picture of the moment once the event that changes it is over.
+  /// Requests the current frame after the event being handled.
   void orderSoon();
   void order(bool quick);
   void rehearse();
-  void deliver(PaintedPicture picture);  ///< on the painting thread
+  void deliver(PaintedPicture picture);  ///< on the rendering thread
   void takeUp();
   [[nodiscard]] bool isOnScreen(const QPainter& painter) const;
   void paintGround(QPainter& painter) const;
   void addOverlay();
   [[nodiscard]] bool isWaiting() const;
   void paintWords(QPainter& painter, const QString& text) const;
-  /// Answered when the picture under way is finished.
+  /// Answered when the frame being rendered is finished.
   void pick(const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer);
 
   Viewer* m_viewer;
@@ -76,19 +76,19 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   QString m_waitingText;
   bool m_dark = false;
   bool m_willOrder = false;
-  bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken
-  bool m_isPainted = false;  ///< what is shown is on the screen
-  bool m_isStep = false;     ///< the last quick look that was ordered is the first of its stage
+  bool m_owesMap = false;    ///< a requested map has not arrived: its frame may be superseded
+  bool m_isPainted = false;  ///< m_shown has been painted
+  bool m_isStep = false;     ///< the last requested draft frame is the first of its stage
   LookLevel m_look;
   bool m_hasRehearsed = false;
   KeptFramePtr m_ordered;
-  KeptFramePtr m_quick;      ///< the last quick look that was ordered
-  Shown m_shown;             ///< labels and scale bar are in the image once it is painted
-  std::optional<Map> m_map;  ///< that labels have not been placed by yet
+  KeptFramePtr m_quick;      ///< the last requested draft frame
+  Shown m_shown;             ///< includes labels and scale bar once painted
+  std::optional<Map> m_map;  ///< not yet used to place labels
   std::mutex m_mutex;
   std::optional<Shown> m_delivered;         ///< guarded by m_mutex
   std::optional<Map> m_deliveredMap;        ///< guarded by m_mutex
-  std::unique_ptr<PictureThread> m_thread;  ///< last: it is stopped before what it uses goes
+  std::unique_ptr<PictureThread> m_thread;  ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline view3d

@@ -12,35 +12,36 @@ class QPainter;
 
 namespace geargraph::inline view3d {
 
-/// How much larger than at the normal type size labels, forces and the scale bar of the window are.
+/// The scale of labels, forces and the scale bar of the window; 1 at the normal font size.
 [[nodiscard]] double overlayScale();
 
-/// The plates with numbers that face the viewer, of the kinds that are shown, where LabelPlaces puts them;
-/// from one that stands beside its part a line leads there.
+/// The label plates of the shown kinds, facing the viewer, placed by LabelPlaces; a leader line joins a plate
+/// placed beside its part to it.
 class LabelLayer {
  public:
   void setShown(LabelKind kind, bool shown) { m_places.setShown(kind, shown); }
   [[nodiscard]] bool isShown(LabelKind kind) const { return m_places.isShown(kind); }
   void reset() { m_places.reset(); }
-  /// Nothing tells yet where links are seen: a map is wanted at once.
+  /// Has no map of visible links been used yet? Then one is needed immediately.
   [[nodiscard]] bool areNew() const { return m_places.areNew(); }
-  /// Of the window's own logical pixels.
+  /// Sets the heights at the top and bottom to keep free of labels, in logical pixels of the window.
   void setBorders(double above, double below) {
     m_places.setBorders(above / overlayScale(), below / overlayScale());
   }
 
-  /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
+  /// Places the labels, without those of hidden instances. Cost: O(labels²), for the separation of
+  /// overlapping plates.
   const std::vector<LabelPlate>& place(const LabelGround& ground);
-  /// Paints what was placed. Plates and lines come from small images, because a painter on OpenGL smooths
-  /// nothing by itself.
+  /// Paints the placed labels. Plates and lines are painted from small images, because a QPainter on OpenGL
+  /// does not antialias.
   void paint(QPainter& painter, const Stage& stage, bool dark);
-  /// What somebody means who points here: the part that the plate under the place speaks of, else the place.
-  /// In the window's own logical pixels, as the place.
+  /// The place to pick for this place: that of the labelled part if a plate is there, else the place itself.
+  /// Both in logical pixels of the window.
   [[nodiscard]] QPointF meant(const QPointF& place) const;
 
  private:
   LabelPlaces m_places;
-  std::vector<LabelPlate> m_plates;  ///< as they were placed last
+  std::vector<LabelPlate> m_plates;  ///< as last placed
   QHash<QString, QImage> m_images;   ///< by text, colours, font and pixel ratio
 };
 

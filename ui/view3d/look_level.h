@@ -2,24 +2,24 @@
 
 namespace geargraph::inline view3d {
 
-/// How simple the quick looks of a picture are that moves where the processor paints: 0 as fine as they can
-/// be, 1 without edges and simply lit, 2 with half the pixels too. What shows the pixels is the last that is
-/// given up: most of the time goes into triangles and lines.
+/// The level of simplification of draft frames in software rendering: 0 full detail, 1 without edges and with
+/// simple lighting, 2 also at half the resolution. Resolution is reduced last, since triangles and lines take
+/// most of the time.
 ///
-/// One slow picture does not make the next ones simpler, and it takes several quick ones until they are finer
-/// again, so that the look does not flicker.
+/// A single slow frame does not raise the level, and several fast ones are needed to lower it, so that the
+/// picture does not flicker.
 class LookLevel {
  public:
   static constexpr int kSimplest = 2;
 
   [[nodiscard]] int level() const { return m_level; }
-  /// A quick look of this level took so many ms. `isStep`: its solids were new. Before it they were worked
-  /// out, so that less time is left for it than while a camera or a clock moves.
+  /// Reports the time of a draft frame at this level, in ms. `isStep`: its solids were new; computing them
+  /// leaves less time for the frame than a movement of the camera or the time.
   void took(double milliseconds, bool isStep) {
-    // Of another level nothing was kept that the first of its pictures could have used.
+    // The first frame of a level is slower because nothing is cached for it.
     if (m_isFirst) return void(m_isFirst = false);
     const double slow = isStep && m_level == 0 ? 8 : 20;
-    const double quick = isStep && m_level == 1 ? 3 : 9;  // a level makes about two times the time
+    const double quick = isStep && m_level == 1 ? 3 : 9;  // one level is about a factor of 2 in time
     m_slowOnes = milliseconds > slow ? m_slowOnes + 1 : 0;
     m_quickOnes = milliseconds < quick ? m_quickOnes + 1 : 0;
     if (m_slowOnes >= 2 && m_level < kSimplest) return goTo(m_level + 1);

@@ -17,9 +17,9 @@ namespace geargraph::inline view3d {
 class MotionPlot;
 class View3D;
 
-/// Speeds over one period of the motion, or along the trajectory that the 3D view plays: of the selected
-/// joints and links, and of the points whose paths the 3D view shows. They are computed on a thread of its
-/// own, the newest request wins; nothing is while the panel is not seen.
+/// Plots of speeds over one period of the motion, or along the trajectory played by the 3D view: of the
+/// selected joints and links, and of the points traced in the 3D view. Computed on a background thread for
+/// the newest request; a hidden panel computes nothing.
 class MotionPanel : public QWidget, public BackgroundWork {
   Q_OBJECT
 
@@ -28,11 +28,12 @@ class MotionPanel : public QWidget, public BackgroundWork {
 
   [[nodiscard]] const std::vector<CurveSheet>& sheets() const { return m_sheets; }
   void setComponents(bool shown);
-  /// The document that names in legends are taken from. Sheets, and the files made of them, have labels only.
+  /// Sets the document that names in legends are taken from. Sheets, and files exported from them, have
+  /// labels only.
   void setNames(const MechanismPtr& newest);
   void tellToEnd() override { m_worker.tellToEnd(); }
   [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
-  /// Do the sheets show what is chosen now?
+  /// Do the sheets show the current choice?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
 
  signals:
@@ -65,7 +66,7 @@ class MotionPanel : public QWidget, public BackgroundWork {
   QToolButton* m_save;
   quint64 m_wanted = 0;
   quint64 m_shown = 0;
-  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
+  RequestWorker<Request> m_worker;  ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline view3d

@@ -11,29 +11,30 @@
 
 namespace geargraph::inline view3d {
 
-/// Ticks that read well: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
+/// Axis ticks at round numbers: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
 /// @pre low < high, most > 1
 [[nodiscard]] std::vector<double> niceTicks(double low, double high, int most);
 
-/// Few of the points of a line from left to right, such that it runs within `tolerance` above or below all of
-/// them. The first and the last stay. Cost: O(points).
+/// A subset of the points of a line from left to right that stays within `tolerance` vertically of all of
+/// them. Contains the first and the last point. Cost: O(points).
 [[nodiscard]] std::vector<QPointF> simplified(const std::vector<QPointF>& points, double tolerance);
 
 /// Curves over time, with axes, units and a legend.
 ///
 ///     wheel         zoom along the time, at the pointer      drag            move along the time
 ///     Ctrl+wheel    zoom along the values                    click           go to that time
-///     double click  all of it                                pointer         values there
+///     double click  show all                                 pointer         values there
 class MotionPlot : public QWidget {
   Q_OBJECT
 
  public:
   explicit MotionPlot(QWidget* parent = nullptr);
 
-  /// The range that is shown stays where times do; it begins with all of them, or the first of a long period.
+  /// Sets the curves. The displayed range is kept if the times are the same; else it is the whole period, or
+  /// the beginning of a long one.
   void setSheet(const CurveSheet& sheet);
   [[nodiscard]] const CurveSheet& sheet() const { return m_sheet; }
-  /// The time that the 3D view shows, as a line.
+  /// Marks the time of the 3D view by a line. In seconds.
   void setTime(double seconds);
   void showAll();
 
@@ -45,7 +46,7 @@ class MotionPlot : public QWidget {
   };
   [[nodiscard]] const Range& times() const { return m_times; }
   [[nodiscard]] const Range& values() const { return m_values; }
-  /// The key of the picture that axes and curves are kept as; it changes where they are painted anew.
+  /// The key of the cached picture of axes and curves; it changes whenever they are painted again.
   [[nodiscard]] qint64 pictureKey() const { return m_painted.picture.cacheKey(); }
   [[nodiscard]] double timeAt(double x) const;
   [[nodiscard]] QRectF area() const;  ///< of the curves
@@ -64,7 +65,7 @@ class MotionPlot : public QWidget {
 
  private:
   [[nodiscard]] QPointF placeOf(double time, double value) const;
-  /// In the area, which takes longer to find than a place in it.
+  /// The same with a known area(), which is more expensive than the rest.
   [[nodiscard]] QPointF placeOf(double time, double value, const QRectF& inside) const;
   [[nodiscard]] QColor inkOf(const MotionCurve& curve) const;
   [[nodiscard]] double valueAt(const MotionCurve& curve, double time) const;
@@ -75,7 +76,7 @@ class MotionPlot : public QWidget {
   void paintLegend(QPainter& painter) const;
   void paintMoments(QPainter& painter) const;
 
-  /// The picture of axes and curves, and all that it depends on.
+  /// The cached picture of axes and curves, and all that it depends on.
   struct Painted {
     QPixmap picture;
     quint64 sheet = 0;
@@ -92,7 +93,7 @@ class MotionPlot : public QWidget {
   void renewPainted();
 
   CurveSheet m_sheet;
-  quint64 m_sheetNumber = 0;  ///< one more with every sheet
+  quint64 m_sheetNumber = 0;  ///< incremented with every sheet
   Painted m_painted;
   Range m_times;
   Range m_values;

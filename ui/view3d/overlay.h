@@ -9,25 +9,27 @@ class QPainter;
 
 namespace geargraph::inline view3d {
 
-/// The forces that a picture shows as arrows, for their labels and their legend.
+/// The forces shown as arrows, for their labels and legend.
 struct ShownForces {
   StageForces forces;
   std::vector<ForceArrow> arrows;
-  std::set<ElementId> lit;  ///< elements whose forces have labels in any case
-  QString caption;          ///< why some are not drawn, or all; empty where all are
+  std::set<ElementId> lit;  ///< highlighted elements, whose forces are always labelled
+  QString caption;          ///< why some or all are not drawn; empty if all are
 };
 
-/// What lies over the picture of the solids, the same in every canvas and file: the labels, and the scale
-/// bar, which holds at the depth of the view's middle. The ground is that of the picture, with a map of it
-/// where one was made.
+/// Paints the overlay of a rendered picture, identical in every canvas and file: the labels, and the scale
+/// bar, which is valid at the depth of the view's centre. `ground` describes the picture, with a map of its
+/// visible parts if one was made.
 void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark,
                   const ShownForces& forces = {});
 
-/// Below the legend and the caption of forces, which the painter has painted; where they begin without any.
+/// The lower edge of the legend and the caption of forces as the painter paints them, in its logical pixels;
+/// without any, where they would begin.
 [[nodiscard]] double bottomOfForceLegend(const QPainter& painter, const LabelGround& ground,
                                          const ShownForces& shown);
 
-/// The labels of these options over the pictures of a film, one after the other. Any one thread may use it.
+/// Paints the overlay of these options on the frames of an animation, in order. May be used by any one thread
+/// at a time.
 class PictureOverlay {
  public:
   PictureOverlay(const ViewOptions& options, bool dark);

@@ -9,9 +9,9 @@
 
 namespace geargraph::inline view3d {
 
-/// How much a picture may cost at the moment. Where the processor paints, a quick look does while the picture
-/// moves: antialiasing and shadow come as soon as it rests. And while it moves, labels go with their parts;
-/// where these are seen is looked at now and then only, and once more when the picture has come to rest.
+/// Decides how expensive the next frame may be. In software rendering, frames are drafts while the picture
+/// moves; antialiasing and shadows are added once it rests. While it moves, labels move with their parts; the
+/// map of visible parts is made only now and then, and once more when the picture has come to rest.
 class PicturePace : public QObject {
   Q_OBJECT
 
@@ -19,24 +19,24 @@ class PicturePace : public QObject {
   PicturePace(const Viewer* viewer, const LabelLayer* labels, QObject* parent);
 
   void setSoftware(bool software) { m_isSoftware = software; }
-  /// The picture of the moment is a quick look.
+  /// Is the next frame a draft?
   [[nodiscard]] bool isQuick() const { return m_isSoftware && !m_isStill; }
-  /// A quick look is on the screen now: it rests from here on. Where pictures are slow, a better one between
-  /// two of a movement would only hold up the next.
+  /// Reports that a draft frame is shown: the rest begins now, because with slow frames a full frame between
+  /// two drafts of a movement would only delay the next.
   void shown();
-  /// Is a map of what is seen to be made with the picture that is painted now? If so, it counts as made.
+  /// Is a map of visible parts to be made with the frame rendered now? If so, it is taken as made.
   [[nodiscard]] bool takeMap();
 
  signals:
-  void rested();  ///< a better picture is due
+  void rested();  ///< a full frame is due
 
  private:
   void onMoving(int stillAfter);
 
   const LabelLayer* m_labels;
   bool m_isSoftware = false;
-  bool m_isStill = true;    ///< nothing has changed for a while: the picture may cost more
-  bool m_mapIsOld = false;  ///< labels stand by an earlier picture's map
+  bool m_isStill = true;    ///< nothing has changed for a while: full frames are allowed
+  bool m_mapIsOld = false;  ///< labels are placed by the map of an earlier frame
   QTimer m_whenStill;
   QElapsedTimer m_sinceMap;
   QElapsedTimer m_sinceScene;

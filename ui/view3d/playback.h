@@ -7,8 +7,8 @@
 
 namespace geargraph::inline view3d {
 
-/// The time of the motion: it runs at a speed, stands still, or is set by hand. Angles are speeds times this
-/// time, so every frame is a function of it.
+/// The time of the motion: it runs, pauses, or is set by the user. Angles are speeds times this time, so
+/// every frame depends only on it.
 class Playback : public QObject {
   Q_OBJECT
 
@@ -17,22 +17,21 @@ class Playback : public QObject {
 
   [[nodiscard]] double time() const { return m_time; }  ///< s
   [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
-  [[nodiscard]] double speed() const { return m_speed; }  ///< seconds of motion a second; negative runs back
-  [[nodiscard]] double period() const { return m_period; }  ///< s; 0 where there is none
+  [[nodiscard]] double speed() const { return m_speed; }  ///< seconds of motion per second; negative: reverse
+  [[nodiscard]] double period() const { return m_period; }  ///< s; 0: none
 
-  /// Time stays from..to, either of which may be infinite; a motion that runs into an end turns round.
-  /// Without ends the period counts.
+  /// Limits the time to from..to (s), either of which may be infinite; at an end the motion reverses. Without
+  /// finite ends the period applies.
   void setRange(double from, double to);
   [[nodiscard]] double from() const { return m_from; }
   [[nodiscard]] double to() const { return m_to; }
   [[nodiscard]] bool isLimited() const;
 
-  /// With a period, time stays within 0..period: the motion begins again as it was.
+  /// Sets the period (s): the time is kept within 0..period, after which the motion repeats. 0: none.
   void setPeriod(double seconds);
-  /// Pauses, and goes on (+1) or back (-1) by what runs in a twentieth of a second: small steps in slow
-  /// motion.
+  /// Pauses, and steps forwards (+1) or backwards (-1) by the motion of 1/20 s at the current speed.
   void step(int sense);
-  /// Lets so many seconds of the wall's clock pass.
+  /// Advances by this many seconds of real time.
   void advance(double seconds);
 
  public slots:
@@ -46,7 +45,7 @@ class Playback : public QObject {
   void playingChanged(bool playing);
   void speedChanged(double speed);
   void rangeChanged();
-  /// Time was to leave the range, at its end or its beginning.
+  /// The time reached the end of the range (true) or its beginning (false).
   void endReached(bool isEnd);
 
  private:

@@ -12,21 +12,21 @@ class QToolButton;
 
 namespace geargraph::inline view3d {
 
-/// Play and pause, single steps, a scrub bar over one period (over a minute where there is none, between the
-/// limits of joints where they have any), the time,
-/// and the speed with its direction.
+/// The controls of the playback: play and pause, single steps, a scrub bar over span(), the time, and the
+/// speed with its direction.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr);
 
-  /// The length of time that the bar shows: what limits of joints leave, else the period, else a minute.
+  /// The length of time that the bar shows, in s: the range between the limits of joints, else the period,
+  /// else a minute.
   [[nodiscard]] double span() const;
-  [[nodiscard]] double start() const;  ///< the time at its left end
+  [[nodiscard]] double start() const;  ///< s, at the left end of the bar
   void setDark(bool dark);
-  void refresh();  ///< after another period
-  /// Does the time run along a trajectory? Then a button ends that.
+  void refresh();  ///< to be called when the period changes
+  /// Sets whether a trajectory is played; then a button ends it.
   void setAlongTrajectory(bool along);
 
  signals:
@@ -44,12 +44,12 @@ class PlaybackBar : public QWidget {
 
   Playback* m_playback;
   bool m_dark = false;
-  std::optional<std::pair<bool, bool>> m_icon;  ///< of which state: playing, dark
+  std::optional<std::pair<bool, bool>> m_icon;  ///< shown icon: playing, dark
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
   QToolButton* m_endTrajectory;
-  QString m_longest;  ///< text of this period that the label of the time has room for
+  QString m_longest;  ///< longest time text of this period, for the label's width
   QToolButton* m_speed;
 };
 

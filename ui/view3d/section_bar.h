@@ -10,8 +10,8 @@ namespace geargraph::inline view3d {
 
 class Viewer;
 
-/// Sliders over the picture: where the section cuts, across which axis and from which side; and how far the
-/// train is pulled apart. Each row is there while its mode is on.
+/// Sliders over the 3D view: the position, axis and side of the section, and the amount of the exploded view.
+/// Each row is shown while its mode is on.
 class SectionBar : public QWidget {
   Q_OBJECT
 

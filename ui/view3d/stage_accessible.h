@@ -2,8 +2,8 @@
 
 namespace geargraph::inline view3d {
 
-/// Makes the links in 3D views known to screen readers, by QAccessible: each is a child of the canvas, with
-/// its name and whether it is selected, and can be pressed. Once for the program; windows call it.
+/// Makes the links in 3D views accessible to screen readers by QAccessible: each is a child of the canvas
+/// with its name and selection state, and can be pressed. Further calls have no effect.
 void installStageAccessibility();
 
 }  // namespace geargraph::inline view3d

@@ -18,11 +18,10 @@ namespace geargraph::inline view3d {
 /// its axis has a handle; the train goes to its reference pose when it is grabbed.
 ///
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
-/// arrows orbit, + and - zoom; , and . step the time back and on; R rides along with the selected link or
-/// stops it, A looks along its axis, S cuts a section, E pulls apart, H hides what is selected or shows all;
-/// Backspace undoes what hands have turned; Page down and up select the next and the last link, the Menu key
-/// opens its menu.
-/// Mouse: viewer.h.
+/// arrows orbit, + and - zoom; , and . step the time backwards and forwards; R fixes the reference frame to
+/// the selected link or releases it, A looks along its axis, S toggles the section, E the exploded view, H
+/// hides the selected links or shows all; Backspace resets the angles turned by hand; Page Down and Up select
+/// the next and the previous link, the Menu key opens its menu. Mouse: viewer.h.
 class View3D : public QWidget {
   Q_OBJECT
 
@@ -30,31 +29,32 @@ class View3D : public QWidget {
   explicit View3D(Selection* selection, QWidget* parent = nullptr);
   ~View3D() override;
 
-  /// Call before the QApplication is made: contexts are shared, so that a dock that floats uploads nothing
-  /// again.
+  /// To be called before the QApplication is created: makes OpenGL contexts shared, so that a dock that
+  /// becomes floating need not upload its data again.
   static void prepareApplication();
-  /// Renderer, vendor and version of the display's OpenGL, or why there is none. @pre there is an application
+  /// Renderer, vendor and version of the display's OpenGL, or why there is none. @pre a QGuiApplication
+  /// exists
   [[nodiscard]] static QString driver();
 
-  /// What is shown. Camera and time stay; the first stage is fitted into the view.
+  /// Sets the stage to show. Camera and time are kept; the first stage is fitted into the view.
   void setStage(const StagePtr& stage);
   [[nodiscard]] const StagePtr& stage() const;
-  /// The forces on its parts, for the entry "Forces" of its menu; null: there are none.
-  /// `caption`: beside the legend, why some are not drawn, or all; empty where all are.
+  /// Sets the forces on the parts, for the menu entry "Forces"; null: there are none. `caption`: shown beside
+  /// the legend, why some or all are not drawn; empty if all are.
   void setForces(StageForces forces, const QString& caption = {});
   [[nodiscard]] const QString& forcesCaption() const;
-  /// Shown in place of an empty stage: why there is nothing, and what to do.
+  /// Sets the text shown instead of an empty stage: the reason, and what to do.
   void setEmptyText(const QString& text);
-  /// A sentence over the picture: why it is not that of the document as it is now. Empty: it is.
+  /// Sets a sentence shown over the picture: why it does not show the current document. Empty: it does.
   void setNote(const QString& text);
 
   [[nodiscard]] Playback& playback();
-  /// Plays this motion of the inputs instead of their speeds, from its beginning, over and over; null: their
-  /// speeds again. A button over the picture ends it, and so does a stage with other inputs.
+  /// Plays this motion of the inputs repeatedly from its beginning, instead of their constant speeds; null:
+  /// constant speeds again. A button over the picture ends it, and so does a stage with other inputs.
   void setTrajectory(const InputTrajectoryPtr& trajectory);
   [[nodiscard]] const InputTrajectoryPtr& trajectory() const;
-  /// Angles that are added to what the time makes of the inputs (rad, one an input): dragging a part with
-  /// Ctrl does the same.
+  /// Sets the angles (rad, one per input) added to those of the current time; dragging a part with Ctrl does
+  /// the same.
   void setTurnedByHand(const std::vector<double>& angles);
   [[nodiscard]] const std::vector<double>& turnedByHand() const;
 
@@ -62,48 +62,49 @@ class View3D : public QWidget {
   void setCamera(const Camera& camera);
   /// The next stage is that of another document: it is fitted, or seen from where the document says.
   void startAnew(const std::optional<Camera>& camera);
-  /// Somebody has chosen the camera, here or in the document: it is worth being kept.
+  /// Has the camera been chosen, by the user or in the document? Then it is to be saved.
   [[nodiscard]] bool isCameraChosen() const;
-  /// All that is shown, as a picture elsewhere takes it.
+  /// The complete state of the view, for rendering it elsewhere.
   [[nodiscard]] const StageView& view() const;
-  /// The links that have a part in sight, by their labels.
+  /// The links with a visible part, in the order of Stage::labels.
   [[nodiscard]] std::vector<ElementId> shownLinks() const;
   [[nodiscard]] bool isSelected(const ElementId& link) const;
   void select(const ElementId& link);
   /// "link 3", "the ground"
   [[nodiscard]] QString nameOf(const ElementId& link) const;
-  /// What the middle button does, of the settings; for all views of the program when it is chosen.
+  /// The function of the middle mouse button, from the settings; chooseNavigation() sets it for all views of
+  /// the program.
   [[nodiscard]] static Navigation savedNavigation();
   void chooseNavigation(Navigation navigation);
   void setNavigation(Navigation navigation);
   void setDark(bool dark);
   [[nodiscard]] const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
-  /// The link that is seen standing still; none: the ground.
+  /// The link that the reference frame is fixed to; std::nullopt: the ground.
   [[nodiscard]] const std::optional<ElementId>& ridden() const;
   void rideAlong(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const;
   void setHidden(std::set<ElementId> links);
-  /// Stops the motion at a time, with the inputs where their speeds take them: a trajectory and what
-  /// hands have added go.
+  /// Pauses the motion at a time (s), with the inputs turned by their speeds only: ends a trajectory and
+  /// resets turnedByHand().
   void showMoment(double time);
-  /// Looks along the line that the link turns about.
+  /// Looks along the axis of rotation of the link.
   void lookAlong(const ElementId& link);
   [[nodiscard]] bool hasAxis(const ElementId& link) const;
-  /// Gives the focus to the handle of the selected axis; false where there is none.
+  /// Gives the focus to the handle of the selected axis; false if there is none.
   bool takeAxisHandle();
-  /// Shows the path of a point of a part, and says its length and period.
+  /// Shows the path of a point of a part; noteMade() reports its length and period.
   void trace(const Hit& hit);
   void clearTraces();
   [[nodiscard]] const std::vector<ShownTrace>& traces() const;
-  /// What paints, as the driver says; empty before the first picture, or where there is none.
+  /// The renderer's name according to the driver; empty before the first frame, or if there is no renderer.
   [[nodiscard]] QString rendererName() const;
-  /// Is the picture painted beside the screen and shown as an image? So it is where there is no window of the
-  /// graphics card, or where the processor stands for one.
+  /// Is the view rendered offscreen and shown as an image? It is for software rendering, or if no OpenGL
+  /// window is available.
   [[nodiscard]] bool isImage() const;
-  /// An image is painted while the window does other work: is that of the moment on the screen?
+  /// Is the current frame shown? Images are rendered in the background.
   [[nodiscard]] bool isUpToDate() const;
-  /// What stands in the view until the first picture of a train is there.
+  /// The text shown until the first frame of a train is ready.
   [[nodiscard]] static QString waitingText() { return tr("The gears are being made …"); }
 
  public slots:
@@ -112,15 +113,15 @@ class View3D : public QWidget {
 
  signals:
   void cameraChanged();
-  void contentChanged();     ///< another stage, other traces: what moves, and what is said of it
-  void trajectoryChanged();  ///< it plays another motion, or that of the speeds again
-  /// A context menu is about to open for an element, or for the ground: others may add what they know of it.
+  void contentChanged();     ///< another stage or other traces
+  void trajectoryChanged();  ///< it plays another trajectory, or constant speeds again
+  /// A context menu is about to open for an element or for the ground; receivers may add entries.
   void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
   void traceFileWanted();                 ///< the newest of traces() is to be saved
-  void hintChanged(const QString& hint);  ///< what a drag would do there; empty: the pointer has left
-  void noteMade(const QString& text);     ///< something to be said in a line: a traced path's length
-  void axisPulled(
-      const geargraph::AxisPull& pull);  ///< many of them make one gesture, which one of the next two ends
+  void hintChanged(const QString& hint);  ///< what a drag would do; empty: the pointer has left
+  void noteMade(const QString& text);     ///< a message of one line: a traced path's length
+  /// Emitted repeatedly during one gesture, which axisDropped() or axisPutBack() ends.
+  void axisPulled(const geargraph::AxisPull& pull);
   void axisDropped();
   void axisPutBack();
   void axisNudged(const geargraph::AxisPull& pull);  ///< a gesture of its own
@@ -132,10 +133,10 @@ class View3D : public QWidget {
 
  private:
   void walk(int steps);
-  /// What the view can show: faces, section, exploded view, translucency, labels, marks of geometry and
-  /// motion, and what is hidden or the reference frame is fixed to.
+  /// The display options: faces, section, exploded view, translucency, labels, marks of geometry and motion,
+  /// hidden links, and the reference frame.
   void fillViewMenu(QMenu& menu);
-  /// For the part under the mouse, or for the background.
+  /// The commands for the part under the mouse, or for the background.
   void fillPartMenu(QMenu& menu, const std::optional<Hit>& hit);
   void placeNote();
 

@@ -7,12 +7,12 @@
 
 namespace geargraph::inline view3d {
 
-/// What the 3D view shows of its stage, and how. A value; nothing of it belongs to the document.
+/// The display options of the 3D view; not part of the document.
 struct ViewOptions {
   Faces faces = Faces::shaded;
   std::optional<SectionChoice> section;
-  double pulledApart = 0;    ///< 0..1: the exploded view
-  bool ghostOthers = false;  ///< while something is selected, the rest is a veil
+  double pulledApart = 0;    ///< amount of the exploded view, 0..1
+  bool ghostOthers = false;  ///< makes links that are not selected translucent while any is
   bool linkLabels = true;
   bool jointLabels = false;
   bool axisLabels = false;

@@ -9,17 +9,17 @@
 
 namespace geargraph::inline workbench {
 
-/// What the views of a window share: the document, what is selected in it, and the services that follow it.
-/// An edit goes to the document, the document to the analysis, each snapshot to the stage, to the statics
-/// and, once it is complete, to the motion check; their answers go to the views.
+/// The objects that the views of a window share: the document, the selection, and the services that follow
+/// the document. An edit changes the document, the document is analysed, and each snapshot is passed to the
+/// stage, to the statics and, once complete, to the motion check; the views receive the answers.
 class Workbench final : public QObject {
   Q_OBJECT
 
  public:
   explicit Workbench(QObject* parent = nullptr);
-  /// Goes on with the document and the selection of a window that is built anew, history and all; what
-  /// follows from the document is worked out again. The former one follows it no longer, and must go before
-  /// this one.
+  /// Takes over the document with its undo history and the selection from the workbench of a window that is
+  /// being rebuilt; derived data is computed again. `former` no longer follows the document, and must be
+  /// destroyed before this object.
   Workbench(Workbench& former, QObject* parent);
   ~Workbench() override;
 
@@ -30,9 +30,9 @@ class Workbench final : public QObject {
   [[nodiscard]] ForcesService& forces() { return *m_forces; }
   [[nodiscard]] MotionCheckService& motionCheck() { return *m_motionCheck; }
 
-  /// Requests what belongs to the document as it is now; every change of the document does so by itself.
+  /// Requests all answers for the current document; happens automatically with every change of the document.
   void request();
-  /// Has all of it been answered?
+  /// Have all requests been answered?
   [[nodiscard]] bool isUpToDate() const;
 
  private:
