@@ -6,8 +6,8 @@
 
 namespace geargraph::cli {
 
-/// The analysis for a person at a terminal: counts, elements with their labels, and the matrices as the paper
-/// prints them; a matrix too wide or high for a screen is only described.
+/// The analysis as text for a terminal: counts, elements with their labels, and the matrices in the paper's
+/// form; of a matrix too large for a screen only the size is given.
 [[nodiscard]] std::string analysisText(const AnalysisSnapshot& snapshot);
 
 }  // namespace geargraph::cli

@@ -15,28 +15,28 @@
 
 namespace geargraph::cli {
 
-/// An option that a command knows. Options with a value take it as `--name value` or `--name=value`; one that
-/// is given several times has several values.
+/// An option of a command. A value is given as `--name value` or `--name=value`; an option may be given
+/// several times.
 struct Option {
   std::string_view name;   ///< "--matrix", "-o"
-  std::string_view value;  ///< what stands for the value in the help, e.g. "NAME"; empty where there is none
+  std::string_view value;  ///< placeholder of the value in the help, e.g. "NAME"; empty: none
   std::string_view help;
-  std::string_view group = {};  ///< the heading that the help lists it under; empty: "Options"
+  std::string_view group = {};  ///< its heading in the help; empty: "Options"
 };
 
-/// The words after a command, sorted.
+/// The parsed arguments of a command.
 struct Arguments {
   std::vector<std::string> files;
   std::map<std::string, std::vector<std::string>, std::less<>> options;
   std::stop_token stop;  ///< of the time limit (time_limit.h)
 
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
-  /// The last value of the option, if it was given.
+  /// The last value of the option; std::nullopt if it was not given.
   [[nodiscard]] std::optional<std::string> value(std::string_view option) const;
   [[nodiscard]] std::vector<std::string> values(std::string_view option) const;
 };
 
-/// The number that a text is, and nothing else.
+/// The number that the whole text represents; std::nullopt if it represents none.
 template <class Number>
 [[nodiscard]] std::optional<Number> numberFrom(std::string_view text) {
   if constexpr (std::is_floating_point_v<Number>) {
@@ -49,12 +49,12 @@ template <class Number>
   }
 }
 
-/// What is wrong with the words, as a sentence.
+/// What is wrong with the arguments, as a sentence.
 struct UsageError {
   std::string message;
 };
 
-/// Sorts words into options and files, by CLI11; "-" is a file, and so is everything after "--".
+/// Parses words into options and files with CLI11; "-" is a file, and so is everything after "--".
 [[nodiscard]] std::variant<Arguments, UsageError> parseArguments(std::span<const std::string> words,
                                                                  std::span<const Option> known);
 

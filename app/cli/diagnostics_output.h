@@ -11,12 +11,12 @@
 
 namespace geargraph::cli {
 
-/// One line a finding, as compilers print theirs: "robot.geargraph:12:5: error: ... [schema]".
+/// One line per diagnostic, in the form of compilers: "robot.geargraph:12:5: error: ... [schema]".
 [[nodiscard]] std::string diagnosticLines(std::string_view file, const Diagnostics& diagnostics);
 
-/// The member "motion": what a check of the motion has covered; null if there was nothing to check.
+/// Writes the member "motion": what the motion check has covered; null if there was nothing to check.
 void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& report);
-/// The same in a line, as diagnosticLines().
+/// The same as one line, in the form of diagnosticLines().
 [[nodiscard]] std::string motionCheckLine(std::string_view file, const std::optional<MotionReport>& report);
 
 }  // namespace geargraph::cli

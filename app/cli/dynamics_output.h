@@ -11,23 +11,24 @@
 
 namespace geargraph::cli {
 
-/// What `dynamics` has found about one mechanism.
+/// The results of `dynamics` for one mechanism.
 struct DynamicsResult {
   SnapshotPtr snapshot;
   MechanismDynamics dynamics;
-  SimulationOptions start;  ///< angles, speeds and motors; with `simulation` also how long
+  SimulationOptions start;  ///< initial angles and speeds, motors; with `simulation` also the duration
   EquationOfMotion equation;
-  Eigen::MatrixXd reflected;                     ///< links x inputs
-  Eigen::VectorXd torques;                       ///< of the motors at the start
-  std::optional<Eigen::VectorXd> accelerations;  ///< none where a motion moves no mass
+  Eigen::MatrixXd reflected;                     ///< reflected inertias, links x inputs
+  Eigen::VectorXd torques;                       ///< motor torques at the start
+  std::optional<Eigen::VectorXd> accelerations;  ///< std::nullopt if some motion moves no mass
   std::optional<Simulation> simulation;
 };
 
-/// For people.
+/// The results as text for a terminal.
 [[nodiscard]] std::string dynamicsText(const DynamicsResult& result);
-/// `dynamics --json`; with null where the mechanism has errors.
+/// Writes the output of `dynamics --json`. `result` is null if the mechanism has errors.
 void writeDynamicsJson(JsonWriter& json, const DynamicsResult* result, const Diagnostics& diagnostics);
-/// A row a sample: time, angles, speeds, accelerations and torques of the inputs, energies and work.
+/// Writes one row per sample: time; angles, speeds, accelerations and torques of the inputs; energies and
+/// work.
 void writeMotionCsv(ByteSink& sink, const DynamicsResult& result, const CsvOptions& options);
 
 }  // namespace geargraph::cli

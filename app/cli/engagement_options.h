@@ -9,13 +9,13 @@
 
 namespace geargraph::cli {
 
-/// `--state NAME`: the mechanism with this state put in, its drive at 1 rad/s; `--engage A,B`: with these
-/// couplings engaged; `--engage none`: with none. Without them as the document engages its couplings.
+/// The mechanism with `--state NAME`: this state engaged, with its input at 1 rad/s; `--engage A,B`: these
+/// couplings engaged; `--engage none`: none engaged. Without these options as the document says.
 [[nodiscard]] std::variant<Mechanism, UsageError> withEngagementOptions(Mechanism mechanism,
                                                                         const Arguments& arguments);
 
-/// The document of the file that the arguments name, so engaged. Where there is none, standard error says
-/// why, and the result is the exit status.
+/// Reads the document that the arguments name and applies withEngagementOptions(). On failure it reports the
+/// reason on standard error and returns the exit status.
 [[nodiscard]] std::variant<Mechanism, int> loadEngaged(const Command& command, const Arguments& arguments);
 
 inline constexpr Option kStateOption{"--state", "NAME",
@@ -25,7 +25,7 @@ inline constexpr Option kEngageOption{
     toTranslate("with these couplings engaged, \"none\" for no coupling, instead of "
                 "those that the document engages")};
 
-/// "A, B (state 3)": what is engaged, as a sentence names it; empty for nothing.
+/// The engaged couplings for use in a sentence: "A, B (state 3)"; empty: none.
 [[nodiscard]] std::string engagementText(const Mechanism& mechanism);
 
 }  // namespace geargraph::cli

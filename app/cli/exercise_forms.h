@@ -4,19 +4,20 @@
 
 namespace geargraph::cli {
 
-/// `exercises kinds FILE`: what can be asked about a mechanism, and why the rest cannot.
+/// `exercises kinds FILE`: lists the kinds of question about a mechanism, and why the others are not
+/// available.
 int listExerciseKinds(const Arguments& arguments);
 
 /// `exercises make FILE [--kinds LIST] [--seed N] [--variants N | --names FILE] [--title TEXT] [--to LIST]
-/// [--force] -o FOLDER`: the sheet (sheet.json), and for each variant its questions and its solution in every
-/// form and a file for the answers.
+/// [--force] -o FOLDER`: writes the sheet (sheet.json), and for each variant its questions and solution in
+/// every format and a file for the answers.
 int makeExercises(const Arguments& arguments);
 
-/// `exercises grade SHEET ANSWERS... [-o CSV]`: points and reasons, a line a question and one for the sum.
-/// ANSWERS are files and folders of files.
+/// `exercises grade SHEET ANSWERS... [-o CSV]`: writes points and reasons, one line per question and one for
+/// the sum. ANSWERS are files, or folders of files.
 int gradeExercises(const Arguments& arguments);
 
-/// Reports a mechanism of too many links; the exit status.
+/// Reports that the mechanism has too many links; returns the exit status.
 int tooLargeForExercises();
 
 }  // namespace geargraph::cli

@@ -9,15 +9,15 @@
 
 namespace geargraph::cli {
 
-// The options of a sheet, as `exercises make` and `export --to handout --exercises` have them.
+// The options of a sheet, common to `exercises make` and `export --to handout --exercises`.
 
-/// Words between separators, without blanks and carriage returns at their ends, and without empty ones.
+/// The parts of a list, trimmed of blanks and carriage returns, without empty ones.
 [[nodiscard]] std::vector<std::string> wordsOf(const std::string& list, char separator);
 
-/// `--title TEXT --seed N --variants N`: all but the kinds, which depend on the mechanism.
+/// The plan of `--title TEXT --seed N --variants N`, without the kinds, which depend on the mechanism.
 [[nodiscard]] std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments);
 
-/// `--kinds LIST`, or all that the mechanism gives.
+/// The kinds of `--kinds LIST`, or all that are available for the mechanism.
 [[nodiscard]] std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& arguments,
                                                                             const ExerciseSource& source);
 

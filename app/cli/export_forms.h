@@ -26,8 +26,8 @@ enum class SimulatorForm { mjcf, urdf };
 int exportSimulator(const Arguments& arguments, SimulatorForm form);
 
 /// `export FILE --to png --view 3d [--size WxH] [--from VIEW | --camera AZ,EL] [--time SECONDS] ... -o OUT`;
-/// with --turntable or --motion an animated PNG, with --all its pictures in a folder. `asSolids`: --to glb,
-/// the solids as the view shows them.
+/// with --turntable or --motion an animated PNG, with --all its frames as files in a folder. `asSolids`:
+/// `--to glb`, the solids as the view shows them.
 int exportPicture(const Arguments& arguments, bool asSolids);
 
 /// `export FILE --to svg/pdf/png --view NAME [--size WxH] [--dark] [--transparent] -o OUT`.
@@ -35,11 +35,11 @@ int exportDrawing(const Arguments& arguments, PictureForm form);
 
 /// `export FILE --to html/latex/md [--inputs 8,9,11] [--speed 8=1 ...] -o OUT`: the worked derivation.
 int exportReport(const Arguments& arguments, ReportForm form);
-/// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the same on pages.
+/// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the derivation as pages.
 int exportReportPages(const Arguments& arguments);
 /// `export FILE --to handout|scorm [--inputs ... | --exercises [--kinds LIST] [--seed N] [--title TEXT]
-/// [--variants N --variant K]] -o OUT`: the same as a page for browsers, with inputs to move, and exercises
-/// that give feedback; or as a package with that page, for a learning platform.
+/// [--variants N --variant K]] -o OUT`: the derivation as an HTML page with adjustable inputs and exercises
+/// with feedback; or as a SCORM package with that page, for a learning platform.
 int exportHandout(const Arguments& arguments, HandoutUse use);
 
 /// `export FILE --to modelica -o OUT`.
@@ -48,13 +48,13 @@ int exportModelica(const Arguments& arguments);
 /// `export FILE --to dot/graphml/node-link [--view digraph/ttgraph] -o OUT`.
 int exportGraph(const Arguments& arguments, GraphForm form);
 
-// What both kinds of pictures share.
+// Common to exportPicture() and exportDrawing().
 
 /// Width and height from "WxH", each at least kLeastPictureSide and at most `most`.
 [[nodiscard]] std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most);
-/// What is wrong with another one, as a sentence.
+/// The error message for a text that pictureSize() rejects.
 [[nodiscard]] std::string wrongSize(std::string_view text, int most);
-/// To the file, whole or not at all, or for "-" to standard output; the exit status.
+/// Writes the file atomically, or to standard output for "-"; returns the exit status.
 int writePicture(std::string_view bytes, const std::string& path);
 
 }  // namespace geargraph::cli

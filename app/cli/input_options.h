@@ -7,9 +7,9 @@
 
 namespace geargraph::cli {
 
-/// `--inputs 8,9,11` and `--speed 8=1`: joints by label, speeds in rad/s. The mechanism with these inputs in
-/// place of its own. A joint that --inputs names keeps the speed that the document gives it, else it turns at
-/// 1; --speed alone changes inputs that are there, those of the document or those that were chosen for it.
+/// `--inputs 8,9,11` and `--speed 8=1`: joints by label, speeds in rad/s. The mechanism with these inputs
+/// instead of its own. A joint of --inputs keeps its speed in the document, or gets 1 rad/s. --speed alone
+/// changes the speeds of existing inputs: the document's, or those chosen automatically.
 [[nodiscard]] std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism,
                                                                    const Arguments& arguments);
 

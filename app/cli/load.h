@@ -9,10 +9,11 @@
 
 namespace geargraph::cli {
 
-/// The document of a file, or why it is none, or why there is no such file.
+/// Reads a document: Expected holds the mechanism or the diagnostics of invalid contents, FileError why the
+/// file could not be read.
 [[nodiscard]] std::variant<Expected<Mechanism>, FileError> load(const std::string& path);
 
-/// The document of a file. Where there is none, standard error says why, and the result is the exit status.
+/// Reads a document. On failure it reports the reason on standard error and returns the exit status.
 [[nodiscard]] std::variant<Mechanism, int> loadOrSay(const std::string& path);
 
 }  // namespace geargraph::cli

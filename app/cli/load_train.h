@@ -8,15 +8,15 @@
 
 namespace geargraph::cli {
 
-/// Reads the file and makes its gears. Findings go to standard error. The exit status where there is nothing
-/// to export: it could not be read, has errors, is too large, or the
-/// time limit was over.
-/// `adapt`: applied to the document first; what is wrong with its options is wrong usage of `export`.
+/// A change of the document before the export, by options of `export`.
 using AdaptDocument = std::function<std::variant<Mechanism, UsageError>(Mechanism)>;
+/// Reads the file and generates its gears; diagnostics go to standard error. `adapt` is applied first; its
+/// errors are wrong usage of `export`. Returns the exit status if there is nothing to export: the file could
+/// not be read, has errors or is too large, or the time limit was exceeded.
 [[nodiscard]] std::variant<ExportTrain, int> loadTrain(const Arguments& arguments,
                                                        const AdaptDocument& adapt = {});
 
-/// Reports why nothing was written; the exit status.
+/// Reports why nothing was written; returns the exit status.
 int exportFailure(const Arguments& arguments, const ExportFailure& why);
 
 }  // namespace geargraph::cli

@@ -8,7 +8,7 @@
 
 namespace geargraph::cli {
 
-/// `--density` and `--gravity` in place of the document's.
+/// The mechanism with the density of `--density` (kg/m³) and the gravity of `--gravity` (m/s²), if given.
 [[nodiscard]] std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism,
                                                                   const Arguments& arguments);
 

@@ -7,7 +7,7 @@
 
 namespace geargraph::cli {
 
-/// The number that an option gives, within bounds; `otherwise` where it is not given.
+/// The number of an option, or `otherwise` if it is not given. An error if it is not in [least, most].
 [[nodiscard]] std::variant<double, UsageError> numberWithin(const Arguments& arguments,
                                                             std::string_view option, double otherwise,
                                                             double least, double most);

@@ -9,13 +9,13 @@
 
 namespace geargraph::cli {
 
-/// The document after the edits of a JSON array, in their order; all of them or none. Each is an object with
-/// the member "edit", its name, and what that edit takes (resources/schema/README.md). Elements are named by
-/// ids. Fails as the edits of core do, and with `schema` for an edit that is none or lacks a member; the
-/// finding's pointer leads to it.
+/// The document after the edits of a JSON array, applied in order, all or none. Each is an object with the
+/// edit's name as the member "edit", and its parameters (resources/schema/README.md); elements are given by
+/// ids. Fails like the edits of core, and with `schema` for an unknown edit or a missing member; the
+/// diagnostic's pointer leads to it.
 [[nodiscard]] Expected<Mechanism> withServedEdits(Mechanism mechanism, const JsonValue& edits);
 
-/// "addLink, addTurningJoint, ..."
+/// The names of all edits: "addLink, addTurningJoint, ...".
 [[nodiscard]] std::string servedEditNames();
 
 }  // namespace geargraph::cli

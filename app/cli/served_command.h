@@ -9,25 +9,24 @@
 
 namespace geargraph::cli {
 
-/// What a served command may take.
+/// The resource limits of a served command.
 struct ServedLimits {
   std::optional<double> seconds;
   std::optional<std::size_t> megabytes;  ///< of address space
 };
 
-/// What a command has given.
+/// The result of a served command.
 struct ServedOutcome {
-  /// As the process would have ended; none if it was ended for its limits or crashed.
+  /// The exit status; std::nullopt if the process was killed at a limit or crashed.
   std::optional<int> status;
   std::string output;
   std::string messages;  ///< standard error
   std::string failure;   ///< why there is no status, as a sentence
 };
 
-/// Runs a command in a process of its own, with the document as its standard input ("-" among the words), so
-/// that its limits hold whatever it does: time and memory end this process and not the server.
-/// Cost: a fork.
-/// @pre the program has one thread
+/// Runs a command in a child process, with the document as its standard input ("-" among the words), so that
+/// limits of time and memory terminate only the child, not the server. Cost: a fork. @pre the program has
+/// only one thread
 [[nodiscard]] ServedOutcome runServed(const Command& command, const std::vector<std::string>& words,
                                       const std::string& document, const ServedLimits& limits);
 

@@ -6,8 +6,8 @@
 
 namespace geargraph::cli {
 
-/// What the analysis says about motion, for a person at a terminal: rank and freedom, carriers, and the
-/// solution as a table of outputs over inputs; empty where nothing of it is defined.
+/// The kinematic results of the analysis as text for a terminal: rank and degrees of freedom, carriers, and
+/// the solution as a table of outputs by inputs; empty if none of it is defined.
 [[nodiscard]] std::string motionText(const AnalysisSnapshot& snapshot);
 
 }  // namespace geargraph::cli

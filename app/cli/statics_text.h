@@ -7,7 +7,7 @@
 
 namespace geargraph::cli {
 
-/// The torques, forces and powers for a person at a terminal. `state`: -1 for none.
+/// The torques, forces and powers as text for a terminal. `state`: index, -1: none.
 [[nodiscard]] std::string staticsText(const AnalysisSnapshot& snapshot, const StaticsReport& report,
                                       int state);
 

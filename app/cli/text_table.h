@@ -5,14 +5,14 @@
 
 namespace geargraph::cli {
 
-/// The cells of a table, its heading first.
+/// The rows of a table, the headings first.
 using TextRows = std::vector<std::vector<std::string>>;
 
-/// The table in columns under a title, indented by two; empty where there is nothing but the heading.
-/// @pre all rows have as many cells
+/// The table with aligned columns under a title, indented by two spaces; empty if it has only headings. @pre
+/// all rows have the same number of cells
 [[nodiscard]] std::string aligned(const std::string& title, const TextRows& rows);
 
-/// With six digits and no -0.
+/// The number with six significant digits; 0 for -0.
 [[nodiscard]] std::string decimal(double value);
 
 }  // namespace geargraph::cli

@@ -11,13 +11,13 @@
 
 namespace geargraph::cli {
 
-/// `--limit-seconds`, which every command knows.
+/// `--limit-seconds`, common to all commands.
 extern const Option kLimitOption;
 
-/// The seconds that the option gives; std::nullopt where it is not given.
+/// The option's seconds; std::nullopt if it is not given.
 [[nodiscard]] std::variant<std::optional<double>, UsageError> limitFrom(const Arguments& arguments);
 
-/// Requests a stop when its time is over. The time begins with the object; without seconds it never ends.
+/// Requests a stop after `seconds` from construction; never without a value.
 class TimeLimit {
  public:
   explicit TimeLimit(std::optional<double> seconds);
@@ -27,10 +27,10 @@ class TimeLimit {
   std::stop_source m_over;
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
-  std::jthread m_clock;  ///< last: it ends before what it uses goes
+  std::jthread m_clock;  ///< last: stopped before the members it uses are destroyed
 };
 
-/// Tells that `what` ("the analysis") was not finished in time; the exit status.
+/// Reports that `what` ("the analysis") was not finished in time; returns the exit status.
 int outOfTime(const Arguments& arguments, const std::string& what);
 
 }  // namespace geargraph::cli

@@ -11,15 +11,15 @@
 
 namespace geargraph::cli {
 
-/// What `export --view 3d` shows of a stage: camera, moment, section, what is pulled apart, hidden, drawn
-/// over, and the film. Labels are those of the snapshot's mechanism.
+/// The options of `export --view 3d` for a stage: camera, time, section, exploded view, hidden links,
+/// overlays, and the animation. Labels are those of the snapshot's mechanism.
 [[nodiscard]] std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const StagePtr& stage,
                                                          const AnalysisSnapshot& snapshot);
 
-/// What --show lays over the picture. @pre wrongShot() found nothing
+/// The overlays chosen by --show. @pre wrongShot() returns std::nullopt
 [[nodiscard]] OverlayChoice overlayOf(const Arguments& arguments);
 
-/// What is wrong with the options already before there is a mechanism; nothing where all is well.
+/// Checks the options as far as possible without a mechanism; std::nullopt if they are valid.
 [[nodiscard]] std::optional<UsageError> wrongShot(const Arguments& arguments);
 
 }  // namespace geargraph::cli

@@ -8,20 +8,20 @@
 
 namespace geargraph {
 
-/// What the editor was asked to do.
+/// The arguments of the editor.
 struct CommandLine {
   QStringList documents;
   std::optional<QString> screenshot;  ///< render the window to this file and exit
-  std::optional<QString> drawing;     ///< of a screenshot: the drawing in front
+  std::optional<QString> drawing;     ///< drawing shown in the screenshot
   std::optional<Theme> theme;
   std::optional<QSize> size;
   std::optional<QString> language;  ///< one of languageCodes()
 };
 
-/// Help or version are asked for, which needs no display. @pre the words are those of main
+/// Are only help or version requested, which need no display? @pre the arguments are those of main()
 [[nodiscard]] bool onlyPrints(int count, char** words);
 
-/// Reads the arguments; prints help, version or what is wrong with them and exits where that was asked.
+/// Parses the arguments. Prints the help, the version or an error and exits the program in these cases.
 [[nodiscard]] CommandLine readCommandLine(const QStringList& arguments);
 
 }  // namespace geargraph

@@ -4,11 +4,10 @@
 
 namespace geargraph {
 
-/// Writes a picture of a window with the first document, or with the start page where there is none, as soon
-/// as its newest analysis and stage are shown and everything is painted. Nothing that this user did before
-/// shows on it, and nothing of it is remembered.
-/// The exit status of the program: 1, and a sentence, where the picture cannot be written, 2 where the
-/// document cannot be opened.
+/// Writes an image of a window with the first document, or with the start page if there is none, once the
+/// current analysis and stage are shown and everything is painted. The user's settings and history are
+/// neither read nor written. Returns the exit status of the program: 1, with a message, if the image cannot
+/// be written, 2 if the document cannot be opened or the drawing does not exist.
 [[nodiscard]] int screenshot(const CommandLine& line);
 
 }  // namespace geargraph

@@ -7,9 +7,9 @@ namespace geargraph::python {
 
 namespace py = pybind11;
 
-// The parts of the extension module `_geargraph`, a source file each. Each adds its types and functions. They
-// are thin: values go out as tuples, texts and bytes, of which the package `geargraph` makes what is
-// idiomatic in Python.
+// The parts of the extension module `_geargraph`, one source file per part. Each adds its types and
+// functions. They are thin: values are passed as tuples, strings and bytes, which the package `geargraph`
+// converts to idiomatic Python.
 
 void addDocument(py::module_& module);
 void addEdits(py::module_& module);

@@ -10,7 +10,7 @@
 
 namespace geargraph::python {
 
-/// A mechanism with what follows from its geometry, an immutable value: edits make new ones.
+/// A mechanism with its derived geometry. Immutable: edits return new documents.
 class Document {
  public:
   explicit Document(PlacedMechanism placed)
@@ -24,18 +24,18 @@ class Document {
   DerivedGeometryPtr m_geometry;
 };
 
-/// Numbers come as texts ("22/7", "0.1", "3"), which keeps them exact.
+/// Numbers are passed as strings ("22/7", "0.1", "3") to keep them exact.
 using NumberText = std::string;
 using TripleText = std::array<std::string, 3>;
 
-/// Raises geargraph.Error (schema) for a text that is no number.
+/// Converts a string; raises geargraph.Error (schema) if it is not a number.
 [[nodiscard]] Number numberFrom(const NumberText& text);
 [[nodiscard]] std::optional<Number> numberFrom(const std::optional<NumberText>& text);
 [[nodiscard]] NumberTriple tripleFrom(const TripleText& text);
 [[nodiscard]] std::optional<NumberTriple> tripleFrom(const std::optional<TripleText>& text);
 [[nodiscard]] Rational rationalFrom(const NumberText& text);
 
-/// The document after an edit; raises geargraph.Error where the edit is rejected.
+/// The document after an edit; raises geargraph.Error if the edit is rejected.
 [[nodiscard]] Document edited(Expected<Mechanism> result);
 [[nodiscard]] Document edited(Expected<PlacedMechanism> result);
 

@@ -10,17 +10,18 @@
 
 namespace geargraph::python {
 
-/// "link", "axis", "joint", "mesh", "wheel", "coupling", "state" or "load".
+/// The name of a kind: "link", "axis", "joint", "mesh", "wheel", "coupling", "state" or "load".
 [[nodiscard]] std::string_view kindName(ElementKind kind);
-/// The element that a kind and an id name; raises ValueError for another kind.
+/// The element with this kind and id; raises ValueError for an unknown kind.
 [[nodiscard]] ElementId elementFrom(const std::string& kind, const std::string& id);
 
-/// Each as (severity, code, detail, message, ((kind, id), ...), pointer, line, column, time).
+/// The diagnostics as tuples (severity, code, detail, message, ((kind, id), ...), pointer, line, column,
+/// time).
 [[nodiscard]] py::list rowsOf(const Diagnostics& diagnostics);
 
-/// Raises geargraph.Error with these findings.
+/// Raises geargraph.Error with these diagnostics.
 [[noreturn]] void raise(const Diagnostics& diagnostics);
-/// Raises geargraph.Error with a code that is none of a document: "file", "limit" or "undefined".
+/// Raises geargraph.Error with a code that does not concern a document: "file", "limit" or "undefined".
 [[noreturn]] void raise(std::string_view code, const std::string& message);
 
 template <class Value>

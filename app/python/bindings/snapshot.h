@@ -9,26 +9,27 @@
 
 namespace geargraph::python {
 
-/// The analysis of a document, in parts that are computed when they are asked for first, then kept. A request
-/// that is interrupted leaves nothing. Any thread may ask.
+/// The analysis of a document, in parts that are computed on first use, then cached. An interrupted request
+/// caches nothing. Thread-safe.
 class Snapshot {
  public:
-  /// The live part: rank, freedom, matrices, speeds in doubles.
+  /// Computes the live part: rank, degrees of freedom, matrices, speeds as doubles.
   Snapshot(const Document& document, bool symbolic);
 
   [[nodiscard]] const SnapshotPtr& live() const { return m_live; }
   [[nodiscard]] const Mechanism& mechanism() const { return *m_live->mechanism; }
-  /// With the exact and symbolic solutions of both methods, where there are any.
+  /// With the exact and symbolic solutions of both methods, if there are any.
   [[nodiscard]] SnapshotPtr solved();
-  /// With the states, too.
+  /// Also with the states.
   [[nodiscard]] SnapshotPtr shifted();
-  /// With everything, the findings about teeth among it.
+  /// The complete analysis, including the diagnostics about teeth.
   [[nodiscard]] SnapshotPtr full();
 
-  /// What the matroid method found; raises geargraph.Error with the findings where the mechanism leaves
-  /// nothing to solve, or `needsSolution` and there is none.
+  /// The results of the matroid method. Raises geargraph.Error with the diagnostics if the mechanism cannot
+  /// be analysed, or if `needsSolution` and there is no solution.
   [[nodiscard]] const MatroidAnalysis& matroid(bool needsSolution) const;
-  /// Raises geargraph.Error: the errors found, or "undefined" with this sentence where there are none.
+  /// Raises geargraph.Error with the errors of the analysis, or with "undefined" and this sentence if there
+  /// are none.
   [[noreturn]] void raiseUndefined(const std::string& what) const;
 
  private:
@@ -43,9 +44,9 @@ class Snapshot {
   SnapshotPtr m_full;
 };
 
-/// A matrix with its labels as a tuple: rows and columns, each heading (label, text, kind, id); the first
-/// column after the partition or None; the non-zeros as packed int32 rows, int32 columns and values; and of
-/// quantities each entry's text and LaTeX.
+/// The labels and the non-zero pattern of a matrix for Python: a heading (label, text, kind, id) per row and
+/// column, the first column after the partition, and the row and column of each non-zero entry. The functions
+/// that use it add the values, and for quantities the text and LaTeX of each entry.
 struct RawMatrix {
   py::list rows;
   py::list columns;
