@@ -32,7 +32,7 @@ struct Reply {
   std::string failure;           ///< the reason; empty on success
 };
 
-/// Answers requests on a thread of its own; the newest request wins. A request is answered once, or by
+/// Answers requests on a background thread; the newest request wins. A request is answered once, or by
 /// partial answers that replace each other, or not at all if it is replaced by a newer one or cancelled.
 ///
 /// The destructor asks the current work to stop and waits for it; nothing is delivered afterwards. Free of

@@ -20,7 +20,7 @@ enum class Urgency { prompt, background };
 /// processors are free for what is displayed.
 constexpr std::chrono::milliseconds kRest{30};
 
-/// Processes requests on a thread of its own; the newest wins. A waiting request is replaced by a newer one,
+/// Processes requests on a background thread; the newest wins. A waiting request is replaced by a newer one,
 /// the current one is asked to stop through its token.
 ///
 /// The destructor asks the current work to stop and waits for it; no work begins afterwards. Free of Qt on

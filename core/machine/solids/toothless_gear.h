@@ -11,7 +11,7 @@ constexpr int kMostShownTeeth = 5'000;
 /// The gear as a solid of revolution, in its own frame: its body and, in place of teeth, the volume up to its
 /// pitch cylinder (bevels: tip cone; rings: from the pitch cylinder outwards). `tolerance` in modules.
 /// Cost: O(sqrt(teeth / tolerance)).
-/// @pre specDiagnostics() has no findings
+/// @pre specDiagnostics() is empty
 [[nodiscard]] Solid toothlessGear(const GearSpec& spec, double tolerance);
 
 }  // namespace geargraph::inline solids

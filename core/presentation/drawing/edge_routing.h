@@ -17,7 +17,7 @@ struct Course {
   int looked = 0;
   double height = 0;  ///< initial sideways offset, because of other arrows of the same two links, px
 };
-using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none where an end has no place
+using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none if an end has no place
 
 /// The arrow's course for every edge of the digraph. `nodes` holds the circles of the nodes, owned by their
 /// ordinals.

@@ -16,7 +16,7 @@ struct SolvedStatics {
   /// The analysed train; for a state the train with nothing engaged, because the state engages its own
   /// couplings.
   SnapshotPtr snapshot;
-  std::optional<StaticsReport> report;  ///< none where the mechanism has errors
+  std::optional<StaticsReport> report;  ///< none if the mechanism has errors
   std::vector<StateForces> states;      ///< for the shift table; empty unless that was asked for
 };
 using SolvedStaticsPtr = std::shared_ptr<const SolvedStatics>;

@@ -47,7 +47,7 @@ struct PaintedPicture {
   double cost = 0;  ///< time that the thread spent on it, ms, including waiting for the driver's threads
 };
 
-/// Paints pictures offscreen, on a thread of its own, so that the window stays responsive with software
+/// Paints pictures offscreen, on a background thread, so that the window stays responsive with software
 /// rendering. The newest order wins; an order replaced before its turn is dropped.
 ///
 /// To be called from one thread at a time.

@@ -25,9 +25,9 @@ enum class Quantity : std::uint8_t {
   rank,
   dof,
   kutzbachDof,
-  errors,          ///< findings that are errors
-  finding,         ///< the number of findings with this code or sub-code
-  blamed,          ///< the joints, meshes and links that the findings with this code name
+  errors,          ///< diagnostics that are errors
+  finding,         ///< the number of diagnostics with this code or sub-code
+  blamed,          ///< the joints, meshes and links that diagnostics with this code name
   rate,            ///< of this joint with the document's inputs, rad/s
   outputRates,     ///< of all joints on the ground that are not inputs
   ratio,           ///< of this state

@@ -15,8 +15,8 @@ constexpr int kLessonVersion = 1;
 /// analysed.
 [[nodiscard]] Expected<Lesson> readLesson(std::string_view text);
 
-/// The findings sorted in the order of the text, with line and column of their pointers, or of the innermost
-/// existing value.
+/// Sorts diagnostics in the order of the text and adds the line and column of their pointers, or of the
+/// innermost existing value.
 [[nodiscard]] Diagnostics placedInText(std::string_view text, const Diagnostics& findings);
 
 }  // namespace geargraph::inline lessons

@@ -34,10 +34,10 @@ class LessonAnalysis {
   [[nodiscard]] const Mechanism& mechanism() const { return *m_mechanism; }
   /// Fails with `unknown-id` if the mechanism has no element of this name, `schema` if the quantity is not
   /// defined for it. The result is meaningless if `stop` was requested meanwhile.
-  /// Cost: a live analysis; for findings a complete one, for ratios the solution of all states, for torques
-  /// an exact solution.
+  /// Cost: a live analysis; for diagnostics a complete one, for ratios the solution of all states, for
+  /// torques an exact solution.
   [[nodiscard]] Expected<QuantityValues> valuesOf(const AskedQuantity& asked);
-  /// The findings of the complete analysis. Empty if `stop` was requested meanwhile.
+  /// The diagnostics of the complete analysis. Empty if `stop` was requested meanwhile.
   [[nodiscard]] const Diagnostics& findings();
 
  private:

@@ -28,7 +28,7 @@ struct Agreement {
 /// Solves the T-T graph for the inputs of the matroid method's solution and compares exactly: the whole
 /// matrices, or, where the solution omits its matrix because of its size, the rates at `speeds`.
 ///
-/// None where `stop` was requested. Cost: that of the T-T solution.
+/// std::nullopt if `stop` was requested. Cost: that of the T-T solution.
 /// @pre graph.isComplete(); the solution is that of the same mechanism at these speeds, one per input
 [[nodiscard]] std::optional<Agreement> agreementWith(const TtGraph& graph, const ExactSolution& matroid,
                                                      std::span<const Rational> speeds,

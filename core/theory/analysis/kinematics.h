@@ -21,7 +21,7 @@ namespace geargraph::inline analysis {
 struct LiveKinematics {
   PlacedMechanism placed;
   std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
-  std::optional<KinematicModel> model;     ///< none where a mesh has no geometry
+  std::optional<KinematicModel> model;     ///< none if a mesh has no geometry
   /// None without the model, or where an engaged coupling closes a linkage.
   std::optional<MatroidAnalysis> matroid;
   Diagnostics engagement;  ///< turning-loop of engaged couplings
@@ -48,7 +48,7 @@ struct SolvedKinematics {
   static constexpr std::size_t kMostSymbolicEntries = 20'000;
 
   std::optional<ExactSolution> exact;
-  std::optional<SymbolicSolution> symbolic;  ///< none where switched off or over its budget
+  std::optional<SymbolicSolution> symbolic;  ///< none if switched off or over its budget
   SubstitutionPlan ttPlan;
   std::optional<RateMatrix<Rational>> ttExact;  ///< none above ExactSolution::kMostExactEntries
   std::optional<RateMatrix<std::optional<RationalFunction>>>

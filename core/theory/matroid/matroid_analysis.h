@@ -32,7 +32,7 @@ struct MatroidAnalysis {
   InputChoice choice;
   std::vector<Rational> speeds;  ///< of choice.joints: as given; 1 for those that were added
 
-  /// For `choice`. None where the document's inputs are not valid: a mechanism with errors gets no numbers.
+  /// For `choice`. None if the document's inputs are invalid: a mechanism with errors gets no numbers.
   std::optional<LiveSolution> solution;
   std::vector<Vector3> linkVelocities;  ///< by link, base frame, rad/s; empty without the solution
 

@@ -46,7 +46,7 @@ struct ExactMotion {
 /// of the directions have their square roots, so a rank is never too large, and too small with a chance near
 /// 2^-60.
 ///
-/// Nothing where no such prime was found: more than a dozen different square roots on one link's path.
+/// std::nullopt if no such prime was found: more than a dozen different square roots on one link's path.
 [[nodiscard]] std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, int link,
                                                                 const ExactVector3& point);
 

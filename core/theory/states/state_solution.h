@@ -27,7 +27,7 @@ struct StateSolution {
   bool drivenStands = false;    ///< the speeds are known and `driven` is at rest: the ratio is infinite
   std::vector<Rational> rates;  ///< by joint, for `drive` at 1; empty unless dof is 1 and the drive turns
   /// Absolute speed of `drive` over that of `driven`, about their common direction; where the directions
-  /// differ, each about its own axis. None where there are no rates, or `driven` is at rest or turns about
+  /// differ, each about its own axis. None if there are no rates, or `driven` is at rest or turns about
   /// several directions at once.
   std::optional<Rational> ratio;
   /// The same in the gear ratios i_k; none also where it exceeded the budget.
@@ -53,11 +53,11 @@ struct StateSolution {
                                                       const Placement& placement, int state,
                                                       bool symbolic = true, const std::stop_token& stop = {});
 
-/// The step from one gear to the next, ratio over ratio; none where one of them has no ratio or they turn
+/// The step from one gear to the next, ratio over ratio; none if one of them has no ratio or they turn
 /// opposite ways.
 [[nodiscard]] std::optional<Rational> stepBetween(const StateSolution& from, const StateSolution& to);
 
-/// The findings of all states, in their order.
+/// The diagnostics of all states, in the order of the states.
 [[nodiscard]] Diagnostics stateDiagnostics(std::span<const StateSolution> states);
 
 }  // namespace geargraph::inline states

@@ -47,9 +47,9 @@ struct StaticsReport {
   std::vector<HeldPart> held;     ///< couplings and balances, as in the solutions' unknowns
   bool isSolved = false;          ///< false: a coupling of the state closes a linkage, named in `diagnostics`
   std::optional<Rational> ratio;  ///< of the state that was solved, drive over driven
-  std::optional<Motion> motion;   ///< none where the speeds are not determined
+  std::optional<Motion> motion;   ///< none if the speeds are not determined
   StaticsSolution lossless;
-  std::optional<StaticsAgreement> agreement;  ///< none where a mesh has no sign in the T-T graph
+  std::optional<StaticsAgreement> agreement;  ///< none if a mesh has no sign in the T-T graph
   std::optional<LossySolution> lossy;         ///< with options.losses and a motion
   std::optional<PowerSums> sums;              ///< with a motion, where the loads are held
   std::optional<LossySolution> backward;      ///< the known torques reversed; with `lossy`

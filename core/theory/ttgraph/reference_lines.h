@@ -17,7 +17,7 @@ class ReferenceLines {
   [[nodiscard]] const AxisLine* axis(int position) const {
     return m_placement == nullptr ? nullptr : &m_placement->axes[static_cast<std::size_t>(position)];
   }
-  /// All of them, by position; none where nothing is placed.
+  /// All of them, by position; none if nothing is placed.
   [[nodiscard]] std::span<const AxisLine> axes() const {
     if (m_placement == nullptr) return {};
     return m_placement->axes;

@@ -56,7 +56,7 @@ class LevelWalks {
 };
 
 struct TransferVertices {
-  std::vector<std::optional<TransferVertex>> ofMesh;  ///< none where the mesh has no carrier
+  std::vector<std::optional<TransferVertex>> ofMesh;  ///< none if the mesh has no carrier
   Diagnostics diagnostics;                            ///< coaxial-mesh, no-transfer-vertex
 };
 

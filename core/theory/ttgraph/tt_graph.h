@@ -55,7 +55,7 @@ class TtGraph {
   [[nodiscard]] const AxisLevels& levels() const { return m_levels; }
   [[nodiscard]] const TransferVertices& transferVertices() const { return m_vertices; }
 
-  /// By mesh; none where there is no transfer vertex or the drawn pose does not tell the sign.
+  /// By mesh; none if there is no transfer vertex or the drawn pose does not tell the sign.
   [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
     return m_terminals[static_cast<std::size_t>(mesh)];
   }

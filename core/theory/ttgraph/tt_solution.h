@@ -57,9 +57,8 @@ struct TtDetermination {
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});
 
-/// The whole matrix as functions of the gear ratios; an entry is none where it, or the coupled equations that
-/// give it, exceeded the budget; all are none where the plan is by levels. std::nullopt if `stop` was
-/// requested.
+/// The whole matrix as functions of the gear ratios; an entry is none if it, or the coupled equations that
+/// give it, exceeded the budget; all are none if the plan is by levels. std::nullopt if `stop` was requested.
 ///
 /// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ttRatioRing() makes one.
 /// Redundant (surplus) meshes are left out: their ratios depend on the others.
