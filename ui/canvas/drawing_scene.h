@@ -58,7 +58,7 @@ class DrawingScene : public QGraphicsScene {
   virtual void drawAgain(const std::unordered_set<ElementId>& changed);
 
   // For scenes that draw element by element. Parts that are not set between beginDrawing() and endDrawing()
-  // vanish; in between drawings single parts may be set anew.
+  // are removed; between drawings single parts may be set again.
   void beginDrawing();
   void setPart(const ElementId& element, int depth, std::vector<Mark> marks);
   /// All parts of an element.

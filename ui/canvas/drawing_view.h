@@ -119,8 +119,8 @@ class DrawingView : public QGraphicsView {
   virtual void
   toggleInputs();      ///< makes the selected joints, or those that carry the selected links, inputs, or not
   void editLoad();     ///< opens the in-place editor for the torque on the one selected joint or link
-  void toggleBrake();  ///< holds the one selected link, or releases it
-  virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
+  void toggleBrake();  ///< holds the selected link by a brake, or releases it
+  virtual void tidy() {}  ///< computes a new layout, as one undo step
 
  signals:
   void toolChanged(geargraph::ToolKind tool);

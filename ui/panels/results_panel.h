@@ -40,7 +40,7 @@ class ResultsPanel : public QWidget {
   /// Shows the velocities of the links relative to this one.
   void setObserver(LinkId observer);
   void setUnit(const SpeedUnit& unit);
-  /// While not awake (behind another panel) the panel takes results but lays nothing out until it is visible
+  /// While not awake (behind another panel) the panel takes results but updates its layout only when visible
   /// again.
   void setAwake(bool awake);
 

@@ -33,7 +33,7 @@ namespace geargraph::inline arrangement {
 /// The end of a pedestal along one axis relative to the centre of the boss on another axis that it supports.
 struct PostEnd {
   Eigen::Vector3d aside = Eigen::Vector3d::Zero();  ///< in the plane of the arm; zero at right angles
-  double before = 0;                                ///< along the post
+  double before = 0;                                ///< along the pedestal
 };
 /// The end such that the pedestal joins the boss's wall and leaves its hole free: the edge of its end reaches
 /// the middle of the wall, and the part within the wall does not extend beyond the boss's faces. `hole`:

@@ -41,9 +41,9 @@ class ShellBuilder {
   /// first is at angle `start`. Equal circles give bitwise equal positions.
   Loop addCircle(const ProfileVertex& circle, int count, double start, const Eigen::Vector2d& normal);
 
-  /// The strip from loop a to loop b, in the order of travel along a meridian with the material on the left.
-  /// The loops may have different numbers of vertices (a loop of one is a pole); their angles decide which
-  /// one advances.
+  /// The strip from loop a to loop b, in the order of the profile, with the material on the left. The loops
+  /// may have different numbers of vertices (a loop of one is a pole); their angles decide which one
+  /// advances.
   void sew(const Loop& a, const Loop& b);
 
   /// Adds strips of revolution along a profile, creased at every circle, from the first to the last.

@@ -4,10 +4,10 @@
 
 namespace geargraph::inline drawing {
 
-/// Lays the whole digraph out anew: the ground on the left, every link to the right of the one that carries
-/// it. Up to 300 links by Graphviz, which minimises crossings heuristically; larger drawings, and all if
-/// Graphviz's plugins are missing, by the tree of the turning joints alone (tidy_tree.h). Node positions are
-/// multiples of 10.
+/// Computes a new layout of the whole digraph: the ground on the left, every link to the right of the one
+/// that carries it. Up to 300 links by Graphviz, which minimises crossings heuristically; larger drawings,
+/// and all if Graphviz's plugins are missing, by the tree of the turning joints alone (tidy_tree.h). Node
+/// positions are multiples of 10.
 ///
 /// Deterministic and thread-safe; the part in Graphviz is serialised by a lock. Cost (bench): some 10 ms for
 /// 10,000 links, up to about 0.1 s with Graphviz: do not call it on the GUI thread.

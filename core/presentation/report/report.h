@@ -65,8 +65,8 @@ struct ReportCurves {
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportEquation, ReportTable, ReportList,
                                  ReportFigure, ReportCurves>;
 
-/// A mechanism worked out by both methods, step by step, as data: Eqs. (1)-(45) of [AU] for its own links,
-/// joints and teeth. An immutable value, from which each form (reportLatex() ...) is written.
+/// The step-by-step solution of a mechanism by both methods, as data: Eqs. (1)-(45) of [AU] for its own
+/// links, joints and teeth. An immutable value, from which each form (reportLatex() ...) is written.
 struct Report {
   std::string title;
   std::vector<ReportBlock> blocks;

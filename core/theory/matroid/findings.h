@@ -13,8 +13,8 @@ namespace geargraph::inline matroid {
                                      const Placement& placement, const MatroidAnalysis& analysis,
                                      std::span<const int> wanted, const std::stop_token& stop);
 
-/// The forced relation behind a rejected input, over the inputs of the choice: "q10 = -i15 q8"; "q5 = 0"
-/// where the joint cannot turn. In the ratios i_k where that is short enough, else in numbers.
+/// Why an input was rejected: the relation that fixes its rate, in terms of the inputs of the choice: "q10 =
+/// -i15 q8"; "q5 = 0" if the joint cannot turn. In the ratios i_k if that is short enough, else in numbers.
 [[nodiscard]] std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
                                          const Placement& placement, const MatroidAnalysis& analysis,
                                          int joint, const std::stop_token& stop);

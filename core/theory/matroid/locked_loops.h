@@ -14,8 +14,8 @@ struct LockedLoop {
   std::vector<int> joints;     ///< dead joints that these equations alone lock, ascending
 };
 
-/// The loops behind the dead joints, none of them part of another. Looks at the first 200 dead joints at
-/// most. std::nullopt if `stop` was requested. Cost: an elimination, and O(n + c) for each dead joint.
+/// The loops that lock the dead joints; none is part of another. Looks at the first 200 dead joints at most.
+/// std::nullopt if `stop` was requested. Cost: an elimination, and O(n + c) for each dead joint.
 [[nodiscard]] std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model,
                                                                  const FusedField& field,
                                                                  const std::vector<char>& dead,
