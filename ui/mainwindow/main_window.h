@@ -145,9 +145,9 @@ class MainWindow : public QMainWindow {
   /// Are all views up to date with the document?
   [[nodiscard]] bool isSettled() const;
 
-  /// Once it is closed: all that works beside it is told to end. Does not wait.
+  /// Requests the end of all background work of the window, to be called when it is closed. Does not wait.
   void tellToEnd();
-  /// Has all of that ended? Then the window goes without waiting for anything.
+  /// Has all background work ended? Then the window can be destroyed without waiting.
   [[nodiscard]] bool hasEnded() const;
 
  signals:

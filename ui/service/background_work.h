@@ -2,8 +2,9 @@
 
 namespace geargraph::inline ui_service {
 
-/// What works on a thread of its own for a window. A window that closes tells all of it to end and goes once
-/// all has ended; one by one, as their destructors would have it, the GUI thread would wait for each in turn.
+/// An object of a window that works on a background thread. A closing window requests the end of all of them
+/// and is destroyed once all have ended; in their destructors alone, the GUI thread would wait for one after
+/// the other.
 class BackgroundWork {
  public:
   BackgroundWork() = default;
@@ -11,9 +12,9 @@ class BackgroundWork {
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-  /// The work under way is asked to stop, and none is begun any more. Does not wait.
+  /// Requests the current work to stop, and starts none any more. Does not wait.
   virtual void tellToEnd() = 0;
-  /// Has it been told to end, and is it no longer at work?
+  /// Was the end requested, and is no work in progress?
   [[nodiscard]] virtual bool hasEnded() const = 0;
 };
 

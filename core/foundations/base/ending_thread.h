@@ -7,11 +7,11 @@
 
 namespace geargraph::inline base {
 
-/// A thread that can be told to end long before somebody has to wait for it, and asked whether it has.
-/// The destructor tells it to end, too, and waits.
+/// A thread whose end can be requested and queried without waiting. The destructor requests the end and waits
+/// for it.
 class EndingThread {
  public:
-  /// `run(quit)`: returns soon once `quit` is requested.
+  /// Starts the thread with `run(quit)`, which must return soon after a stop of `quit` is requested.
   template <class Run>
   explicit EndingThread(Run run)
       : m_thread([this, run = std::move(run)](const std::stop_token& quit) mutable {
@@ -19,14 +19,14 @@ class EndingThread {
           m_hasEnded = true;
         }) {}
 
-  /// Does not wait.
+  /// Requests the end; does not wait. Thread-safe.
   void tellToEnd() { m_thread.request_stop(); }
-  /// Is there nothing left to wait for? What `run` captured may still be going.
+  /// Has `run` returned? Its captures may not be destroyed yet. Thread-safe.
   [[nodiscard]] bool hasEnded() const { return m_hasEnded; }
 
  private:
   std::atomic<bool> m_hasEnded = false;
-  std::jthread m_thread;  ///< last: it starts when all else is there, and is waited for first
+  std::jthread m_thread;  ///< last: started after and joined before the other members
 };
 
 }  // namespace geargraph::inline base

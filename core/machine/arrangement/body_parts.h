@@ -21,8 +21,8 @@ struct ArmPlan {
   int child = 0;     ///< link whose shaft is in the bearing
 };
 
-/// The shaft of a link along an interval of an axis: solid, or a tube around the shafts inside. Empty if low
-/// > high.
+/// The shaft of a link along an interval of an axis: solid, or a tube around the shafts inside. Empty if its
+/// low end is above the high one.
 struct ShaftSegment {
   int axisClass = 0;
   int link = 0;

@@ -67,9 +67,9 @@ class PictureThread {
   [[nodiscard]] const std::string& name() const { return m_name; }
   [[nodiscard]] bool isSoftware() const { return m_isSoftware; }
 
-  /// As the destructor, but waits for nothing.
+  /// Requests the end like the destructor, but does not wait for it.
   void tellToEnd() { m_thread->tellToEnd(); }
-  /// Has it been told to end, and is it no longer at work?
+  /// Was the end requested, and is no work in progress?
   [[nodiscard]] bool hasEnded() const { return m_thread->hasEnded(); }
 
   void order(PictureOrder order);
