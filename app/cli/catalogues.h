@@ -5,8 +5,8 @@
 
 namespace geargraph::cli {
 
-// The catalogues of resources/translations, compiled in by tools/translations/embed.cmake: this program has
-// no Qt.
+// The catalogues of resources/translations, compiled in by tools/translations/embed.cmake because this
+// program does not use Qt.
 
 struct CompiledText {
   const char* source;
@@ -18,7 +18,7 @@ struct CompiledCatalogue {
   std::span<const CompiledText> texts;
 };
 
-/// Those of all languages but English.
+/// The catalogues of all languages except English.
 [[nodiscard]] std::span<const CompiledCatalogue> catalogues();
 
 }  // namespace geargraph::cli

@@ -10,17 +10,16 @@
 
 namespace geargraph::cli {
 
-/// The language that `--language` names, "de", which is taken out of the words; none where it is not there.
+/// Removes `--language` from the words and returns its value, "de"; std::nullopt if it is not among them.
 [[nodiscard]] std::variant<std::optional<std::string>, UsageError> takeLanguage(
     std::vector<std::string>& words);
 
-/// The two letters of a locale, "de" of "de_DE.UTF-8", where the program speaks that language; else "en".
+/// The language code of a locale, "de" for "de_DE.UTF-8", if the program has that language; else "en".
 [[nodiscard]] std::string languageOfLocale(std::string_view locale);
 
-/// From now on texts for people are in the language that was named, else in that of the environment (LC_ALL,
-/// LC_MESSAGES, LANG). JSON is English in any case, and so are answers to `serve`; exercises are in the
-/// language of the environment only where it is named, as they are graded in the language that they were made
-/// in.
+/// Sets the language of texts for people: the named one, else that of the environment (LC_ALL, LC_MESSAGES,
+/// LANG). JSON and the answers to `serve` are always English. The language of the environment does not apply
+/// to exercises, because they are graded in the language in which they were made.
 void speakLanguage(const std::optional<std::string>& named, const std::vector<std::string>& words);
 
 }  // namespace geargraph::cli

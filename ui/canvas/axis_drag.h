@@ -11,29 +11,29 @@ class QWidget;
 
 namespace geargraph::inline canvas {
 
-/// An axis that goes along with a hand in any view, as one undo step: every edit begins where the drag did,
-/// so that one that is rejected leaves the last valid one. When it is dropped, tooth counts are offered that
-/// bring it there with the module as it was.
+/// Drags an axis, in any view, as one undo step. Every edit starts from the document before the drag, so that
+/// a rejected edit leaves the last valid one. After the drop, a menu offers tooth counts that bring the axis
+/// there with the module as it was.
 class AxisDrag final : public QObject {
   Q_OBJECT
 
  public:
-  /// Menus open over `view`.
+  /// `view`: the parent of the menu.
   AxisDrag(Document* document, QWidget* view);
 
   [[nodiscard]] bool isUnderWay() const { return m_drag.has_value(); }
-  /// Goes on with the drag that is under way, if that is of the same axis.
+  /// Continues a drag of the same axis that has not ended.
   void begin(AxisId axis);
-  /// What becomes of the document as it was when the drag began. @pre isUnderWay()
+  /// The edit of the document before the drag. @pre isUnderWay()
   using Move = std::function<Expected<PlacedMechanism>(const PlacedMechanism& before)>;
   void move(const Move& move);
-  /// By this way in the base frame, as withAxisDragged() takes it.
+  /// Moves the axis by a displacement in the base frame, as withAxisDragged().
   void moveBy(const Vector3& way, bool snapped);
-  /// The same at once, as a step of its own.
+  /// The same without snapping, as a separate undo step without an offer.
   void nudge(AxisId axis, const Vector3& way);
   void drop();
   void putBack();
-  void end();  ///< without an offer
+  void end();  ///< without offering tooth counts
 
  signals:
   void hintChanged(const QString& hint);
@@ -47,7 +47,7 @@ class AxisDrag final : public QObject {
   };
 
   bool apply(const Reduce& reduce);
-  /// "Axis c is 48 mm from axis a, module 2.3 mm"; empty where the axis has no such neighbour.
+  /// "Axis c is 48 mm from axis a, module 2.3 mm"; empty if the axis has no neighbour in mesh.
   [[nodiscard]] QString reachText() const;
 
   Document* m_document;

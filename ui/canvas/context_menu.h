@@ -30,7 +30,7 @@ struct ContextActions {
   std::function<void(CouplingId, bool)> engage;   ///< or release a brake or a clutch
   std::function<void(const ElementId&)> takeOff;  ///< removes a brake or a clutch
   std::function<void()> remove;
-  std::function<void()> open;  ///< the text of the note, in place
+  std::function<void()> open;  ///< opens the in-place editor of the note
   std::function<void()> addLink;
   std::function<void()> addNote;
   std::function<void()> selectAll;

@@ -74,7 +74,7 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] virtual PowerDraw powerDraw() const { return {}; }
   /// Sets what is painted under the drawing: such bands, or nothing.
   void setUnderlay(DisplayList underlay);
-  /// Further words for the tooltips of what is painted there, by element.
+  /// Sets additional text for the tooltips of those marks, by element.
   void setUnderlayTips(std::map<ElementId, QString> tips) { m_underlayTips = std::move(tips); }
   [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
 

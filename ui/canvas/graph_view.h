@@ -17,8 +17,8 @@ class GraphView : public DrawingView, protected NodeSheet {
   [[nodiscard]] ToolKind tool() const override { return m_controller->tool(); }
   void setTool(ToolKind tool) override { m_controller->setTool(tool); }
   void setGrid(bool on) override;
-  [[nodiscard]] bool showsNotes() const override { return false; }  // of both bases
-  /// Opens the editor in place: for a new note with its middle there, or for the text of one.
+  [[nodiscard]] bool showsNotes() const override { return false; }  // overrides both bases
+  /// Opens the in-place editor for a new note centred at `at`, or for the text of `note`.
   void openNoteEditor(SheetPoint at, const std::optional<NoteId>& note = {});
 
   /// Highlights the circuit of this mesh. With an empty id the view decides: the mesh of a completely hovered
@@ -50,7 +50,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   /// Moves all these links to their places, as one undo step.
   void place(const NodePositions& positions) { m_controller->place(positions); }
 
-  /// A new note, where the drawing has some.
+  /// Adds a note, if the drawing shows notes.
   [[nodiscard]] virtual Expected<Mechanism> withNoteAt(const Mechanism& mechanism, SheetPoint at,
                                                        const std::string& text) const;
 

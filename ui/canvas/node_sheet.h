@@ -31,7 +31,7 @@ class NodeSheet {
                                                       const NodeMoves& places) const = 0;
   [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const = 0;
 
-  /// Are the document's notes on it?
+  /// Does this drawing show the document's notes?
   [[nodiscard]] virtual bool showsNotes() const { return false; }
 };
 

@@ -4,19 +4,20 @@
 
 namespace geargraph::inline canvas {
 
-/// Edits the text of a note where it is: Return or leaving it takes the text, Shift+Return begins a new line,
-/// Esc leaves it as it was. Longer texts than a note may have are cut, and limited() tells. Deletes itself.
+/// An in-place editor for the text of a note: Enter or losing the focus accepts the text, Shift+Enter starts
+/// a new line, Esc cancels. A text longer than kLongestNote is truncated, and limited() is emitted. Deletes
+/// itself.
 class NoteEditor final : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  /// Around this place of the parent, which it stays inside of.
+  /// Centred at `middle`, in the parent's coordinates, as far as it stays inside the parent.
   NoteEditor(const QString& text, QPoint middle, QWidget* parent);
 
  signals:
-  /// As it was typed.
+  /// The text as typed.
   void taken(const QString& text);
-  /// Why the text does not grow any more, as a sentence.
+  /// Why the text was truncated, as a sentence.
   void limited(const QString& why);
 
  protected:

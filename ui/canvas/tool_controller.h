@@ -44,7 +44,7 @@ class ToolController final : public QObject {
   void place(const NodePositions& positions);
 
  signals:
-  /// The text of a note is to be typed: of a new one with its middle there, or of the one that there is.
+  /// The user wants to type the text of a note: of a new one centred at `at`, or of `note`.
   void noteWanted(geargraph::SheetPoint at, const std::optional<geargraph::NoteId>& note);
   void toolChanged(geargraph::ToolKind tool);
   void hintChanged(const QString& hint);
@@ -55,8 +55,8 @@ class ToolController final : public QObject {
   struct Drag {
     quint64 gesture = 0;
     MechanismPtr before;
-    NodeMoves moving;  ///< where the nodes were
-    NoteMoves notes;   ///< and the notes
+    NodeMoves moving;  ///< the nodes' places before
+    NoteMoves notes;   ///< the notes' places before
     std::vector<SheetPoint> resting;
   };
 

@@ -23,8 +23,8 @@ struct CopiedContent {
   struct Seen {
     StageShot shot;
     ViewOptions options;
-    QString forcesCaption;  ///< with forces: which are missing and why
-    PaintOver over;         ///< what lies over the view; empty: nothing
+    QString forcesCaption;  ///< as forcesCaption()
+    PaintOver over;         ///< what is painted over the view; empty: nothing
   };
   std::optional<Seen> seen;
 };

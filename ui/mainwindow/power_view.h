@@ -45,7 +45,7 @@ class PowerView : public QObject {
   };
   struct Answer {
     DisplayList list;
-    std::map<ElementId, QString> tips;  ///< of the torques: what was found
+    std::map<ElementId, QString> tips;  ///< tooltips of the balances
   };
   using Bands = Service<Request, std::shared_ptr<const Answer>>;
   struct Drawing {

@@ -6,8 +6,8 @@ class QPlainTextEdit;
 
 namespace geargraph::inline panels {
 
-/// The text of a note, applied as it is typed; what is typed until the field is left is one undo step. For
-/// several notes: how many there are.
+/// The form for the text of a note. The text is applied while it is typed; everything typed until the field
+/// loses the focus is one undo step. For several notes it shows only their number.
 class NoteForm : public PropertyForm {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class NoteForm : public PropertyForm {
  private:
   void take();
 
-  QPlainTextEdit* m_text = nullptr;  ///< of one note
+  QPlainTextEdit* m_text = nullptr;  ///< null for several notes
 };
 
 }  // namespace geargraph::inline panels

@@ -60,14 +60,14 @@ class SchematicView : public DrawingView {
     AxisId axis;
   };
 
-  /// The rim of a gear that goes along with the mouse: its teeth change.
+  /// A drag of a gear's rim, which changes its tooth count.
   struct RimDrag {
     quint64 gesture = 0;
     PlacedMechanism before;
     SheetRim rim;
     SheetPoint from;
-    std::optional<DraggedTeeth> teeth = {};  ///< as the mouse wants them, since it has been moved
-    int shown = 0;                           ///< teeth of the gear as they are; 0: as they were
+    std::optional<DraggedTeeth> teeth = {};  ///< requested by the mouse; empty until it has moved
+    int shown = 0;                           ///< the last tooth count that was applied; 0: none yet
     SheetPoint at = {};
   };
 

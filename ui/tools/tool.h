@@ -92,7 +92,7 @@ struct ToggleInput {
   ElementId element;
   friend bool operator==(const ToggleInput&, const ToggleInput&) = default;
 };
-/// A text is typed: in a new note with its middle there, or in the note that was clicked.
+/// Opens the editor for a new note centred at `at`, or for the note that was clicked.
 struct WriteNote {
   SheetPoint at;
   std::optional<NoteId> note;

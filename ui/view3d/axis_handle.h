@@ -4,26 +4,26 @@
 
 namespace geargraph::inline view3d {
 
-/// What an axis is taken by in the 3D view: a disc on it, to be dragged, or moved by the arrow keys while it
-/// has the focus. It knows pixels only.
+/// The handle of an axis in the 3D view: a disc on the axis that is dragged, or moved by the arrow keys while
+/// it has the focus. It works in pixels only.
 class AxisHandle final : public QWidget {
   Q_OBJECT
 
  public:
   explicit AxisHandle(QWidget* view);
 
-  /// "axis c", for tip and screen readers.
+  /// Sets the name for the tooltip and screen readers: "axis c".
   void setName(const QString& name);
   void showAt(const QPointF& middle);
   [[nodiscard]] bool isDragged() const { return m_isDragged; }
 
  signals:
   void grabbed();
-  /// The way of the pointer since it was pressed, px; `isFree`: Alt is held.
+  /// `way`: the displacement of the pointer since the press, px; `isFree`: Alt is held.
   void pulled(const QPointF& way, bool isFree);
   void dropped();
   void putBack();
-  /// A key: by this many px.
+  /// An arrow key was pressed. `way`: the displacement, px.
   void nudged(const QPointF& way);
 
  protected:

@@ -11,20 +11,21 @@ namespace geargraph::inline view3d {
 
 class AxisHandle;
 
-/// Shows the handle where one axis or turning joint is selected, at the end of its line as the picture shows
-/// it, and turns ways of the pointer into ways in space: in the plane of the picture, at the handle's depth.
+/// Shows the handle while a single axis or turning joint is selected, at the end of its line in the picture,
+/// and converts displacements of the pointer to displacements in space: parallel to the picture plane, at the
+/// handle's depth.
 class AxisHold final : public QObject {
   Q_OBJECT
 
  public:
-  /// Over the picture that `view` shows of the viewer.
+  /// `view`: shows the picture of the viewer; the parent of the handle.
   AxisHold(Viewer* viewer, Selection* selection, QWidget* view);
 
-  /// Gives the focus to the handle; false where there is none.
+  /// Gives the focus to the handle; false if there is none.
   bool takeFocus();
 
  signals:
-  void grabbed();  ///< before the first pull or nudge: the reference pose is wanted
+  void grabbed();  ///< before the first pull or nudge: the train should be in its reference pose
   void pulled(const geargraph::AxisPull& pull);
   void dropped();
   void putBack();
@@ -33,7 +34,7 @@ class AxisHold final : public QObject {
  private:
   void renew();
   void grab();
-  /// The label of what is selected, whose place is on the axis; null where nothing of the kind is.
+  /// The label of the selected axis or joint, which is on the axis; null if no such element is selected.
   [[nodiscard]] const StageLabel* heldLabel() const;
   [[nodiscard]] std::optional<ScreenPoint> place() const;
   [[nodiscard]] AxisPull pullBy(const QPointF& way, bool isFree) const;
@@ -42,9 +43,9 @@ class AxisHold final : public QObject {
   Selection* m_selection;
   QWidget* m_view;
   AxisHandle* m_handle;
-  // As it was when the axis was grabbed:
+  // The state when the axis was grabbed:
   ElementId m_held;
-  double m_perPixel = 0;  ///< length units a logical pixel at the handle's depth
+  double m_perPixel = 0;  ///< length units per logical pixel at the handle's depth
   Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_up = Eigen::Vector3d::Zero();
 };

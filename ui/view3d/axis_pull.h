@@ -5,7 +5,7 @@
 
 namespace geargraph::inline view3d {
 
-/// What a hand wants of an axis: by this way since it was grabbed, in the base frame and the reference pose.
+/// A requested displacement of an axis since it was grabbed, in the base frame and the reference pose.
 struct AxisPull {
   ElementId element;  ///< the axis, or a joint about it
   Vector3 way{};

@@ -14,8 +14,8 @@ class QMenu;
 
 namespace geargraph::inline view3d {
 
-/// The 3D view: a stage that can be turned, zoomed and played. Where one axis or turning joint is selected,
-/// its axis has a handle; the train goes to its reference pose when it is grabbed.
+/// The 3D view: a stage that can be turned, zoomed and played. While a single axis or turning joint is
+/// selected, its axis has a handle; grabbing it returns the train to its reference pose.
 ///
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
 /// arrows orbit, + and - zoom; , and . step the time backwards and forwards; R fixes the reference frame to
@@ -124,7 +124,7 @@ class View3D : public QWidget {
   void axisPulled(const geargraph::AxisPull& pull);
   void axisDropped();
   void axisPutBack();
-  void axisNudged(const geargraph::AxisPull& pull);  ///< a gesture of its own
+  void axisNudged(const geargraph::AxisPull& pull);  ///< a separate gesture
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

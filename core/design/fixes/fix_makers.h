@@ -15,7 +15,7 @@ namespace geargraph::inline fixes {
 [[nodiscard]] std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot);
 /// redundant-coupling, and locked by engaged couplings.
 [[nodiscard]] std::vector<Fix> couplingFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
-/// interference/bodies-overlap and wheels-overlap: a joint that is moved along its axis.
+/// interference/bodies-overlap and wheels-overlap: moves a joint along its axis.
 [[nodiscard]] std::vector<Fix> overlapFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 /// assembly, undercut, locked, dead-joint.
 [[nodiscard]] std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);

@@ -64,8 +64,8 @@ using NoteId = Id<struct NoteTag>;
 
 enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state, load, note };
 
-/// The name of the document's list that holds elements of this kind, e.g. "turningJoints"; that of a list
-/// inside a member with its path, "view/notes".
+/// The name of the document's list that holds elements of this kind, e.g. "turningJoints"; for a nested
+/// list with its path, "view/notes".
 [[nodiscard]] std::string_view listName(ElementKind kind);
 
 /// The id of any element, for selection, highlighting and diagnostics.

@@ -4,8 +4,8 @@
 
 namespace geargraph::inline base {
 
-/// While one lives, the texts that its thread composes are English, with decimal points: those that files and
-/// scripts read, in every language of the window.
+/// During its lifetime, texts composed on its thread are English, with decimal points, whatever the current
+/// language: for texts that files and scripts read.
 class InEnglish {
  public:
   InEnglish();
@@ -14,19 +14,19 @@ class InEnglish {
   InEnglish& operator=(const InEnglish&) = delete;
 };
 
-/// No catalogue is in use for the texts that are composed on this thread now.
+/// Is no catalogue in use for texts composed on this thread now?
 [[nodiscard]] bool isEnglish();
 
-/// A number in a text for people: "12.5" with the decimal sign in use in place of its point.
-/// @pre `number` is a number, as programs write it
+/// A number in a text for people: "12.5" with the current decimal sign instead of the point.
+/// @pre `number` is a number with a decimal point, if any
 [[nodiscard]] std::string spokenNumber(std::string number);
 
-/// The same in TeX: "12{,}5".
+/// The same for TeX: "12{,}5".
 [[nodiscard]] std::string spokenTexNumber(std::string number);
 
-/// The decimal sign from now on; a point at first. Set with the catalogue. Safe while other threads read it.
+/// Sets the decimal sign, initially a point. Set it together with the catalogue. Thread-safe.
 void setDecimalSign(char sign);
-/// That of texts which are composed on this thread now.
+/// The decimal sign of texts composed on this thread now.
 [[nodiscard]] char decimalSign();
 
 }  // namespace geargraph::inline base

@@ -49,7 +49,7 @@ struct ChildResult {
 /// exceeds `mostOutput` by 1 MiB.
 [[nodiscard]] ChildResult runChild(const ChildProgram& child, const std::stop_token& stop);
 
-/// Can a program on this system give up its rights before it reads a file (core/foundations/sandbox)?
+/// Can a program on this system drop its rights before it reads a file (core/foundations/sandbox)?
 [[nodiscard]] bool confinesChildren();
 
 }  // namespace geargraph::inline platform

@@ -78,7 +78,7 @@ class TableRowReader {
   /// The text of a cell; empty where there is none.
   [[nodiscard]] const std::string& cell(std::string_view column);
   void missing(std::string_view column, std::string_view expected);
-  /// What is expected, marked by toTranslate().
+  /// `expected` is marked by toTranslate().
   void unexpected(std::string_view column, std::string_view expected);
   /// The id in the column "id"; empty if there is no valid one.
   [[nodiscard]] std::string shortId();

@@ -22,7 +22,7 @@ struct AxisReach {
   AxisId from;          ///< the parallel axis nearest the ground
   double distance = 0;  ///< centre distance
   double module = 1;    ///< of their wheels
-  Vector3 outward{};    ///< unit vector from that axis to this one, square to both
+  Vector3 outward{};    ///< unit vector from that axis to this one, perpendicular to both
 };
 /// std::nullopt if the axis has no mesh of parallel axes.
 [[nodiscard]] std::optional<AxisReach> axisReach(const PlacedMechanism& placed, AxisId axis);

@@ -5,19 +5,19 @@
 
 namespace geargraph::inline graph_format {
 
-/// What an attribute of a graph belongs to.
+/// The part of a graph that an attribute belongs to.
 enum class GraphPart { graph, node, turningEdge, meshEdge };
 
-/// How a member of the document is written in forms that know texts only.
+/// How a member of the document is written in formats whose values are texts only.
 enum class MemberType {
   text,
   id,
-  number,  ///< "22/7", too
+  number,  ///< also a fraction, "22/7"
   flag,
   json,  ///< a list or an object
 };
 
-/// A member of the document, or of an element of its lists, that is an attribute of a graph.
+/// A member of the document, or of an element of one of its lists, that is written as a graph attribute.
 struct GraphMember {
   GraphPart part = GraphPart::graph;
   std::string_view attribute;
@@ -25,12 +25,12 @@ struct GraphMember {
   MemberType type = MemberType::text;
 };
 
-/// None where it is no such member.
+/// Null if the member is not written as an attribute.
 [[nodiscard]] const GraphMember* graphMemberOf(GraphPart part, std::string_view member);
-/// By the name of the attribute.
+/// The same, by the name of the attribute.
 [[nodiscard]] const GraphMember* graphAttributeOf(GraphPart part, std::string_view attribute);
 
-/// Attributes that say what a node or edge is: the id of its element, the label, ...
+/// Attributes that identify a node or an edge: the id of its element, the label, ...
 constexpr std::string_view kVersionAttribute = "geargraph";
 constexpr std::string_view kNameAttribute = "name";
 constexpr std::string_view kLinkId = "linkId";
@@ -41,7 +41,8 @@ constexpr std::string_view kTurning = "turning";
 constexpr std::string_view kMesh = "mesh";
 constexpr int kGraphVersion = 1;
 
-/// The lasting spelling of an attribute that a reader asks for; none of others.
+/// The name of an attribute as a constant that outlives the text being read; std::nullopt for an attribute
+/// without a meaning here.
 enum class AttributeOwner { graph, node, edge };
 [[nodiscard]] std::optional<std::string_view> knownAttribute(AttributeOwner owner, std::string_view name);
 

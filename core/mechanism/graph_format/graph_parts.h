@@ -21,12 +21,12 @@ struct AttributeText {
   std::string text;
   bool isJson = false;  ///< the text is a JSON value other than a string
 };
-using AttributePtr = std::shared_ptr<const AttributeText>;  ///< defaults are shared by all that have them
+using AttributePtr = std::shared_ptr<const AttributeText>;  ///< a default value is shared by its users
 
-/// The attributes of a node, an edge or the graph that a mechanism is made of, each once.
+/// The attributes of a node, an edge or the graph that a mechanism is read from. Names are unique.
 class GraphAttributes {
  public:
-  /// The last value counts. `name` is of knownAttribute().
+  /// Replaces an earlier value. @pre `name` is from knownAttribute()
   void set(std::string_view name, AttributePtr value);
   [[nodiscard]] const AttributeText* find(std::string_view name) const;
   [[nodiscard]] const std::vector<std::pair<std::string_view, AttributePtr>>& all() const { return m_all; }
@@ -48,21 +48,21 @@ struct ReadEdge {
   GraphAttributes attributes{};
 };
 
-/// What the text of a graph holds, in any form, before it is asked what it means.
+/// The content of a graph in any format, before it is interpreted as a mechanism.
 struct GraphParts {
   std::string name{};
   std::size_t offset = 0;  ///< of the graph
   GraphAttributes attributes{};
   std::vector<ReadNode> nodes{};
   std::vector<ReadEdge> edges{};
-  std::set<std::string, std::less<>> unread{};  ///< names of attributes that say nothing here, some of them
+  std::set<std::string, std::less<>> unread{};  ///< some of the names of ignored attributes
 
-  /// Sets the attribute where it is a known one, else remembers its name.
+  /// Sets a known attribute; records the name of any other in `unread`.
   void set(AttributeOwner owner, GraphAttributes& attributes, std::string_view name, AttributePtr value);
   void addUnread(std::string_view name);
 };
 
-/// Findings about the text of a graph: the first 100.
+/// Collects at most 100 diagnostics about the text of a graph.
 class GraphFindings {
  public:
   explicit GraphFindings(std::string_view text) : m_text(text) {}
@@ -70,7 +70,7 @@ class GraphFindings {
   void add(Code code, std::string message, std::size_t offset, std::vector<ElementId> elements = {});
   [[nodiscard]] bool empty() const { return m_findings.empty(); }
   [[nodiscard]] bool isFull() const { return m_findings.size() >= kMost; }
-  /// In the order of the text, with line and column. Cost: O(text).
+  /// All diagnostics in the order of the text, with line and column. Cost: O(text).
   [[nodiscard]] Diagnostics inOrder() const;
 
  private:
@@ -79,17 +79,17 @@ class GraphFindings {
   std::vector<std::pair<std::size_t, Diagnostic>> m_findings;
 };
 
-/// A text of the file in a sentence, quoted; the beginning of a long one.
+/// A text of the file, quoted for a sentence; a long one is truncated.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-// The readers of the forms. A failure has one finding. Undirected graphs are not read: tail and head of their
-// edges are unknown, and with them the signs and which teeth are whose.
+// The readers of the formats. A failure has one diagnostic. Undirected graphs are rejected: without tail and
+// head of an edge, the signs and the assignment of the tooth counts are unknown.
 
 [[nodiscard]] Expected<GraphParts> readDot(std::string_view text);
 [[nodiscard]] Expected<GraphParts> readGraphMl(std::string_view text);
 [[nodiscard]] Expected<GraphParts> readNodeLink(std::string_view text);
 
-/// The finding of an undirected graph.
+/// The diagnostic for an undirected graph.
 [[nodiscard]] Diagnostics undirectedGraph(std::string_view text, std::size_t offset);
 
 }  // namespace geargraph::inline graph_format

@@ -9,13 +9,13 @@
 
 namespace geargraph::inline graph_format {
 
-/// Graphs as other programs read them: Graphviz' DOT, GraphML, and the node-link JSON of NetworkX.
+/// Graph formats of other programs: Graphviz DOT, GraphML, and the node-link JSON of NetworkX.
 enum class GraphForm { dot, graphMl, nodeLink };
 
 /// "dot", "graphml", "node-link".
 [[nodiscard]] std::optional<GraphForm> graphFormFromName(std::string_view name);
 
-/// A value that is JSON: a number, true or false, a list. Forms without lists have its text.
+/// A JSON value: a number, true or false, a list. Formats without lists store it as text.
 struct JsonText {
   std::string json;
 };
@@ -34,7 +34,7 @@ struct DescribedEdge {
   Attributes attributes;
 };
 
-/// A directed graph with the attributes of its nodes and edges.
+/// A directed graph with attributes of the graph, its nodes and its edges.
 struct GraphDescription {
   std::string name;
   Attributes attributes{};

@@ -21,8 +21,8 @@ struct Difference {
   bool axes = false;
   bool inputs = false;
   bool places = false;  ///< of the nodes in the drawing
-  bool other = false;   ///< name, notes (of the document, on its sheet), wheels, couplings, loads, members of
-                        ///< other programs, the order of a list
+  bool other = false;   ///< name, notes of the document and on the sheet, wheels, couplings, loads, members
+                        ///< of other programs, the order of a list
 
   friend bool operator==(const Difference&, const Difference&) = default;
 };

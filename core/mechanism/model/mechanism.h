@@ -162,7 +162,7 @@ struct SheetPoint {
   friend bool operator==(const SheetPoint&, const SheetPoint&) = default;
 };
 
-/// A text on the sheet of the digraph, one or more lines (notes.h). `at` is its middle.
+/// A text of one or more lines on the sheet of the digraph, centred at `at` (notes.h).
 struct SheetNote {
   NoteId id;
   std::string text;

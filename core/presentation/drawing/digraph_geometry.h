@@ -88,7 +88,7 @@ struct DigraphGeometry {
   std::vector<NodePlace> nodes;  ///< of the links that have a position, in the document's order
   std::vector<EdgePlace> edges;  ///< between those, turning joints first
   std::vector<CouplingPlace> couplings;
-  std::vector<NotePlace> notes;  ///< what their author wrote where: nothing else keeps out of their way
+  std::vector<NotePlace> notes;  ///< placed by the user: nothing else keeps clear of them
 
   [[nodiscard]] const NodePlace* node(LinkId link) const;
   [[nodiscard]] const EdgePlace* edge(const ElementId& element) const;

@@ -10,16 +10,16 @@
 
 namespace geargraph::inline drawing {
 
-/// The lines of a text as a note shows them: broken where it has line ends, and between words where a line
-/// would be wider than kNoteWidth, within words that are. Cost: O(text).
+/// The lines of a note's text: broken at line ends, and wrapped to the width of notes between words, or
+/// within a word that is wider. Cost: O(text).
 [[nodiscard]] std::vector<std::string> noteLines(std::string_view text);
 
 [[nodiscard]] std::vector<NotePlace> placedNotes(const std::vector<SheetNote>& notes);
 
-/// The box of a note.
+/// The bounding box of a note.
 [[nodiscard]] Extent noteExtent(const NotePlace& place);
 
-/// One outline, the box. Lines are centred, so that no font and no direction of writing moves them out of it.
+/// The box is the only outline. Lines are centred, to stay in it in any font and writing direction.
 [[nodiscard]] DisplayList noteDrawing(const NotePlace& place, const Emphasis& emphasis);
 
 }  // namespace geargraph::inline drawing

@@ -24,7 +24,7 @@ struct Band {
   double circulating = 0;          ///< the circulating part of it, W
   bool isKnown = true;             ///< else indeterminate: a dashed line
   bool hasLabel = true;
-  bool isAssumed = false;  ///< known by an assumption only: equal stiffness
+  bool isAssumed = false;  ///< determined only by the assumption of equal stiffness
 };
 
 /// The power lost in a mesh, drawn as a short arrow away from it.
@@ -67,7 +67,7 @@ class BandPainter {
   std::vector<Extent> m_texts;  ///< of the drawing and of the labels so far
   std::vector<Band> m_bands;
   std::vector<LossStub> m_stubs;
-  std::set<ElementId> m_marked;  ///< elements of unknown parts that have their label
+  std::set<ElementId> m_marked;  ///< elements with indeterminate power that have a label
   DisplayList m_list;
 };
 

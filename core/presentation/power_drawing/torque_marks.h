@@ -16,7 +16,7 @@ struct ShownTorque {
   int sense = 0;       ///< sign of the torque; 0 for a force, or if the torque is not determined
   std::string torque;  ///< "T 10 N m", "F 20 N", "T shared"
   std::string rate;    ///< "100 rad/s", "100 rad/s · found"; empty for a load without a motion
-  std::string tip;     ///< of a balance, a sentence in the language in use: what it holds, and its power
+  std::string tip;     ///< tooltip of a balance, in the current language: what it holds, and its power
 };
 
 /// Loads first, in the document's order, then balances; balances of 0 are left out. Cost: O(loads + balances)

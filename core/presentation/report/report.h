@@ -76,8 +76,7 @@ struct Report {
 /// With more links a report would have thousands of pages.
 constexpr int kMostReportLinks = 200;
 
-/// The heading of the part that compares the methods, which is shown translated; a mechanism without a
-/// solution has none.
+/// The heading of the part that compares the methods, to be translated; none without a solution.
 inline constexpr const char* kComparisonHeading = toTranslate("Both methods compared");
 
 /// The title of a mechanism's report.

@@ -38,7 +38,7 @@ constexpr int kMostReportRows = 80;
 [[nodiscard]] std::string texLines(const std::vector<std::string>& lines);
 /// The sides of "= ... =", each on a line.
 [[nodiscard]] std::string texStages(const std::vector<std::string>& stages);
-/// A matrix is too large to print: which command writes it.
+/// The sentence that a matrix is too large to print, with the command that writes it.
 [[nodiscard]] std::string tooManyEntries(int rows, int columns, std::string_view commandName);
 /// "(35), (28) and (39)"
 [[nodiscard]] std::string citedEquations(const std::vector<int>& numbers);

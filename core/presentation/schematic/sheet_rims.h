@@ -11,7 +11,7 @@ namespace geargraph::inline schematic {
 struct DrawnPart;
 struct SheetLayout;
 
-/// The pitch line of a toothed wheel on the sheet, on one side of its axis: what its teeth are dragged by.
+/// The pitch line of a toothed wheel on the sheet, on one side of its axis. A drag changes the tooth count.
 struct SheetRim {
   LinkId link;
   std::vector<MeshId> meshes;  ///< of that wheel, at least one
@@ -24,7 +24,7 @@ struct SheetRim {
 
 [[nodiscard]] std::vector<SheetRim> sheetRims(const DrawnPart& part, const SheetLayout& layout);
 
-/// The rim of one of these links that a place is on, the nearest one within `reach` px; null: none.
+/// The nearest rim of these links within `reach` px of a place; null if there is none.
 [[nodiscard]] const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<LinkId>& links,
                                       SheetPoint place, double reach);
 
@@ -33,10 +33,10 @@ struct DraggedTeeth {
   MeshId mesh;
   int tailTeeth = 1;
   int headTeeth = 1;
-  int teeth = 1;  ///< of the dragged wheel: as its height, in whole teeth
+  int teeth = 1;  ///< of the dragged wheel: proportional to its height, rounded
   friend bool operator==(const DraggedTeeth&, const DraggedTeeth&) = default;
 };
-/// std::nullopt where the mechanism has no such mesh any more.
+/// std::nullopt if the mechanism no longer has that mesh of the link.
 [[nodiscard]] std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const SheetRim& rim,
                                                        SheetPoint from, SheetPoint to);
 

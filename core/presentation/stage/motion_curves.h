@@ -17,7 +17,7 @@ struct MotionCurve {
   bool isComponent = false;               ///< a component of the last curve before it that is none
   std::vector<double> values;             ///< one per time
   std::optional<ElementId> element = {};  ///< the joint or link; none for a point
-  std::string nameInFiles = {};           ///< English, where `name` is translated
+  std::string nameInFiles = {};           ///< in English, if `name` is translated
 };
 
 /// Quantities of one unit over the same times.

@@ -26,7 +26,7 @@ struct OverlayChoice {
 class StageLabels {
  public:
   explicit StageLabels(const OverlayChoice& choice);
-  /// With the forces, below their legend: which are missing and why. Wrapped to the picture's width.
+  /// Sets the text below the legend of the forces: which are missing and why. Wrapped to the picture's width.
   void setCaption(std::string caption) { m_caption = std::move(caption); }
   /// Shown where the choice wants power; null: there is none, and the caption says why.
   void setPower(StagePowerPtr power) { m_power = std::move(power); }

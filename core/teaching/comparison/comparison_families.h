@@ -17,7 +17,7 @@ enum class TrainFamily {
           ///< ground
 };
 [[nodiscard]] std::string familyName(TrainFamily family);
-/// "8 gears in a row"
+/// The family with its size: "8 gears in a row"; translated.
 [[nodiscard]] std::string familyText(TrainFamily family, int size);
 
 /// A train with this number of gears, sets or arms, at least 2, 1 and 1. Its inputs are chosen by the

@@ -34,7 +34,7 @@ struct ComparedStep {
 
 /// "1 product", "12 products", translated.
 [[nodiscard]] std::string productsText(const Operations& operations);
-/// "1 sum", "12 sums"
+/// "1 sum", "12 sums", translated.
 [[nodiscard]] std::string sumsText(const Operations& operations);
 
 /// One mesh by both methods: a term for each joint of its cycle.

@@ -17,12 +17,12 @@ namespace geargraph::inline derivation {
 /// A row for each output, a column for each input, as Eqs. (23) and (25).
 [[nodiscard]] QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form);
 
-/// The f-circuits of the T-T graph, B = [B_t | U]: a row for each chord; columns: branches, chords. Whole
-/// numbers, told as fractions.
+/// The f-circuits of the T-T graph, B = [B_t | U]: a row for each chord; columns: branches, chords. The
+/// entries are integers, in the form of fractions.
 [[nodiscard]] QuantityTablePtr ttCircuitTable(SnapshotPtr snapshot);
 
-/// The f-cutsets of the T-T graph, Q' = [U | -B_t^T], the rows of the T-T graph's statics: a row for each
-/// branch, columns as those of the circuits.
+/// The f-cutsets of the T-T graph, Q' = [U | -B_t^T], whose rows are the equations of its statics: a row
+/// for each branch; columns as in ttCircuitTable().
 [[nodiscard]] QuantityTablePtr ttCutsetTable(SnapshotPtr snapshot);
 
 [[nodiscard]] QuantityEntry decimalEntry(int column, double value);

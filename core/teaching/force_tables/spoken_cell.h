@@ -6,7 +6,7 @@
 
 namespace geargraph::inline force_tables {
 
-/// A cell whose text `compose` makes, in the language in use and for files.
+/// A cell with the text that `compose` returns, in the current language, and in English for files.
 template <class Compose>
 ForceCell spokenCell(const Compose& compose) {
   ForceCell cell{compose(), std::nullopt, {}};
@@ -15,7 +15,7 @@ ForceCell spokenCell(const Compose& compose) {
   return cell;
 }
 
-/// A column whose head `compose` makes.
+/// A column with the head that `compose` returns, likewise.
 template <class Compose>
 ForceColumn spokenColumn(const Compose& compose, std::string unit, std::string meaning, bool isNumber,
                          bool isFraction = false) {
@@ -25,7 +25,7 @@ ForceColumn spokenColumn(const Compose& compose, std::string unit, std::string m
   return column;
 }
 
-/// One with a head and a meaning that are marked by toTranslate().
+/// A column whose head and meaning are marked by toTranslate().
 inline ForceColumn wordedColumn(const char* head, std::string unit, const char* meaning, bool isNumber,
                                 bool isFraction = false) {
   return spokenColumn([head] { return translated(head); }, std::move(unit), translated(meaning), isNumber,

@@ -28,8 +28,8 @@ struct LockingLimits {
   std::optional<LockingBracket> backward;  ///< all known torques reversed: the loads do not drive the train
 };
 
-/// Does the problem have limits? It does if loads act, a motion is known, the loads are held, and every
-/// torque has a value: there are no self-stresses, or stiffness decides them.
+/// Is lockingLimits() defined? It is if loads act, a motion is known, the loads are held, and every torque
+/// has a value: there are no self-stresses, or stiffness decides them.
 [[nodiscard]] bool hasLockingLimits(const StaticsReport& report);
 
 /// The brackets, narrower than 1e-6 of the efficiency of the mesh with the greatest loss. First, 17 values

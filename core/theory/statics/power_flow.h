@@ -28,7 +28,7 @@ struct ElementPower {
   /// then the other one or the ground. A load, a balance: its link, then the ground, which has the reaction.
   std::vector<PowerPort> ports;
   bool isDetermined = true;
-  /// Determined by an assumption only: it is part of a self-stress that equal stiffness decided.
+  /// Determined only by the assumption of equal stiffness: the element is part of a self-stress.
   bool isAssumed = false;
 
   [[nodiscard]] Real fed() const;
