@@ -14046,6 +14046,26 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
         <translation>2→3: von Glied 2 zu Glied 3; in der Farbe des abgebenden Glieds</translation>
     </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Seite einrichten</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>Papier:</translation>
+    </message>
+    <message>
+        <source>Orientation:</source>
+        <translation>Ausrichtung:</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14046,6 +14046,26 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
         <translation>2→3: del eslabón 2 al eslabón 3; en el color del eslabón que entrega</translation>
     </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Configurar página</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>Papel:</translation>
+    </message>
+    <message>
+        <source>Orientation:</source>
+        <translation>Orientación:</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14045,6 +14045,26 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>2→3: from link 2 to link 3; in the colour of the link that delivers</source>
         <translation>2→3: 2 numaralı uzuvdan 3 numaralı uzva; gücü veren uzvun renginde</translation>
     </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Sayfa yapısı</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Dikey</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Yatay</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>Kâğıt:</translation>
+    </message>
+    <message>
+        <source>Orientation:</source>
+        <translation>Yönlendirme:</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -2,6 +2,9 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLocale>
@@ -160,9 +163,43 @@ void PrintDialog::showPages(const PrintedPagesPtr& pages) {
 }
 
 void PrintDialog::setUpPage() {
+  // Qt's dialog is for printers only: without one, and for a PDF file, it does not open.
+  if (m_printer->outputFormat() != QPrinter::NativeFormat) return choosePaper();
   auto* dialog = new QPageSetupDialog(m_printer.get(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, &PrintDialog::request);
+  dialog->open();
+}
+
+void PrintDialog::choosePaper() {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("paperDialog"));
+  dialog->setWindowTitle(tr("Page setup"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  const QPageLayout now = m_printer->pageLayout();
+  auto* paper = new QComboBox(dialog);
+  paper->setObjectName(QStringLiteral("paper"));
+  for (const auto size :
+       {QPageSize::A3, QPageSize::A4, QPageSize::A5, QPageSize::Letter, QPageSize::Legal, QPageSize::Tabloid})
+    paper->addItem(QPageSize::name(size), size);
+  paper->setCurrentIndex(std::max(0, paper->findData(now.pageSize().id())));
+  auto* orientation = new QComboBox(dialog);
+  orientation->setObjectName(QStringLiteral("orientation"));
+  orientation->addItem(tr("Portrait"), QPageLayout::Portrait);
+  orientation->addItem(tr("Landscape"), QPageLayout::Landscape);
+  orientation->setCurrentIndex(orientation->findData(now.orientation()));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
+  connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  auto* form = new QFormLayout(dialog);
+  form->addRow(tr("Paper:"), paper);
+  form->addRow(tr("Orientation:"), orientation);
+  form->addRow(buttons);
+  connect(dialog, &QDialog::accepted, this, [this, paper, orientation] {
+    m_printer->setPageSize(QPageSize(paper->currentData().value<QPageSize::PageSizeId>()));
+    m_printer->setPageOrientation(orientation->currentData().value<QPageLayout::Orientation>());
+    request();
+  });
   dialog->open();
 }
 

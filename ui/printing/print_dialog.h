@@ -63,6 +63,7 @@ class PrintDialog final : public QDialog {
   void request();
   void showPages(const PrintedPagesPtr& pages);
   void setUpPage();
+  void choosePaper();
   void choosePrinter();
 
   PrintSource m_source;

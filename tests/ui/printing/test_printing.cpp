@@ -1,4 +1,6 @@
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QPainter>
 #include <QPrinterInfo>
 #include <QPushButton>
@@ -119,6 +121,35 @@ class PrintingTest : public QObject {
     QTest::mouseClick(drawing, Qt::LeftButton, {}, QPoint(8, drawing->height() / 2));
     QTRY_VERIFY(dialog.isUpToDate() && dialog.pages()->count() == 0);
     QVERIFY(!dialog.findChild<QPushButton*>(QStringLiteral("printNow"))->isEnabled());
+  }
+
+  /// Qt's own dialog does not open where there is no printer, as on this machine.
+  void thePaperIsChosenWithoutAPrinter() {
+    if (!QPrinterInfo::defaultPrinter().isNull()) QSKIP("this machine has a printer");
+    PrintDialog dialog(source());
+    dialog.show();
+    QTRY_VERIFY(dialog.isUpToDate());
+    const auto press = [&](QDialogButtonBox::StandardButton button, int size, int orientation) {
+      for (auto* each : dialog.findChildren<QPushButton*>())
+        if (each->text() == QStringLiteral("Page setup…")) each->click();
+      auto* paper = dialog.findChild<QDialog*>(QStringLiteral("paperDialog"));
+      if (paper == nullptr || !paper->isVisible()) return false;
+      auto* sizes = paper->findChild<QComboBox*>(QStringLiteral("paper"));
+      sizes->setCurrentIndex(sizes->findData(size));
+      auto* orientations = paper->findChild<QComboBox*>(QStringLiteral("orientation"));
+      orientations->setCurrentIndex(orientations->findData(orientation));
+      paper->findChild<QDialogButtonBox*>()->button(button)->click();
+      return true;
+    };
+    const QPageLayout before = dialog.printer()->pageLayout();
+    QVERIFY(press(QDialogButtonBox::Cancel, QPageSize::A5, QPageLayout::Landscape));
+    QCOMPARE(dialog.printer()->pageLayout(), before);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(press(QDialogButtonBox::Ok, QPageSize::A3, QPageLayout::Landscape));
+    QCOMPARE(dialog.printer()->pageLayout().pageSize().id(), QPageSize::A3);
+    QCOMPARE(dialog.printer()->pageLayout().orientation(), QPageLayout::Landscape);
+    QTRY_VERIFY(dialog.isUpToDate());
+    QCOMPARE(dialog.pages()->count(), 1);
   }
 
   void withoutASolutionTheDrawingsAreLeft() {
