@@ -14,6 +14,7 @@
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/support/pdf_streams.h"
 
 using namespace geargraph;
 using nlohmann::json;
@@ -58,10 +59,10 @@ class TestCli : public QObject {
     const Run pages = run({"export", kRobot, "--to", "pdf", "--inputs", "8,9,13", "-o", "-"});
     QCOMPARE(pages.status, 0);
     QVERIFY(pages.output.starts_with("%PDF-"));
-    QVERIFY(pages.output.find("/Title (Matroid method)") != std::string::npos);
+    QVERIFY(test::pdfText(QByteArray::fromStdString(pages.output)).contains("/Title (Matroid method)"));
     const Run drawing = run({"export", kRobot, "--to", "pdf", "--view", "digraph", "-o", "-"});
     QVERIFY(drawing.output.starts_with("%PDF-"));
-    QVERIFY(drawing.output.find("/Title (Matroid method)") == std::string::npos);
+    QVERIFY(!test::pdfText(QByteArray::fromStdString(drawing.output)).contains("/Title (Matroid method)"));
     QCOMPARE(run({"export", kRobot, "--to", "pdf", "--inputs", "99", "-o", "-"}).status, 2);
   }
 

@@ -6,6 +6,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
+#include <QTemporaryFile>
 #include <QTest>
 #include <QTimer>
 
@@ -43,6 +44,18 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     set.reset();  // without closing anything, as in a crash
     set = std::make_unique<WindowSet>(app());
     set->start(documents);
+  }
+
+ public:
+  /// Newer releases of Qt fit a restored window into the screen, and that of "offscreen" is 800 pixels wide.
+  static void initMain() {
+    if (qgetenv("QT_QPA_PLATFORM") != "offscreen") return;
+    static QTemporaryFile screens;
+    if (!screens.open()) return;
+    screens.write(R"({"screens": [{"name": "wide", "x": 0, "y": 0, "width": 1920, "height": 1080,
+                      "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})");
+    screens.close();
+    qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + QFile::encodeName(screens.fileName()));
   }
 
  private slots:

@@ -336,7 +336,10 @@ class TestSchematicView : public QObject {
     auto* offer = driver.view.findChild<QMenu*>("axisOffer");
     QVERIFY(offer != nullptr && offer->isVisible());
     QAction* teeth = offer->actions().at(2);
-    QTest::mouseClick(offer, Qt::LeftButton, {}, offer->actionGeometry(teeth).center());
+    const QPoint entry = offer->actionGeometry(teeth).center();
+    // A menu that opens under the mouse takes no click before that has moved.
+    for (int step = 8; step >= 0; --step) QTest::mouseMove(offer, entry - QPoint(step, 0));
+    QTest::mouseClick(offer, Qt::LeftButton, {}, entry);
     const Mechanism& after = *driver.document.mechanism();
     QVERIFY(after.gearMeshes[0].tailTeeth + after.gearMeshes[0].headTeeth >
             before->gearMeshes[0].tailTeeth + before->gearMeshes[0].headTeeth);
