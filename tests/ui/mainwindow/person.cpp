@@ -10,6 +10,7 @@
 #include <QWindow>
 #include <algorithm>
 
+#include "tests/support/menu_hand.h"
 #include "ui/canvas/digraph_view.h"
 
 namespace geargraph::test {
@@ -140,9 +141,7 @@ bool Person::chooseFromMenu(const QString& path) {
       while (QWidget* left = QApplication::activePopupWidget()) left->close();
       return false;
     }
-    const QPoint at = menu->actionGeometry(entry).center();
-    QTest::mouseMove(menu, at - QPoint(2, 0));
-    QTest::mouseMove(menu, at);
+    const QPoint at = moveToEntry(*menu, entry);
     QMenu* const next = entry->menu();
     if (next == nullptr) {
       ++gestures;

@@ -7,6 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/support/menu_hand.h"
 #include "ui/schematic/schematic_view.h"
 
 using namespace geargraph;
@@ -336,10 +337,7 @@ class TestSchematicView : public QObject {
     auto* offer = driver.view.findChild<QMenu*>("axisOffer");
     QVERIFY(offer != nullptr && offer->isVisible());
     QAction* teeth = offer->actions().at(2);
-    const QPoint entry = offer->actionGeometry(teeth).center();
-    // A menu that opens under the mouse takes no click before that has moved.
-    for (int step = 8; step >= 0; --step) QTest::mouseMove(offer, entry - QPoint(step, 0));
-    QTest::mouseClick(offer, Qt::LeftButton, {}, entry);
+    test::clickEntry(*offer, teeth);
     const Mechanism& after = *driver.document.mechanism();
     QVERIFY(after.gearMeshes[0].tailTeeth + after.gearMeshes[0].headTeeth >
             before->gearMeshes[0].tailTeeth + before->gearMeshes[0].headTeeth);
