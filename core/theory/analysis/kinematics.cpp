@@ -92,7 +92,7 @@ LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed, const std::stop_
 
 SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinematics& live,
                                      const SolveOptions& options, const std::stop_token& stop) {
-  GEARGRAPH_REQUIRE(live.matroid && live.matroid->solution);
+  GEARGRAPH_REQUIRE(live.matroid.has_value());
   auto solved = std::make_shared<SolvedKinematics>();
   const std::vector<int>& inputs = live.matroid->choice.joints;
   const std::vector<Rational>& speeds = live.matroid->speeds;

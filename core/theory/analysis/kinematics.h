@@ -40,8 +40,8 @@ struct SolveOptions {
   bool symbolic = true;
 };
 
-/// The exact and symbolic solutions by both methods, and their agreement, for the inputs of the live
-/// solution.
+/// The exact and symbolic solutions by both methods, and their agreement, for the inputs that the live
+/// analysis chose.
 struct SolvedKinematics {
   /// With more entries than this (outputs x inputs) there is no symbolic solution, and a diagnostic
   /// symbolic-skipped.
@@ -62,7 +62,8 @@ struct SolvedKinematics {
 using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;
 
 /// Null if `stop` was requested.
-/// @pre the live analysis of the same mechanism has a solution
+/// Also where the inputs of the document are invalid, for the nearest valid set (MatroidAnalysis::choice).
+/// @pre the live analysis of the same mechanism has a matroid analysis
 [[nodiscard]] SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinematics& live,
                                                    const SolveOptions& options = {},
                                                    const std::stop_token& stop = {});

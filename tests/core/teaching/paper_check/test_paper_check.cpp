@@ -375,6 +375,34 @@ class PaperCheckTest : public QObject {
     QVERIFY(verdict.error().front().code == Code::disconnected);
   }
 
+  void aMechanismWithInvalidInputs_isCheckedForTheNearestValidOnes() {
+    Mechanism withOne = test::example("robot");
+    withOne.inputs->resize(1);
+    const ExerciseSource source(withOne);
+    QVERIFY(source.matroid() != nullptr && !source.matroid()->solution);
+    const auto equations = checkPaper(source, "w21 = -N5/N2 w51\nw21 = N5/N2 w51");
+    QVERIFY(equations);
+    const auto& verdicts = std::get<std::vector<EquationVerdict>>(*equations);
+    QVERIFY(verdicts[0].isRight && !verdicts[1].isRight);
+    const auto table = checkPaper(source, "1 0 0\n0 1 0\n0 0 1\n1 1 1");
+    QVERIFY(table);
+    QVERIFY(std::get<MatrixVerdict>(*table).kind == PaperMatrix::solution);
+    QVERIFY(std::get<MatrixVerdict>(*table).outcome == PaperOutcome::wrong);
+  }
+
+  void anEquationForMeshesWithoutGeometry_hasTheErrorsOfTheMechanism() {
+    Mechanism onOneLine = test::example("robot");
+    for (Axis& axis : onOneLine.axes) {
+      axis.point = onOneLine.axes.front().point;
+      axis.direction = onOneLine.axes.front().direction;
+    }
+    const ExerciseSource source(onOneLine);
+    QVERIFY(source.tree() != nullptr && source.matroid() == nullptr);
+    const auto verdict = checkPaper(source, "w21 = -N5/N2 w51");
+    QVERIFY(!verdict);
+    QVERIFY(hasErrors(verdict.error()));
+  }
+
   void everyMistakeHasATitle() {
     for (const MistakeName& mistake : paperMistakeNames())
       QCOMPARE(paperMistakeTitle(mistake.name), mistake.title);
