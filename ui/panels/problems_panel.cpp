@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kIconRoom = 38;
 constexpr int kRight = 14;
+/// Rows that are measured in one event: the wrapped text of thousands would hold up the window.
+constexpr int kRowsAtOnce = 200;
 
 /// An icon, the sentence, and below it the place in a file, in secondary ink.
 class FindingDelegate : public QStyledItemDelegate {
@@ -92,6 +94,8 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   m_list->setMouseTracking(true);
   m_list->setSelectionMode(QAbstractItemView::NoSelection);
   m_list->setResizeMode(QListView::Adjust);
+  m_list->setLayoutMode(QListView::Batched);
+  m_list->setBatchSize(kRowsAtOnce);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->viewport()->installEventFilter(this);

@@ -289,6 +289,21 @@ class MatricesPanelTest : public QObject {
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
     QCOMPARE(selection.selected(), culprits);
   }
+
+  void manyProblemsAreMeasuredInSeveralEvents() {
+    panel->hide();
+    ProblemsPanel problems(&selection);
+    problems.resize(500, 200);
+    problems.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&problems));
+    AnalysisSnapshot loose = *snapshotOf(test::robotTopology());
+    loose.diagnostics.assign(5000, {Code::disconnected, "Link 3 is loose.", {LinkId("3")}, {}, 0, 0});
+    problems.setSnapshot(std::make_shared<const AnalysisSnapshot>(std::move(loose)));
+    const QModelIndex last = problems.model().index(4999);
+    QVERIFY(problems.list().visualRect(problems.model().index(0)).isValid());
+    QVERIFY(!problems.list().visualRect(last).isValid());
+    QTRY_VERIFY(problems.list().visualRect(last).isValid());
+  }
 };
 
 }  // namespace geargraph
