@@ -73,6 +73,10 @@ std::variant<Mechanism, int> loadEngaged(const Command& command, const Arguments
   return std::get<Mechanism>(std::move(engaged));
 }
 
+std::string titleOf(const Mechanism& mechanism) {
+  return mechanism.name.empty() ? translated("Mechanism") : mechanism.name;
+}
+
 std::string engagementText(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const CouplingId id : mechanism.engaged) names.push_back(id.text());

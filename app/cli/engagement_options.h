@@ -25,6 +25,9 @@ inline constexpr Option kEngageOption{
     toTranslate("with these couplings engaged, \"none\" for no coupling, instead of "
                 "those that the document engages")};
 
+/// The name of the document, "Mechanism" if it has none.
+[[nodiscard]] std::string titleOf(const Mechanism& mechanism);
+
 /// The engaged couplings for use in a sentence: "A, B (state 3)"; empty: none.
 [[nodiscard]] std::string engagementText(const Mechanism& mechanism);
 

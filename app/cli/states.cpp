@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -97,8 +98,7 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
 }
 
 std::string asText(const AnalysisSnapshot& snapshot) {
-  const std::string name =
-      snapshot.mechanism->name.empty() ? translated("Mechanism") : snapshot.mechanism->name;
+  const std::string name = titleOf(*snapshot.mechanism);
   const std::size_t count = snapshot.mechanism->states.size();
   if (count == 0) return translated("%1: no states", {name}) + '\n';
   std::string text = (count == 1 ? translated("%1: 1 state", {name})

@@ -131,7 +131,9 @@ int run(const Arguments& arguments) {
                                 0, arguments.stop);
   if (!solved.snapshot) return outOfTime(arguments, translated("the analysis"));
   if (const int status = solveAll(solved, arguments); status != kFine) return status;
-  bool isWrong = false;
+  const bool hasNoStates = solved.states.empty();  // with --all-states
+  bool isWrong = hasNoStates && hasErrors(solved.snapshot->diagnostics);
+  if (hasNoStates) std::cerr << diagnosticLines(file, solved.snapshot->diagnostics);
   for (std::size_t i = 0; i < solved.states.size(); ++i) {
     const Diagnostics findings = allFindings(solved, i);
     isWrong = isWrong || hasErrors(findings);
@@ -140,6 +142,7 @@ int run(const Arguments& arguments) {
   const int status = isWrong ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(solved, arguments.has("--all-states")), status);
   std::string text;
+  if (hasNoStates) text = translated("%1: no states", {titleOf(*solved.snapshot->mechanism)}) + '\n';
   for (std::size_t i = 0; i < solved.reports.size(); ++i) {
     if (!solved.reports[i]) continue;
     text += (text.empty() ? "" : "\n") + staticsText(*solved.snapshot, *solved.reports[i], solved.states[i]);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/cli/engagement_options.h"
 #include "app/cli/text_table.h"
 #include "core/foundations/base/words.h"
 
@@ -134,7 +135,7 @@ class StaticsText {
 
 std::string staticsText(const AnalysisSnapshot& snapshot, const StaticsReport& report, int state) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  std::string heading = mechanism.name.empty() ? translated("Mechanism") : mechanism.name;
+  std::string heading = titleOf(mechanism);
   if (state >= 0)
     heading = translated("%1, state %2", {heading, mechanism.states[static_cast<std::size_t>(state)].name});
   heading += '\n';

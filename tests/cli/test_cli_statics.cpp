@@ -102,6 +102,17 @@ class TestCliStatics : public QObject {
                              "joint 11 or 13.") != std::string::npos);
   }
 
+  void everyStateOfATrainWithoutAny_isSaid() {
+    Mechanism robot = test::example("robot");
+    const Run call = run({"statics", saved(robot), "--all-states"});
+    QCOMPARE(call.status, 0);
+    QCOMPARE(call.output, std::string("Geared robotic mechanism: no states\n"));
+    for (Axis& axis : robot.axes) axis.point = robot.axes.front().point;
+    const Run wrong = run({"statics", saved(robot), "--all-states"});
+    QCOMPARE(wrong.status, 1);
+    QVERIFY(wrong.errors.find("error: ") != std::string::npos);
+  }
+
   void everyStateOfAGearbox() {
     const QString file = saved(test::eightSpeed());
     const Run call = run({"statics", file, "--all-states", "--eta", "0.98", "--json"});
