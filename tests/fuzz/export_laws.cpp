@@ -1,6 +1,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <iostream>
@@ -15,11 +16,22 @@ namespace {
 
 enum class Output { json, text, bytes };
 
+/// Among the words of a case: the document, and a paper for `check`.
+constexpr std::string_view kDocument = "DOCUMENT", kPaper = "PAPER";
+
 struct Case {
   const cli::Command* command;
   Output output;
-  std::vector<std::string> words;
+  std::vector<std::string> words;  ///< kDocument is the first where it is not among them
 };
+
+/// Papers of all forms: equations right and wrong, and tables of the size of a matrix of small trains.
+constexpr std::array<std::string_view, 6> kPapers = {"w21 = -N5/N2 w51\nw10 = 2 w20\n",
+                                                     "w30 = w10\n",
+                                                     "1 0\n0 1\n",
+                                                     "1,0,0\n0,1,0\n0,0,1\n1,1,1\n",
+                                                     "C,1,2,3,4,5\nC4,1,0,-1,1,0\nC5,0,1,-1,0,1\n",
+                                                     "S,3\n1,1/2\n2,-2\n"};
 
 const std::vector<Case>& cases() {
   const auto exported = [](Output output, std::vector<std::string> words) {
@@ -54,6 +66,22 @@ const std::vector<Case>& cases() {
       exported(Output::bytes, {"ply", "--tolerance", "0.2"}),
       exported(Output::bytes, {"glb", "--tolerance", "0.2"}),
       exported(Output::bytes, {"3mf", "--tolerance", "0.2"}),
+      {&cli::kStatics, Output::json, {"--json"}},
+      {&cli::kStatics, Output::text, {"--efficiency", "--share", "stiffness"}},
+      {&cli::kStatics, Output::text, {"--all-states"}},
+      {&cli::kDynamics, Output::json, {"--json"}},
+      exported(Output::text, {"csv", "--matrix", "tt-circuit"}),
+      exported(Output::bytes, {"handout"}),  // whose scripts hold any word
+      exported(Output::bytes, {"handout", "--exercises"}),
+      exported(Output::text, {"modelica"}),
+      exported(Output::json, {"node-link", "--view", "ttgraph"}),
+      {&cli::kConvert, Output::text, {"--to", "csv"}},
+      {&cli::kConvert, Output::text, {"--to", "graphml"}},
+      {&cli::kSummary, Output::text, {}},
+      {&cli::kExercises, Output::text, {"kinds", std::string(kDocument)}},
+      {&cli::kCheck, Output::json, {std::string(kDocument), std::string(kPaper), "--json"}},
+      {&cli::kCheck, Output::text, {std::string(kDocument), std::string(kPaper)}},
+      {&cli::kCheck, Output::text, {std::string(kDocument), std::string(kPaper), "--matrix", "solution"}},
   };
   return kCases;
 }
@@ -110,6 +138,15 @@ bool hasNonFiniteNumber(std::string_view text) {
   return false;
 }
 
+std::vector<std::string> wordsOf(const Case& chosen, const std::string& document, const std::string& paper) {
+  std::vector<std::string> words = chosen.words;
+  if (std::find(words.begin(), words.end(), kDocument) == words.end())
+    words.insert(words.begin(), std::string(kDocument));
+  std::replace(words.begin(), words.end(), std::string(kDocument), document);
+  std::replace(words.begin(), words.end(), std::string(kPaper), paper);
+  return words;
+}
+
 }  // namespace
 
 void checkExports(const std::string& input) {
@@ -119,17 +156,17 @@ void checkExports(const std::string& input) {
   if (!read || isLarge(*read)) return;
   const Case& chosen = cases()[static_cast<unsigned char>(input.front()) % cases().size()];
 
-  static const MemoryFile file, output;
+  static const MemoryFile file, paper, output;
   static const bool isQuiet = [] {
     output.standFor(STDOUT_FILENO);
     std::cerr.rdbuf(nullptr);
     return true;
   }();
   file.put(document);
+  paper.put(kPapers[document.size() % kPapers.size()]);
   output.clear();
-  std::vector<std::string> words = {file.path()};
-  words.insert(words.end(), chosen.words.begin(), chosen.words.end());
-  const auto arguments = cli::parseArguments(words, chosen.command->options);
+  const auto arguments =
+      cli::parseArguments(wordsOf(chosen, file.path(), paper.path()), chosen.command->options);
   if (!isQuiet || std::holds_alternative<cli::UsageError>(arguments)) lawFailed("A wrong case", input);
   const int status = chosen.command->run(std::get<cli::Arguments>(arguments));
   const std::string bytes = output.contents();
