@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/dynamics_output.h"
@@ -155,11 +156,10 @@ int run(const Arguments& arguments) {
   auto mechanism = withMassOptions(std::get<Mechanism>(std::move(driven)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kDynamics, error->message);
   DynamicsResult result;
-  result.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))),
-                                0, arguments.stop);
-  if (!result.snapshot) return outOfTime(arguments, translated("the analysis"));
+  auto analyzed = analyzeAndReport(std::get<Mechanism>(std::move(mechanism)), arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  result.snapshot = std::get<SnapshotPtr>(std::move(analyzed));
   const AnalysisSnapshot& snapshot = *result.snapshot;
-  std::cerr << diagnosticLines(file, snapshot.diagnostics);
   const MatroidAnalysis* const matroid = snapshot.matroid();
   if (hasErrors(snapshot.diagnostics) || matroid == nullptr || !matroid->solution) {
     return arguments.has("--json") ? print(asJson(nullptr, snapshot.diagnostics), kMechanismErrors)

@@ -6,9 +6,8 @@
 #include <iostream>
 #include <memory>
 
+#include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
-#include "app/cli/diagnostics_output.h"
-#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -129,13 +128,9 @@ int exportCsv(const Arguments& arguments) {
   const auto options = csvOptions(arguments);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
 
-  const std::string& file = arguments.files.front();
-  auto document = loadEngaged(kExport, arguments);
-  if (const int* status = std::get_if<int>(&document)) return *status;
-  SnapshotPtr snapshot = analyzeLive(
-      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
-  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  auto analyzed = analyzeEngaged(kExport, arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  auto snapshot = std::get<SnapshotPtr>(std::move(analyzed));
   const int status = hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--all") || arguments.value("--matrix") == "solution") {
     snapshot = analyzeFully(snapshot, SolveOptions{false}, arguments.stop);

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -92,13 +92,9 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   auto options = drawingOptions(arguments, form);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
   auto& picture = std::get<DrawingPicture>(options);
-  const std::string& file = arguments.files.front();
-  auto document = loadEngaged(kExport, arguments);
-  if (const int* status = std::get_if<int>(&document)) return *status;
-  const SnapshotPtr snapshot = analyzeLive(
-      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
-  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  const auto analyzed = analyzeEngaged(kExport, arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  const auto& snapshot = std::get<SnapshotPtr>(analyzed);
   picture.title = snapshot->mechanism->name;
   if (arguments.has("--power") && !drawing->showsPower)
     return wrongUsage(kExport, translated("--power is drawn in the digraph and in the schematic."));

@@ -2,11 +2,8 @@
 
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/diagnostics_output.h"
-#include "app/cli/engagement_options.h"
+#include "app/cli/analyze_document.h"
 #include "app/cli/export_forms.h"
-#include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
@@ -15,12 +12,9 @@ int exportGraph(const Arguments& arguments, GraphForm form) {
   const std::string view = arguments.value("--view").value_or("digraph");
   if (view != "digraph" && view != "ttgraph")
     return wrongUsage(kExport, translated("A graph is the digraph or the ttgraph, not \"%1\".", {view}));
-  auto document = loadEngaged(kExport, arguments);
-  if (const int* status = std::get_if<int>(&document)) return *status;
-  const SnapshotPtr snapshot = analyzeLive(
-      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
-  std::cerr << diagnosticLines(arguments.files.front(), snapshot->diagnostics);
+  const auto analyzed = analyzeEngaged(kExport, arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  const auto& snapshot = std::get<SnapshotPtr>(analyzed);
   const auto text = view == "digraph" ? std::optional(digraphFile(*snapshot->mechanism, form))
                                       : ttGraphFile(*snapshot, form);
   if (!text) {

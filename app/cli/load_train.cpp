@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
@@ -30,10 +31,9 @@ std::variant<ExportTrain, int> loadTrain(const Arguments& arguments, const Adapt
               << '\n';
     return static_cast<int>(kResourceLimit);
   }
-  const SnapshotPtr snapshot = analyzeLive(
-      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
-  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  const auto analyzed = analyzeAndReport(std::get<Mechanism>(std::move(document)), arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  const auto& snapshot = std::get<SnapshotPtr>(analyzed);
   auto made = exportTrain(snapshot, arguments.stop);
   if (const auto* why = std::get_if<ExportFailure>(&made)) return exportFailure(arguments, *why);
   auto& loaded = std::get<ExportTrain>(made);

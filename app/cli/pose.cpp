@@ -10,6 +10,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
@@ -161,10 +162,9 @@ int run(const Arguments& arguments) {
   if (const int* status = std::get_if<int>(&document)) return *status;
   auto mechanism = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
-  const SnapshotPtr snapshot = analyzeLive(
-      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
-  if (!snapshot) return outOfTime(arguments, translated("the analysis"));
-  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  const auto analyzed = analyzeAndReport(std::get<Mechanism>(std::move(mechanism)), arguments);
+  if (const int* status = std::get_if<int>(&analyzed)) return *status;
+  const auto& snapshot = std::get<SnapshotPtr>(analyzed);
   if (hasErrors(snapshot->diagnostics) || snapshot->matroid() == nullptr) return kMechanismErrors;
 
   InputAngles inputs = restingInputs(*snapshot);
