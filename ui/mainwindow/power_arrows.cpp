@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QPainter>
 
-#include "core/presentation/power_drawing/power_picture.h"
 #include "core/presentation/train_stage/power_overlay.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/mainwindow/power_view.h"
@@ -49,16 +48,11 @@ PowerArrows::~PowerArrows() = default;
 
 void PowerArrows::find(const Request& request, const Arrows::Responder& respond) {
   const Forces& forces = *request.forces;
-  const Mechanism& mechanism = *forces.solved->mechanism;
-  int observer = 0;
-  for (std::size_t link = 0; link < mechanism.links.size(); ++link)
-    if (mechanism.links[link].id == request.observer) observer = static_cast<int>(link);
-  const auto& kinematics = *forces.solved->kinematics;
-  PowerPicture picture =
-      powerPicture(mechanism, *kinematics.model, kinematics.placement(), *forces.report, observer);
+  PowerPicture picture = PowerView::pictureOf(forces, request.observer);
   if (respond.stop().stop_requested()) return;
-  respond(std::make_shared<const StagePower>(
-      stagePower(std::move(picture), mechanism, kinematics.placement(), *request.stage)));
+  respond(
+      std::make_shared<const StagePower>(stagePower(std::move(picture), *forces.solved->mechanism,
+                                                    forces.solved->kinematics->placement(), *request.stage)));
 }
 
 void PowerArrows::renew() {

@@ -3,7 +3,6 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "core/presentation/power_drawing/power_picture.h"
 #include "core/presentation/power_drawing/torque_marks.h"
 
 namespace geargraph::inline mainwindow {
@@ -50,16 +49,19 @@ bool PowerView::isSettled() const {
                      [](const Drawing& each) { return each.bands->isComplete(); });
 }
 
+PowerPicture PowerView::pictureOf(const Forces& forces, LinkId observer) {
+  const Mechanism& mechanism = *forces.solved->mechanism;
+  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                  [&](const Link& link) { return link.id == observer; });
+  const auto node = found == mechanism.links.end() ? 0 : static_cast<int>(found - mechanism.links.begin());
+  const auto& kinematics = *forces.solved->kinematics;
+  return powerPicture(mechanism, *kinematics.model, kinematics.placement(), *forces.report, node);
+}
+
 void PowerView::draw(const Request& request, const Bands::Responder& respond) {
   const Forces& forces = *request.forces;
   const Mechanism& mechanism = *forces.solved->mechanism;
-  int observer = 0;
-  for (std::size_t link = 0; link < mechanism.links.size(); ++link)
-    if (mechanism.links[link].id == request.observer) observer = static_cast<int>(link);
-  const auto& kinematics = *forces.solved->kinematics;
-  PowerPicture picture;
-  if (request.showsPower)
-    picture = powerPicture(mechanism, *kinematics.model, kinematics.placement(), *forces.report, observer);
+  const PowerPicture picture = request.showsPower ? pictureOf(forces, request.observer) : PowerPicture();
   if (respond.stop().stop_requested()) return;
   const std::vector<ShownTorque> torques = shownTorques(mechanism, *forces.report);
   auto answer = std::make_shared<Answer>();

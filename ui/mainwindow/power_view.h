@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/presentation/power_drawing/power_picture.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/service/service.h"
 #include "ui/workbench/workbench.h"
@@ -32,6 +33,9 @@ class PowerView : public QObject {
   /// Why there is no power to show, as a sentence; empty if there is some.
   [[nodiscard]] QString whyNone() const;
   [[nodiscard]] bool isSettled() const;
+
+  /// The power flow as this observer sees it. Takes long for large trains; safe on any thread.
+  [[nodiscard]] static PowerPicture pictureOf(const Forces& forces, LinkId observer);
 
  signals:
   void shown();  ///< the marks under a drawing have changed
