@@ -208,10 +208,7 @@ void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
   const AxisLayout& from = axis(first.from);
   const Eye hub = footOf(m_plan, first);
   std::vector<Eye> ends;
-  for (const ArmPlan* plan : arms) {
-    const Eye end = endOf(m_plan, *plan);
-    if (end.centre.norm() > std::abs(hub.radius - end.radius) + 1e-6 * from.module) ends.push_back(end);
-  }
+  for (const ArmPlan* plan : arms) ends.push_back(endOf(m_plan, *plan));
   const double half = 0.5 * from.width();
   add(first.link, SpiderPart{hub, std::move(ends), -half, half}, from,
       frame(first.from, first.level, Vector3d::UnitX()));

@@ -354,17 +354,25 @@ Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) 
   return solid;
 }
 
-Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to, double tolerance) {
+Solid spider(const Eye& hub, std::span<const Eye> allEnds, double from, double to, double tolerance) {
+  constexpr double kPart = 0.985;  // of the hub of the piece before: no two have a vertex in common
+  const double least = std::pow(kPart, static_cast<double>(allEnds.size()));
+  std::vector<Eye> ends;
+  for (const Eye& end : allEnds) {
+    const double distance = (end.centre - hub.centre).norm();
+    const double most = std::max(hub.radius - end.radius, end.radius - least * hub.radius);
+    if (distance > (1 + 1e-6) * most) ends.push_back(end);
+  }
   if (ends.empty()) return tube(hub.radius, hub.hole, from, to, tolerance);
   if (ends.size() == 1) return arm(hub, ends.front(), from, to, tolerance);
   std::vector<Bar> bars = barsOf(hub, ends);
   if (!bars.empty()) return SpiderMaker(hub, std::move(bars), from, to, tolerance).make();
   Solid pieces;
-  double part = 1;  // no two of them have a vertex in common
+  double part = 1;
   for (const Eye& end : ends) {
     append(pieces,
            arm({hub.centre, part * hub.radius, part * hub.hole}, end, part * from, part * to, tolerance));
-    part *= 0.985;
+    part *= kPart;
   }
   return pieces;
 }

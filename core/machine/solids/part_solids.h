@@ -36,7 +36,8 @@ struct Eye {
 [[nodiscard]] Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance);
 
 /// Flat arms from a hub to bosses, in one piece: a single one as arm(), several as bars from a round hub, as
-/// wide as there is room. Arms too close to each other for that become separate, overlapping shells.
+/// wide as there is room. Arms too close to each other for that become separate, overlapping shells. Bosses
+/// that lie in the hub, or around it, have no arm and are left out.
 [[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
                            double tolerance);
 

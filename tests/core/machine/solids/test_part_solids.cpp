@@ -112,6 +112,21 @@ class TestPartSolids : public QObject {
     QCOMPARE(topology.pieces, 3);
   }
 
+  /// Bosses in the hub, around it, and touching it from within.
+  void bossesWithoutRoomForAnArmAreLeftOut() {
+    const Eye hub{{0, 0}, 4, 2};
+    const std::vector<Eye> without{
+        {{0, 0}, 1, 0}, {{2, 0}, 2, 1}, {{0, 1}, 5, 1}, {{0, 0}, 4, 2}, {{1, 0}, 4.95, 0}};
+    const Solid disc = tube(4, 2, 0, 3, 0.01);
+    QCOMPARE(spider(hub, without, 0, 3, 0.01), disc);
+    for (const Eye& one : without) QCOMPARE(spider(hub, std::vector{one}, 0, 3, 0.01), disc);
+    std::vector<Eye> all = without;
+    all.push_back({{19, 0}, 2, 1});
+    QCOMPARE(spider(hub, all, 0, 3, 0.01), arm(hub, all.back(), 0, 3, 0.01));
+    all.push_back({{18, 3}, 2, 1});  // too close to the other for a bar
+    QCOMPARE(test::topologyOf(spider(hub, all, 0, 3, 0.01)).pieces, 2);
+  }
+
   void framesAreRightHandedWithZAlongTheAxis() {
     for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, -1),
                                         Eigen::Vector3d(1, 2, 3).normalized().eval()}) {
