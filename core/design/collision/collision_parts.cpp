@@ -30,7 +30,7 @@ Solid sweptWheel(const GearSpec& spec) {
   if (spec.kind == GearKind::bevel) {
     outline = bevelOutline(spec);
   } else {
-    outline = bodyMeridian(spec);
+    outline = bodyProfile(spec);
     const double tip = nominalTipRadius(spec);
     outline.push_back({tip, outline.back().height});
     outline.push_back({tip, outline.front().height});

@@ -27,7 +27,7 @@ namespace geargraph::inline arrangement {
 /// Optimised, in this order: nothing blocked; bearings that the frame can reach; short arms; bearings where
 /// the document has them. Heuristic: links are placed greedily from the ground outwards, several times with
 /// the results of the previous tries (PlanTries), and the best try is kept: a train may be blocked although a
-/// valid arrangement exists. Axes with several rings are routed in their half plane (meridian_router.h).
+/// valid arrangement exists. Axes with several rings are routed in their half plane (profile_router.h).
 struct Arrangement {
   std::vector<AxisLayout> axes;
   std::vector<ArmPlan> arms;

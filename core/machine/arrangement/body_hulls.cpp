@@ -53,7 +53,7 @@ class HullMaker {
       add(radius, span.high);
     } else if (spec.kind == GearKind::bevel && (spec.coneAngle < kFlattest || m_options.isWhole)) {
       // The small ends of the teeth stand out from a hollow that a hull would fill.
-      const std::vector<ProfileVertex> body = bodyMeridian(spec);
+      const std::vector<ProfileVertex> body = bodyProfile(spec);
       const std::vector<ProfileVertex> all = bevelOutline(spec);
       const ProfileVertex small = all[all.size() - 2], large = all.back();
       for (const ProfileVertex& c : body) add(c.radius, c.height);
@@ -118,9 +118,9 @@ class HullMaker {
     for (const CagePlan& cage : m_plan.cages)
       addRound(HullKind::gear, cage.link, cage.axisClass, cage.low, cage.high, cage.outer);
     for (const LathePlan& lathe : m_plan.lathes) {
-      for (const auto& meridian : lathe.meridians) {
+      for (const auto& profile : lathe.profiles) {
         double low = 1e300, high = -1e300, radius = 0;
-        for (const ProfileVertex& vertex : meridian) {
+        for (const ProfileVertex& vertex : profile) {
           low = std::min(low, vertex.height);
           high = std::max(high, vertex.height);
           radius = std::max(radius, vertex.radius);

@@ -91,7 +91,7 @@ struct CagePlan {
 struct LathePlan {
   int axisClass = 0;
   int link = 0;
-  std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
+  std::vector<std::vector<ProfileVertex>> profiles;  ///< heights are coordinates along the axis
 };
 
 /// A disc (radial) or the wall of a drum (axial) by its middle line in the half plane through its axis. Walls

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/machine/arrangement/coaxial_sections.h"
-#include "core/machine/arrangement/meridian_outline.h"
+#include "core/machine/arrangement/profile_outline.h"
 #include "core/machine/solids/gear_body.h"
 
 namespace geargraph::inline arrangement {
@@ -18,7 +18,7 @@ std::size_t at(int i) {
 class CoaxialMaker {
  public:
   CoaxialMaker(int axisClass, std::span<const AxisLayout> axes, const Placement& placement,
-               const GearTrain& train, const CoaxialSections& sections, std::vector<MeridianRoute> routes)
+               const GearTrain& train, const CoaxialSections& sections, std::vector<ProfileRoute> routes)
       : m_class(axisClass),
         m_axes(axes),
         m_placement(placement),
@@ -61,7 +61,7 @@ class CoaxialMaker {
   void setWidth();
   void markBodies(int net);
   void carryPlanets(int net);
-  [[nodiscard]] bool isSpider(int net, const MeridianLanding& landing) const;
+  [[nodiscard]] bool isSpider(int net, const RouteTerminal& terminal) const;
   void addWalls(int net);
   void openDrums(int net);
   void addLathes(int net);
@@ -106,8 +106,8 @@ class CoaxialMaker {
   const Placement& m_placement;
   const GearTrain& m_train;
   const CoaxialSections& m_sections;
-  const MeridianGrid& m_grid;
-  std::vector<MeridianRoute> m_routes;
+  const ProfileGrid& m_grid;
+  std::vector<ProfileRoute> m_routes;
   std::vector<int> m_owner;       ///< net by cell
   std::vector<bool> m_isBody;     ///< of the net at hand: cells that become bodies of revolution
   double m_margin;                ///< between cells and what fills them, along the axis
@@ -211,10 +211,10 @@ void CoaxialMaker::joinSleeves() {
 void CoaxialMaker::setWidth() {
   double width = m_axes[at(m_class)].width();
   for (std::size_t n = 0; n < m_routes.size(); ++n) {
-    for (std::size_t g = 0; g < m_routes[n].landing.size(); ++g) {
+    for (std::size_t g = 0; g < m_routes[n].terminal.size(); ++g) {
       if (m_sections.planetsOf[n][g].empty()) continue;
-      const auto& landing = m_sections.nets[n].groups[g][at(m_routes[n].landing[g])];
-      const CoaxialColumn& c = column(m_grid.columnOf(landing.cells.front()));
+      const auto& terminal = m_sections.nets[n].groups[g][at(m_routes[n].terminal[g])];
+      const CoaxialColumn& c = column(m_grid.columnOf(terminal.cells.front()));
       width = std::min(width, c.high - c.low - 1.5 * m_margin);
     }
   }
@@ -228,10 +228,10 @@ void CoaxialMaker::markBodies(int net) {
   }
 }
 
-/// Do only arms lead from the landing straight to the link's sleeve?
-bool CoaxialMaker::isSpider(int net, const MeridianLanding& landing) const {
-  const int c = m_grid.columnOf(landing.cells.front());
-  const int top = m_grid.rowOf(landing.cells.back());
+/// Do only arms lead from the terminal straight to the link's sleeve?
+bool CoaxialMaker::isSpider(int net, const RouteTerminal& terminal) const {
+  const int c = m_grid.columnOf(terminal.cells.front());
+  const int top = m_grid.rowOf(terminal.cells.back());
   const Sleeve* sleeve = sleeveIn(net, c);
   if (sleeve == nullptr) return false;
   for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
@@ -243,13 +243,13 @@ bool CoaxialMaker::isSpider(int net, const MeridianLanding& landing) const {
 }
 
 void CoaxialMaker::carryPlanets(int net) {
-  for (std::size_t g = 0; g < m_routes[at(net)].landing.size(); ++g) {
+  for (std::size_t g = 0; g < m_routes[at(net)].terminal.size(); ++g) {
     const auto& carried = m_sections.planetsOf[at(net)][g];
     if (carried.empty()) continue;
-    const MeridianLanding& landing = m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].landing[g])];
-    const int c = m_grid.columnOf(landing.cells.front());
+    const RouteTerminal& terminal = m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].terminal[g])];
+    const int c = m_grid.columnOf(terminal.cells.front());
     const double level = middleOf(c);
-    const bool spider = isSpider(net, landing);
+    const bool spider = isSpider(net, terminal);
     for (const std::size_t i : carried) {
       const CoaxialPlanets& planets = m_sections.planets[i];
       const AxisLayout& there = m_axes[at(planets.axisClass)];
@@ -326,10 +326,10 @@ void CoaxialMaker::addWalls(int net) {
       if (wall.isOnShaft) include(m_sections.innerRadius);
       for (; isWall(net, c, r); ++r) {
         if (isWheel(m_grid.cell(c, r)) || level(c, r) || level(c - 1, r)) include(m_sections.rowMiddle(r));
-        for (std::size_t g = 0; g < m_routes[at(net)].landing.size(); ++g) {
-          const MeridianLanding& landing =
-              m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].landing[g])];
-          if (m_grid.columnOf(landing.cells.front()) != c) continue;
+        for (std::size_t g = 0; g < m_routes[at(net)].terminal.size(); ++g) {
+          const RouteTerminal& terminal =
+              m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].terminal[g])];
+          if (m_grid.columnOf(terminal.cells.front()) != c) continue;
           for (const std::size_t p : m_sections.planetsOf[at(net)][g]) {
             const double distance = m_sections.planets[p].distance;
             if (m_sections.rowLow(r) <= distance && distance < m_sections.rowLow(r + 1)) include(distance);
@@ -404,20 +404,20 @@ void CoaxialMaker::addLathes(int net) {
     if (low == high) continue;
     const double from = wallMiddle(*low), to = m_plan.shafts[high->shaft].outer - 0.05 * module;
     const double bottom = column(c).low + m_margin, top = column(c).high - m_margin;
-    plan.meridians.push_back({{to, top}, {from, top}, {from, bottom}, {to, bottom}});
+    plan.profiles.push_back({{to, top}, {from, top}, {from, bottom}, {to, bottom}});
   }
-  if (!plan.meridians.empty()) m_plan.lathes.push_back(std::move(plan));
+  if (!plan.profiles.empty()) m_plan.lathes.push_back(std::move(plan));
 }
 
 /// The bearing of the net's link on this axis: at the end where it comes out.
 void CoaxialMaker::placeBearing(int net) {
   if (link(net) == 0) return;
   const JointTree& tree = *m_placement.tree;
-  const MeridianRoute& route = m_routes[at(net)];
+  const ProfileRoute& route = m_routes[at(net)];
   CoaxialBearing bearing{tree.joint[at(link(net))], 0, BearingForm::hidden};
   if (route.support >= 0) {
-    const MeridianLanding& landing = m_sections.nets[at(net)].supports[at(route.support)];
-    const int c = m_grid.columnOf(landing.cells.front());
+    const RouteTerminal& terminal = m_sections.nets[at(net)].supports[at(route.support)];
+    const int c = m_grid.columnOf(terminal.cells.front());
     bearing.at = middleOf(c);
     if (column(c).end != 0) bearing.form = BearingForm::eye;
   }
@@ -478,7 +478,7 @@ std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout
                                        const std::stop_token& stop) {
   for (const bool runOn : {false, true}) {
     const CoaxialSections sections = coaxialSections(axisClass, axes, placement, train, runOn);
-    auto routes = routeMeridian(sections.grid, sections.nets, kMostRouteRounds, stop);
+    auto routes = routeProfiles(sections.grid, sections.nets, kMostRouteRounds, stop);
     if (routes) return CoaxialMaker(axisClass, axes, placement, train, sections, std::move(*routes)).make();
   }
   return std::nullopt;

@@ -38,7 +38,7 @@ struct CoaxialPlan {
 [[nodiscard]] bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train);
 
 /// The plan; std::nullopt if no routing is found, or `stop` was requested meanwhile. Cost: some milliseconds;
-/// see meridian_router.h.
+/// see profile_router.h.
 [[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
                                                      const Placement& placement, const GearTrain& train,
                                                      const std::stop_token& stop = {});

@@ -76,7 +76,7 @@ class SectionMaker {
   void addCarried();
   void addHousing(int net);
   void addSupports(int net, bool onGround);
-  [[nodiscard]] std::vector<MeridianLanding> pinLandings(const CoaxialPlanets& planets) const;
+  [[nodiscard]] std::vector<RouteTerminal> pinTerminals(const CoaxialPlanets& planets) const;
   int netOf(int link);
 
   [[nodiscard]] const GearSpec& spec(const Wheel& w) const { return m_train.gears[w.gear].spec; }
@@ -110,7 +110,7 @@ class SectionMaker {
   }
   void block(const Stretch& s, double from, double to) {
     forCells(s, from, to,
-             [&](int c, int r) { m_made.grid.owner[at(m_made.grid.cell(c, r))] = MeridianGrid::kBlocked; });
+             [&](int c, int r) { m_made.grid.owner[at(m_made.grid.cell(c, r))] = ProfileGrid::kBlocked; });
   }
 
   int m_class;
@@ -208,7 +208,7 @@ void SectionMaker::addSlots(double low, double high) {
 }
 
 void SectionMaker::cutRows() {
-  MeridianGrid& grid = m_made.grid;
+  ProfileGrid& grid = m_made.grid;
   const int links = static_cast<int>(m_axis.bearings.size());
   m_made.innerRows = std::min(links, kMostSleeves);
   double room = (1.8 + 1.0 * (m_made.innerRows - 1)) * m_made.module;
@@ -229,7 +229,7 @@ void SectionMaker::cutRows() {
   const int middle = static_cast<int>(std::ceil((most - m_made.innerRadius) / m_made.cell)) + 1;
   grid.columns = static_cast<int>(m_made.columns.size());
   grid.rows = m_made.innerRows + middle + std::min(links, 6);
-  grid.owner.assign(at(grid.columns * grid.rows), MeridianGrid::kFree);
+  grid.owner.assign(at(grid.columns * grid.rows), ProfileGrid::kFree);
   for (const CoaxialColumn& column : m_made.columns) {
     const double width = std::min((column.high - column.low) / m_made.module, kMostWidth);
     grid.plates.push_back(width > 0.99 * kNarrowest);
@@ -270,10 +270,10 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   block(wheel.span, ring ? nominalTipRadius(s) - play : 0, ring ? rim + play : nominalTipRadius(s) + play);
   const int net = netOf(wheel.span.link);
   m_made.netsOfGear[wheel.gear].push_back(net);
-  MeridianLanding landing;
+  RouteTerminal terminal;
   const auto own = [&](int c, int r) {
     m_made.grid.owner[at(m_made.grid.cell(c, r))] = net;
-    landing.cells.push_back(m_made.grid.cell(c, r));
+    terminal.cells.push_back(m_made.grid.cell(c, r));
   };
   if (ring) {
     const double middle = (nominalRootRadius(s) + rim) / 2 + 0.4 * m_made.module;  // clear of the spaces
@@ -281,11 +281,11 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   } else {
     forCells(wheel.span, m_made.innerRadius + 0.1 * m_made.cell, m_made.innerRadius + 0.9 * m_made.cell, own);
   }
-  m_made.nets[at(net)].groups.push_back({landing});
+  m_made.nets[at(net)].groups.push_back({terminal});
   m_made.planetsOf[at(net)].emplace_back();
   if (wheel.span.link != 0) return;
   // A wheel of the ground stands in the housing: from its rim outwards nothing else may be.
-  MeridianNet& held = m_made.nets[at(net)];
+  ProfileNet& held = m_made.nets[at(net)];
   held.needsSupport = true;
   if (!ring) {
     addSupports(net, true);
@@ -293,8 +293,8 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   }
   const auto [first, last] = columnsOf(wheel.span);
   for (int c = first; c <= last; ++c) {
-    MeridianLanding out;
-    out.cells = landing.cells;
+    RouteTerminal out;
+    out.cells = terminal.cells;
     int r = m_made.innerRows;
     while (r < m_made.grid.rows && m_made.rowLow(r) <= rim + play) ++r;
     out.keptFree = m_made.grid.above(c, r);
@@ -303,20 +303,20 @@ void SectionMaker::addWheel(const Wheel& wheel) {
 }
 
 /// Where the eyes or the disc about the planets' pins may stand: beside their wheels, or one farther.
-std::vector<MeridianLanding> SectionMaker::pinLandings(const CoaxialPlanets& p) const {
-  const MeridianGrid& grid = m_made.grid;
+std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) const {
+  const ProfileGrid& grid = m_made.grid;
   const double eye = kPinEye * m_made.module;
   int low = m_made.innerRows;
   while (low < grid.rows && m_made.rowLow(low) + m_made.cell <= p.distance - eye) ++low;
   int high = low;
   while (high < grid.rows && m_made.rowLow(high) < p.distance + eye) ++high;
-  const auto bandOf = [&](int c) { return MeridianRun{grid.cell(c, low), grid.cell(c, high)}; };
-  const auto landAt = [&](int c) {
-    MeridianLanding landing;
-    for (int cell = bandOf(c).first; cell < bandOf(c).end; ++cell) landing.cells.push_back(cell);
-    return landing;
+  const auto bandOf = [&](int c) { return ProfileRun{grid.cell(c, low), grid.cell(c, high)}; };
+  const auto terminalAt = [&](int c) {
+    RouteTerminal terminal;
+    for (int cell = bandOf(c).first; cell < bandOf(c).end; ++cell) terminal.cells.push_back(cell);
+    return terminal;
   };
-  std::vector<MeridianLanding> landings;
+  std::vector<RouteTerminal> terminals;
   for (const Stretch& s : p.wheels) {
     const auto [first, last] = columnsOf(s);
     for (const int side : {1, -1}) {
@@ -324,14 +324,14 @@ std::vector<MeridianLanding> SectionMaker::pinLandings(const CoaxialPlanets& p) 
       const int farther = beside + side;
       const auto inside = [&](int c) { return c >= 0 && c < grid.columns; };
       if (!inside(beside)) continue;
-      if (grid.plates[at(beside)]) landings.push_back(landAt(beside));
+      if (grid.plates[at(beside)]) terminals.push_back(terminalAt(beside));
       if (!inside(farther) || !grid.plates[at(farther)]) continue;
-      landings.push_back(landAt(farther));
-      landings.back().keptFree = bandOf(beside);
-      landings.back().cost = 6;
+      terminals.push_back(terminalAt(farther));
+      terminals.back().keptFree = bandOf(beside);
+      terminals.back().cost = 6;
     }
   }
-  return landings;
+  return terminals;
 }
 
 /// Planets of one carrier that stand alike are carried alike.
@@ -348,7 +348,7 @@ void SectionMaker::addCarried() {
   for (std::size_t i = 0; i < m_made.planets.size(); ++i) {
     if (done[i]) continue;
     const int net = netOf(m_made.planets[i].carrier);
-    m_made.nets[at(net)].groups.push_back(pinLandings(m_made.planets[i]));
+    m_made.nets[at(net)].groups.push_back(pinTerminals(m_made.planets[i]));
     m_made.planetsOf[at(net)].emplace_back();
     if (m_made.planets[i].carrier == 0) addHousing(net);
     for (std::size_t k = i; k < m_made.planets.size(); ++k) {
@@ -361,7 +361,7 @@ void SectionMaker::addCarried() {
 
 /// What the ground carries hangs on the housing, which is outside of everything.
 void SectionMaker::addHousing(int net) {
-  MeridianNet& held = m_made.nets[at(net)];
+  ProfileNet& held = m_made.nets[at(net)];
   held.needsSupport = true;
   for (int c = 0; c < m_made.grid.columns; ++c) {
     if (m_made.grid.plates[at(c)])
@@ -371,21 +371,21 @@ void SectionMaker::addHousing(int net) {
 
 /// Out at an end, with the room about it for the bearing; what has one wheel only may run on what is inside.
 void SectionMaker::addSupports(int net, bool onGround) {
-  const MeridianGrid& grid = m_made.grid;
-  MeridianNet& held = m_made.nets[at(net)];
+  const ProfileGrid& grid = m_made.grid;
+  ProfileNet& held = m_made.nets[at(net)];
   for (int c = 0; c < grid.columns; ++c) {
     if (!grid.plates[at(c)]) continue;
     const CoaxialColumn& column = m_made.columns[at(c)];
     for (int r = 0; r < m_made.innerRows; ++r) {
-      MeridianLanding landing;
-      landing.cells = {grid.cell(c, r)};
+      RouteTerminal terminal;
+      terminal.cells = {grid.cell(c, r)};
       if (column.end != 0 && onGround) {
-        landing.cost = 2.0 * std::abs(column.rank - (m_made.innerRows - 1 - r));
-        landing.keptFree = grid.above(c, r + 1);
-        held.supports.push_back(landing);
+        terminal.cost = 2.0 * std::abs(column.rank - (m_made.innerRows - 1 - r));
+        terminal.keptFree = grid.above(c, r + 1);
+        held.supports.push_back(terminal);
       } else if (m_runOn && held.needsSupport && column.end == 0) {
-        landing.cost = kRunsOn;
-        held.supports.push_back(landing);
+        terminal.cost = kRunsOn;
+        held.supports.push_back(terminal);
       }
     }
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/machine/arrangement/axis_layout.h"
-#include "core/machine/arrangement/meridian_router.h"
+#include "core/machine/arrangement/profile_router.h"
 #include "core/mechanism/placement/placement.h"
 
 namespace geargraph::inline arrangement {
@@ -26,11 +26,11 @@ struct CoaxialPlanets {
   std::vector<Stretch> wheels;  ///< intervals along the central axis
 };
 
-/// The half plane through an axis with the wheels in it, as a problem for routeMeridian().
+/// The half plane through an axis with the wheels in it, as a problem for routeProfiles().
 struct CoaxialSections {
-  MeridianGrid grid;
+  ProfileGrid grid;
   std::vector<CoaxialColumn> columns;
-  std::vector<MeridianNet> nets;
+  std::vector<ProfileNet> nets;
   std::vector<int> linkOf;                                       ///< by net
   std::vector<std::vector<std::vector<std::size_t>>> planetsOf;  ///< by net and group: planets it carries
   std::vector<CoaxialPlanets> planets;

@@ -155,9 +155,9 @@ void FrameMaker::findPieces() {
   }
   for (const LathePlan& lathe : m_plan.lathes) {
     if (lathe.link != 0) continue;
-    for (const auto& meridian : lathe.meridians) {
+    for (const auto& profile : lathe.profiles) {
       Piece piece{lathe.axisClass, 1e300, -1e300, 0, false};
-      for (const ProfileVertex& vertex : meridian) {
+      for (const ProfileVertex& vertex : profile) {
         piece.low = std::min(piece.low, vertex.height);
         piece.high = std::max(piece.high, vertex.height);
         piece.outer = std::max(piece.outer, vertex.radius);

@@ -27,7 +27,7 @@ struct TubePart {
 
 /// lathed()
 struct LathePart {
-  std::vector<ProfileVertex> meridian;
+  std::vector<ProfileVertex> profile;
   friend bool operator==(const LathePart&, const LathePart&) = default;
 };
 

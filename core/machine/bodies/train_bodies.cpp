@@ -238,16 +238,16 @@ void BodyBuilder::addCup(const CupPlan& cup) {
   const double rim = rimDiameter(gear.spec) / 2 - 0.05 * gear.spec.module;
   const double root = nominalRootRadius(gear.spec) + 0.4 * gear.spec.module;
   const double hole = std::max(own->inner, 0.5 * own->outer);
-  std::vector<ProfileVertex> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},
-                                      {root, nearSide}, {root, face},    {rim, face}};
-  if (cup.side < 0) std::reverse(meridian.begin(), meridian.end());
-  add(gear.link, LathePart{std::move(meridian)}, layout, line(layout));
+  std::vector<ProfileVertex> profile{{rim, farSide},   {hole, farSide}, {hole, nearSide},
+                                     {root, nearSide}, {root, face},    {rim, face}};
+  if (cup.side < 0) std::reverse(profile.begin(), profile.end());
+  add(gear.link, LathePart{std::move(profile)}, layout, line(layout));
 }
 
 void BodyBuilder::addLathe(const LathePlan& plan) {
   const AxisLayout& layout = axis(plan.axisClass);
-  for (const std::vector<ProfileVertex>& meridian : plan.meridians)
-    add(plan.link, LathePart{meridian}, layout, line(layout));
+  for (const std::vector<ProfileVertex>& profile : plan.profiles)
+    add(plan.link, LathePart{profile}, layout, line(layout));
 }
 
 void BodyBuilder::addCage(const CagePlan& plan) {

@@ -13,7 +13,7 @@ using std::numbers::pi;
 constexpr double kBevelBody = 1.2;
 
 /// The faces' planes between the teeth and the bore of a disc of one thickness.
-std::vector<ProfileVertex> discMeridian(double bore, double width) {
+std::vector<ProfileVertex> discProfile(double bore, double width) {
   return {{bore / 2, width / 2}, {bore / 2, -width / 2}};
 }
 
@@ -34,14 +34,14 @@ std::optional<Web> webOf(const GearSpec& s) {
   return Web{hub, rim, 0.2 * s.faceWidth};
 }
 
-std::vector<ProfileVertex> webbedMeridian(const GearSpec& s, const Web& web) {
+std::vector<ProfileVertex> webbedProfile(const GearSpec& s, const Web& web) {
   const double face = s.faceWidth / 2;
   const double bore = s.bore / 2;
   return {{web.rim, face}, {web.rim, web.half}, {web.hub, web.half},  {web.hub, face},      {bore, face},
           {bore, -face},   {web.hub, -face},    {web.hub, -web.half}, {web.rim, -web.half}, {web.rim, -face}};
 }
 
-/// A point of the meridian plane at cone distance R, `depth` below the pitch cone measured on back or front
+/// A point of the profile plane at cone distance R, `depth` below the pitch cone measured on back or front
 /// cone.
 ProfileVertex belowCone(double R, double depth, double delta) {
   return {R * std::sin(delta) - depth * std::cos(delta), R * std::cos(delta) + depth * std::sin(delta)};
@@ -57,7 +57,7 @@ double frontMargin(const GearSpec& s, double small) {
   return sagitta + 0.15 * s.module;
 }
 
-std::vector<ProfileVertex> bevelMeridian(const GearSpec& s) {
+std::vector<ProfileVertex> bevelProfile(const GearSpec& s) {
   const double large = coneDistance(s);
   const double small = large - s.faceWidth;
   const double root = (s.dedendum - s.profileShift) * s.module;
@@ -92,7 +92,7 @@ double largestBore(const GearSpec& spec) {
 
 AxialSpan hubSpan(const GearSpec& spec) {
   AxialSpan span{1e300, -1e300};
-  for (const ProfileVertex& c : bodyMeridian(spec)) {
+  for (const ProfileVertex& c : bodyProfile(spec)) {
     span.low = std::min(span.low, c.height);
     span.high = std::max(span.high, c.height);
   }
@@ -115,7 +115,7 @@ AxialSpan axialSpan(const GearSpec& spec) {
 }
 
 std::vector<ProfileVertex> bevelOutline(const GearSpec& spec) {
-  std::vector<ProfileVertex> outline = bodyMeridian(spec);
+  std::vector<ProfileVertex> outline = bodyProfile(spec);
   const double large = coneDistance(spec);
   const double small = large - spec.faceWidth;
   const double tip = -(spec.addendum + spec.profileShift) * spec.module;
@@ -124,17 +124,17 @@ std::vector<ProfileVertex> bevelOutline(const GearSpec& spec) {
   return outline;
 }
 
-std::vector<ProfileVertex> bodyMeridian(const GearSpec& spec) {
+std::vector<ProfileVertex> bodyProfile(const GearSpec& spec) {
   switch (spec.kind) {
     case GearKind::internal:
-      return discMeridian(rimDiameter(spec), spec.faceWidth);
+      return discProfile(rimDiameter(spec), spec.faceWidth);
     case GearKind::bevel:
-      return bevelMeridian(spec);
+      return bevelProfile(spec);
     case GearKind::external:
       break;
   }
   const std::optional<Web> web = webOf(spec);
-  return web ? webbedMeridian(spec, *web) : discMeridian(spec.bore, spec.faceWidth);
+  return web ? webbedProfile(spec, *web) : discProfile(spec.bore, spec.faceWidth);
 }
 
 std::optional<WebWindows> bodyWindows(const GearSpec& spec) {

@@ -12,7 +12,7 @@ namespace geargraph::inline solids {
 /// The profile of the body below the teeth, from the top face round to the bottom face, material on the left
 /// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. GearBody::plain: bore
 /// or rim only. GearBody::dressed: hub, recessed web and rim where there is room for them.
-[[nodiscard]] std::vector<ProfileVertex> bodyMeridian(const GearSpec& spec);
+[[nodiscard]] std::vector<ProfileVertex> bodyProfile(const GearSpec& spec);
 
 /// Body and teeth of a bevel together: a closed outline in the half plane through its axis, the teeth last.
 [[nodiscard]] std::vector<ProfileVertex> bevelOutline(const GearSpec& spec);

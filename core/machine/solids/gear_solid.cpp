@@ -82,7 +82,7 @@ Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
       blank.half = coneOutline(bevelTooth(spec, tolerance), spec);
       break;
   }
-  blank.body = bodyMeridian(spec);
+  blank.body = bodyProfile(spec);
   blank.windows = bodyWindows(spec);
   return meshed(blank);
 }

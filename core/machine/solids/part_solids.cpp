@@ -246,13 +246,13 @@ Eigen::Isometry3d frameAlong(const Vector3d& origin, const Vector3d& axis, const
   return frame;
 }
 
-Solid lathed(std::span<const ProfileVertex> meridian, double tolerance) {
-  GEARGRAPH_REQUIRE(meridian.size() >= 2);
+Solid lathed(std::span<const ProfileVertex> profile, double tolerance) {
+  GEARGRAPH_REQUIRE(profile.size() >= 2);
   Solid solid;
   ShellBuilder builder(solid);
   double largest = 0;
-  for (const ProfileVertex& c : meridian) largest = std::max(largest, c.radius);
-  std::vector<ProfileVertex> closed(meridian.begin(), meridian.end());
+  for (const ProfileVertex& c : profile) largest = std::max(largest, c.radius);
+  std::vector<ProfileVertex> closed(profile.begin(), profile.end());
   if (!(closed.front().radius == 0 && closed.back().radius == 0)) closed.push_back(closed.front());
   const int count = circleCount(largest, tolerance);
   const std::size_t most = 2 * (closed.size() - 1) * static_cast<std::size_t>(count);
@@ -265,15 +265,15 @@ Solid lathed(std::span<const ProfileVertex> meridian, double tolerance) {
 
 Solid tube(double outer, double inner, double from, double to, double tolerance) {
   const double chamfer = std::min({0.12 * (outer - inner), 0.25 * (to - from)});
-  std::vector<ProfileVertex> meridian;
+  std::vector<ProfileVertex> profile;
   if (inner > 0) {
-    meridian = {{outer - chamfer, to}, {inner, to}, {inner, from}, {outer - chamfer, from}};
+    profile = {{outer - chamfer, to}, {inner, to}, {inner, from}, {outer - chamfer, from}};
   } else {
-    meridian = {{outer - chamfer, to}, {0, to}, {0, from}, {outer - chamfer, from}};
+    profile = {{outer - chamfer, to}, {0, to}, {0, from}, {outer - chamfer, from}};
   }
-  meridian.push_back({outer, from + chamfer});
-  meridian.push_back({outer, to - chamfer});
-  return lathed(meridian, tolerance);
+  profile.push_back({outer, from + chamfer});
+  profile.push_back({outer, to - chamfer});
+  return lathed(profile, tolerance);
 }
 
 Solid tubeSector(double outer, double inner, double from, double to, double half, double tolerance) {

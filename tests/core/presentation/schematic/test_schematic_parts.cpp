@@ -186,7 +186,7 @@ class TestSchematicParts : public QObject {
     QCOMPARE(row[3].at, 3.0);
   }
 
-  void drumsJoinWhatTheMeridianRouteJoins() {
+  void drumsJoinWhatTheProfileRouterJoins() {
     Laid laid(test::example("simpson"));
     const ShaftPlan plan = shaftPlan(laid.part, laid.train, laid.layout);
     QCOMPARE(plan.shaft(0, 3, 0), nullptr);  // the first set's carrier and the second's ring: a drum

@@ -8,17 +8,17 @@
 namespace geargraph::inline arrangement {
 
 /// Cells of one column, next to each other.
-struct MeridianRun {
+struct ProfileRun {
   int first = 0;
   int end = 0;  ///< one past the last
 
   [[nodiscard]] bool contains(int cell) const { return first <= cell && cell < end; }
-  friend bool operator==(const MeridianRun&, const MeridianRun&) = default;
+  friend bool operator==(const ProfileRun&, const ProfileRun&) = default;
 };
 
 /// The half plane through an axis, divided into cells: columns along the axis, rows away from it. A part that
 /// turns about the axis always covers the same cells, so links that share no cell never collide.
-struct MeridianGrid {
+struct ProfileGrid {
   static constexpr int kFree = -1;
   static constexpr int kBlocked = -2;
 
@@ -31,34 +31,34 @@ struct MeridianGrid {
 
   [[nodiscard]] int cell(int column, int row) const { return column * rows + row; }
   /// The cells of a column from a row outwards.
-  [[nodiscard]] MeridianRun above(int column, int row) const {
+  [[nodiscard]] ProfileRun above(int column, int row) const {
     return {cell(column, row), cell(column, rows)};
   }
   [[nodiscard]] int columnOf(int cell) const { return cell / rows; }
   [[nodiscard]] int rowOf(int cell) const { return cell % rows; }
-  friend bool operator==(const MeridianGrid&, const MeridianGrid&) = default;
+  friend bool operator==(const ProfileGrid&, const ProfileGrid&) = default;
 };
 
 /// A terminal of a net: `cells` become the net's, `keptFree` is reserved and stays empty.
-struct MeridianLanding {
+struct RouteTerminal {
   std::vector<int> cells;
-  MeridianRun keptFree;
+  ProfileRun keptFree;
   double cost = 0;
-  friend bool operator==(const MeridianLanding&, const MeridianLanding&) = default;
+  friend bool operator==(const RouteTerminal&, const RouteTerminal&) = default;
 };
 
 /// What one link has to connect on the axis.
-struct MeridianNet {
-  std::vector<std::vector<MeridianLanding>> groups;  ///< one terminal of each group has to be reached
-  std::vector<MeridianLanding> supports;             ///< one of them is reached if possible
-  bool needsSupport = false;                         ///< a support has to be reached
-  friend bool operator==(const MeridianNet&, const MeridianNet&) = default;
+struct ProfileNet {
+  std::vector<std::vector<RouteTerminal>> groups;  ///< one terminal of each group has to be reached
+  std::vector<RouteTerminal> supports;             ///< one of them is reached if possible
+  bool needsSupport = false;                       ///< a support has to be reached
+  friend bool operator==(const ProfileNet&, const ProfileNet&) = default;
 };
 
 /// The route of one net.
-struct MeridianRoute {
-  std::vector<int> cells;    ///< including those of its terminals
-  std::vector<int> landing;  ///< by group: the terminal taken
+struct ProfileRoute {
+  std::vector<int> cells;     ///< including those of its terminals
+  std::vector<int> terminal;  ///< by group: the terminal taken
   int support = -1;
 };
 
@@ -72,9 +72,9 @@ constexpr std::size_t kMostRoutedCells = 4'000'000;
 /// PathFinder, FPGA 1995, where nets may overlap meanwhile). Deterministic, and similar nets get similar
 /// routes. std::nullopt after `tries` rounds, if a net has no path even by itself, if nets * cells exceeds
 /// kMostRoutedCells, or if `stop` was requested meanwhile. Cost: O(nets * cells) per round.
-[[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
-                                                                      const std::vector<MeridianNet>& nets,
-                                                                      int tries = kMostRouteRounds,
-                                                                      const std::stop_token& stop = {});
+[[nodiscard]] std::optional<std::vector<ProfileRoute>> routeProfiles(const ProfileGrid& grid,
+                                                                     const std::vector<ProfileNet>& nets,
+                                                                     int tries = kMostRouteRounds,
+                                                                     const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline arrangement

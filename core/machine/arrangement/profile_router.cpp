@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/meridian_router.h"
+#include "core/machine/arrangement/profile_router.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,16 +7,16 @@
 #include <queue>
 #include <utility>
 
-#include "core/machine/arrangement/meridian_search.h"
+#include "core/machine/arrangement/profile_search.h"
 
 namespace geargraph::inline arrangement {
 namespace {
 
-constexpr double kOfOthers = 20;  // shared by the landings of a group: what their cells cost other nets
+constexpr double kOfOthers = 20;  // shared by the terminals of a group: what their cells cost other nets
 constexpr double kWished = 10;    // the same of a cell that stood in a net's way, for every time it did
 constexpr double kTaken = 50;     // a cell that another net lies in, where a net looks for what is in its way
 
-using Places = MeridianSearch::Places;
+using Places = ProfileSearch::Places;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -28,9 +28,9 @@ class Extras {
   explicit Extras(std::size_t cells) : m_costs(cells, 0), m_sums(cells + 1, 0) {}
 
   [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
-  [[nodiscard]] double of(const MeridianLanding& landing) const {
-    double sum = m_sums[at(landing.keptFree.end)] - m_sums[at(landing.keptFree.first)];
-    for (const int c : landing.cells) sum += m_costs[at(c)];
+  [[nodiscard]] double of(const RouteTerminal& terminal) const {
+    double sum = m_sums[at(terminal.keptFree.end)] - m_sums[at(terminal.keptFree.first)];
+    for (const int c : terminal.cells) sum += m_costs[at(c)];
     return sum;
   }
   void add(int cell, double cost) { m_costs[at(cell)] += cost; }
@@ -45,12 +45,12 @@ class Extras {
 /// What nets want others to leave free: where wheels and pins can be reached, and what stood in their way.
 class Wishes {
  public:
-  Wishes(const MeridianGrid& grid, const std::vector<MeridianNet>& nets)
+  Wishes(const ProfileGrid& grid, const std::vector<ProfileNet>& nets)
       : m_grid(grid), m_extras(nets.size(), Extras(grid.owner.size())) {
     for (std::size_t net = 0; net < nets.size(); ++net) {
-      for (const auto& landings : nets[net].groups) {
-        for (const MeridianLanding& landing : landings)
-          add(net, landing.cells, kOfOthers / static_cast<double>(landings.size()));
+      for (const auto& terminals : nets[net].groups) {
+        for (const RouteTerminal& terminal : terminals)
+          add(net, terminal.cells, kOfOthers / static_cast<double>(terminals.size()));
       }
     }
     sumUp();
@@ -66,7 +66,7 @@ class Wishes {
   void add(std::size_t net, const std::vector<int>& cells, double cost) {
     for (std::size_t other = 0; other < m_extras.size(); ++other) {
       for (const int c : cells) {
-        if (other != net && m_grid.owner[at(c)] == MeridianGrid::kFree) m_extras[other].add(c, cost);
+        if (other != net && m_grid.owner[at(c)] == ProfileGrid::kFree) m_extras[other].add(c, cost);
       }
     }
   }
@@ -74,7 +74,7 @@ class Wishes {
     for (Extras& extras : m_extras) extras.sumUp();
   }
 
-  const MeridianGrid& m_grid;
+  const ProfileGrid& m_grid;
   std::vector<Extras> m_extras;  ///< by net
 };
 
@@ -82,9 +82,9 @@ class Wishes {
 class Round {
  public:
   /// `extras`: by net. What is given outlives it. Finds no more ways once `stop` is requested.
-  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, const MeridianOwners& owners,
-        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
-        const std::vector<Extras>& extras, const std::stop_token& stop)
+  Round(const ProfileGrid& grid, const std::vector<ProfileNet>& nets, const ProfileOwners& owners,
+        const std::vector<std::vector<int>>& wheels, ProfileSearch& search, const std::vector<Extras>& extras,
+        const std::stop_token& stop)
       : m_grid(grid),
         m_nets(nets),
         m_owners(owners),
@@ -108,21 +108,21 @@ class Round {
   bool layNet(int net);
   bool support(int net);
   /// Lays a net as it was laid before.
-  void lay(int net, const MeridianRoute& route);
-  [[nodiscard]] MeridianRoute& route(int net) { return m_routes[at(net)]; }
-  std::vector<MeridianRoute> take() { return std::move(m_routes); }
+  void lay(int net, const ProfileRoute& route);
+  [[nodiscard]] ProfileRoute& route(int net) { return m_routes[at(net)]; }
+  std::vector<ProfileRoute> take() { return std::move(m_routes); }
   /// Does somebody lie there, or keep it free, that did not before?
   [[nodiscard]] bool isTaken(int cell) const { return m_owners.of(cell) != m_grid.owner[at(cell)]; }
 
  private:
-  /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
-  int reach(int net, const std::vector<MeridianLanding>& landings, Places& sources);
-  void findEnds(int net, const std::vector<MeridianLanding>& landings);
-  /// Does the way that ends there keep out of the room that the landing itself needs?
-  [[nodiscard]] bool isClear(int end, const MeridianLanding& landing) const;
+  /// Joins what the net has with the nearest terminal; the terminal's position, -1: no way.
+  int reach(int net, const std::vector<RouteTerminal>& terminals, Places& sources);
+  void findEnds(int net, const std::vector<RouteTerminal>& terminals);
+  /// Does the way that ends there keep out of the room that the terminal itself needs?
+  [[nodiscard]] bool isClear(int end, const RouteTerminal& terminal) const;
   /// What it costs to end there.
-  [[nodiscard]] double price(int net, const MeridianLanding& landing) const {
-    return landing.cost + m_extras[at(net)].of(landing);
+  [[nodiscard]] double price(int net, const RouteTerminal& terminal) const {
+    return terminal.cost + m_extras[at(net)].of(terminal);
   }
   [[nodiscard]] Places laid(int net) const {
     Places sources;
@@ -134,47 +134,47 @@ class Round {
     m_owners.give(cell, net);
     m_routes[at(net)].cells.push_back(cell);
   }
-  void take(int net, const MeridianLanding& landing) {
-    for (const int c : landing.cells) claim(net, c);
-    m_owners.block(landing.keptFree);
+  void take(int net, const RouteTerminal& terminal) {
+    for (const int c : terminal.cells) claim(net, c);
+    m_owners.block(terminal.keptFree);
   }
-  [[nodiscard]] bool open(int net, const MeridianLanding& landing) const {
-    return std::all_of(landing.cells.begin(), landing.cells.end(),
+  [[nodiscard]] bool open(int net, const RouteTerminal& terminal) const {
+    return std::all_of(terminal.cells.begin(), terminal.cells.end(),
                        [&](int c) { return m_owners.isOpen(c, net); }) &&
-           m_owners.isFree(landing.keptFree);
+           m_owners.isFree(terminal.keptFree);
   }
 
-  const MeridianGrid& m_grid;
-  const std::vector<MeridianNet>& m_nets;
-  MeridianOwners m_owners;
+  const ProfileGrid& m_grid;
+  const std::vector<ProfileNet>& m_nets;
+  ProfileOwners m_owners;
   const std::vector<std::vector<int>>& m_wheels;  ///< by net: cells where its wheels lie
-  std::vector<MeridianRoute> m_routes;
-  MeridianSearch& m_search;
+  std::vector<ProfileRoute> m_routes;
+  ProfileSearch& m_search;
   const std::vector<Extras>& m_extras;
   const std::stop_token& m_stop;
   struct End {
-    int landing, next;
+    int terminal, next;
   };
   std::vector<End> m_ends;   ///< of the search at hand
   Places m_places;           ///< of these ends
   std::vector<int> m_endAt;  ///< by cell: the last end that lies there, -1
 };
 
-bool Round::isClear(int end, const MeridianLanding& landing) const {
+bool Round::isClear(int end, const RouteTerminal& terminal) const {
   for (int c = end; c >= 0; c = m_search.from(c)) {
-    if (landing.keptFree.contains(c)) return false;
+    if (terminal.keptFree.contains(c)) return false;
   }
   return true;
 }
 
-void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
+void Round::findEnds(int net, const std::vector<RouteTerminal>& terminals) {
   for (const auto& [cell, extra] : m_places) m_endAt[at(cell)] = -1;
   m_ends.clear();
   m_places.clear();
-  for (std::size_t l = 0; l < landings.size(); ++l) {
-    if (!open(net, landings[l])) continue;
-    const double extra = price(net, landings[l]);
-    for (const int c : landings[l].cells) {
+  for (std::size_t l = 0; l < terminals.size(); ++l) {
+    if (!open(net, terminals[l])) continue;
+    const double extra = price(net, terminals[l]);
+    for (const int c : terminals[l].cells) {
       const int end = static_cast<int>(m_ends.size());
       m_ends.push_back({static_cast<int>(l), std::exchange(m_endAt[at(c)], end)});
       m_places.emplace_back(c, extra);
@@ -184,9 +184,9 @@ void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
 
 // Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
 // dearer than a way, no cheaper one will come.
-int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& sources) {
+int Round::reach(int net, const std::vector<RouteTerminal>& terminals, Places& sources) {
   if (m_stop.stop_requested()) return -1;
-  findEnds(net, landings);
+  findEnds(net, terminals);
   if (m_ends.empty()) return -1;
   const bool canBeFound = m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells},
                                          m_extras[at(net)].costs(), sources, m_places);
@@ -204,11 +204,11 @@ int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& 
     }
     const int way = ways.top().second;
     ways.pop();
-    const int end = m_places[at(way)].first, l = m_ends[at(way)].landing;
-    const MeridianLanding& landing = landings[at(l)];
-    if (!isClear(end, landing)) continue;
+    const int end = m_places[at(way)].first, l = m_ends[at(way)].terminal;
+    const RouteTerminal& terminal = terminals[at(l)];
+    if (!isClear(end, terminal)) continue;
     for (int c = end; c >= 0; c = m_search.from(c)) claim(net, c);
-    take(net, landing);
+    take(net, terminal);
     sources = laid(net);
     return l;
   }
@@ -221,62 +221,62 @@ bool Round::support(int net) {
   return m_routes[at(net)].support >= 0;
 }
 
-void Round::lay(int net, const MeridianRoute& route) {
-  const MeridianNet& wanted = m_nets[at(net)];
+void Round::lay(int net, const ProfileRoute& route) {
+  const ProfileNet& wanted = m_nets[at(net)];
   for (const int c : route.cells) claim(net, c);
   for (std::size_t g = 0; g < wanted.groups.size(); ++g)
-    m_owners.block(wanted.groups[g][at(route.landing[g])].keptFree);
+    m_owners.block(wanted.groups[g][at(route.terminal[g])].keptFree);
   if (route.support >= 0) m_owners.block(wanted.supports[at(route.support)].keptFree);
 }
 
 bool Round::layNet(int net) {
-  const MeridianNet& wanted = m_nets[at(net)];
-  MeridianRoute& route = m_routes[at(net)];
-  route.landing.assign(wanted.groups.size(), -1);
+  const ProfileNet& wanted = m_nets[at(net)];
+  ProfileRoute& route = m_routes[at(net)];
+  route.terminal.assign(wanted.groups.size(), -1);
   if (wanted.groups.empty()) return true;
-  // The first landing is whichever the way to the next leads from.
+  // The first terminal is whichever the way to the next leads from.
   Places sources;
-  for (const MeridianLanding& landing : wanted.groups.front()) {
-    if (!open(net, landing)) continue;
-    const double extra = price(net, landing);
-    for (const int c : landing.cells) sources.emplace_back(c, extra);
+  for (const RouteTerminal& terminal : wanted.groups.front()) {
+    if (!open(net, terminal)) continue;
+    const double extra = price(net, terminal);
+    for (const int c : terminal.cells) sources.emplace_back(c, extra);
   }
   if (sources.empty()) return false;
   const auto start = [&] {
-    const auto& landings = wanted.groups.front();
-    const auto touched = [&](const MeridianLanding& l) {
+    const auto& terminals = wanted.groups.front();
+    const auto touched = [&](const RouteTerminal& l) {
       return std::any_of(l.cells.begin(), l.cells.end(), [&](int c) {
         return std::find(route.cells.begin(), route.cells.end(), c) != route.cells.end();
       });
     };
-    const auto found = std::find_if(landings.begin(), landings.end(), [&](const MeridianLanding& l) {
+    const auto found = std::find_if(terminals.begin(), terminals.end(), [&](const RouteTerminal& l) {
       return open(net, l) && (route.cells.empty() || touched(l));
     });
-    if (found == landings.end()) return false;
-    route.landing.front() = static_cast<int>(found - landings.begin());
+    if (found == terminals.end()) return false;
+    route.terminal.front() = static_cast<int>(found - terminals.begin());
     take(net, *found);
     sources = laid(net);
     return true;
   };
   for (std::size_t g = 1; g < wanted.groups.size(); ++g) {
-    route.landing[g] = reach(net, wanted.groups[g], sources);
-    if (route.landing[g] < 0) return false;
-    if (route.landing.front() < 0 && !start()) return false;
+    route.terminal[g] = reach(net, wanted.groups[g], sources);
+    if (route.terminal[g] < 0) return false;
+    if (route.terminal.front() < 0 && !start()) return false;
   }
   if (wanted.needsSupport) {
     route.support = reach(net, wanted.supports, sources);
     if (route.support < 0) return false;
   }
-  return route.landing.front() >= 0 || start();
+  return route.terminal.front() >= 0 || start();
 }
 
-using Routes = std::optional<std::vector<MeridianRoute>>;
+using Routes = std::optional<std::vector<ProfileRoute>>;
 
 /// Each net again, among the others as they lie: what it went round for their sake it need not any more.
-std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vector<MeridianNet>& nets,
-                                        const MeridianOwners& owners,
-                                        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
-                                        std::vector<MeridianRoute> routes, const std::stop_token& stop) {
+std::vector<ProfileRoute> straightened(const ProfileGrid& grid, const std::vector<ProfileNet>& nets,
+                                       const ProfileOwners& owners,
+                                       const std::vector<std::vector<int>>& wheels, ProfileSearch& search,
+                                       std::vector<ProfileRoute> routes, const std::stop_token& stop) {
   const int count = static_cast<int>(nets.size());
   const std::vector<Extras> none(nets.size(), Extras(grid.owner.size()));
   for (int net = 0; net < count; ++net) {
@@ -294,14 +294,14 @@ std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vec
 
 }  // namespace
 
-Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+Routes routeProfiles(const ProfileGrid& grid, const std::vector<ProfileNet>& nets, int tries,
                      const std::stop_token& stop) {
   if (nets.size() * grid.owner.size() > kMostRoutedCells) return std::nullopt;
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
-  MeridianSearch search(grid);
-  const MeridianBits bits(grid);
-  const MeridianOwners owners(grid, bits);
+  ProfileSearch search(grid);
+  const ProfileBits bits(grid);
+  const ProfileOwners owners(grid, bits);
   std::vector<std::vector<int>> wheels(nets.size());
   for (std::size_t cell = 0; cell < grid.owner.size(); ++cell) {
     if (grid.owner[cell] >= 0) wheels[at(grid.owner[cell])].push_back(static_cast<int>(cell));

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/machine/arrangement/meridian_router.h"
+#include "core/machine/arrangement/profile_router.h"
 #include "core/machine/solids/shell_builder.h"
 
 namespace geargraph::inline arrangement {
@@ -16,7 +16,7 @@ struct OutlinePlaces {
 
 /// The outlines of a set of cells, material on the left, with corners at these positions. Cells that share
 /// only a corner are not joined.
-[[nodiscard]] std::vector<std::vector<ProfileVertex>> outlinesOf(const MeridianGrid& grid,
+[[nodiscard]] std::vector<std::vector<ProfileVertex>> outlinesOf(const ProfileGrid& grid,
                                                                  const std::vector<bool>& inside,
                                                                  const OutlinePlaces& places);
 

@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/meridian_outline.h"
+#include "core/machine/arrangement/profile_outline.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Edge {
 
 }  // namespace
 
-std::vector<std::vector<ProfileVertex>> outlinesOf(const MeridianGrid& grid, const std::vector<bool>& inside,
+std::vector<std::vector<ProfileVertex>> outlinesOf(const ProfileGrid& grid, const std::vector<bool>& inside,
                                                    const OutlinePlaces& places) {
   const auto isIn = [&](int column, int row) {
     return column >= 0 && column < grid.columns && row >= 0 && row < grid.rows &&

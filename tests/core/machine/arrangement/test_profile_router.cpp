@@ -3,37 +3,37 @@
 #include <random>
 #include <thread>
 
-#include "core/machine/arrangement/meridian_outline.h"
-#include "core/machine/arrangement/meridian_router.h"
-#include "core/machine/arrangement/meridian_search.h"
+#include "core/machine/arrangement/profile_outline.h"
+#include "core/machine/arrangement/profile_router.h"
+#include "core/machine/arrangement/profile_search.h"
 
 using namespace geargraph;
 
 namespace {
 
 /// Columns by rows, all free; rows count from the axis.
-MeridianGrid freeGrid(int columns, int rows) {
-  MeridianGrid grid;
+ProfileGrid freeGrid(int columns, int rows) {
+  ProfileGrid grid;
   grid.columns = columns;
   grid.rows = rows;
-  grid.owner.assign(static_cast<std::size_t>(columns * rows), MeridianGrid::kFree);
+  grid.owner.assign(static_cast<std::size_t>(columns * rows), ProfileGrid::kFree);
   grid.plates.assign(static_cast<std::size_t>(columns), true);
   grid.width.assign(static_cast<std::size_t>(columns), 1);
   grid.rowCost.assign(static_cast<std::size_t>(rows), 1);
   return grid;
 }
 
-MeridianNet joining(std::vector<int> cells) {
-  MeridianNet net;
-  for (const int c : cells) net.groups.push_back({MeridianLanding{{c}, {}, 0}});
+ProfileNet joining(std::vector<int> cells) {
+  ProfileNet net;
+  for (const int c : cells) net.groups.push_back({RouteTerminal{{c}, {}, 0}});
   return net;
 }
 
 /// Some cells blocked, columns of three widths, some too narrow for a disc, sleeves' rows cheap.
-MeridianGrid randomGrid(std::mt19937& random) {
-  MeridianGrid grid = freeGrid(12, 9);
+ProfileGrid randomGrid(std::mt19937& random) {
+  ProfileGrid grid = freeGrid(12, 9);
   for (int& owner : grid.owner) {
-    if (random() % 4 == 0) owner = MeridianGrid::kBlocked;
+    if (random() % 4 == 0) owner = ProfileGrid::kBlocked;
   }
   for (std::size_t c = 0; c < 12; ++c) {
     grid.width[c] = std::array{0.5, 1.0, 3.0}.at(random() % 3);
@@ -46,20 +46,19 @@ MeridianGrid randomGrid(std::mt19937& random) {
 constexpr double kUnreached = 1e300;
 
 /// What a step costs; nothing: it cannot be made.
-std::optional<double> stepPrice(const MeridianGrid& grid, const std::vector<double>& extra, int from,
-                                int to) {
+std::optional<double> stepPrice(const ProfileGrid& grid, const std::vector<double>& extra, int from, int to) {
   const int c = grid.columnOf(from), r = grid.rowOf(from);
   const int along = std::abs(c - grid.columnOf(to)), across = std::abs(r - grid.rowOf(to));
   const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
-  if (grid.owner[static_cast<std::size_t>(to)] != MeridianGrid::kFree || along + across != 1) return {};
+  if (grid.owner[static_cast<std::size_t>(to)] != ProfileGrid::kFree || along + across != 1) return {};
   const double there = extra[static_cast<std::size_t>(to)];
   if (along == 1) return grid.width[column] * (1 + grid.rowCost[row]) + there;
   return grid.plates[column] ? std::optional(grid.rowCost[row] + there) : std::nullopt;
 }
 
 /// All costs by steps until nothing gets cheaper.
-std::vector<double> costsOf(const MeridianGrid& grid, const std::vector<double>& extra,
-                            const MeridianSearch::Places& sources) {
+std::vector<double> costsOf(const ProfileGrid& grid, const std::vector<double>& extra,
+                            const ProfileSearch::Places& sources) {
   std::vector<double> costs(grid.owner.size(), kUnreached);
   for (const auto& [cell, cost] : sources) {
     double& known = costs[static_cast<std::size_t>(cell)];
@@ -79,9 +78,9 @@ std::vector<double> costsOf(const MeridianGrid& grid, const std::vector<double>&
   return costs;
 }
 
-bool apart(const std::vector<MeridianRoute>& routes) {
+bool apart(const std::vector<ProfileRoute>& routes) {
   std::vector<int> all;
-  for (const MeridianRoute& route : routes) {
+  for (const ProfileRoute& route : routes) {
     std::vector<int> own = route.cells;
     std::sort(own.begin(), own.end());
     own.erase(std::unique(own.begin(), own.end()), own.end());
@@ -93,19 +92,19 @@ bool apart(const std::vector<MeridianRoute>& routes) {
 
 }  // namespace
 
-class TestMeridian : public QObject {
+class ProfileRouterTest : public QObject {
   Q_OBJECT
  private slots:
   /// The first net's shortest way would shut the second in; it gives way.
   void netsGoRoundEachOther() {
-    const MeridianGrid grid = freeGrid(5, 3);
-    const std::vector<MeridianNet> nets{joining({grid.cell(0, 1), grid.cell(4, 1)}),
-                                        joining({grid.cell(2, 0), grid.cell(2, 2)})};
-    const auto routes = routeMeridian(grid, nets);
+    const ProfileGrid grid = freeGrid(5, 3);
+    const std::vector<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(4, 1)}),
+                                       joining({grid.cell(2, 0), grid.cell(2, 2)})};
+    const auto routes = routeProfiles(grid, nets);
     QVERIFY(!routes.has_value());  // one of them has to cross the other: a plane has no bridges
-    const std::vector<MeridianNet> passing{joining({grid.cell(0, 1), grid.cell(4, 1)}),
-                                           joining({grid.cell(2, 0), grid.cell(2, 1)})};
-    const auto found = routeMeridian(grid, passing);
+    const std::vector<ProfileNet> passing{joining({grid.cell(0, 1), grid.cell(4, 1)}),
+                                          joining({grid.cell(2, 0), grid.cell(2, 1)})};
+    const auto found = routeProfiles(grid, passing);
     QVERIFY(found.has_value());
     QVERIFY(apart(*found));
     QCOMPARE(found->at(0).cells.size(), std::size_t{7});  // over the second, by the outmost row
@@ -114,10 +113,10 @@ class TestMeridian : public QObject {
   /// The long net comes first, and its cheapest way leads over the only cells where the short one can land:
   /// it leaves them free in the first round already.
   void netsLeaveFreeWhereOthersLand() {
-    const MeridianGrid grid = freeGrid(9, 6);
-    const std::vector<MeridianNet> nets{joining({grid.cell(0, 0), grid.cell(8, 0)}),
-                                        joining({grid.cell(4, 0), grid.cell(4, 1)})};
-    const auto routes = routeMeridian(grid, nets, 1);
+    const ProfileGrid grid = freeGrid(9, 6);
+    const std::vector<ProfileNet> nets{joining({grid.cell(0, 0), grid.cell(8, 0)}),
+                                       joining({grid.cell(4, 0), grid.cell(4, 1)})};
+    const auto routes = routeProfiles(grid, nets, 1);
     QVERIFY(routes.has_value());
     QVERIFY(apart(*routes));
     QCOMPARE(routes->at(0).cells.size(), std::size_t{13});  // by the third row
@@ -130,14 +129,14 @@ class TestMeridian : public QObject {
     std::mt19937 random(11);
     int solved = 0;
     for (int problem = 0; problem < 200; ++problem) {
-      const MeridianGrid grid = freeGrid(12, 9);
+      const ProfileGrid grid = freeGrid(12, 9);
       std::vector<int> cells(grid.owner.size());
       std::iota(cells.begin(), cells.end(), 0);
       std::shuffle(cells.begin(), cells.end(), random);
-      std::vector<MeridianNet> nets;
+      std::vector<ProfileNet> nets;
       for (std::size_t n = 0; n < 4; ++n)
         nets.push_back(joining({cells[3 * n], cells[3 * n + 1], cells[3 * n + 2]}));
-      const auto routes = routeMeridian(grid, nets);
+      const auto routes = routeProfiles(grid, nets);
       if (!routes) continue;
       ++solved;
       QVERIFY(apart(*routes));
@@ -151,15 +150,15 @@ class TestMeridian : public QObject {
 
   /// The analysis and the 3D view ask at once; one works, the other waits.
   void threadsThatAskTogetherHearTheSame() {
-    const MeridianGrid grid = freeGrid(7, 5);
-    const std::vector<MeridianNet> nets{joining({grid.cell(0, 1), grid.cell(6, 1)}),
-                                        joining({grid.cell(2, 0), grid.cell(2, 1)})};
+    const ProfileGrid grid = freeGrid(7, 5);
+    const std::vector<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(6, 1)}),
+                                       joining({grid.cell(2, 0), grid.cell(2, 1)})};
     std::vector<std::size_t> cells(4, 0);
     {
       std::vector<std::jthread> threads;
       for (std::size_t& count : cells) {
         threads.emplace_back([&grid, &nets, &count] {
-          const auto found = routeMeridian(grid, nets);
+          const auto found = routeProfiles(grid, nets);
           if (found && apart(*found)) count = found->at(0).cells.size();
         });
       }
@@ -174,14 +173,14 @@ class TestMeridian : public QObject {
     std::mt19937 random(4);
     int found = 0;
     for (int round = 0; round < 60; ++round) {
-      const MeridianGrid grid = randomGrid(random);
+      const ProfileGrid grid = randomGrid(random);
       std::vector<double> extra(108, 0);
       for (double& cost : extra) cost = round % 2 == 0 ? 0 : static_cast<double>(random() % 1000) / 250;
       const auto place = [&] { return static_cast<int>(random() % 108); };
-      MeridianSearch::Places sources, ends;
+      ProfileSearch::Places sources, ends;
       while (sources.size() < 2) {
         const int cell = place();
-        if (grid.owner[static_cast<std::size_t>(cell)] == MeridianGrid::kFree)
+        if (grid.owner[static_cast<std::size_t>(cell)] == ProfileGrid::kFree)
           sources.emplace_back(cell, static_cast<double>(sources.size()) / 2);
       }
       for (int e = 0; e < 4; ++e) ends.emplace_back(place(), static_cast<double>(random() % 40) / 4);
@@ -191,12 +190,12 @@ class TestMeridian : public QObject {
       };
       const auto nearest = *std::min_element(
           ends.begin(), ends.end(), [&](const auto& a, const auto& b) { return total(a) < total(b); });
-      MeridianSearch search(grid);
-      const MeridianBits bits(grid);
+      ProfileSearch search(grid);
+      const ProfileBits bits(grid);
       const bool isReached = std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
         return costs[static_cast<std::size_t>(end.first)] < kUnreached;
       });
-      QCOMPARE(search.begin(MeridianOwners(grid, bits), {}, extra, sources, ends), isReached);
+      QCOMPARE(search.begin(ProfileOwners(grid, bits), {}, extra, sources, ends), isReached);
       if (!isReached) continue;
       while (!search.isDone() && !search.isBeyond(total(nearest))) (void)search.settleLot();
       if (costs[static_cast<std::size_t>(nearest.first)] == kUnreached) continue;
@@ -220,9 +219,9 @@ class TestMeridian : public QObject {
     std::mt19937 random(7);
     int reached = 0;
     for (int round = 0; round < 300; ++round) {
-      MeridianGrid grid = freeGrid(4, 150);
+      ProfileGrid grid = freeGrid(4, 150);
       for (int& owner : grid.owner) {
-        if (random() % 20 == 0) owner = MeridianGrid::kBlocked;
+        if (random() % 20 == 0) owner = ProfileGrid::kBlocked;
       }
       for (std::size_t c = 0; c < 4; ++c) grid.plates[c] = random() % 3 > 0;
       const int source = static_cast<int>(random() % 600), end = static_cast<int>(random() % 600);
@@ -239,9 +238,9 @@ class TestMeridian : public QObject {
             waiting.push_back(next);
         }
       }
-      const MeridianBits bits(grid);
-      MeridianSearch search(grid);
-      const bool found = search.begin(MeridianOwners(grid, bits), {own}, std::vector<double>(600, 0),
+      const ProfileBits bits(grid);
+      ProfileSearch search(grid);
+      const bool found = search.begin(ProfileOwners(grid, bits), {own}, std::vector<double>(600, 0),
                                       {{source, 0}}, {{end, 0}});
       QCOMPARE(found, seen[static_cast<std::size_t>(end)]);
       reached += found ? 1 : 0;
@@ -250,10 +249,10 @@ class TestMeridian : public QObject {
   }
 
   void freeRunsAreLookedAtWordByWord() {
-    MeridianGrid grid = freeGrid(2, 150);
+    ProfileGrid grid = freeGrid(2, 150);
     grid.owner[static_cast<std::size_t>(grid.cell(1, 128))] = 0;
-    const MeridianBits bits(grid);
-    MeridianOwners owners(grid, bits);
+    const ProfileBits bits(grid);
+    ProfileOwners owners(grid, bits);
     QVERIFY(owners.isFree(grid.above(0, 0)));
     QVERIFY(!owners.isFree(grid.above(1, 5)) && !owners.isFree(grid.above(1, 128)));
     QVERIFY(owners.isFree(grid.above(1, 129)));
@@ -267,31 +266,30 @@ class TestMeridian : public QObject {
   }
 
   void whatIsBlockedIsNotEntered() {
-    MeridianGrid grid = freeGrid(3, 3);
-    for (int r = 0; r < 2; ++r)
-      grid.owner[static_cast<std::size_t>(grid.cell(1, r))] = MeridianGrid::kBlocked;
-    const auto routes = routeMeridian(grid, {joining({grid.cell(0, 0), grid.cell(2, 0)})});
+    ProfileGrid grid = freeGrid(3, 3);
+    for (int r = 0; r < 2; ++r) grid.owner[static_cast<std::size_t>(grid.cell(1, r))] = ProfileGrid::kBlocked;
+    const auto routes = routeProfiles(grid, {joining({grid.cell(0, 0), grid.cell(2, 0)})});
     QVERIFY(routes.has_value());
     for (const int c : routes->front().cells) QVERIFY(grid.columnOf(c) != 1 || grid.rowOf(c) == 2);
   }
 
   /// Through a column too narrow for a disc a way runs along the axis only.
   void narrowColumnsHaveNoDiscs() {
-    MeridianGrid grid = freeGrid(2, 2);
+    ProfileGrid grid = freeGrid(2, 2);
     grid.plates.assign(2, false);
-    QVERIFY(!routeMeridian(grid, {joining({grid.cell(0, 0), grid.cell(1, 1)})}).has_value());
+    QVERIFY(!routeProfiles(grid, {joining({grid.cell(0, 0), grid.cell(1, 1)})}).has_value());
     grid.plates[1] = true;
-    QVERIFY(routeMeridian(grid, {joining({grid.cell(0, 0), grid.cell(1, 1)})}).has_value());
+    QVERIFY(routeProfiles(grid, {joining({grid.cell(0, 0), grid.cell(1, 1)})}).has_value());
   }
 
-  /// What a landing keeps free stays free, of its own net, too.
-  void landingsKeepTheirRoom() {
-    const MeridianGrid grid = freeGrid(3, 3);
-    MeridianNet net = joining({grid.cell(0, 2)});
+  /// What a terminal keeps free stays free, of its own net, too.
+  void terminalsKeepTheirCells() {
+    const ProfileGrid grid = freeGrid(3, 3);
+    ProfileNet net = joining({grid.cell(0, 2)});
     net.needsSupport = true;
     net.supports = {{{grid.cell(0, 0)}, {grid.cell(0, 1), grid.cell(0, 2)}, 0},
                     {{grid.cell(2, 0)}, {grid.cell(2, 1), grid.cell(2, 2)}, 0}};
-    const auto routes = routeMeridian(grid, {net});
+    const auto routes = routeProfiles(grid, {net});
     QVERIFY(routes.has_value());
     const auto& cells = routes->front().cells;
     const int kept = routes->front().support == 0 ? grid.cell(0, 1) : grid.cell(2, 1);
@@ -300,7 +298,7 @@ class TestMeridian : public QObject {
 
   /// An L of cells: six corners, material on the left, the area of its cells.
   void outlinesAreClosedAndCounterClockwise() {
-    const MeridianGrid grid = freeGrid(3, 3);
+    const ProfileGrid grid = freeGrid(3, 3);
     std::vector<bool> inside(9, false);
     for (const int c : {grid.cell(0, 0), grid.cell(0, 1), grid.cell(1, 0)})
       inside[static_cast<std::size_t>(c)] = true;
@@ -321,7 +319,7 @@ class TestMeridian : public QObject {
 
   /// A cell whose edge reaches farther than its neighbour's makes a step within its own bounds.
   void edgesStepWhereTheirPlacesChange() {
-    const MeridianGrid grid = freeGrid(1, 2);
+    const ProfileGrid grid = freeGrid(1, 2);
     const OutlinePlaces places{
         [&](int cell, int side) { return side > 0 ? (grid.rowOf(cell) == 1 ? 1.5 : 0.8) : 0.2; },
         [&](int cell, int side) { return grid.rowOf(cell) + (side > 0 ? 0.9 : 0.1); }};
@@ -332,5 +330,5 @@ class TestMeridian : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMeridian)
+QTEST_APPLESS_MAIN(ProfileRouterTest)
 #include "test_meridian.moc"

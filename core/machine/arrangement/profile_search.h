@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/machine/arrangement/meridian_router.h"
+#include "core/machine/arrangement/profile_router.h"
 
 namespace geargraph::inline arrangement {
 
 /// The position of each cell of a grid in a bit set: every column takes a whole number of words, one column
 /// after the other.
-class MeridianBits {
+class ProfileBits {
  public:
-  explicit MeridianBits(const MeridianGrid& grid);
+  explicit ProfileBits(const ProfileGrid& grid);
 
   [[nodiscard]] std::size_t perColumn() const { return m_perColumn; }  ///< words
   [[nodiscard]] std::size_t words() const { return m_words; }
@@ -34,23 +34,23 @@ class MeridianBits {
 };
 
 /// The owners of the cells of a grid during routing.
-class MeridianOwners {
+class ProfileOwners {
  public:
   /// `bits` outlives it.
-  MeridianOwners(const MeridianGrid& grid, const MeridianBits& bits);
+  ProfileOwners(const ProfileGrid& grid, const ProfileBits& bits);
 
   [[nodiscard]] int of(int cell) const { return m_owner[static_cast<std::size_t>(cell)]; }
   [[nodiscard]] bool isOpen(int cell, int net) const {
-    return of(cell) == MeridianGrid::kFree || of(cell) == net;
+    return of(cell) == ProfileGrid::kFree || of(cell) == net;
   }
   /// Are all cells of the run free? Cost: O(words).
-  [[nodiscard]] bool isFree(const MeridianRun& run) const;
+  [[nodiscard]] bool isFree(const ProfileRun& run) const;
   void give(int cell, int net) { set(cell, net); }
-  void block(const MeridianRun& run) {
-    for (int cell = run.first; cell < run.end; ++cell) set(cell, MeridianGrid::kBlocked);
+  void block(const ProfileRun& run) {
+    for (int cell = run.first; cell < run.end; ++cell) set(cell, ProfileGrid::kBlocked);
   }
 
-  [[nodiscard]] const MeridianBits& bits() const { return *m_bits; }
+  [[nodiscard]] const ProfileBits& bits() const { return *m_bits; }
   [[nodiscard]] const std::vector<std::uint64_t>& freeBits() const { return m_free; }
   /// The initial cost of each cell for a search: kFar for a free cell, kShut for any other.
   [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
@@ -61,7 +61,7 @@ class MeridianOwners {
  private:
   void set(int cell, int owner);
 
-  const MeridianBits* m_bits;
+  const ProfileBits* m_bits;
   std::vector<int> m_owner;
   std::vector<std::uint64_t> m_free;
   std::vector<double> m_costs;
@@ -79,16 +79,16 @@ class MeridianOwners {
 ///
 /// Cost: O(cells) per search, some ten nanoseconds per cell.
 /// @pre widths and row costs are positive
-class MeridianSearch {
+class ProfileSearch {
  public:
   using Places = std::vector<std::pair<int, double>>;  ///< cells, and the cost of beginning or ending there
 
-  explicit MeridianSearch(const MeridianGrid& grid);
+  explicit ProfileSearch(const ProfileGrid& grid);
 
   /// Begins a new search over free cells and those in `own`. `extra`: additional costs of the cells, valid
   /// until the next call. False if no path leads from a source to an end.
   /// @pre there are ends; an extra cost for every cell, none below 0
-  [[nodiscard]] bool begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
+  [[nodiscard]] bool begin(const ProfileOwners& owners, std::initializer_list<std::span<const int>> own,
                            std::span<const double> extra, const Places& sources, const Places& ends);
   /// Are all reachable cells settled?
   [[nodiscard]] bool isDone() const { return m_waiting == 0; }
@@ -115,7 +115,7 @@ class MeridianSearch {
   [[nodiscard]] int& lot(long number) {
     return m_lots[static_cast<std::size_t>(number) & (m_lots.size() - 1)];
   }
-  [[nodiscard]] bool isJoined(const MeridianBits& bits, const Places& sources, const Places& ends);
+  [[nodiscard]] bool isJoined(const ProfileBits& bits, const Places& sources, const Places& ends);
   void fill(std::size_t column);
   bool spread(std::size_t column);
   void lookAhead(const Places& ends);
@@ -131,7 +131,7 @@ class MeridianSearch {
   void relax(const Front& front);
   void reach(const Front& before, int cell, int column, double price);
 
-  const MeridianGrid& m_grid;
+  const ProfileGrid& m_grid;
   double m_cheapest = 1;  ///< cost of a step
   double m_widest = 0;
   double m_perStep = 1;               ///< buckets for a cost of 1

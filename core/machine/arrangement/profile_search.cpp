@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/meridian_search.h"
+#include "core/machine/arrangement/profile_search.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 namespace geargraph::inline arrangement {
 namespace {
 
-constexpr double kFar = MeridianOwners::kFar;
+constexpr double kFar = ProfileOwners::kFar;
 constexpr double kMostLots = 4096;
 
 std::size_t at(int i) {
@@ -15,7 +15,7 @@ std::size_t at(int i) {
 
 }  // namespace
 
-MeridianBits::MeridianBits(const MeridianGrid& grid)
+ProfileBits::ProfileBits(const ProfileGrid& grid)
     : m_perColumn((at(grid.rows) + 63) / 64), m_words(at(grid.columns) * m_perColumn) {
   m_places.reserve(grid.owner.size());
   for (std::size_t column = 0; column < at(grid.columns); ++column) {
@@ -26,15 +26,15 @@ MeridianBits::MeridianBits(const MeridianGrid& grid)
   }
 }
 
-MeridianOwners::MeridianOwners(const MeridianGrid& grid, const MeridianBits& bits)
+ProfileOwners::ProfileOwners(const ProfileGrid& grid, const ProfileBits& bits)
     : m_bits(&bits), m_owner(grid.owner), m_free(bits.words(), 0), m_costs(grid.owner.size(), kShut) {
   for (int cell = 0; cell < static_cast<int>(m_owner.size()); ++cell) {
-    if (of(cell) == MeridianGrid::kFree) set(cell, MeridianGrid::kFree);
+    if (of(cell) == ProfileGrid::kFree) set(cell, ProfileGrid::kFree);
   }
 }
 
-void MeridianOwners::set(int cell, int owner) {
-  const bool isFree = owner == MeridianGrid::kFree;
+void ProfileOwners::set(int cell, int owner) {
+  const bool isFree = owner == ProfileGrid::kFree;
   const std::uint64_t bit = m_bits->bitOf(cell);
   std::uint64_t& word = m_free[m_bits->wordOf(cell)];
   m_owner[at(cell)] = owner;
@@ -42,7 +42,7 @@ void MeridianOwners::set(int cell, int owner) {
   word = isFree ? word | bit : word & ~bit;
 }
 
-bool MeridianOwners::isFree(const MeridianRun& run) const {
+bool ProfileOwners::isFree(const ProfileRun& run) const {
   for (int cell = run.first; cell < run.end;) {  // word by word
     const int place = m_bits->placeOf(cell);
     const int count = std::min(run.end - cell, 64 - place);
@@ -53,7 +53,7 @@ bool MeridianOwners::isFree(const MeridianRun& run) const {
   return true;
 }
 
-MeridianSearch::MeridianSearch(const MeridianGrid& grid)
+ProfileSearch::ProfileSearch(const ProfileGrid& grid)
     : m_grid(grid),
       m_columnAhead(at(grid.columns)),
       m_rowAhead(at(grid.rows)),
@@ -67,7 +67,7 @@ MeridianSearch::MeridianSearch(const MeridianGrid& grid)
 }
 
 /// Along the axis and across it each by itself, as if nothing were in the way.
-void MeridianSearch::lookAhead(const Places& ends) {
+void ProfileSearch::lookAhead(const Places& ends) {
   std::fill(m_columnAhead.begin(), m_columnAhead.end(), kFar);
   std::fill(m_rowAhead.begin(), m_rowAhead.end(), kFar);
   for (const auto& [cell, cost] : ends) {
@@ -88,7 +88,7 @@ void MeridianSearch::lookAhead(const Places& ends) {
 /// As many lots as lie between the first front and one that was reached from it: a step costs its price, and
 /// as much again where it leads away from the ends. A lot may span more than the cheapest step: its cells are
 /// then settled again as cheaper ways to them are found.
-void MeridianSearch::makeLots(const Places& sources) {
+void ProfileSearch::makeLots(const Places& sources) {
   double low = kFar, high = 0, dearest = 0;
   for (const auto& [cell, cost] : sources) {
     const double rank =
@@ -123,7 +123,7 @@ std::uint64_t filled(std::uint64_t some, std::uint64_t open) {
 }  // namespace
 
 /// From the joined cells of a column to those that hang together with them in it.
-void MeridianSearch::fill(std::size_t column) {
+void ProfileSearch::fill(std::size_t column) {
   std::uint64_t* const joined = m_joined.data() + column * m_perColumn;
   const std::uint64_t* const open = m_open.data() + column * m_perColumn;
   for (std::size_t w = 0; w < m_perColumn; ++w) {
@@ -137,7 +137,7 @@ void MeridianSearch::fill(std::size_t column) {
 }
 
 /// From the joined cells of a column to those beside them, in it and in its neighbours: is any of these new?
-bool MeridianSearch::spread(std::size_t column) {
+bool ProfileSearch::spread(std::size_t column) {
   if (m_isSpread[column] != 0) return false;
   m_isSpread[column] = 1;
   if (m_plates[column] != 0) fill(column);
@@ -160,7 +160,7 @@ bool MeridianSearch::spread(std::size_t column) {
 
 /// A search that finds nothing goes through all cells there are; whether anything can be found, a few words
 /// of bits tell.
-bool MeridianSearch::isJoined(const MeridianBits& bits, const Places& sources, const Places& ends) {
+bool ProfileSearch::isJoined(const ProfileBits& bits, const Places& sources, const Places& ends) {
   m_joined.assign(m_open.size(), 0);
   m_isSpread.assign(at(m_grid.columns), 1);
   for (const auto& [cell, cost] : sources) {
@@ -183,9 +183,9 @@ bool MeridianSearch::isJoined(const MeridianBits& bits, const Places& sources, c
   return false;
 }
 
-bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
-                           std::span<const double> extra, const Places& sources, const Places& ends) {
-  const MeridianBits& bits = owners.bits();
+bool ProfileSearch::begin(const ProfileOwners& owners, std::initializer_list<std::span<const int>> own,
+                          std::span<const double> extra, const Places& sources, const Places& ends) {
+  const ProfileBits& bits = owners.bits();
   m_perColumn = bits.perColumn();
   m_open = owners.freeBits();
   for (const auto& cells : own) {
@@ -209,7 +209,7 @@ bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<s
   return true;
 }
 
-const std::vector<int>& MeridianSearch::settleLot() {
+const std::vector<int>& ProfileSearch::settleLot() {
   m_settled.clear();
   while (lot(m_lot) < 0) ++m_lot;
   int& first = lot(m_lot);
@@ -225,7 +225,7 @@ const std::vector<int>& MeridianSearch::settleLot() {
   return m_settled;
 }
 
-inline void MeridianSearch::reach(const Front& before, int cell, int column, double price) {
+inline void ProfileSearch::reach(const Front& before, int cell, int column, double price) {
   double& known = m_cost[at(cell)];
   const double cost = before.cost + (price + m_extra[at(cell)]);
   if (cost > known) return;
@@ -239,7 +239,7 @@ inline void MeridianSearch::reach(const Front& before, int cell, int column, dou
   }
 }
 
-void MeridianSearch::relax(const Front& front) {
+void ProfileSearch::relax(const Front& front) {
   const int row = front.cell - front.column * m_grid.rows;
   const double along = m_grid.width[at(front.column)] * m_rowFactor[at(row)];
   if (front.column > 0) reach(front, front.cell - m_grid.rows, front.column - 1, along);
