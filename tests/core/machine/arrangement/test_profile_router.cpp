@@ -331,4 +331,4 @@ class ProfileRouterTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(ProfileRouterTest)
-#include "test_meridian.moc"
+#include "test_profile_router.moc"
