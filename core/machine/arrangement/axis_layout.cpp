@@ -32,7 +32,7 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
     const double a = origin + sense * span.low;
     const double b = origin + sense * span.high;
     layout.wheels.push_back({std::min(a, b), std::max(a, b), gear.link});
-    layout.taken.push_back(layout.wheels.back());
+    layout.occupied.push_back(layout.wheels.back());
   }
 }
 
@@ -64,9 +64,9 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, 
       const Vector3d apart = layouts[d].point - layout.point;
       if (std::abs(apart.dot(across)) > layout.module * across.norm()) continue;
       const double at = apart.cross(layouts[d].direction).dot(across) / across.squaredNorm();
-      layout.taken.push_back({at - 3 * layout.module, at + 3 * layout.module, -1});
+      layout.occupied.push_back({at - 3 * layout.module, at + 3 * layout.module, -1});
       double middle = 0;
-      for (const Stretch& s : layout.wheels) {
+      for (const Interval& s : layout.wheels) {
         middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
       }
       pull += at - middle;
@@ -78,13 +78,13 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, 
 }  // namespace
 
 bool AxisLayout::isFree(double low, double high) const {
-  return std::none_of(taken.begin(), taken.end(),
-                      [&](const Stretch& s) { return overlap(low, high, s.low, s.high); });
+  return std::none_of(occupied.begin(), occupied.end(),
+                      [&](const Interval& s) { return overlap(low, high, s.low, s.high); });
 }
 
 std::vector<double> AxisLayout::slotCandidates() const {
   std::vector<double> candidates;
-  for (const Stretch& s : taken) {
+  for (const Interval& s : occupied) {
     candidates.push_back(s.high + gap() + width() / 2);
     candidates.push_back(s.low - gap() - width() / 2);
   }
@@ -112,9 +112,9 @@ double AxisLayout::outerSlot() const {
   return outer;
 }
 
-std::optional<Stretch> AxisLayout::wheelsOf(int link) const {
-  std::optional<Stretch> span;
-  for (const Stretch& s : wheels) {
+std::optional<Interval> AxisLayout::wheelsOf(int link) const {
+  std::optional<Interval> span;
+  for (const Interval& s : wheels) {
     if (s.link != link) continue;
     if (!span) span = s;
     span->low = std::min(span->low, s.low);

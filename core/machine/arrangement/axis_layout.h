@@ -13,7 +13,7 @@ namespace geargraph::inline arrangement {
 constexpr double kSameLevel = 1e-9;  ///< modules: levels that differ by less are one
 
 /// An interval of an axis that a part occupies.
-struct Stretch {
+struct Interval {
   double low = 0;
   double high = 0;
   int link = -1;  ///< of the part; -1: reserved, kept free
@@ -47,8 +47,8 @@ struct AxisLayout {
   double module = 1;     ///< the unit of all dimensions of the bodies
   double thickness = 3;  ///< of bearings and arms, in modules
   int bearingSide = -1;  ///< the end of the axis for bearings without a stated place
-  std::vector<Stretch> wheels;
-  std::vector<Stretch> taken;  ///< wheels, and everything placed since
+  std::vector<Interval> wheels;
+  std::vector<Interval> occupied;  ///< wheels, and everything placed since
   std::vector<Bearing> bearings;
 
   [[nodiscard]] double coordinate(const Eigen::Vector3d& p) const { return (p - point).dot(direction); }
@@ -66,14 +66,16 @@ struct AxisLayout {
   [[nodiscard]] bool slotIsFree(double middle) const {
     return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);
   }
-  void take(double middle, int link) { taken.push_back({middle - width() / 2, middle + width() / 2, link}); }
+  void occupy(double middle, int link) {
+    occupied.push_back({middle - width() / 2, middle + width() / 2, link});
+  }
   /// Middles of candidate slots: those adjacent to an occupied interval, and those outside of all.
   [[nodiscard]] std::vector<double> slotCandidates() const;
   /// The middle of the free slot nearest to `wanted`; if there is none, outside of everything on the bearing
   /// side.
   [[nodiscard]] double freeSlot(double wanted) const;
   /// The interval that the wheels of a link span; std::nullopt if it has none.
-  [[nodiscard]] std::optional<Stretch> wheelsOf(int link) const;
+  [[nodiscard]] std::optional<Interval> wheelsOf(int link) const;
   /// A shaft that passes through the wheels of another link has to extend beyond that link's shaft too. Is
   /// that so with this bearing at `at` and the bearings placed already?
   [[nodiscard]] bool nests(const Bearing& bearing, double at) const;

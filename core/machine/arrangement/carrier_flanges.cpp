@@ -102,7 +102,7 @@ bool FlangeMaker::findLevel() {
 bool FlangeMaker::isSlotFree() const {
   const auto isFreeOn = [&](int c) {
     const double middle = axis(c).coordinate(own().at(m_made.level)), half = own().width() / 2;
-    return std::none_of(axis(c).taken.begin(), axis(c).taken.end(), [&](const Stretch& s) {
+    return std::none_of(axis(c).occupied.begin(), axis(c).occupied.end(), [&](const Interval& s) {
       return s.link >= 0 && axis(c).overlap(s.low, s.high, middle - half, middle + half);
     });
   };

@@ -51,7 +51,7 @@ class SectionMaker {
   /// A wheel on the axis, or on a fixed one beside it.
   struct Wheel {
     std::size_t gear = 0;
-    Stretch span;
+    Interval span;
     double distance = 0;
   };
   void findWheels();
@@ -81,15 +81,15 @@ class SectionMaker {
 
   [[nodiscard]] const GearSpec& spec(const Wheel& w) const { return m_train.gears[w.gear].spec; }
   [[nodiscard]] const GearSpec& planetSpec(const CoaxialPlanets& p) const;
-  [[nodiscard]] Stretch spanOf(const TrainGear& gear) const {
+  [[nodiscard]] Interval spanOf(const TrainGear& gear) const {
     const AxialSpan span = axialSpan(gear.spec);
     const double origin = m_axis.coordinate(gear.pose.translation());
     const double sense = gear.pose.linear().col(2).dot(m_axis.direction) < 0 ? -1 : 1;
     const double a = origin + sense * span.low, b = origin + sense * span.high;
     return {std::min(a, b), std::max(a, b), gear.link};
   }
-  /// Columns that a stretch covers.
-  [[nodiscard]] std::pair<int, int> columnsOf(const Stretch& s) const {
+  /// Columns that an interval covers.
+  [[nodiscard]] std::pair<int, int> columnsOf(const Interval& s) const {
     int first = m_made.grid.columns, last = -1;
     for (int c = 0; c < m_made.grid.columns; ++c) {
       const double middle = (m_made.columns[at(c)].low + m_made.columns[at(c)].high) / 2;
@@ -100,7 +100,7 @@ class SectionMaker {
     return {first, last};
   }
   template <class Mark>
-  void forCells(const Stretch& s, double from, double to, const Mark& mark) {
+  void forCells(const Interval& s, double from, double to, const Mark& mark) {
     const auto [first, last] = columnsOf(s);
     for (int c = first; c <= last; ++c) {
       for (int r = m_made.innerRows; r < m_made.grid.rows; ++r) {
@@ -108,7 +108,7 @@ class SectionMaker {
       }
     }
   }
-  void block(const Stretch& s, double from, double to) {
+  void block(const Interval& s, double from, double to) {
     forCells(s, from, to,
              [&](int c, int r) { m_made.grid.owner[at(m_made.grid.cell(c, r))] = ProfileGrid::kBlocked; });
   }
@@ -152,19 +152,19 @@ void SectionMaker::findWheels() {
   }
   for (auto& [c, p] : planets) {
     std::sort(p.wheels.begin(), p.wheels.end(),
-              [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
+              [](const Interval& a, const Interval& b) { return a.low < b.low; });
     m_made.planets.push_back(std::move(p));
   }
 }
 
-/// Stretches between the faces of all wheels; those that nearly coincide count as one.
+/// Intervals between the faces of all wheels; those that nearly coincide count as one.
 void SectionMaker::cutColumns() {
-  std::vector<Stretch> filled;
+  std::vector<Interval> filled;
   for (const Wheel& w : m_wheels) filled.push_back(w.span);
   for (const CoaxialPlanets& p : m_made.planets)
     filled.insert(filled.end(), p.wheels.begin(), p.wheels.end());
   std::vector<double> faces;
-  for (const Stretch& s : filled) faces.insert(faces.end(), {s.low, s.high});
+  for (const Interval& s : filled) faces.insert(faces.end(), {s.low, s.high});
   std::sort(faces.begin(), faces.end());
   std::vector<double> edges;
   for (const double f : faces) {
@@ -178,7 +178,7 @@ void SectionMaker::cutColumns() {
   for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
     const double middle = (edges[e] + edges[e + 1]) / 2;
     const bool wheel = std::any_of(filled.begin(), filled.end(),
-                                   [&](const Stretch& s) { return s.low < middle && middle < s.high; });
+                                   [&](const Interval& s) { return s.low < middle && middle < s.high; });
     if (wheel) {
       m_made.columns.push_back({edges[e], edges[e + 1], 0, 0});
     } else {
@@ -240,7 +240,7 @@ void SectionMaker::cutRows() {
 
 void SectionMaker::blockPlanets(const CoaxialPlanets& p) {
   const double reach = m_planetTip[p.axisClass] + 0.4 * m_made.module;
-  for (const Stretch& s : p.wheels) block(s, p.distance - reach, p.distance + reach);
+  for (const Interval& s : p.wheels) block(s, p.distance - reach, p.distance + reach);
   const double shaft = 2.2 * m_made.module;
   block({p.wheels.front().low, p.wheels.back().high, 0}, p.distance - shaft, p.distance + shaft);
 }
@@ -317,7 +317,7 @@ std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) c
     return terminal;
   };
   std::vector<RouteTerminal> terminals;
-  for (const Stretch& s : p.wheels) {
+  for (const Interval& s : p.wheels) {
     const auto [first, last] = columnsOf(s);
     for (const int side : {1, -1}) {
       const int beside = side > 0 ? last + 1 : first - 1;
@@ -340,7 +340,7 @@ void SectionMaker::addCarried() {
     const double step = 1e-6 * m_made.module;
     return a.carrier == b.carrier && std::abs(a.distance - b.distance) < step &&
            std::equal(a.wheels.begin(), a.wheels.end(), b.wheels.begin(), b.wheels.end(),
-                      [&](const Stretch& x, const Stretch& y) {
+                      [&](const Interval& x, const Interval& y) {
                         return std::abs(x.low - y.low) < step && std::abs(x.high - y.high) < step;
                       });
   };

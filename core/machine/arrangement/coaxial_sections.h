@@ -23,7 +23,7 @@ struct CoaxialPlanets {
   int axisClass = 0;
   int carrier = 0;  ///< link
   double distance = 0;
-  std::vector<Stretch> wheels;  ///< intervals along the central axis
+  std::vector<Interval> wheels;  ///< intervals along the central axis
 };
 
 /// The half plane through an axis with the wheels in it, as a problem for routeProfiles().

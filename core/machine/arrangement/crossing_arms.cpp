@@ -19,14 +19,14 @@ struct TriedArm {
 };
 
 /// How far the link's shaft reaches along its own axis with this arm.
-Stretch reachOf(const PlanDraft& draft, const ArmPlan& arm) {
+Interval reachOf(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& own = draft.axis(arm.from);
-  Stretch reach{arm.level, arm.level, arm.link};
+  Interval reach{arm.level, arm.level, arm.link};
   const auto include = [&](double low, double high) {
     reach.low = std::min(reach.low, low);
     reach.high = std::max(reach.high, high);
   };
-  for (const Stretch& s : own.taken) {
+  for (const Interval& s : own.occupied) {
     if (s.link == arm.link) include(s.low, s.high);
   }
   for (const Bearing& b : own.bearings) {
@@ -64,7 +64,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   int count = 0;
   if ((foot - start).norm() < kNear * from.module) {
     const auto [near, far] = std::minmax({arm.level, from.coordinate(eye)});
-    for (const Stretch& s : from.taken)
+    for (const Interval& s : from.occupied)
       count += s.link >= 0 && s.link != arm.link && from.overlap(s.low, s.high, near, far);
   }
   double low = arm.at - to.width() / 2;
@@ -75,7 +75,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   }
   if (const auto meeting = draft.crossingOf(arm.from, arm.to)) {
     constexpr int kThrough = 6;  // places in gears that shafts through each other weigh as much as
-    const Stretch own = reachOf(draft, arm);
+    const Interval own = reachOf(draft, arm);
     const bool through = from.isBelow(own.low, meeting->first) && from.isBelow(meeting->first, own.high) &&
                          to.isBelow(low, meeting->second) && to.isBelow(meeting->second, high);
     count += through ? kThrough : 0;
@@ -113,7 +113,7 @@ std::vector<double> levelsBeside(const PlanDraft& draft, int link, int home) {
   const AxisLayout& own = draft.axis(home);
   std::vector<double> levels{own.outerSlot()};
   const double reach = own.gap() + own.width() / 2;
-  for (const Stretch& s : own.taken) {
+  for (const Interval& s : own.occupied) {
     if (s.link != link) continue;
     levels.push_back(s.high + reach);
     levels.push_back(s.low - reach);
@@ -181,11 +181,11 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
   if (target.isBelow(wheels->low, pin.from) && target.isBelow(pin.from, wheels->high)) return std::nullopt;
   const double end = 2 * target.gap();
   pin.to = target.isBelow(wheels->low, pin.from) ? wheels->low - end : wheels->high + end;
-  const auto inTheWay = [&](const Stretch& s) {
+  const auto inTheWay = [&](const Interval& s) {
     return s.link >= 0 && s.link != bearing.child &&
            target.overlap(s.low, s.high, std::min(pin.from, pin.to), std::max(pin.from, pin.to));
   };
-  if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
+  if (std::any_of(target.occupied.begin(), target.occupied.end(), inTheWay)) return std::nullopt;
   for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
     if (other.child == link || !other.isEye()) continue;
     const auto span = own.wheelsOf(other.child);
@@ -215,11 +215,11 @@ void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing) {
   }
   if (best.hits > 0) draft.plan.blocked.push_back({link, bearing.child});
   bearing.at = best.arm.at;
-  draft.axis(c).take(best.arm.at, link);
+  draft.axis(c).occupy(best.arm.at, link);
   const auto& arms = draft.armsOf[static_cast<std::size_t>(link)];
   const bool stands = std::any_of(arms.begin(), arms.end(),
                                   [&](std::size_t a) { return draft.plan.arms[a].level == best.arm.level; });
-  if (!stands) draft.axis(home).take(best.arm.level, link);
+  if (!stands) draft.axis(home).occupy(best.arm.level, link);
   draft.addArm(best.arm);
 }
 

@@ -17,7 +17,7 @@ std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing
            !shaftPasses(draft, bearing, x);
   });
   if (places.empty()) return std::nullopt;
-  const Stretch held = heldStretch(draft, c, bearing.child);
+  const Interval held = heldInterval(draft, c, bearing.child);
   const double near = held.low <= held.high ? (held.low + held.high) / 2 : bearing.at;
   return *std::min_element(places.begin(), places.end(), [&](double a, double b) {
     return std::abs(a - near) < std::abs(b - near) - 1e-9 * layout.module;

@@ -224,14 +224,14 @@ std::optional<HousingPlan> FrameMaker::housingBetween(const Piece& a, const Piec
   housing.outer -= 0.1 * on.module;
   const double margin = housing.outer + kPlay * on.module;
   const bool areNeighbours = !on.isBelow(2 * on.gap(), high - low);  // no room for anything but shafts
-  const bool isTaken = std::any_of(m_envelopes.begin(), m_envelopes.end(), [&](const SweptEnvelope& e) {
+  const bool isOccupied = std::any_of(m_envelopes.begin(), m_envelopes.end(), [&](const SweptEnvelope& e) {
     const bool isShaft = e.isOnAxis && e.kind == HullKind::shaft;
     if (e.axisClass == a.axisClass && (e.isOnAxis || !areNeighbours))
       return on.overlap(e.low, e.high, low, high) && e.inner < margin && !isShaft;
     if (areNeighbours) return false;
     return e.isNear(on.at(low), on.at(high), margin);
   });
-  return isTaken ? std::nullopt : std::optional(housing);
+  return isOccupied ? std::nullopt : std::optional(housing);
 }
 
 /// Housings that would meet in the middle of a bearing are one, or reach into each other: solids of one body

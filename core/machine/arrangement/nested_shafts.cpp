@@ -34,7 +34,7 @@ int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
   for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(outer.axisClass)]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
-    const Stretch wheel = draft.stretchOf(gear, axialSpan(gear.spec));
+    const Interval wheel = draft.intervalOf(gear, axialSpan(gear.spec));
     cuts += isCut(wheel.low, wheel.high);
   }
   for (const CupPlan& cup : draft.plan.cups) {

@@ -72,7 +72,7 @@ std::optional<double> commonLevel(const PlanDraft& draft, int link, int home,
   const double wanted = candidates.front();
   for (const int c : involved) {
     for (const double x : draft.axis(c).slotCandidates()) candidates.push_back(draft.carried(c, x, home));
-    for (const Stretch& s : draft.axis(c).taken)
+    for (const Interval& s : draft.axis(c).occupied)
       edges.push_back(side * draft.carried(c, side < 0 ? s.low : s.high, home));
   }
   std::sort(edges.begin(), edges.end());
@@ -134,24 +134,24 @@ void reserveRoom(PlanDraft& draft) {
     if (draft.tries.roomFor.contains(link)) continue;  // that did not help
     const int home = draft.placement.classes->classOfLink(link);
     AxisLayout& own = draft.axis(home);
-    Stretch room{level - own.width() / 2, level + own.width() / 2, kReserved};
+    Interval room{level - own.width() / 2, level + own.width() / 2, kReserved};
     double low = 1e300, high = -1e300;  // of the wheels
-    for (const Stretch& s : own.wheels) {
+    for (const Interval& s : own.wheels) {
       low = std::min(low, s.low);
       high = std::max(high, s.high);
     }
     if (own.isBelow(high, level)) room.low = std::min(room.low, high);
     if (own.isBelow(level, low)) room.high = std::max(room.high, low);
-    own.taken.push_back(room);
+    own.occupied.push_back(room);
   }
   for (const int link : draft.tries.roomFor) {
     const int home = draft.placement.classes->classOfLink(link);
     if (home < 0) continue;
-    draft.axis(home).take(draft.axis(home).outerSlot(), kReserved);
+    draft.axis(home).occupy(draft.axis(home).outerSlot(), kReserved);
     for (const auto& [c, b] : draft.heldBy[static_cast<std::size_t>(link)]) {
       if (c == home || !draft.parallel(home, c)) continue;
-      draft.axis(c).take(
-          draft.carried(home, draft.axis(home).taken.back().low + draft.axis(home).width() / 2, c),
+      draft.axis(c).occupy(
+          draft.carried(home, draft.axis(home).occupied.back().low + draft.axis(home).width() / 2, c),
           kReserved);
     }
   }
@@ -159,7 +159,7 @@ void reserveRoom(PlanDraft& draft) {
 
 void releaseRoom(PlanDraft& draft) {
   for (AxisLayout& layout : draft.plan.axes)
-    std::erase_if(layout.taken, [](const Stretch& s) { return s.link == kReserved; });
+    std::erase_if(layout.occupied, [](const Interval& s) { return s.link == kReserved; });
 }
 
 std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home) {
@@ -178,8 +178,8 @@ std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home
     const auto depth = [&](const Bearing* b) {
       if (draft.tries.roomFor.contains(b->child) || draft.tries.roundBearings.contains(b->child))
         return 1e300;
-      double nearest = -1e300;                 // a link without wheels has the inmost shaft
-      for (const Stretch& s : layout.taken) {  // wheels and cups
+      double nearest = -1e300;                     // a link without wheels has the inmost shaft
+      for (const Interval& s : layout.occupied) {  // wheels and cups
         if (s.link == b->child) nearest = std::max(nearest, layout.bearingSide * (s.low + s.high) / 2);
       }
       return nearest;
@@ -260,14 +260,14 @@ void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> r
     for (const Bearing* b : round) draft.plan.blocked.back().push_back(b->child);
   }
   const double level = found ? *found : outmostLevel(draft, home, round);
-  draft.axis(home).take(level, link);
+  draft.axis(home).occupy(level, link);
   const std::vector<AxisBar> bars = barsOf(draft, link, home, round, level);
   for (Bearing* b : round) {
     const int c = draft.classOf(*b);
     b->at = draft.carried(home, level, c);
     b->placed = true;
     if (c == home) continue;
-    draft.axis(c).take(b->at, link);
+    draft.axis(c).occupy(b->at, link);
     const auto bar =
         std::find_if(bars.begin(), bars.end(), [c](const AxisBar& each) { return each.to == c; });
     draft.addArm({link, bar->from, draft.carried(home, level, bar->from), c, b->at, b->child});

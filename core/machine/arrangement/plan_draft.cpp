@@ -37,7 +37,7 @@ std::optional<std::pair<double, double>> PlanDraft::crossingOf(int a, int b) con
   return std::pair{level, other.coordinate(one.at(level))};
 }
 
-Stretch PlanDraft::stretchOf(const TrainGear& gear, const AxialSpan& span) const {
+Interval PlanDraft::intervalOf(const TrainGear& gear, const AxialSpan& span) const {
   const AxisLayout& layout = axis(gear.axisClass);
   const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
   const double origin = layout.coordinate(gear.pose.translation());

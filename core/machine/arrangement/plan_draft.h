@@ -49,7 +49,7 @@ struct PlanDraft {
   /// parallel.
   [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
   /// A span along a gear's own axis as an interval of its axis class.
-  [[nodiscard]] Stretch stretchOf(const TrainGear& gear, const AxialSpan& span) const;
+  [[nodiscard]] Interval intervalOf(const TrainGear& gear, const AxialSpan& span) const;
 
   void addArm(const ArmPlan& arm) {
     armsOf[static_cast<std::size_t>(arm.link)].push_back(plan.arms.size());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kOfOthers = 20;  // shared by the terminals of a group: what their cells cost other nets
 constexpr double kWished = 10;    // the same of a cell that stood in a net's way, for every time it did
-constexpr double kTaken = 50;     // a cell that another net lies in, where a net looks for what is in its way
+constexpr double kOccupied = 50;  // a cell that another net lies in, where a net looks for what is in its way
 
 using Places = ProfileSearch::Places;
 
@@ -112,7 +112,7 @@ class Round {
   [[nodiscard]] ProfileRoute& route(int net) { return m_routes[at(net)]; }
   std::vector<ProfileRoute> take() { return std::move(m_routes); }
   /// Does somebody lie there, or keep it free, that did not before?
-  [[nodiscard]] bool isTaken(int cell) const { return m_owners.of(cell) != m_grid.owner[at(cell)]; }
+  [[nodiscard]] bool isOccupied(int cell) const { return m_owners.of(cell) != m_grid.owner[at(cell)]; }
 
  private:
   /// Joins what the net has with the nearest terminal; the terminal's position, -1: no way.
@@ -313,17 +313,17 @@ Routes routeProfiles(const ProfileGrid& grid, const std::vector<ProfileNet>& net
     if (stop.stop_requested()) return std::nullopt;
     if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take(), stop);
     // What is in its way? It would cross as little of others as it can, and they should leave that free.
-    std::vector<Extras> taken(nets.size(), Extras(grid.owner.size()));
-    Extras& crossed = taken[at(failed)];
+    std::vector<Extras> occupied(nets.size(), Extras(grid.owner.size()));
+    Extras& crossed = occupied[at(failed)];
     for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
-      if (round.isTaken(c)) crossed.add(c, kTaken);
+      if (round.isOccupied(c)) crossed.add(c, kOccupied);
     }
     crossed.sumUp();
-    Round alone(grid, nets, owners, wheels, search, taken, stop);
+    Round alone(grid, nets, owners, wheels, search, occupied, stop);
     if (!alone.layNet(failed)) return std::nullopt;  // not even where no other net is
     std::vector<int> inTheWay;
     for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
-      if (round.isTaken(c) && alone.isTaken(c)) inTheWay.push_back(c);
+      if (round.isOccupied(c) && alone.isOccupied(c)) inTheWay.push_back(c);
     }
     wishes.add(failed, inTheWay);
     const auto place = std::find(order.begin(), order.end(), failed);

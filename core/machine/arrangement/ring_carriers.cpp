@@ -89,9 +89,9 @@ void placeRingCarriers(PlanDraft& draft) {
     const bool hasFlange = enclosesPlanets(draft, gear) && isOpen(side) && layout.slotIsFree(plate) &&
                            !cutsPlanets(draft, gear, plate);
     if (hasFlange)
-      layout.taken.push_back({flange - layout.width() / 2, flange + layout.width() / 2, kFlange});
+      layout.occupied.push_back({flange - layout.width() / 2, flange + layout.width() / 2, kFlange});
     draft.plan.cups.push_back({static_cast<int>(g), side, hasFlange ? plate : flange});
-    layout.take(draft.plan.cups.back().plate, gear.link);
+    layout.occupy(draft.plan.cups.back().plate, gear.link);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// Does an axis cross this one between the shaft and a place outside of it?
 bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place) {
   const double low = std::min(shaft.high, place), high = std::max(shaft.low, place);
-  return std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+  return std::any_of(layout.occupied.begin(), layout.occupied.end(), [&](const Interval& s) {
     return s.link < 0 && layout.overlap(s.low, s.high, low, high);
   });
 }
@@ -29,7 +29,7 @@ std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link)
     if (arm.from != axisClass || std::abs(arm.level - bearing.at) <= kSameLevel * layout.module) continue;
     const double low = std::min(arm.level, bearing.at);
     const double high = std::max(arm.level, bearing.at);
-    const bool blocked = std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+    const bool blocked = std::any_of(layout.occupied.begin(), layout.occupied.end(), [&](const Interval& s) {
       return s.link != link && s.link != 0 && layout.overlap(s.low, s.high, low, high);
     });
     if (!blocked) return arm.level;
@@ -47,13 +47,13 @@ void addStub(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
   const auto isBetter = [&](double x) { return layout.slotIsFree(x) && !isAcross(layout, shaft, x); };
   if (!isBetter(place) && isBetter(other)) place = other;
   shaft.include(place - layout.width() / 2, place + layout.width() / 2);
-  layout.take(place, 0);
+  layout.occupy(place, 0);
   draft.plan.stubs.push_back({axisClass, place});
 }
 
 /// True where the link has wheels here.
 bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
-  const Stretch hubs = hubStretch(draft, axisClass, link);
+  const Interval hubs = hubInterval(draft, axisClass, link);
   if (hubs.low > hubs.high) return false;
   shaft.include(hubs.low, hubs.high);
   return true;

@@ -15,8 +15,8 @@ namespace {
 
 /// Does a shaft from what it holds to its bearing cross another axis? What turns about that one may need the
 /// place.
-bool isPastCrossing(const AxisLayout& layout, const Stretch& held, double at) {
-  return std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+bool isPastCrossing(const AxisLayout& layout, const Interval& held, double at) {
+  return std::any_of(layout.occupied.begin(), layout.occupied.end(), [&](const Interval& s) {
     return s.link == -1 && layout.isBelow(std::min(held.low, at), s.low) &&
            layout.isBelow(s.high, std::max(held.high, at));
   });
@@ -24,16 +24,16 @@ bool isPastCrossing(const AxisLayout& layout, const Stretch& held, double at) {
 
 /// Would a shaft part what another link has on the same axis, or a ring's plate come out through the wheels
 /// within the ring?
-bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Stretch& held, double at) {
+bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& held, double at) {
   const AxisLayout& layout = draft.axis(axisClass);
   const auto isBetween = [&](const Bearing& b) {
-    const Stretch other = heldStretch(draft, axisClass, b.child);
+    const Interval other = heldInterval(draft, axisClass, b.child);
     return b.child != link && layout.isBelow(other.low, at) && layout.isBelow(at, other.high);
   };
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isBetween)) return true;
   const double middle = (held.low + held.high) / 2;
   const auto isAgainst = [&](const Bearing& b) {
-    const Stretch other = heldStretch(draft, axisClass, b.child);
+    const Interval other = heldInterval(draft, axisClass, b.child);
     if (!b.placed || !b.isEye() || b.child == link || other.low > other.high) return false;
     const double others = (other.low + other.high) / 2;
     const auto passes = [&](double from, double to, double x) {
@@ -50,7 +50,7 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Stretch& he
   return std::any_of(draft.plan.cups.begin(), draft.plan.cups.end(), [&](const CupPlan& cup) {
     const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
     if (ring.link != link || ring.axisClass != axisClass || held.low < held.high) return false;
-    return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Stretch& s) {
+    return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Interval& s) {
       return s.link != link && -cup.side * (at - cup.plate) > 0 && std::min(at, cup.plate) < s.low &&
              s.high < std::max(at, cup.plate);
     });
@@ -59,20 +59,20 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Stretch& he
 
 }  // namespace
 
-Stretch hubStretch(const PlanDraft& draft, int axisClass, int link) {
-  Stretch hubs{1e300, -1e300, link};
+Interval hubInterval(const PlanDraft& draft, int axisClass, int link) {
+  Interval hubs{1e300, -1e300, link};
   for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
-    const Stretch hub = draft.stretchOf(gear, hubSpan(gear.spec));
+    const Interval hub = draft.intervalOf(gear, hubSpan(gear.spec));
     hubs.low = std::min(hubs.low, hub.low);
     hubs.high = std::max(hubs.high, hub.high);
   }
   return hubs;
 }
 
-Stretch heldStretch(const PlanDraft& draft, int axisClass, int link) {
-  Stretch held = hubStretch(draft, axisClass, link);
+Interval heldInterval(const PlanDraft& draft, int axisClass, int link) {
+  Interval held = hubInterval(draft, axisClass, link);
   for (const CupPlan& cup : draft.plan.cups) {
     const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
     if (ring.link != link || ring.axisClass != axisClass) continue;
@@ -85,7 +85,7 @@ Stretch heldStretch(const PlanDraft& draft, int axisClass, int link) {
 bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
   const int c = draft.classOf(bearing);
   const AxisLayout& layout = draft.axis(c);
-  const Stretch held = heldStretch(draft, c, bearing.child);
+  const Interval held = heldInterval(draft, c, bearing.child);
   if (held.low > held.high) return true;
   if (isCutOff(draft, c, bearing.child, held, at)) return false;
   if (bearing.parent == 0 && isPastCrossing(layout, held, at)) return false;
@@ -134,13 +134,14 @@ std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double lev
     own->high = std::max(own->high, b.at);
   }
   const double low = std::min(own->high, level), high = std::max(own->low, level);
-  return std::count_if(draft.axis(home).wheels.begin(), draft.axis(home).wheels.end(), [&](const Stretch& s) {
-    return s.link != link && draft.axis(home).overlap(low, high, s.low, s.high);
-  });
+  return std::count_if(draft.axis(home).wheels.begin(), draft.axis(home).wheels.end(),
+                       [&](const Interval& s) {
+                         return s.link != link && draft.axis(home).overlap(low, high, s.low, s.high);
+                       });
 }
 
 bool isTrapped(const PlanDraft& draft, int link, int home, double level) {
-  const Stretch held = heldStretch(draft, home, link);
+  const Interval held = heldInterval(draft, home, link);
   if (held.low <= held.high) return false;
   const auto& bearings = draft.axis(home).bearings;
   return std::any_of(bearings.begin(), bearings.end(), [&](const Bearing& b) {
@@ -153,7 +154,7 @@ bool meetsArms(const PlanDraft& draft, const Bearing& bearing, double at) {
   const int c = draft.classOf(bearing);
   const WheelOrbit orbit = orbitOf(c, draft.placement);
   if (orbit.about < 0) return false;
-  const Stretch held = heldStretch(draft, c, bearing.child);
+  const Interval held = heldInterval(draft, c, bearing.child);
   const double half = draft.axis(c).width() / 2, low = std::min(held.low, at) - half,
                high = std::max(held.high, at) + half;
   const double room = (kShaftRadius + 1) * draft.axis(c).module;
@@ -189,7 +190,7 @@ bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int 
     const Bearing& bearing = draft.axis(c).bearings[place.second];
     if (c == home || !draft.parallel(home, c) || !bearing.placed || bearing.child == link || away(c) > reach)
       return false;
-    const Stretch held = heldStretch(draft, c, bearing.child);
+    const Interval held = heldInterval(draft, c, bearing.child);
     const double half = (own.width() + own.gap()) / 2 - 1e-6 * own.module, at = draft.carried(home, level, c);
     return std::min(held.low, bearing.at) - half < at && at < std::max(held.high, bearing.at) + half;
   });

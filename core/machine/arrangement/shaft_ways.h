@@ -10,11 +10,11 @@ namespace geargraph::inline arrangement {
 
 /// The interval of the hubs of a link's wheels on the axis, without rings. Empty (low > high) if there are
 /// none.
-[[nodiscard]] Stretch hubStretch(const PlanDraft& draft, int axisClass, int link);
+[[nodiscard]] Interval hubInterval(const PlanDraft& draft, int axisClass, int link);
 
 /// The interval of what a link's shaft supports on the axis: wheels, and the discs of ring gears. Empty (low
 /// > high) if there is nothing.
-[[nodiscard]] Stretch heldStretch(const PlanDraft& draft, int axisClass, int link);
+[[nodiscard]] Interval heldInterval(const PlanDraft& draft, int axisClass, int link);
 
 /// Is the shaft of the bearing's link, from its wheels to the bearing at `at`, clear of the wheels on other
 /// axes in every pose?

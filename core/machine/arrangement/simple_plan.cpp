@@ -18,7 +18,7 @@ void placeInRow(PlanDraft& draft, int axisClass) {
   const int side = layout.bearingSide;
   double end = -1e300;  // of all wheels, towards the bearings' side
   std::map<int, double> depths;
-  for (const Stretch& s : layout.wheels) {
+  for (const Interval& s : layout.wheels) {
     const double edge = side < 0 ? -s.low : s.high;
     end = std::max(end, edge);
     const auto [known, isNew] = depths.try_emplace(s.link, edge);

@@ -53,15 +53,15 @@ bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
   const auto meeting = draft.crossingOf(home, axisClass);
   if (link == 0 || !meeting) return false;
   const auto [level, at] = *meeting;
-  const auto isOthers = [&](const Stretch& s, double low, double high) {
+  const auto isOthers = [&](const Interval& s, double low, double high) {
     return s.link >= 0 && own.overlap(s.low, s.high, low, high);
   };
   const double half = target.width() / 2 + target.gap() / 2;
   const double reach = (kShaftRadius + 1.5) * own.module;
-  for (const Stretch& s : target.taken) {
+  for (const Interval& s : target.occupied) {
     if (isOthers(s, at - half, at + half)) return false;
   }
-  for (const Stretch& s : own.taken) {
+  for (const Interval& s : own.occupied) {
     if (isOthers(s, level - reach, level + reach)) return false;
     if (s.link == link && own.isBelow(s.low, level) && own.isBelow(level, s.high)) return false;
   }
@@ -85,7 +85,7 @@ bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
   }
   const double cosine = std::abs(own.direction.dot(target.direction));
   through->wall = 1 + kShaftRadius * cosine;
-  target.take(at, link);
+  target.occupy(at, link);
   draft.plan.tees.push_back(tee);
   return true;
 }

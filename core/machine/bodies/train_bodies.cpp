@@ -146,7 +146,7 @@ void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
   const double distance = outer + 1.3 * module;
   if (!hasRoom(c, at, distance + foot)) return;
   double middle = 0;
-  for (const Stretch& s : layout.wheels)
+  for (const Interval& s : layout.wheels)
     middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
   const double side = at < middle ? -1 : 1;
   const double far = at + side * 0.45 * layout.width();

@@ -8,7 +8,7 @@
 namespace geargraph::inline schematic {
 namespace {
 
-constexpr int kNotDrawn = -2;  ///< -1 is an occupied stretch of no link
+constexpr int kNotDrawn = -2;  ///< -1 is an occupied interval of no link
 
 /// By position in the document: the position in the part.
 using Positions = std::vector<int>;
@@ -132,8 +132,8 @@ class TrainFilter {
   }
 
   [[nodiscard]] AxisLayout axisOf(AxisLayout axis) const {
-    for (std::vector<Stretch>* all : {&axis.wheels, &axis.taken}) {
-      std::erase_if(*all, [&](Stretch& s) { return (s.link = drawnAt(m_links, s.link)) == kNotDrawn; });
+    for (std::vector<Interval>* all : {&axis.wheels, &axis.occupied}) {
+      std::erase_if(*all, [&](Interval& s) { return (s.link = drawnAt(m_links, s.link)) == kNotDrawn; });
     }
     std::erase_if(axis.bearings, [&](Bearing& b) {
       b.parent = drawnAt(m_links, b.parent);

@@ -118,9 +118,9 @@ class TestCarrierFlanges : public QObject {
     const Planned free(test::planetary(24, 18, 3));
     const FlangePlan made = free.flanges().at(0);
     const AxisLayout& own = free.plan.axes[static_cast<std::size_t>(made.axisClass)];
-    Planned taken = free;
-    taken.plan.axes[static_cast<std::size_t>(made.axisClass)].take(made.level, made.link);
-    QVERIFY(taken.flanges().empty());
+    Planned occupied = free;
+    occupied.plan.axes[static_cast<std::size_t>(made.axisClass)].occupy(made.level, made.link);
+    QVERIFY(occupied.flanges().empty());
     Planned barred = free;
     const Vector3d across = own.direction.unitOrthogonal() * 100 * own.module;
     barred.plan.frame.bars.push_back({own.at(made.level) - across, own.at(made.level) + across, own.module});

@@ -57,12 +57,12 @@ int axesOf(const PlanDraft& draft) {
 struct Turning {
   int axisClass = 0;
   int link = 0;
-  Stretch hub;
+  Interval hub;
 };
 
 Turning firstOf(const PlanDraft& draft) {
   const TrainGear& gear = draft.train.gears.front();
-  return {gear.axisClass, gear.link, hubStretch(draft, gear.axisClass, gear.link)};
+  return {gear.axisClass, gear.link, hubInterval(draft, gear.axisClass, gear.link)};
 }
 
 }  // namespace
@@ -94,12 +94,12 @@ class TestPlannerParts : public QObject {
   void aHubIsWhereItsGearIs() {
     const Drafted drafted(test::example("spur-pair"));
     for (const TrainGear& gear : drafted.train.gears) {
-      const Stretch hub = hubStretch(drafted.draft, gear.axisClass, gear.link);
+      const Interval hub = hubInterval(drafted.draft, gear.axisClass, gear.link);
       const double at = drafted.draft.axis(gear.axisClass).coordinate(gear.pose.translation());
       QVERIFY(hub.low < at && at < hub.high);
       QVERIFY(hub.high - hub.low >= gear.spec.faceWidth);
     }
-    const Stretch none = hubStretch(drafted.draft, drafted.train.gears.front().axisClass, 0);
+    const Interval none = hubInterval(drafted.draft, drafted.train.gears.front().axisClass, 0);
     QVERIFY(none.low > none.high);
   }
 
@@ -118,7 +118,7 @@ class TestPlannerParts : public QObject {
         const double beyond = cup.side * (cup.plate - axis.coordinate(ring.pose.translation()));
         QVERIFY2(beyond - axis.width() / 2 > ring.spec.faceWidth / 2, name.c_str());
         QVERIFY2(!axis.slotIsFree(cup.plate), name.c_str());
-        const Stretch held = heldStretch(drafted.draft, ring.axisClass, ring.link);
+        const Interval held = heldInterval(drafted.draft, ring.axisClass, ring.link);
         QVERIFY2(held.low <= cup.plate && cup.plate <= held.high, name.c_str());
         ++rings;
       }
@@ -150,9 +150,9 @@ class TestPlannerParts : public QObject {
       const PlanDraft& draft = drafted.draft;
       for (int c = 0; c < axesOf(draft); ++c) {
         for (const Bearing& one : draft.axis(c).bearings) {
-          const Stretch own = heldStretch(draft, c, one.child);
+          const Interval own = heldInterval(draft, c, one.child);
           for (const Bearing& other : draft.axis(c).bearings) {
-            const Stretch held = heldStretch(draft, c, other.child);
+            const Interval held = heldInterval(draft, c, other.child);
             if (other.child == one.child || held.low >= held.high || own.low > own.high) continue;
             QVERIFY2(!shaftPasses(draft, one, (held.low + held.high) / 2), name.c_str());
             ++cut;
@@ -178,13 +178,13 @@ class TestPlannerParts : public QObject {
     QCOMPARE(home, drafted.placement.classes->classOfLink(carrier));
     const AxisLayout& axis = drafted.draft.axis(home);
     const double outer = axis.outerSlot();
-    const std::size_t before = axis.taken.size();
+    const std::size_t before = axis.occupied.size();
     QVERIFY(axis.slotIsFree(outer));
     reserveRoom(drafted.draft);
     QVERIFY(!axis.slotIsFree(outer));
     releaseRoom(drafted.draft);
     QVERIFY(axis.slotIsFree(outer));
-    QCOMPARE(axis.taken.size(), before);
+    QCOMPARE(axis.occupied.size(), before);
   }
 
   /// Bars join each axis of a round to the link's own, once, and start where another one has ended.
