@@ -27,7 +27,7 @@ std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing
 void putOnFeet(PlanDraft& draft, Bearing& bearing, double place) {
   bearing.at = place;
   bearing.placed = true;
-  draft.axis(draft.classOf(bearing)).take(place, bearing.parent);
+  draft.axis(draft.classOf(bearing)).occupy(place, bearing.parent);
 }
 
 void putOnFeetOrReport(PlanDraft& draft, Bearing& bearing) {
