@@ -94,7 +94,7 @@ std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTra
     places.push_back({Kind::wheel, middle, gear.link, static_cast<int>(g)});
   }
   for (const Bearing& b : axis.bearings) {
-    if (b.isEye()) places.push_back({Kind::bearing, b.at, b.child, b.joint});
+    if (b.isBoss()) places.push_back({Kind::bearing, b.at, b.child, b.joint});
   }
   for (std::size_t a = 0; a < arrangement.arms.size(); ++a) {
     const ArmPlan& arm = arrangement.arms[a];

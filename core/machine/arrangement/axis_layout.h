@@ -21,7 +21,7 @@ struct Interval {
 
 /// The visible form of a bearing.
 enum class BearingForm {
-  eye,     ///< the parent's boss around the child's shaft
+  boss,    ///< the parent's boss around the child's shaft
   pin,     ///< the child turns on a pin of the parent, with a collar at the bearing's place
   hidden,  ///< not visible: the child turns on a pin without a collar, or on the shaft that it encloses
 };
@@ -33,10 +33,10 @@ struct Bearing {
   int child = 0;
   double at = 0;  ///< coordinate along the class's line
   bool placed = false;
-  BearingForm form = BearingForm::eye;
+  BearingForm form = BearingForm::boss;
   double wall = 1;  ///< thickness of the boss's wall, in modules
 
-  [[nodiscard]] bool isEye() const { return form == BearingForm::eye; }
+  [[nodiscard]] bool isBoss() const { return form == BearingForm::boss; }
 };
 
 /// The layout of the parts along the line of an axis class. Coordinates are measured along the line from its

@@ -77,16 +77,16 @@ class HullMaker {
   }
 
   void addBearing(int c, const Bearing& bearing) {
-    if (!bearing.isEye()) return;
+    if (!bearing.isBoss()) return;
     const AxisLayout& layout = axis(c);
     addRound(HullKind::bearing, bearing.parent, c, bearing.at - layout.width() / 2,
-             bearing.at + layout.width() / 2, eyeRadius(m_plan, c, bearing));
+             bearing.at + layout.width() / 2, bossRadius(m_plan, c, bearing));
   }
 
   /// The bar as wide as its narrower end, and the post on it.
   void addArm(const ArmPlan& arm) {
     const AxisLayout& from = axis(arm.from);
-    const Eye foot = footOf(m_plan, arm), end = endOf(m_plan, arm);
+    const Boss foot = footOf(m_plan, arm), end = endOf(m_plan, arm);
     const double off = inset(arm.from);
     const Eigen::Isometry3d frame = frameAlong(from.at(arm.level), from.direction, Vector3d::UnitX());
     const bool parallel = from.direction.cross(axis(arm.to).direction).norm() < 1e-6;

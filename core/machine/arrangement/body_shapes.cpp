@@ -23,40 +23,41 @@ double sineBetween(const AxisLayout& a, const AxisLayout& b) {
 
 double holeFor(const Arrangement& plan, int axisClass, double at, int parent) {
   const double shaft = plan.shaftAt(axisClass, at, parent);
-  return shaft > 0 ? shaft + eyePlay(axis(plan, axisClass)) : 0;
+  return shaft > 0 ? shaft + bossClearance(axis(plan, axisClass)) : 0;
 }
 
-double eyeRadius(const Arrangement& plan, int axisClass, const Bearing& bearing) {
-  return holeFor(plan, axisClass, bearing.at, bearing.parent) + bearing.wall * eyeWall(axis(plan, axisClass));
+double bossRadius(const Arrangement& plan, int axisClass, const Bearing& bearing) {
+  return holeFor(plan, axisClass, bearing.at, bearing.parent) +
+         bearing.wall * bossWall(axis(plan, axisClass));
 }
 
-Eye footOf(const Arrangement& plan, const ArmPlan& arm) {
+Boss footOf(const Arrangement& plan, const ArmPlan& arm) {
   const ShaftSegment* own = plan.shaftOf(arm.from, arm.link, arm.level);
-  Eye eye;
-  eye.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan, arm.from, arm.level, arm.link);
-  eye.radius = (own != nullptr ? own->outer : eye.hole) + eyeWall(axis(plan, arm.from));
-  return eye;
+  Boss boss;
+  boss.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan, arm.from, arm.level, arm.link);
+  boss.radius = (own != nullptr ? own->outer : boss.hole) + bossWall(axis(plan, arm.from));
+  return boss;
 }
 
-Eye endOf(const Arrangement& plan, const ArmPlan& arm) {
+Boss endOf(const Arrangement& plan, const ArmPlan& arm) {
   const AxisLayout& from = axis(plan, arm.from);
   const AxisLayout& to = axis(plan, arm.to);
   const bool parallel = sineBetween(from, to) < 1e-6;
   const auto post = postOf(plan, arm);
   const Eigen::Isometry3d frame = frameAlong(from.at(arm.level), from.direction, Vector3d::UnitX());
   const Vector3d local = frame.inverse() * (post ? post->foot : to.at(arm.at));
-  Eye eye;
-  eye.hole = parallel ? holeFor(plan, arm.to, arm.at, arm.link) : 0;
-  eye.radius = parallel ? eye.hole + eyeWall(to) : kPost * from.module;
-  eye.centre = local.head<2>();
-  return eye;
+  Boss boss;
+  boss.hole = parallel ? holeFor(plan, arm.to, arm.at, arm.link) : 0;
+  boss.radius = parallel ? boss.hole + bossWall(to) : kPost * from.module;
+  boss.centre = local.head<2>();
+  return boss;
 }
 
 PostEnd postEnd(const AxisLayout& from, const AxisLayout& to, double hole, double sense) {
-  const double radius = kPost * from.module, wall = 0.5 * eyeWall(to);
+  const double radius = kPost * from.module, wall = 0.5 * bossWall(to);
   const double cosine = from.direction.dot(to.direction), sine = sineBetween(from, to);
   const double lean = std::abs(cosine);
-  // In the plane of both directions: how far the end's middle is from the eye's axis, and the length along
+  // In the plane of both directions: how far the end's middle is from the boss's axis, and the length along
   // that axis of what lies within the wall.
   const double away = hole + wall + radius * lean;
   PostEnd end{Vector3d::Zero(), away * sine};

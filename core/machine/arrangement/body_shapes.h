@@ -9,10 +9,10 @@
 namespace geargraph::inline arrangement {
 
 /// The radial clearance between a boss and the shaft in it, and the thickness of the boss's wall; lengths.
-[[nodiscard]] inline double eyePlay(const AxisLayout& layout) {
+[[nodiscard]] inline double bossClearance(const AxisLayout& layout) {
   return 0.08 * layout.module;
 }
-[[nodiscard]] inline double eyeWall(const AxisLayout& layout) {
+[[nodiscard]] inline double bossWall(const AxisLayout& layout) {
   return 1.0 * layout.module;
 }
 
@@ -20,15 +20,15 @@ namespace geargraph::inline arrangement {
 [[nodiscard]] double holeFor(const Arrangement& plan, int axisClass, double at, int parent);
 
 /// The outer radius of a bearing's boss.
-[[nodiscard]] double eyeRadius(const Arrangement& plan, int axisClass, const Bearing& bearing);
+[[nodiscard]] double bossRadius(const Arrangement& plan, int axisClass, const Bearing& bearing);
 
 /// The hub of an arm on its link's own axis. Its hole is within the wall of the link's shaft, so that the two
 /// overlap and no faces coincide.
-[[nodiscard]] Eye footOf(const Arrangement& plan, const ArmPlan& arm);
+[[nodiscard]] Boss footOf(const Arrangement& plan, const ArmPlan& arm);
 
 /// The boss at the other end of an arm, in the frame at the arm's level whose x axis is along the direction
 /// of the base frame nearest to a normal of the arm's axis.
-[[nodiscard]] Eye endOf(const Arrangement& plan, const ArmPlan& arm);
+[[nodiscard]] Boss endOf(const Arrangement& plan, const ArmPlan& arm);
 
 /// The end of a pedestal along one axis relative to the centre of the boss on another axis that it supports.
 struct PostEnd {

@@ -33,19 +33,19 @@ DiscHull cylinder(const Vector3d& point, const Vector3d& direction, double low, 
   return discs;
 }
 
-/// A pinion's eye about its axis, which meets the carrier's.
-struct PinionEye {
+/// A pinion's boss about its axis, which meets the carrier's.
+struct PinionBoss {
   const ArmPlan* arm = nullptr;
   double crossing = 0;  ///< coordinate along the pinion's axis
-  double side = 1;      ///< on which the eye stands of the crossing
+  double side = 1;      ///< on which the boss stands of the crossing
 };
 
-/// The eyes of a carrier whose axes meet its own at right angles in one point, each on a side of its own, for
-/// links that hold nothing themselves; none where it has others or fewer than two. And the point's level.
-std::vector<PinionEye> eyesOf(const Arrangement& plan, const std::vector<const ArmPlan*>& arms,
-                              double& level) {
+/// The bosses of a carrier whose axes meet its own at right angles in one point, each on a side of its own,
+/// for links that hold nothing themselves; none where it has others or fewer than two. And the point's level.
+std::vector<PinionBoss> bossesOf(const Arrangement& plan, const std::vector<const ArmPlan*>& arms,
+                                 double& level) {
   const AxisLayout& own = plan.axes[static_cast<std::size_t>(arms.front()->from)];
-  std::vector<PinionEye> eyes;
+  std::vector<PinionBoss> bosses;
   std::set<std::pair<int, double>> sides;
   for (const ArmPlan* arm : arms) {
     const AxisLayout& to = plan.axes[static_cast<std::size_t>(arm->to)];
@@ -53,17 +53,17 @@ std::vector<PinionEye> eyesOf(const Arrangement& plan, const std::vector<const A
     const double along = own.coordinate(to.point);  // where axes at right angles come nearest
     const double crossing = to.coordinate(own.at(along));
     const bool meets = (to.at(crossing) - own.at(along)).norm() < 1e-6 * own.module;
-    if (!meets || (!eyes.empty() && std::abs(along - level) > 1e-6 * own.module)) return {};
+    if (!meets || (!bosses.empty() && std::abs(along - level) > 1e-6 * own.module)) return {};
     const auto isHeld = [&](const auto& each) { return each.link == arm->child; };
     if (std::any_of(plan.arms.begin(), plan.arms.end(), isHeld) ||
         std::any_of(plan.pins.begin(), plan.pins.end(), isHeld) ||
         std::any_of(plan.tees.begin(), plan.tees.end(), isHeld))
       return {};
     level = along;
-    eyes.push_back({arm, crossing, arm->at < crossing ? -1.0 : 1.0});
-    if (!sides.insert({arm->to, eyes.back().side}).second) return {};
+    bosses.push_back({arm, crossing, arm->at < crossing ? -1.0 : 1.0});
+    if (!sides.insert({arm->to, bosses.back().side}).second) return {};
   }
-  return eyes.size() < 2 ? std::vector<PinionEye>{} : eyes;
+  return bosses.size() < 2 ? std::vector<PinionBoss>{} : bosses;
 }
 
 class CaseMaker {
@@ -73,8 +73,8 @@ class CaseMaker {
         m_envelopes(sweptEnvelopes(plan, train, placement)),
         m_hulls(bodyHulls(plan, train, {0, true})) {}
 
-  [[nodiscard]] std::optional<CasePlan> make(const std::vector<PinionEye>& eyes, double level) const {
-    const ArmPlan& first = *eyes.front().arm;
+  [[nodiscard]] std::optional<CasePlan> make(const std::vector<PinionBoss>& bosses, double level) const {
+    const ArmPlan& first = *bosses.front().arm;
     const AxisLayout& own = axis(first.from);
     const auto ring = [&](double middle) {
       return std::pair{middle - 0.5 * own.width(), middle + 0.5 * own.width()};
@@ -82,33 +82,35 @@ class CaseMaker {
     CasePlan made;
     made.link = first.link;
     made.axisClass = first.from;
-    made.inner = innerRadius(eyes, own);
+    made.inner = innerRadius(bosses, own);
     made.outer = made.inner + kRing * own.module;
-    made.towards = wayOf(eyes.front());
+    made.towards = wayOf(bosses.front());
     made.rings = {ring(level), ring(first.level)};
-    const bool areInOnePlane = std::all_of(eyes.begin(), eyes.end(), [&](const PinionEye& eye) {
-      return std::abs(eye.arm->level - first.level) < 1e-9 * own.module;
+    const bool areInOnePlane = std::all_of(bosses.begin(), bosses.end(), [&](const PinionBoss& boss) {
+      return std::abs(boss.arm->level - first.level) < 1e-9 * own.module;
     });
-    if (!areInOnePlane || !isFree(made, eyes)) made.rings.pop_back();
-    if (!isFree(made, eyes)) return std::nullopt;
-    for (const PinionEye& eye : eyes) addTubes(eye, made);
+    if (!areInOnePlane || !isFree(made, bosses)) made.rings.pop_back();
+    if (!isFree(made, bosses)) return std::nullopt;
+    for (const PinionBoss& boss : bosses) addTubes(boss, made);
     return made;
   }
 
  private:
   [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
 
-  /// From the carrier's axis to the eye.
-  [[nodiscard]] Vector3d wayOf(const PinionEye& eye) const { return eye.side * axis(eye.arm->to).direction; }
+  /// From the carrier's axis to the boss.
+  [[nodiscard]] Vector3d wayOf(const PinionBoss& boss) const {
+    return boss.side * axis(boss.arm->to).direction;
+  }
 
-  /// Round all that the pinions' links are made of, and the eyes.
-  [[nodiscard]] double innerRadius(const std::vector<PinionEye>& eyes, const AxisLayout& own) const {
+  /// Round all that the pinions' links are made of, and the bosses.
+  [[nodiscard]] double innerRadius(const std::vector<PinionBoss>& bosses, const AxisLayout& own) const {
     double inner = 0;
-    for (const PinionEye& eye : eyes) {
-      const AxisLayout& to = axis(eye.arm->to);
-      inner = std::max(inner, std::abs(eye.arm->at - eye.crossing) + 0.5 * to.width());
+    for (const PinionBoss& boss : bosses) {
+      const AxisLayout& to = axis(boss.arm->to);
+      inner = std::max(inner, std::abs(boss.arm->at - boss.crossing) + 0.5 * to.width());
       for (const BodyHull& hull : m_hulls) {
-        if (hull.link != eye.arm->child) continue;
+        if (hull.link != boss.arm->child) continue;
         for (const Disc& disc : hull.discs) {
           const Vector3d apart = wideOf(disc.centre) - own.point;
           const double away = (apart - apart.dot(own.direction) * own.direction).norm();
@@ -131,11 +133,11 @@ class CaseMaker {
   }
 
   /// Is there nothing in the ring but what the carrier holds?
-  [[nodiscard]] bool isFree(const CasePlan& made, const std::vector<PinionEye>& eyes) const {
+  [[nodiscard]] bool isFree(const CasePlan& made, const std::vector<PinionBoss>& bosses) const {
     const AxisLayout& own = axis(made.axisClass);
     const double play = kPlay * own.module;
     std::set<int> inside{made.link};
-    for (const PinionEye& eye : eyes) inside.insert(eye.arm->child);
+    for (const PinionBoss& boss : bosses) inside.insert(boss.arm->child);
     const SweptEnvelope whole = envelopeOf(made, own);
     const DiscHull filled =
         cylinder(own.point, own.direction, whole.low - play, whole.high + play, made.outer + play);
@@ -164,17 +166,17 @@ class CaseMaker {
     });
   }
 
-  /// From within the eye's wall into its ring, and from the arm's end into the other one.
-  void addTubes(const PinionEye& eye, CasePlan& made) const {
+  /// From within the boss's wall into its ring, and from the arm's end into the other one.
+  void addTubes(const PinionBoss& boss, CasePlan& made) const {
     const AxisLayout& own = axis(made.axisClass);
-    const AxisLayout& to = axis(eye.arm->to);
-    const double wall = eyeWall(to), hole = holeFor(m_plan, eye.arm->to, eye.arm->at, made.link);
-    const double ring = (made.inner + made.outer) / 2, away = std::abs(eye.arm->at - eye.crossing);
-    const Vector3d middle = to.at(eye.crossing), way = wayOf(eye);
+    const AxisLayout& to = axis(boss.arm->to);
+    const double wall = bossWall(to), hole = holeFor(m_plan, boss.arm->to, boss.arm->at, made.link);
+    const double ring = (made.inner + made.outer) / 2, away = std::abs(boss.arm->at - boss.crossing);
+    const Vector3d middle = to.at(boss.crossing), way = wayOf(boss);
     made.tubes.push_back({middle + (away + 0.25 * to.width()) * way, middle + ring * way, hole + 0.1 * wall,
                           hole + 0.9 * wall});
     if (made.rings.size() < 2) return;
-    const Vector3d foot = own.at(eye.arm->level);
+    const Vector3d foot = own.at(boss.arm->level);
     made.tubes.push_back({foot + away * way, foot + ring * way, 0, 1.2 * own.module});
   }
 
@@ -197,10 +199,10 @@ std::vector<CasePlan> carrierCases(const Arrangement& plan, const GearTrain& tra
   std::vector<CasePlan> cases;
   for (const auto& [place, arms] : carriers) {
     double level = 0;
-    const std::vector<PinionEye> eyes = eyesOf(plan, arms, level);
-    if (eyes.empty()) continue;
+    const std::vector<PinionBoss> bosses = bossesOf(plan, arms, level);
+    if (bosses.empty()) continue;
     if (!maker) maker.emplace(plan, train, placement);
-    if (auto made = maker->make(eyes, level)) cases.push_back(std::move(*made));
+    if (auto made = maker->make(bosses, level)) cases.push_back(std::move(*made));
   }
   return cases;
 }

@@ -44,7 +44,7 @@ class FlangeMaker {
     m_made.axisClass = first.from;
     m_made.arms = first.level;
     if (!findLevel() || !isSlotFree()) return std::nullopt;
-    addEyes();
+    addBosses();
     addPillars();
     if (m_made.pillars.size() < 2 || !isClear()) return std::nullopt;
     return std::move(m_made);
@@ -61,7 +61,7 @@ class FlangeMaker {
 
   bool findLevel();
   [[nodiscard]] bool isSlotFree() const;
-  void addEyes();
+  void addBosses();
   void addPillars();
   [[nodiscard]] std::vector<PassedGear> circles() const;
   [[nodiscard]] bool isClear() const;
@@ -110,8 +110,8 @@ bool FlangeMaker::isSlotFree() const {
          std::all_of(m_arms.begin(), m_arms.end(), [&](const ArmPlan* arm) { return isFreeOn(arm->to); });
 }
 
-void FlangeMaker::addEyes() {
-  const double wall = eyeWall(own());
+void FlangeMaker::addBosses() {
+  const double wall = bossWall(own());
   const double hole = holeFor(m_plan, m_made.axisClass, m_made.level, m_made.link);
   m_made.hub = {Vector2d::Zero(), hole + wall, hole};
   for (const ArmPlan* arm : m_arms) {
@@ -140,7 +140,7 @@ std::vector<PassedGear> FlangeMaker::circles() const {
 /// Between neighbours, where most room is.
 void FlangeMaker::addPillars() {
   std::vector<double> planets;
-  for (const Eye& end : m_made.ends) planets.push_back(std::atan2(end.centre.y(), end.centre.x()));
+  for (const Boss& end : m_made.ends) planets.push_back(std::atan2(end.centre.y(), end.centre.x()));
   std::sort(planets.begin(), planets.end());
   std::vector<double> angles;
   const double turn = 2 * std::numbers::pi;
@@ -153,7 +153,7 @@ void FlangeMaker::addPillars() {
   const double module = own().module;
   for (const double angle : angles) {
     const Vector2d way(std::cos(angle), std::sin(angle));
-    Eye best;
+    Boss best;
     best.radius = 0;
     for (int i = 1; i < kPlaces; ++i) {
       const Vector2d place = m_reach * i / kPlaces * way;
@@ -172,7 +172,7 @@ void FlangeMaker::addPillars() {
 bool FlangeMaker::isClear() const {
   const double module = own().module, half = own().width() / 2;
   double nearest = 1e300;  // of the pillars
-  for (const Eye& pillar : m_made.pillars) nearest = std::min(nearest, pillar.centre.norm() - pillar.radius);
+  for (const Boss& pillar : m_made.pillars) nearest = std::min(nearest, pillar.centre.norm() - pillar.radius);
   SweptEnvelope flange;
   flange.point = own().point;
   flange.direction = own().direction;

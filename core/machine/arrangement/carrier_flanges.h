@@ -15,10 +15,10 @@ struct FlangePlan {
   int axisClass = 0;  ///< the carrier's own
   double arms = 0;    ///< level of the arms
   double level = 0;   ///< of the second flange
-  Eye hub;
-  std::vector<Eye> ends;      ///< bosses around the planets' shafts, in the frame of endOf() but at `level`
+  Boss hub;
+  std::vector<Boss> ends;     ///< bosses around the planets' shafts, in the frame of endOf() but at `level`
   std::vector<int> children;  ///< by end
-  std::vector<Eye> pillars;   ///< without holes
+  std::vector<Boss> pillars;  ///< without holes
 };
 
 /// The second flanges of carriers on axes of the ground whose planets are on one side of their arms, where

@@ -258,7 +258,7 @@ void CoaxialMaker::carryPlanets(int net) {
       for (const Bearing& b : there.bearings) {
         if (spider) {
           m_plan.arms.push_back({link(net), m_class, level, planets.axisClass, carriedTo(level), b.child});
-          m_plan.bearings.push_back({b.joint, carriedTo(level), BearingForm::eye});
+          m_plan.bearings.push_back({b.joint, carriedTo(level), BearingForm::boss});
           continue;
         }
         const bool below = level < planets.wheels.front().low;
@@ -419,7 +419,7 @@ void CoaxialMaker::placeBearing(int net) {
     const RouteTerminal& terminal = m_sections.nets[at(net)].supports[at(route.support)];
     const int c = m_grid.columnOf(terminal.cells.front());
     bearing.at = middleOf(c);
-    if (column(c).end != 0) bearing.form = BearingForm::eye;
+    if (column(c).end != 0) bearing.form = BearingForm::boss;
   }
   m_plan.bearings.push_back(bearing);
 }

@@ -16,7 +16,7 @@ namespace geargraph::inline arrangement {
 struct CoaxialBearing {
   int joint = 0;
   double at = 0;
-  BearingForm form = BearingForm::eye;
+  BearingForm form = BearingForm::boss;
 };
 
 /// How the links of one axis connect their wheels and carry their planets without collision: sleeves inside

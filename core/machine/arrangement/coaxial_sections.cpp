@@ -302,14 +302,14 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   }
 }
 
-/// Where the eyes or the disc about the planets' pins may stand: beside their wheels, or one farther.
+/// Where the bosses or the disc about the planets' pins may stand: beside their wheels, or one farther.
 std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) const {
   const ProfileGrid& grid = m_made.grid;
-  const double eye = kPinEye * m_made.module;
+  const double boss = kPinBoss * m_made.module;
   int low = m_made.innerRows;
-  while (low < grid.rows && m_made.rowLow(low) + m_made.cell <= p.distance - eye) ++low;
+  while (low < grid.rows && m_made.rowLow(low) + m_made.cell <= p.distance - boss) ++low;
   int high = low;
-  while (high < grid.rows && m_made.rowLow(high) < p.distance + eye) ++high;
+  while (high < grid.rows && m_made.rowLow(high) < p.distance + boss) ++high;
   const auto bandOf = [&](int c) { return ProfileRun{grid.cell(c, low), grid.cell(c, high)}; };
   const auto terminalAt = [&](int c) {
     RouteTerminal terminal;

@@ -45,7 +45,7 @@ struct CoaxialSections {
 };
 
 /// Half the height of a boss around a planet's pin, in modules.
-constexpr double kPinEye = 2.9;
+constexpr double kPinBoss = 2.9;
 
 /// `runOn`: links with one wheel may also turn on the shaft inside them, without extending to an end of the
 /// axis.

@@ -36,8 +36,8 @@ Interval reachOf(const PlanDraft& draft, const ArmPlan& arm) {
 }
 
 /// The middle lines of an arm across to another axis: from its own axis to the foot of its post, and on to
-/// the eye's middle. An oblique post passes beside that, and its line ends where it does, as shafts are whose
-/// radii are not known yet.
+/// the boss's middle. An oblique post passes beside that, and its line ends where it does, as shafts are
+/// whose radii are not known yet.
 struct ArmLines {
   Vector3d start, foot, end;
 };
@@ -46,7 +46,7 @@ ArmLines linesOf(const AxisLayout& from, const AxisLayout& to, const ArmPlan& ar
   ArmLines lines{from.at(arm.level), {}, to.at(arm.at)};
   const double rise = (lines.end - lines.start).dot(from.direction), sense = rise < 0 ? -1 : 1;
   lines.foot = lines.end - rise * from.direction;
-  const PostEnd met = postEnd(from, to, kShaftRadius * to.module + eyePlay(to), sense);
+  const PostEnd met = postEnd(from, to, kShaftRadius * to.module + bossClearance(to), sense);
   if (met.aside.isZero() || std::abs(rise) - met.before <= 0.5 * from.width()) return lines;
   lines.foot += met.aside;
   lines.end += met.aside - met.before * sense * from.direction;
@@ -59,11 +59,11 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const AxisLayout& to = draft.axis(arm.to);
   const auto [start, foot, end] = linesOf(from, to, arm);
-  const Vector3d eye = to.at(arm.at);
-  constexpr double kNear = 5.5;  // modules: a post beside an eye about two shafts
+  const Vector3d boss = to.at(arm.at);
+  constexpr double kNear = 5.5;  // modules: a post beside a boss about two shafts
   int count = 0;
   if ((foot - start).norm() < kNear * from.module) {
-    const auto [near, far] = std::minmax({arm.level, from.coordinate(eye)});
+    const auto [near, far] = std::minmax({arm.level, from.coordinate(boss)});
     for (const Interval& s : from.occupied)
       count += s.link >= 0 && s.link != arm.link && from.overlap(s.low, s.high, near, far);
   }
@@ -92,7 +92,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
     const double part = static_cast<double>(i) / kPlaces;
     const Vector3d onPost = end + part * (foot - end);
     const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onPost) - arm.at)) ||
-                           to.isBelow((onPost - eye).norm(), nearest);
+                           to.isBelow((onPost - boss).norm(), nearest);
     count += isInShaft(start + part * (foot - start)) ? 1 : 0;
     count += !inBearing && isInShaft(onPost) ? 1 : 0;
   }
@@ -187,7 +187,7 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
   };
   if (std::any_of(target.occupied.begin(), target.occupied.end(), inTheWay)) return std::nullopt;
   for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
-    if (other.child == link || !other.isEye()) continue;
+    if (other.child == link || !other.isBoss()) continue;
     const auto span = own.wheelsOf(other.child);
     const double low = std::min(other.at, span ? span->low : other.at);
     const double high = std::max(other.at, span ? span->high : other.at);

@@ -138,9 +138,9 @@ void FrameMaker::findPieces() {
   for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
     const double half = m_plan.axes[c].width() / 2;
     for (const Bearing& b : m_plan.axes[c].bearings) {
-      if (b.parent != 0 || !b.isEye()) continue;
+      if (b.parent != 0 || !b.isBoss()) continue;
       const int on = static_cast<int>(c);
-      m_pieces.push_back({on, b.at - half, b.at + half, eyeRadius(m_plan, on, b), true});
+      m_pieces.push_back({on, b.at - half, b.at + half, bossRadius(m_plan, on, b), true});
     }
   }
   for (const ShaftSegment& s : m_plan.shafts) {
@@ -151,7 +151,7 @@ void FrameMaker::findPieces() {
     const double half = 0.45 * axis(stub.axisClass).width();
     if (shaft != nullptr)
       m_pieces.push_back({stub.axisClass, stub.at - half, stub.at + half,
-                          shaft->outer + eyeWall(axis(stub.axisClass)), true});
+                          shaft->outer + bossWall(axis(stub.axisClass)), true});
   }
   for (const LathePlan& lathe : m_plan.lathes) {
     if (lathe.link != 0) continue;
@@ -219,8 +219,8 @@ std::optional<HousingPlan> FrameMaker::housingBetween(const Piece& a, const Piec
     if (s.axisClass == a.axisClass && s.link != 0 && on.overlap(s.low, s.high, a.low, b.high))
       inside = std::max(inside, s.outer);
   }
-  HousingPlan housing{a.axisClass, (a.low + a.high) / 2, (b.low + b.high) / 2, inside + eyePlay(on),
-                      std::max({a.outer, b.outer, inside + eyePlay(on) + 0.6 * eyeWall(on)})};
+  HousingPlan housing{a.axisClass, (a.low + a.high) / 2, (b.low + b.high) / 2, inside + bossClearance(on),
+                      std::max({a.outer, b.outer, inside + bossClearance(on) + 0.6 * bossWall(on)})};
   housing.outer -= 0.1 * on.module;
   const double margin = housing.outer + kPlay * on.module;
   const bool areNeighbours = !on.isBelow(2 * on.gap(), high - low);  // no room for anything but shafts
@@ -341,7 +341,7 @@ void FrameMaker::considerRims(const Piece& piece, Bracket& best) const {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * std::numbers::pi * i / kDirections;
       const Vector3d way = frame.linear() * Vector3d(std::cos(angle), std::sin(angle), 0);
-      const Vector3d start = on.at(at) + (piece.outer - 0.5 * eyeWall(on)) * way;
+      const Vector3d start = on.at(at) + (piece.outer - 0.5 * bossWall(on)) * way;
       const Vector3d corner = on.at(at) + reach * way;
       const double beyond = (at < end ? -1 : 1) * 1.2 * radius;
       if (!isClear(start, corner, kBar * module(), &piece) ||
@@ -373,9 +373,9 @@ void FrameMaker::considerPedestal(const Piece& piece, Bracket& best) const {
     if (s.axisClass == piece.axisClass && on.overlap(s.low, s.high, std::min(near, far), std::max(near, far)))
       inside = std::max(inside, s.outer);
   }
-  HousingPlan housing{piece.axisClass, std::min(near, far), std::max(near, far), inside + eyePlay(on),
+  HousingPlan housing{piece.axisClass, std::min(near, far), std::max(near, far), inside + bossClearance(on),
                       piece.outer - 0.1 * on.module};
-  if (housing.inner + 0.4 * eyeWall(on) > housing.outer) return;
+  if (housing.inner + 0.4 * bossWall(on) > housing.outer) return;
   const Vector3d start = on.at(sense > 0 ? piece.low : piece.high), end = on.at(far);
   const double margin = housing.outer + kPlay * on.module;
   for (const SweptEnvelope& e : m_envelopes) {
@@ -398,7 +398,7 @@ void FrameMaker::considerBase(const Piece& piece, Bracket& best) const {
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kDirections;
     const Vector3d way = frame.linear() * Vector3d(std::cos(angle), std::sin(angle), 0);
-    const Vector3d start = centre + (piece.outer - 0.5 * eyeWall(on)) * way;
+    const Vector3d start = centre + (piece.outer - 0.5 * bossWall(on)) * way;
     if (way.z() < -0.999) {
       const double length = centre.z() - floor;
       const Vector3d end(centre.x(), centre.y(), floor);
@@ -428,7 +428,7 @@ std::optional<Bracket> FrameMaker::bracketTo(const Piece& piece, const Vector3d&
                                              bool isStout) const {
   const AxisLayout& on = axis(piece.axisClass);
   const Vector3d centre = on.at((piece.low + piece.high) / 2);
-  const Vector3d start = centre + (piece.outer - 0.5 * eyeWall(on)) * way;
+  const Vector3d start = centre + (piece.outer - 0.5 * bossWall(on)) * way;
   const double floor = m_made.top - 0.5 * m_made.thickness;
   double bar = kBar * module(), column = kColumn * module();
   if (isStout) {

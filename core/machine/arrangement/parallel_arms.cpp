@@ -210,7 +210,7 @@ std::vector<AxisBar> barsOf(const PlanDraft& draft, int link, int home, const st
     if (c != home && std::none_of(open.begin(), open.end(), isSame))
       open.push_back({{home, c}, (place(c) - place(home)).norm()});
   }
-  const double room = 3.5 * draft.axis(home).module;  // an eye and its play
+  const double room = 3.5 * draft.axis(home).module;  // a boss and its play
   std::vector<AxisBar> bars;
   std::vector<int> joined{home};
   while (!open.empty()) {

@@ -96,7 +96,7 @@ void addShaft(PlanDraft& draft, int axisClass, int link) {
   const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
   const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
   for (const Bearing& b : layout.bearings) {
-    if (!b.isEye()) continue;
+    if (!b.isBoss()) continue;
     if (b.parent == link && (nearest == nullptr || layout.isBelow(away(b), away(*nearest)))) nearest = &b;
     if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
   }

@@ -34,7 +34,7 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& h
   const double middle = (held.low + held.high) / 2;
   const auto isAgainst = [&](const Bearing& b) {
     const Interval other = heldInterval(draft, axisClass, b.child);
-    if (!b.placed || !b.isEye() || b.child == link || other.low > other.high) return false;
+    if (!b.placed || !b.isBoss() || b.child == link || other.low > other.high) return false;
     const double others = (other.low + other.high) / 2;
     const auto passes = [&](double from, double to, double x) {
       return layout.isBelow(from, x) == layout.isBelow(x, to);
@@ -145,7 +145,7 @@ bool isTrapped(const PlanDraft& draft, int link, int home, double level) {
   if (held.low <= held.high) return false;
   const auto& bearings = draft.axis(home).bearings;
   return std::any_of(bearings.begin(), bearings.end(), [&](const Bearing& b) {
-    return b.child == link && b.placed && b.isEye() &&
+    return b.child == link && b.placed && b.isBoss() &&
            isCutOff(draft, home, link, {level, level, link}, b.at);
   });
 }

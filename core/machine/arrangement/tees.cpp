@@ -21,7 +21,7 @@ bool isAround(const PlanDraft& draft, int home, int link, double level) {
          });
 }
 
-/// The bearing of the one shaft that an eye at the crossing holds: the one with wheels on both sides of it;
+/// The bearing of the one shaft that a boss at the crossing holds: the one with wheels on both sides of it;
 /// where several have theirs on one side, the nearest, on which the others run. The end: there is none.
 std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisClass, double at) {
   AxisLayout& target = draft.axis(axisClass);
@@ -81,7 +81,7 @@ bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
     if (b.parent != link) continue;
     b.placed = true;
     b.at = at;
-    b.form = &b == &*through ? BearingForm::eye : BearingForm::hidden;
+    b.form = &b == &*through ? BearingForm::boss : BearingForm::hidden;
   }
   const double cosine = std::abs(own.direction.dot(target.direction));
   through->wall = 1 + kShaftRadius * cosine;

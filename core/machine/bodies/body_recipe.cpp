@@ -23,8 +23,8 @@ struct Hasher {
   std::size_t& seed;
 
   void add(double number) const { seed = seed * 1000003 + std::hash<double>{}(number); }
-  void add(const Eye& eye) const {
-    for (const double number : {eye.centre.x(), eye.centre.y(), eye.radius, eye.hole}) add(number);
+  void add(const Boss& boss) const {
+    for (const double number : {boss.centre.x(), boss.centre.y(), boss.radius, boss.hole}) add(number);
   }
   void operator()(const TubePart& t) const {
     for (const double number : {t.outer, t.inner, t.from, t.to}) add(number);
@@ -37,7 +37,7 @@ struct Hasher {
   }
   void operator()(const SpiderPart& s) const {
     add(s.hub);
-    for (const Eye& end : s.ends) add(end);
+    for (const Boss& end : s.ends) add(end);
     add(s.from);
     add(s.to);
   }
@@ -45,7 +45,7 @@ struct Hasher {
     for (const double number : {b.outer, b.inner, b.from, b.to, b.half}) add(number);
   }
   void operator()(const PlatePart& p) const {
-    for (const Eye& corner : p.corners) add(corner);
+    for (const Boss& corner : p.corners) add(corner);
     add(p.from);
     add(p.to);
   }

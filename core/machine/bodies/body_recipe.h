@@ -33,8 +33,8 @@ struct LathePart {
 
 /// spider()
 struct SpiderPart {
-  Eye hub;
-  std::vector<Eye> ends;
+  Boss hub;
+  std::vector<Boss> ends;
   double from = 0;
   double to = 0;
   friend bool operator==(const SpiderPart&, const SpiderPart&) = default;
@@ -52,7 +52,7 @@ struct BarPart {
 
 /// plate()
 struct PlatePart {
-  std::vector<Eye> corners;
+  std::vector<Boss> corners;
   double from = 0;
   double to = 0;
   friend bool operator==(const PlatePart&, const PlatePart&) = default;

@@ -51,9 +51,9 @@ class BodyBuilder {
       for (const Bearing& b : m_plan.axes[c].bearings) {
         if (b.form == BearingForm::pin) {
           addCollar(static_cast<int>(c), b);
-        } else if (!b.isEye()) {
+        } else if (!b.isBoss()) {
           continue;
-        } else if (!isEyeOfArm(static_cast<int>(c), b)) {
+        } else if (!isBossOfArm(static_cast<int>(c), b)) {
           addBearing(static_cast<int>(c), b);
         }
       }
@@ -79,8 +79,8 @@ class BodyBuilder {
     add(shaft.link, TubePart{shaft.outer, shaft.inner, shaft.low, shaft.high}, layout, line(layout));
   }
 
-  /// An arm in the plane of the bearing has its eye there already, at either end.
-  [[nodiscard]] bool isEyeOfArm(int c, const Bearing& bearing) const {
+  /// An arm in the plane of the bearing has its boss there already, at either end.
+  [[nodiscard]] bool isBossOfArm(int c, const Bearing& bearing) const {
     const auto& arms = m_armsOf[static_cast<std::size_t>(bearing.parent)];
     return std::any_of(arms.begin(), arms.end(), [&](const ArmPlan* each) {
       const ArmPlan& arm = *each;
@@ -108,7 +108,7 @@ class BodyBuilder {
     const AxisLayout& layout = axis(c);
     const double hole = holeFor(m_plan, c, bearing.at, bearing.parent);
     const double half = layout.width() / 2;
-    const double outer = hole + bearing.wall * eyeWall(layout);
+    const double outer = hole + bearing.wall * bossWall(layout);
     add(bearing.parent, TubePart{outer, hole, bearing.at - half, bearing.at + half}, layout, line(layout));
     if (bearing.parent == 0 && isOnFeet(c, bearing.at)) addFlange(c, bearing.at, hole, outer);
   }
@@ -151,13 +151,13 @@ void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
   const double side = at < middle ? -1 : 1;
   const double far = at + side * 0.45 * layout.width();
   const double near = far - side * 0.4 * layout.width();
-  std::vector<Eye> feet;
+  std::vector<Boss> feet;
   for (int i = 0; i < 4; ++i) {
     const double angle = std::numbers::pi / 4 + std::numbers::pi / 2 * i;
     feet.push_back({distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)), foot, 0.45 * foot});
   }
   const double seat = hole + 0.4 * (outer - hole);  // within the bearing's wall
-  const Eye hub{{0, 0}, outer + 0.1 * module, seat};
+  const Boss hub{{0, 0}, outer + 0.1 * module, seat};
   add(0, SpiderPart{hub, std::move(feet), std::min(near, far), std::max(near, far)}, layout, line(layout));
 }
 
@@ -168,7 +168,7 @@ void BodyBuilder::addStub(const StubPlan& stub) {
   if (shaft == nullptr) return;
   const double half = 0.45 * layout.width();
   const double hole = 0.5 * (shaft->inner + shaft->outer);
-  const double outer = shaft->outer + eyeWall(layout);
+  const double outer = shaft->outer + bossWall(layout);
   add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
   if (isOnFeet(stub.axisClass, stub.at)) addFlange(stub.axisClass, stub.at, hole, outer);
 }
@@ -206,8 +206,8 @@ void BodyBuilder::addArms() {
 void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
   const ArmPlan& first = *arms.front();
   const AxisLayout& from = axis(first.from);
-  const Eye hub = footOf(m_plan, first);
-  std::vector<Eye> ends;
+  const Boss hub = footOf(m_plan, first);
+  std::vector<Boss> ends;
   for (const ArmPlan* plan : arms) ends.push_back(endOf(m_plan, *plan));
   const double half = 0.5 * from.width();
   add(first.link, SpiderPart{hub, std::move(ends), -half, half}, from,
@@ -288,7 +288,7 @@ void BodyBuilder::addFlange(const FlangePlan& made) {
   const auto at = [&](double level) { return frame(made.axisClass, level, Vector3d::UnitX()); };
   add(made.link, SpiderPart{made.hub, made.ends, -half, half}, own, at(made.level));
   // Arms to pillars are parts of their own, between those to planets; no face of one lies on one of another.
-  const auto addArmsToPillars = [&](double level, Eye hub) {
+  const auto addArmsToPillars = [&](double level, Boss hub) {
     hub.radius -= 0.1 * own.module;
     hub.hole += hub.hole > 0 ? 0.05 * own.module : 0;
     add(made.link, SpiderPart{hub, made.pillars, -0.9 * half, 0.9 * half}, own, at(level));
@@ -296,7 +296,7 @@ void BodyBuilder::addFlange(const FlangePlan& made) {
   addArmsToPillars(made.level, made.hub);
   addArmsToPillars(made.arms, footOf(m_plan, {made.link, made.axisClass, made.arms}));
   const auto [low, high] = std::minmax({made.arms, made.level});
-  for (const Eye& pillar : made.pillars) {
+  for (const Boss& pillar : made.pillars) {
     Eigen::Isometry3d place = at(low);
     place.translate(Vector3d(pillar.centre.x(), pillar.centre.y(), 0));
     add(made.link, TubePart{pillar.radius - 0.05 * own.module, 0, 0, high - low}, own, place);
@@ -313,7 +313,7 @@ void BodyBuilder::addFrame(const FramePlan& frame) {
         frameAlong(bar.from, way.normalized()));
   }
   if (frame.feet.empty()) return;
-  std::vector<Eye> corners;
+  std::vector<Boss> corners;
   for (const FramePlan::Foot& foot : frame.feet) corners.push_back({foot.place, foot.radius, 0});
   add(0, PlatePart{std::move(corners), frame.top - frame.thickness, frame.top}, m_plan.axes.front(),
       Eigen::Isometry3d::Identity());

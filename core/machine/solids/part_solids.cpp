@@ -20,25 +20,25 @@ struct OutlineNode {
   Vector2d normal;
 };
 
-/// Half of an arm: an eye with the part of the outline about it, up to the line where the halves meet.
+/// Half of an arm: a boss with the part of the outline about it, up to the line where the halves meet.
 class ArmHalf {
  public:
-  ArmHalf(ShellBuilder& builder, const Eye& eye, double from, double to, double tolerance)
-      : m_builder(builder), m_eye(eye), m_from(from), m_to(to), m_tolerance(tolerance) {}
+  ArmHalf(ShellBuilder& builder, const Boss& boss, double from, double to, double tolerance)
+      : m_builder(builder), m_boss(boss), m_from(from), m_to(to), m_tolerance(tolerance) {}
 
-  /// `outline` counter-clockwise about the eye, ascending in angle from the first.
+  /// `outline` counter-clockwise about the boss, ascending in angle from the first.
   void add(const std::vector<OutlineNode>& outline) {
     const double start = angleOf(outline.front().position);
     const Loop top = face(outline, m_to, 1);
     const Loop bottom = face(outline, m_from, -1);
-    m_builder.sew(top, eyeLoop(start, m_to, 1));
-    m_builder.sew(eyeLoop(start, m_from, -1), bottom);
-    if (m_eye.hole > 0) m_builder.sew(eyeLoop(start, m_to, 0), eyeLoop(start, m_from, 0));
+    m_builder.sew(top, bossLoop(start, m_to, 1));
+    m_builder.sew(bossLoop(start, m_from, -1), bottom);
+    if (m_boss.hole > 0) m_builder.sew(bossLoop(start, m_to, 0), bossLoop(start, m_from, 0));
   }
 
  private:
   [[nodiscard]] double angleOf(const Vector2d& p) const {
-    return std::atan2(p.y() - m_eye.centre.y(), p.x() - m_eye.centre.x());
+    return std::atan2(p.y() - m_boss.centre.y(), p.x() - m_boss.centre.x());
   }
 
   Loop face(const std::vector<OutlineNode>& outline, double z, double up) {
@@ -52,14 +52,14 @@ class ArmHalf {
     return loop;
   }
 
-  /// The hole's rim, or the eye's centre where there is none. `up` 0: for the wall of the hole.
-  Loop eyeLoop(double start, double z, double up) {
-    const int count = m_eye.hole > 0 ? circleCount(m_eye.hole, m_tolerance) : 1;
+  /// The hole's rim, or the boss's centre where there is none. `up` 0: for the wall of the hole.
+  Loop bossLoop(double start, double z, double up) {
+    const int count = m_boss.hole > 0 ? circleCount(m_boss.hole, m_tolerance) : 1;
     Loop loop;
     for (int i = 0; i < count; ++i) {
       const double angle = start + 2 * pi * i / count;
       const Vector2d out(std::cos(angle), std::sin(angle));
-      const Vector2d p = m_eye.centre + m_eye.hole * out;
+      const Vector2d p = m_boss.centre + m_boss.hole * out;
       const Vector3d normal = up == 0 ? Vector3d(-out.x(), -out.y(), 0) : Vector3d(0, 0, up);
       loop.vertices.push_back(m_builder.addVertex({p.x(), p.y(), z}, normal));
       loop.angles.push_back(angle);
@@ -68,17 +68,17 @@ class ArmHalf {
   }
 
   ShellBuilder& m_builder;
-  const Eye& m_eye;
+  const Boss& m_boss;
   double m_from, m_to, m_tolerance;
 };
 
-void addArc(std::vector<OutlineNode>& outline, const Eye& eye, double base, double from, double to,
+void addArc(std::vector<OutlineNode>& outline, const Boss& boss, double base, double from, double to,
             double tolerance) {
-  const int n = chordsOfArc(to - from, eye.radius, tolerance);
+  const int n = chordsOfArc(to - from, boss.radius, tolerance);
   for (int i = 0; i <= n; ++i) {
     const double angle = base + from + (to - from) * i / n;
     const Vector2d out(std::cos(angle), std::sin(angle));
-    outline.push_back({eye.centre + eye.radius * out, out});
+    outline.push_back({boss.centre + boss.radius * out, out});
   }
 }
 
@@ -102,9 +102,9 @@ void addWall(ShellBuilder& builder, std::span<const OutlineNode> strip, double f
   }
 }
 
-/// A bar of a spider: where its sides leave the hub and run into the eye.
+/// A bar of a spider: where its sides leave the hub and run into the boss.
 struct Bar {
-  Eye eye;
+  Boss boss;
   double angle = 0;  ///< about the hub
   double half = 0;   ///< of its width
   Vector2d rootLow = Vector2d::Zero();
@@ -116,12 +116,12 @@ Vector2d onCircle(double angle) {
 }
 
 /// The bars in the order of their angles; none where they would run into each other at the hub.
-std::vector<Bar> barsOf(const Eye& hub, std::span<const Eye> ends) {
+std::vector<Bar> barsOf(const Boss& hub, std::span<const Boss> ends) {
   std::vector<Bar> bars;
-  for (const Eye& end : ends) {
+  for (const Boss& end : ends) {
     const Vector2d line = end.centre - hub.centre;
     Bar bar;
-    bar.eye = end;
+    bar.boss = end;
     bar.angle = std::atan2(line.y(), line.x());
     bars.push_back(bar);
   }
@@ -135,11 +135,11 @@ std::vector<Bar> barsOf(const Eye& hub, std::span<const Eye> ends) {
   const double most = std::min(std::sqrt(hub.radius * hub.radius - keep * keep),
                                hub.radius * std::sin(std::min(0.45 * spacing, pi / 2)));
   for (Bar& bar : bars) {
-    bar.half = std::min(0.95 * most, bar.eye.radius);
-    const double reach = (bar.eye.centre - hub.centre).norm() -
-                         std::sqrt(bar.eye.radius * bar.eye.radius - bar.half * bar.half) -
+    bar.half = std::min(0.95 * most, bar.boss.radius);
+    const double reach = (bar.boss.centre - hub.centre).norm() -
+                         std::sqrt(bar.boss.radius * bar.boss.radius - bar.half * bar.half) -
                          std::sqrt(hub.radius * hub.radius - bar.half * bar.half);
-    if (bar.half < 0.3 * bar.eye.radius || reach < 0.1 * hub.radius) return {};
+    if (bar.half < 0.3 * bar.boss.radius || reach < 0.1 * hub.radius) return {};
     const double root = std::asin(bar.half / hub.radius);
     bar.rootLow = hub.centre + hub.radius * onCircle(bar.angle - root);
     bar.rootHigh = hub.centre + hub.radius * onCircle(bar.angle + root);
@@ -147,11 +147,11 @@ std::vector<Bar> barsOf(const Eye& hub, std::span<const Eye> ends) {
   return bars;
 }
 
-/// An arc of nodes about an eye, its ends where the neighbours have theirs.
-std::vector<OutlineNode> arcBetween(const Eye& eye, double from, double to, const Vector2d& first,
+/// An arc of nodes about a boss, its ends where the neighbours have theirs.
+std::vector<OutlineNode> arcBetween(const Boss& boss, double from, double to, const Vector2d& first,
                                     const Vector2d& last, double tolerance) {
   std::vector<OutlineNode> arc;
-  addArc(arc, eye, 0, from, to, tolerance);
+  addArc(arc, boss, 0, from, to, tolerance);
   arc.front().position = first;
   arc.back().position = last;
   return arc;
@@ -159,7 +159,7 @@ std::vector<OutlineNode> arcBetween(const Eye& eye, double from, double to, cons
 
 class SpiderMaker {
  public:
-  SpiderMaker(const Eye& hub, std::vector<Bar> bars, double from, double to, double tolerance)
+  SpiderMaker(const Boss& hub, std::vector<Bar> bars, double from, double to, double tolerance)
       : m_hub(hub), m_bars(std::move(bars)), m_from(from), m_to(to), m_tolerance(tolerance) {}
 
   Solid make() {
@@ -181,12 +181,12 @@ class SpiderMaker {
 
  private:
   void addBar(const Bar& bar) {
-    const double open = std::asin(std::min(bar.half / bar.eye.radius, 1.0));
+    const double open = std::asin(std::min(bar.half / bar.boss.radius, 1.0));
     const double back = bar.angle + pi;
-    const Vector2d low = bar.eye.centre + bar.eye.radius * onCircle(back + open);
-    const Vector2d high = bar.eye.centre + bar.eye.radius * onCircle(back - open);
+    const Vector2d low = bar.boss.centre + bar.boss.radius * onCircle(back + open);
+    const Vector2d high = bar.boss.centre + bar.boss.radius * onCircle(back - open);
     const auto arc =
-        arcBetween(bar.eye, bar.angle - pi + open, bar.angle + pi - open, low, high, m_tolerance);
+        arcBetween(bar.boss, bar.angle - pi + open, bar.angle + pi - open, low, high, m_tolerance);
     addWall(m_builder, arc, m_from, m_to);
     const Vector2d across = onCircle(bar.angle + pi / 2);
     addWall(m_builder, std::vector<OutlineNode>{{bar.rootLow, -across}, {low, -across}}, m_from, m_to);
@@ -194,10 +194,10 @@ class SpiderMaker {
     std::vector<OutlineNode> outline{{bar.rootLow, -across}};
     outline.insert(outline.end(), arc.begin(), arc.end());
     outline.push_back({bar.rootHigh, across});
-    ArmHalf(m_builder, bar.eye, m_from, m_to, m_tolerance).add(outline);
+    ArmHalf(m_builder, bar.boss, m_from, m_to, m_tolerance).add(outline);
   }
 
-  const Eye& m_hub;
+  const Boss& m_hub;
   std::vector<Bar> m_bars;
   double m_from, m_to, m_tolerance;
   Solid m_solid;
@@ -319,7 +319,7 @@ Solid tubeSector(double outer, double inner, double from, double to, double half
   return solid;
 }
 
-Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) {
+Solid arm(const Boss& a, const Boss& b, double from, double to, double tolerance) {
   const Vector2d line = b.centre - a.centre;
   const double distance = line.norm();
   GEARGRAPH_REQUIRE(distance > std::abs(a.radius - b.radius));
@@ -354,11 +354,11 @@ Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) 
   return solid;
 }
 
-Solid spider(const Eye& hub, std::span<const Eye> allEnds, double from, double to, double tolerance) {
+Solid spider(const Boss& hub, std::span<const Boss> allEnds, double from, double to, double tolerance) {
   constexpr double kPart = 0.985;  // of the hub of the piece before: no two have a vertex in common
   const double least = std::pow(kPart, static_cast<double>(allEnds.size()));
-  std::vector<Eye> ends;
-  for (const Eye& end : allEnds) {
+  std::vector<Boss> ends;
+  for (const Boss& end : allEnds) {
     const double distance = (end.centre - hub.centre).norm();
     const double most = std::max(hub.radius - end.radius, end.radius - least * hub.radius);
     if (distance > (1 + 1e-6) * most) ends.push_back(end);
@@ -369,7 +369,7 @@ Solid spider(const Eye& hub, std::span<const Eye> allEnds, double from, double t
   if (!bars.empty()) return SpiderMaker(hub, std::move(bars), from, to, tolerance).make();
   Solid pieces;
   double part = 1;
-  for (const Eye& end : ends) {
+  for (const Boss& end : ends) {
     append(pieces,
            arm({hub.centre, part * hub.radius, part * hub.hole}, end, part * from, part * to, tolerance));
     part *= kPart;
@@ -377,10 +377,10 @@ Solid spider(const Eye& hub, std::span<const Eye> allEnds, double from, double t
   return pieces;
 }
 
-Solid plate(std::span<const Eye> corners, double from, double to, double tolerance) {
+Solid plate(std::span<const Boss> corners, double from, double to, double tolerance) {
   GEARGRAPH_REQUIRE(!corners.empty());
   std::vector<OutlineNode> nodes;
-  for (const Eye& corner : corners) {
+  for (const Boss& corner : corners) {
     const int n = circleCount(corner.radius, tolerance);
     for (int i = 0; i < n; ++i) {
       const Vector2d out = onCircle(2 * pi * i / n);

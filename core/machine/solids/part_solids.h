@@ -24,25 +24,25 @@ namespace geargraph::inline solids {
                                double tolerance);
 
 /// A boss or hub: a disc about an axis parallel to z, with or without a hole.
-struct Eye {
+struct Boss {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 1;
   double hole = 0;  ///< radius, 0: none
-  friend bool operator==(const Eye&, const Eye&) = default;
+  friend bool operator==(const Boss&, const Boss&) = default;
 };
 
 /// A flat arm: the convex hull of two bosses with their holes, from z = `from` to `to`.
 /// @pre neither boss is inside the other
-[[nodiscard]] Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance);
+[[nodiscard]] Solid arm(const Boss& a, const Boss& b, double from, double to, double tolerance);
 
 /// Flat arms from a hub to bosses, in one piece: a single one as arm(), several as bars from a round hub, as
 /// wide as there is room. Arms too close to each other for that become separate, overlapping shells. Bosses
 /// that lie in the hub, or around it, have no arm and are left out.
-[[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
+[[nodiscard]] Solid spider(const Boss& hub, std::span<const Boss> ends, double from, double to,
                            double tolerance);
 
 /// A flat plate with rounded corners: the convex hull of discs, from z = `from` to `to`. Holes are not cut.
 /// @pre there is a corner
-[[nodiscard]] Solid plate(std::span<const Eye> corners, double from, double to, double tolerance);
+[[nodiscard]] Solid plate(std::span<const Boss> corners, double from, double to, double tolerance);
 
 }  // namespace geargraph::inline solids

@@ -185,7 +185,7 @@ void ShaftPlanner::addBearings() {
   for (const bool isShown : {true, false}) {  // what is hidden goes where the others leave room
     for (std::size_t c = 0; c < m_train.arrangement.axes.size(); ++c) {
       for (const Bearing& b : m_train.arrangement.axes[c].bearings) {
-        if (b.isEye() != isShown) continue;
+        if (b.isBoss() != isShown) continue;
         SheetBearing& bearing = m_plan.bearings[at(b.joint)];
         bearing.joint = b.joint;
         bearing.axis = static_cast<int>(c);
@@ -213,17 +213,17 @@ void ShaftPlanner::addBearing(int joint) {
   std::size_t& spot = m_bearingSpots[at(joint)];
   spot = addSpot(bearing.axis, shown->at);
   bearing.isHeld = bearing.parent == 0;
-  if (pin != arrangement.pins.end() && !shown->isEye()) {
+  if (pin != arrangement.pins.end() && !shown->isBoss()) {
     const SheetWheel* wheel = wheelOnPin(*pin, bearing.child);
     if (wheel != nullptr) spot = wheelSpot(*wheel);
-  } else if (!shown->isEye()) {
+  } else if (!shown->isBoss()) {
     m_spots[spot].place = m_spots[spot].wanted = hiddenPlace(bearing);
   }
   const double place = m_spots[spot].place;
   if (shaftAt(bearing.axis, bearing.child, place) != kNoShaft)
     bearing.height = laneHeight(bearing.axis, bearing.child, place);
   m_held.push_back({bearing.axis, bearing.child, spot, kShaftEnd, kShaftEnd});
-  if (pin != arrangement.pins.end() && !shown->isEye()) {
+  if (pin != arrangement.pins.end() && !shown->isBoss()) {
     addPin(*pin, bearing);
     bearing.isHeld = true;
     bearing.onPin = bearing.height > 0;

@@ -44,7 +44,7 @@ void checkPillars(const Planned& planned, const FlangePlan& made) {
   const AxisLayout& own = planned.plan.axes[static_cast<std::size_t>(made.axisClass)];
   const Eigen::Isometry3d frame = frameAlong(own.at(made.level), own.direction, Vector3d::UnitX());
   QVERIFY(made.pillars.size() >= 2);
-  for (const Eye& pillar : made.pillars) {
+  for (const Boss& pillar : made.pillars) {
     QVERIFY(pillar.radius > 0.5 * own.module);
     const Vector3d place = frame * Vector3d(pillar.centre.x(), pillar.centre.y(), 0);
     for (const TrainGear& gear : planned.train.gears) {

@@ -142,7 +142,7 @@ class TestPlannerParts : public QObject {
     QVERIFY(draft.plan.blocked.empty());
   }
 
-  /// A bearing with its eye within the wheels of another link parts these.
+  /// A bearing with its boss within the wheels of another link parts these.
   void shaftsDoNotEndWithinTheWheelsOfOthers() {
     int cut = 0;
     for (const auto& [name, mechanism] : someTrains()) {
@@ -262,7 +262,7 @@ class TestPlannerParts : public QObject {
     QVERIFY(pins > 5);
   }
 
-  /// The eye of a tee holds all that turns there on the link; the ground has none.
+  /// The boss of a tee holds all that turns there on the link; the ground has none.
   void teesHoldAllOfTheirAxis() {
     int tees = 0;
     for (const auto& [name, mechanism] : someTrains()) {
@@ -280,13 +280,13 @@ class TestPlannerParts : public QObject {
           if (!isPlaced) continue;
           ++tees;
           const TeePlan& tee = draft.plan.tees.back();
-          int eyes = 0;
+          int bosses = 0;
           for (const Bearing& bearing : draft.axis(c).bearings) {
             if (bearing.parent != static_cast<int>(link)) continue;
             QVERIFY2(bearing.placed && bearing.at == tee.at, name.c_str());
-            eyes += bearing.isEye();
+            bosses += bearing.isBoss();
           }
-          QCOMPARE(eyes, 1);
+          QCOMPARE(bosses, 1);
         }
       }
     }

@@ -10,8 +10,8 @@ class TestBodyRecipe : public QObject {
   /// Parts beside each other, each where it was put.
   void recipesMakeWhatTheirPartsSay() {
     const Eigen::Isometry3d there = frameAlong({1, 2, 3}, {0, 1, 0});
-    const Eye hub{{0, 0}, 4, 2};
-    const std::vector<Eye> ends{{{20, 0}, 3, 1}, {{-10, 18}, 3, 1}};
+    const Boss hub{{0, 0}, 4, 2};
+    const std::vector<Boss> ends{{{20, 0}, 3, 1}, {{-10, 18}, 3, 1}};
     const std::vector<ProfileVertex> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
     Solid expected = tube(3, 1, -5, 12, 0.01);
     append(expected, spider(hub, ends, -1, 1, 0.02), there);

@@ -137,9 +137,9 @@ class TestLinkContacts : public QObject {
     QVERIFY(touch(low, inside));
   }
 
-  /// A post reaches into the wall of its eye and leaves the hole free, at any angle, from either side,
-  /// thicker or thinner than the eye is.
-  void postsReachTheEyesThatTheyHold() {
+  /// A post reaches into the wall of its boss and leaves the hole free, at any angle, from either side,
+  /// thicker or thinner than the boss is.
+  void postsReachTheBossesThatTheyHold() {
     int posts = 0;
     for (const double degrees : {20.0, 35.0, 50.0, 60.0, 75.0, 85.0, 90.0, 120.0}) {
       for (const double module : {0.5, 1.0, 2.0}) {
@@ -158,13 +158,13 @@ class TestLinkContacts : public QObject {
           QVERIFY(post.has_value());
           const double hole = holeFor(plan, 1, 8, 1);
           const Eigen::Isometry3d line = frameAlong(plan.axes[1].at(8), plan.axes[1].direction);
-          const Piece eye = pieceOf(tube(hole + 1, hole, -1.5, 1.5, 0.01), line, 0.1);
+          const Piece boss = pieceOf(tube(hole + 1, hole, -1.5, 1.5, 0.01), line, 0.1);
           const Piece shaft = pieceOf(tube(hole, 0, -50, 50, 0.01), line, 0.5);
           const Piece bar =
               pieceOf(tube(post->radius, 0, 0, post->reach, 0.01), frameAlong(post->foot, post->way), 0.1);
-          QVERIFY2(touch(eye, bar), qPrintable(QString("%1, module %2").arg(degrees).arg(module)));
+          QVERIFY2(touch(boss, bar), qPrintable(QString("%1, module %2").arg(degrees).arg(module)));
           QVERIFY2(!touch(shaft, bar), qPrintable(QString("%1, module %2").arg(degrees).arg(module)));
-          const Eye end = endOf(plan, arm);
+          const Boss end = endOf(plan, arm);
           QVERIFY((end.centre - post->foot.head<2>()).norm() < 1e-9);
           ++posts;
         }

@@ -38,12 +38,12 @@ class TestPartSolids : public QObject {
 
   /// Hull of two equal discs and of a square of discs, one of them inside.
   void platesAreClosedAndHaveTheirVolume() {
-    const Eye near{{0, 0}, 3, 0}, far{{20, 0}, 3, 0};
+    const Boss near{{0, 0}, 3, 0}, far{{20, 0}, 3, 0};
     const Solid bar = plate(std::vector{near, far}, -1, 2, 1e-3);
     compareShell(bar, 0);
     QVERIFY(std::abs(signedVolume(bar) / (3 * (9 * pi + 120)) - 1) < 0.01);
     const Solid square = plate(
-        std::vector<Eye>{{{0, 0}, 2, 0}, {{10, 0}, 2, 0}, {{0, 10}, 2, 0}, {{5, 5}, 1, 0}, {{10, 10}, 2, 0}},
+        std::vector<Boss>{{{0, 0}, 2, 0}, {{10, 0}, 2, 0}, {{0, 10}, 2, 0}, {{5, 5}, 1, 0}, {{10, 10}, 2, 0}},
         0, 1, 1e-3);
     compareShell(square, 0);
     QVERIFY(std::abs(signedVolume(square) / (100 + 4 * 20 + 4 * pi) - 1) < 0.01);
@@ -85,7 +85,7 @@ class TestPartSolids : public QObject {
   void spidersAreOneClosedPiece() {
     for (const int n : {2, 3, 4, 5, 6}) {
       for (const double turn : {0.0, 0.4}) {
-        std::vector<Eye> ends;
+        std::vector<Boss> ends;
         for (int i = 0; i < n; ++i) {
           const double angle = turn + 2 * pi * i / n;
           ends.push_back({25 * Eigen::Vector2d(std::cos(angle), std::sin(angle)), 2, 1});
@@ -93,8 +93,8 @@ class TestPartSolids : public QObject {
         compareShell(spider({{0, 0}, 4, 2}, ends, -1, 2, 0.01), n + 1);
       }
     }
-    const Eye end{{20, 0}, 1, 0};
-    const Eye other{{-20, 0}, 1, 0};
+    const Boss end{{20, 0}, 1, 0};
+    const Boss other{{-20, 0}, 1, 0};
     const Solid bar = spider({{0, 0}, 3, 0}, std::vector{end, other}, 0, 1, 1e-4);
     const double cap = 9 * std::asin(1.0 / 3) - std::sqrt(8.0);  // of the hub, inside a bar
     const double area = 9 * pi - 2 * cap + 2 * (2 * (20 - std::sqrt(8.0)) + pi / 2);
@@ -104,8 +104,8 @@ class TestPartSolids : public QObject {
 
   /// Arms with no room for bars side by side still have no vertex in common.
   void crowdedSpidersAreClosedPieces() {
-    const Solid part = spider({{0, 0}, 4, 2},
-                              std::vector<Eye>{{{20, 0}, 2, 1}, {{19, 3}, 2, 1}, {{5, 0}, 3, 1}}, 0, 3, 0.01);
+    const Solid part = spider(
+        {{0, 0}, 4, 2}, std::vector<Boss>{{{20, 0}, 2, 1}, {{19, 3}, 2, 1}, {{5, 0}, 3, 1}}, 0, 3, 0.01);
     const test::Topology topology = test::topologyOf(part);
     QVERIFY(topology.closed && topology.manifold);
     QCOMPARE(topology.degenerate, 0);
@@ -114,13 +114,13 @@ class TestPartSolids : public QObject {
 
   /// Bosses in the hub, around it, and touching it from within.
   void bossesWithoutRoomForAnArmAreLeftOut() {
-    const Eye hub{{0, 0}, 4, 2};
-    const std::vector<Eye> without{
+    const Boss hub{{0, 0}, 4, 2};
+    const std::vector<Boss> without{
         {{0, 0}, 1, 0}, {{2, 0}, 2, 1}, {{0, 1}, 5, 1}, {{0, 0}, 4, 2}, {{1, 0}, 4.95, 0}};
     const Solid disc = tube(4, 2, 0, 3, 0.01);
     QCOMPARE(spider(hub, without, 0, 3, 0.01), disc);
-    for (const Eye& one : without) QCOMPARE(spider(hub, std::vector{one}, 0, 3, 0.01), disc);
-    std::vector<Eye> all = without;
+    for (const Boss& one : without) QCOMPARE(spider(hub, std::vector{one}, 0, 3, 0.01), disc);
+    std::vector<Boss> all = without;
     all.push_back({{19, 0}, 2, 1});
     QCOMPARE(spider(hub, all, 0, 3, 0.01), arm(hub, all.back(), 0, 3, 0.01));
     all.push_back({{18, 3}, 2, 1});  // too close to the other for a bar

@@ -253,7 +253,7 @@ class TestDrawnArrangement : public QObject {
         const double way = line.direction.dot(Eigen::Vector3d(d[0], d[1], d[2])) < 0 ? -1 : 1;
         std::vector<std::pair<double, double>> places;  // in the machine, on the sheet
         for (const Bearing& b : line.bearings) {
-          if (!b.isEye() || drawn.joint(b.joint) < 0) continue;
+          if (!b.isBoss() || drawn.joint(b.joint) < 0) continue;
           const auto bars = barsOf(drawing, mechanism.turningJoints[at(b.joint)].id);
           QVERIFY2(bars.has_value(), name.c_str());
           places.emplace_back(b.at, way * sheet.coordinateOf(*bars));
