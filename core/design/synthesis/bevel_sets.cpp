@@ -68,7 +68,7 @@ Mechanism bevelWrist(const WristTeeth& teeth) {
     return NumberTriple{Number(0), Number(across), Number(along)};
   };
   // Bearings beyond the wheels. The fork's is the nearest on the ground, with both shafts through it: its
-  // posts pass no other.
+  // standoffs pass no other.
   set.bearing(housing, -teeth.idler - 30);
   set.bearing(bendShaft, -teeth.idler - 70);
   set.bearing(bend, -teeth.bendShaft - 25);

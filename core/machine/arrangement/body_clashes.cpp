@@ -41,7 +41,9 @@ std::vector<Part> partsOf(const Arrangement& plan, const GearTrain& train) {
 /// shafts of its axis, and what stands on one axis?
 bool holds(const BodyHull& a, const BodyHull& b) {
   if (a.kind == HullKind::gear && b.kind == HullKind::gear) return true;  // findings of their own
-  const auto isAcross = [](const BodyHull& part) { return part.kind == HullKind::post || part.held >= 0; };
+  const auto isAcross = [](const BodyHull& part) {
+    return part.kind == HullKind::standoff || part.held >= 0;
+  };
   const bool onOneAxis = a.isOn(b.axisClass) || (b.other >= 0 && a.isOn(b.other));
   if (!isAcross(a) && !isAcross(b) && onOneAxis &&
       std::abs(dot(a.discs.front().axis, b.discs.front().axis)) > 1 - 1e-9)

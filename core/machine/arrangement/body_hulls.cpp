@@ -83,7 +83,7 @@ class HullMaker {
              bearing.at + layout.width() / 2, bossRadius(m_plan, c, bearing));
   }
 
-  /// The bar as wide as its narrower end, and the post on it.
+  /// The bar as wide as its narrower end, and the standoff on it.
   void addArm(const ArmPlan& arm) {
     const AxisLayout& from = axis(arm.from);
     const Boss foot = footOf(m_plan, arm), end = endOf(m_plan, arm);
@@ -99,11 +99,12 @@ class HullMaker {
       bar.discs.push_back({narrow(frame * Vector3d(end.centre.x(), end.centre.y(), z)), k, radius});
     }
     m_hulls.push_back(std::move(bar));
-    if (const auto post = postOf(m_plan, arm)) {
-      BodyHull rod{HullKind::post, arm.link, -1, arm.to, {}};
+    if (const auto standoff = standoffOf(m_plan, arm)) {
+      BodyHull rod{HullKind::standoff, arm.link, -1, arm.to, {}};
       rod.held = arm.child;
-      for (const double z : {0.0, post->reach - off})
-        rod.discs.push_back({narrow(post->foot + z * post->way), narrow(post->way), post->radius - off});
+      for (const double z : {0.0, standoff->reach - off})
+        rod.discs.push_back(
+            {narrow(standoff->foot + z * standoff->way), narrow(standoff->way), standoff->radius - off});
       m_hulls.push_back(std::move(rod));
     }
   }

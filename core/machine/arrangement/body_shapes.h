@@ -30,25 +30,26 @@ namespace geargraph::inline arrangement {
 /// of the base frame nearest to a normal of the arm's axis.
 [[nodiscard]] Boss endOf(const Arrangement& plan, const ArmPlan& arm);
 
-/// The end of a pedestal along one axis relative to the centre of the boss on another axis that it supports.
-struct PostEnd {
+/// The end of a standoff along one axis relative to the centre of the boss on another axis that it supports.
+struct StandoffEnd {
   Eigen::Vector3d aside = Eigen::Vector3d::Zero();  ///< in the plane of the arm; zero at right angles
-  double before = 0;                                ///< along the pedestal
+  double before = 0;                                ///< along the standoff
 };
-/// The end such that the pedestal joins the boss's wall and leaves its hole free: the edge of its end reaches
+/// The end such that the standoff joins the boss's wall and leaves its hole free: the edge of its end reaches
 /// the middle of the wall, and the part within the wall does not extend beyond the boss's faces. `hole`:
-/// radius of the boss's hole. `sense`: 1 if the pedestal runs along the direction of `from`, -1 against it.
+/// radius of the boss's hole. `sense`: 1 if the standoff runs along the direction of `from`, -1 against it.
 /// @pre the axes are not parallel
-[[nodiscard]] PostEnd postEnd(const AxisLayout& from, const AxisLayout& to, double hole, double sense);
+[[nodiscard]] StandoffEnd standoffEnd(const AxisLayout& from, const AxisLayout& to, double hole,
+                                      double sense);
 
 /// A pedestal from an arm to the bearing on an intersecting or skew axis, as far as the bearing's wall.
-struct Post {
+struct Standoff {
   Eigen::Vector3d foot;  ///< in the plane of the arm
   Eigen::Vector3d way;   ///< unit vector
   double radius = 0;
   double reach = 0;
 };
 /// std::nullopt if the arm supports the bearing directly.
-[[nodiscard]] std::optional<Post> postOf(const Arrangement& plan, const ArmPlan& arm);
+[[nodiscard]] std::optional<Standoff> standoffOf(const Arrangement& plan, const ArmPlan& arm);
 
 }  // namespace geargraph::inline arrangement

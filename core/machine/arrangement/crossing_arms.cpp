@@ -35,9 +35,9 @@ Interval reachOf(const PlanDraft& draft, const ArmPlan& arm) {
   return reach;
 }
 
-/// The middle lines of an arm across to another axis: from its own axis to the foot of its post, and on to
-/// the boss's middle. An oblique post passes beside that, and its line ends where it does, as shafts are
-/// whose radii are not known yet.
+/// The middle lines of an arm across to another axis: from its own axis to the foot of its standoff, and on
+/// to the boss's middle. An oblique standoff passes beside that, and its line ends where it does, as shafts
+/// are whose radii are not known yet.
 struct ArmLines {
   Vector3d start, foot, end;
 };
@@ -46,21 +46,21 @@ ArmLines linesOf(const AxisLayout& from, const AxisLayout& to, const ArmPlan& ar
   ArmLines lines{from.at(arm.level), {}, to.at(arm.at)};
   const double rise = (lines.end - lines.start).dot(from.direction), sense = rise < 0 ? -1 : 1;
   lines.foot = lines.end - rise * from.direction;
-  const PostEnd met = postEnd(from, to, kShaftRadius * to.module + bossClearance(to), sense);
+  const StandoffEnd met = standoffEnd(from, to, kShaftRadius * to.module + bossClearance(to), sense);
   if (met.aside.isZero() || std::abs(rise) - met.before <= 0.5 * from.width()) return lines;
   lines.foot += met.aside;
   lines.end += met.aside - met.before * sense * from.direction;
   return lines;
 }
 
-/// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing,
-/// or in what stands on the axis that the post runs along.
+/// How many places of an arm with its standoff lie in the shaft that its bearing holds, outside of the
+/// bearing, or in what stands on the axis that the standoff runs along.
 int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const AxisLayout& to = draft.axis(arm.to);
   const auto [start, foot, end] = linesOf(from, to, arm);
   const Vector3d boss = to.at(arm.at);
-  constexpr double kNear = 5.5;  // modules: a post beside a boss about two shafts
+  constexpr double kNear = 5.5;  // modules: a standoff beside a boss about two shafts
   int count = 0;
   if ((foot - start).norm() < kNear * from.module) {
     const auto [near, far] = std::minmax({arm.level, from.coordinate(boss)});
@@ -82,7 +82,7 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
   const double sine = std::max(from.direction.cross(to.direction).norm(), 0.1);
-  const double nearest = (reach + 0.5 * to.module) / sine;  // that the post comes to the shaft
+  const double nearest = (reach + 0.5 * to.module) / sine;  // that the standoff comes to the shaft
   const auto isInShaft = [&](const Vector3d& p) {
     const double along = to.coordinate(p);
     return to.isBelow(low, along) && to.isBelow(along, high) && to.isBelow((p - to.at(along)).norm(), reach);
@@ -90,16 +90,16 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
   constexpr int kPlaces = 24;
   for (int i = 1; i <= kPlaces; ++i) {
     const double part = static_cast<double>(i) / kPlaces;
-    const Vector3d onPost = end + part * (foot - end);
-    const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onPost) - arm.at)) ||
-                           to.isBelow((onPost - boss).norm(), nearest);
+    const Vector3d onStandoff = end + part * (foot - end);
+    const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onStandoff) - arm.at)) ||
+                           to.isBelow((onStandoff - boss).norm(), nearest);
     count += isInShaft(start + part * (foot - start)) ? 1 : 0;
-    count += !inBearing && isInShaft(onPost) ? 1 : 0;
+    count += !inBearing && isInShaft(onStandoff) ? 1 : 0;
   }
   return count;
 }
 
-/// How many places of an arm with its post lie in gears of other links.
+/// How many places of an arm with its standoff lie in gears of other links.
 int armHits(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const auto [start, foot, end] = linesOf(from, draft.axis(arm.to), arm);

@@ -118,7 +118,7 @@ class BodyBuilder {
   [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
   void addArms();
   void addSpider(std::span<const ArmPlan* const> arms);
-  void addPost(const ArmPlan& plan);
+  void addStandoff(const ArmPlan& plan);
   void addCup(const CupPlan& cup);
   void addLathe(const LathePlan& plan);
   void addCage(const CagePlan& plan);
@@ -200,7 +200,7 @@ void BodyBuilder::addArms() {
     together[{plan.link, plan.from, std::llround(plan.level / step)}].push_back(&plan);
   }
   for (const auto& [place, arms] : together) addSpider(arms);
-  for (const ArmPlan& plan : m_plan.arms) addPost(plan);
+  for (const ArmPlan& plan : m_plan.arms) addStandoff(plan);
 }
 
 void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
@@ -214,12 +214,12 @@ void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
       frame(first.from, first.level, Vector3d::UnitX()));
 }
 
-void BodyBuilder::addPost(const ArmPlan& plan) {
+void BodyBuilder::addStandoff(const ArmPlan& plan) {
   const AxisLayout& from = axis(plan.from);
-  const std::optional<Post> post = postOf(m_plan, plan);
-  if (!post) return;
-  add(plan.link, TubePart{post->radius, 0, -0.45 * from.width(), post->reach}, from,
-      frameAlong(post->foot, post->way));
+  const std::optional<Standoff> standoff = standoffOf(m_plan, plan);
+  if (!standoff) return;
+  add(plan.link, TubePart{standoff->radius, 0, -0.45 * from.width(), standoff->reach}, from,
+      frameAlong(standoff->foot, standoff->way));
 }
 
 /// The plate beside the ring's face and the wall that joins them.

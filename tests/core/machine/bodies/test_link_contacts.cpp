@@ -137,10 +137,10 @@ class TestLinkContacts : public QObject {
     QVERIFY(touch(low, inside));
   }
 
-  /// A post reaches into the wall of its boss and leaves the hole free, at any angle, from either side,
+  /// A standoff reaches into the wall of its boss and leaves the hole free, at any angle, from either side,
   /// thicker or thinner than the boss is.
-  void postsReachTheBossesThatTheyHold() {
-    int posts = 0;
+  void standoffsReachTheBossesThatTheySupport() {
+    int standoffs = 0;
     for (const double degrees : {20.0, 35.0, 50.0, 60.0, 75.0, 85.0, 90.0, 120.0}) {
       for (const double module : {0.5, 1.0, 2.0}) {
         for (const double side : {-1.0, 1.0}) {
@@ -154,23 +154,23 @@ class TestLinkContacts : public QObject {
           plan.shafts.push_back({1, 2, -100, 100, 0, kShaftRadius});
           const double high = plan.axes[1].at(8).z() + side * 12 * (1 + module);
           const ArmPlan arm{1, 0, high, 1, 8, 2};
-          const auto post = postOf(plan, arm);
-          QVERIFY(post.has_value());
+          const auto standoff = standoffOf(plan, arm);
+          QVERIFY(standoff.has_value());
           const double hole = holeFor(plan, 1, 8, 1);
           const Eigen::Isometry3d line = frameAlong(plan.axes[1].at(8), plan.axes[1].direction);
           const Piece boss = pieceOf(tube(hole + 1, hole, -1.5, 1.5, 0.01), line, 0.1);
           const Piece shaft = pieceOf(tube(hole, 0, -50, 50, 0.01), line, 0.5);
-          const Piece bar =
-              pieceOf(tube(post->radius, 0, 0, post->reach, 0.01), frameAlong(post->foot, post->way), 0.1);
+          const Piece bar = pieceOf(tube(standoff->radius, 0, 0, standoff->reach, 0.01),
+                                    frameAlong(standoff->foot, standoff->way), 0.1);
           QVERIFY2(touch(boss, bar), qPrintable(QString("%1, module %2").arg(degrees).arg(module)));
           QVERIFY2(!touch(shaft, bar), qPrintable(QString("%1, module %2").arg(degrees).arg(module)));
           const Boss end = endOf(plan, arm);
-          QVERIFY((end.centre - post->foot.head<2>()).norm() < 1e-9);
-          ++posts;
+          QVERIFY((end.centre - standoff->foot.head<2>()).norm() < 1e-9);
+          ++standoffs;
         }
       }
     }
-    QCOMPARE(posts, 48);
+    QCOMPARE(standoffs, 48);
   }
 
   void everyLinkOfTheExamplesIsOneBody_data() {
