@@ -17,7 +17,7 @@ namespace {
 /// Carriers that turn about the axes of bearings which the frame cannot reach, and the levels of their arms.
 std::map<int, double> armsRound(const Arrangement& plan) {
   std::map<int, double> arms;
-  for (const auto& place : plan.frame.onFeet) {
+  for (const auto& place : plan.frame.onPedestals) {
     for (const ArmPlan& arm : plan.arms) {
       if (arm.link != 0 && arm.from == place.first) arms.try_emplace(arm.link, arm.level);
     }
@@ -29,8 +29,8 @@ std::map<int, double> armsRound(const Arrangement& plan) {
 
 Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                           const std::stop_token& stop) {
-  // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
-  // And the frame leaves room for carriers that find none, or that go round bearings it cannot reach.
+  // Arms of the frame across the train that run into something go: their bearings stand on pedestals of their
+  // own. And the frame leaves room for carriers that find none, or that go round bearings it cannot reach.
   PlanTries tries;
   if (train.gears.size() > kMostRoutedGears) {
     PlanDraft draft(mechanism, placement, train, tries, stop);
@@ -43,7 +43,7 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
 
     /// The fewer, the better: first what passes through others, then what the frame cannot reach.
     [[nodiscard]] std::pair<std::size_t, std::size_t> faults() const {
-      return {plan.blocked.size() + clashes.size(), plan.frame.onFeet.size()};
+      return {plan.blocked.size() + clashes.size(), plan.frame.onPedestals.size()};
     }
   };
   std::optional<Tried> best;
@@ -59,7 +59,7 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
     tried.plan.frame = planFrame(tried.plan, train, placement);
     for (const int link : draft.wantRoom) isNew = tries.roomFor.insert(link).second || isNew;
     for (const BodyClash& clash : tried.clashes) {
-      for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;
+      for (const int child : clash.heldByFrame) isNew = tries.onPedestals.insert(child).second || isNew;
     }
     for (const auto& [link, level] : armsRound(tried.plan)) {
       const bool isFirst = tries.roundBearings.try_emplace(link, level).second;

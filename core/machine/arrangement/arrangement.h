@@ -21,9 +21,9 @@ namespace geargraph::inline arrangement {
 /// * A shaft holds the hubs of its link's wheels on the axis, its arms and its bearing.
 /// * Shafts that overlap on an axis are nested: the radii of different links are disjoint.
 /// * Brackets and base of the frame stay clear of what moving parts sweep (ground_frame.h).
-/// * Parts that could not be routed without collision are listed in `blocked` and `frame.onFeet`. Guaranteed
-/// where `blocked` is empty: arms and shafts are clear of the wheels of other links, on parallel axes in
-/// every pose, else in the reference pose. Not for trains of more than kMostRoutedGears (`isSimple`).
+/// * Parts that could not be routed without collision are listed in `blocked` and `frame.onPedestals`.
+/// Guaranteed where `blocked` is empty: arms and shafts are clear of the wheels of other links, on parallel
+/// axes in every pose, else in the reference pose. Not for trains of more than kMostRoutedGears (`isSimple`).
 /// Optimised, in this order: nothing blocked; bearings that the frame can reach; short arms; bearings where
 /// the document has them. Heuristic: links are placed greedily from the ground outwards, several times with
 /// the results of the previous tries (PlanTries), and the best try is kept: a train may be blocked although a

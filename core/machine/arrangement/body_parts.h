@@ -136,7 +136,7 @@ struct FramePlan {
   double thickness = 0;
   /// Bearings (axis class, coordinate) that could not be connected to the others and have pedestals of their
   /// own.
-  std::vector<std::pair<int, double>> onFeet;
+  std::vector<std::pair<int, double>> onPedestals;
 };
 
 }  // namespace geargraph::inline arrangement

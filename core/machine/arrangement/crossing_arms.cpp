@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/machine/arrangement/body_shapes.h"
-#include "core/machine/arrangement/feet.h"
+#include "core/machine/arrangement/pedestals.h"
 #include "core/machine/solids/gear_body.h"
 
 namespace geargraph::inline arrangement {
@@ -197,10 +197,11 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
 }
 
 void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing) {
-  if (draft.tries.onFeet.contains(bearing.child) && link == 0) return putOnFeetOrReport(draft, bearing);
+  if (draft.tries.onPedestals.contains(bearing.child) && link == 0)
+    return putOnPedestalOrReport(draft, bearing);
   TriedArm best = bestArm(draft, link, home, bearing, levelsBeside(draft, link, home));
-  if (const auto place = best.hits > 0 && link == 0 ? placeOfFeet(draft, bearing) : std::nullopt)
-    return putOnFeet(draft, bearing, *place);
+  if (const auto place = best.hits > 0 && link == 0 ? pedestalPlace(draft, bearing) : std::nullopt)
+    return putOnPedestal(draft, bearing, *place);
   bearing.placed = true;
   if (const auto pin = best.hits > 0 ? pinFor(draft, link, home, bearing) : std::nullopt) {
     bearing.form = BearingForm::pin;

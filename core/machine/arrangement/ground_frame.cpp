@@ -474,7 +474,7 @@ void FrameMaker::standOnBase(const std::vector<std::size_t>& open) {
       for (const Piece& piece : m_pieces) {
         const bool isOfGroup = rootOf(static_cast<std::size_t>(&piece - m_pieces.data())) == group;
         if (isOfGroup && piece.isBearing)
-          m_made.onFeet.emplace_back(piece.axisClass, (piece.low + piece.high) / 2);
+          m_made.onPedestals.emplace_back(piece.axisClass, (piece.low + piece.high) / 2);
       }
       continue;
     }
@@ -493,7 +493,7 @@ FramePlan planFrame(const Arrangement& plan, const GearTrain& train, const Place
   for (const CasePlan& made : cases)
     envelopes.push_back(envelopeOf(made, plan.axes[static_cast<std::size_t>(made.axisClass)]));
   FramePlan round = FrameMaker(plan, train, std::move(envelopes)).make();
-  return round.onFeet.size() > frame.onFeet.size() ? frame : round;
+  return round.onPedestals.size() > frame.onPedestals.size() ? frame : round;
 }
 
 }  // namespace geargraph::inline arrangement

@@ -20,7 +20,7 @@ namespace geargraph::inline arrangement {
 ///
 /// Guaranteed: bars, housings and plate are clear of the swept envelopes. Not guaranteed: one connected body;
 /// a bearing that envelopes enclose on all sides, or that could only be reached by more than two bars, stays
-/// separate on a pedestal of its own (FramePlan::onFeet). Deterministic. Cost: O(bearings * directions *
+/// separate on a pedestal of its own (FramePlan::onPedestals). Deterministic. Cost: O(bearings * directions *
 /// places * envelopes), some 0.1 ms for ten links.
 [[nodiscard]] FramePlan planFrame(const Arrangement& plan, const GearTrain& train,
                                   const Placement& placement);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/machine/arrangement/feet.h"
+#include "core/machine/arrangement/pedestals.h"
 #include "core/machine/arrangement/shaft_ways.h"
 
 namespace geargraph::inline arrangement {
@@ -235,14 +235,14 @@ std::vector<AxisBar> barsOf(const PlanDraft& draft, int link, int home, const st
 }
 
 void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> round) {
-  if (link == 0) {  // what cannot reach the frame behind everything else stands on feet of its own
+  if (link == 0) {  // what cannot reach the frame behind everything else is on a pedestal of its own
     const double behind = outmostLevel(draft, home, round);
     std::erase_if(round, [&](Bearing* b) {
       if (draft.isStopped()) return false;
       const int c = draft.classOf(*b);
       if (shaftPasses(draft, *b, draft.carried(home, behind, c))) return false;
-      const auto place = placeOfFeet(draft, *b);
-      if (place) putOnFeet(draft, *b, *place);
+      const auto place = pedestalPlace(draft, *b);
+      if (place) putOnPedestal(draft, *b, *place);
       return place.has_value();
     });
     if (round.empty()) return;
@@ -251,7 +251,7 @@ void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> r
   }
   const std::optional<double> found = commonLevel(draft, link, home, round);
   if (!found && link == 0) {
-    for (Bearing* b : round) putOnFeetOrReport(draft, *b);
+    for (Bearing* b : round) putOnPedestalOrReport(draft, *b);
     return;
   }
   if (!found) {

@@ -18,8 +18,8 @@ constexpr double kEqual = 1e-6;  ///< modules: lengths that differ by less are e
 
 /// The results of earlier tries.
 struct PlanTries {
-  std::set<int> onFeet;   ///< links whose bearings in the frame, on axes across its others, get no arm
-  std::set<int> roomFor;  ///< carriers that found no level for their arms
+  std::set<int> onPedestals;  ///< links whose bearings in the frame, on axes across its others, get no arm
+  std::set<int> roomFor;      ///< carriers that found no level for their arms
   /// Carriers whose arms revolve around bearings of the frame, with the level of these arms: the frame cannot
   /// reach bearings between that level and the wheels.
   std::map<int, double> roundBearings;

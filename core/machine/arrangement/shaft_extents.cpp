@@ -37,7 +37,7 @@ std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link)
   return std::nullopt;
 }
 
-/// A wheel of the frame that none of its bearings reaches stands on a foot of its own, on the side where
+/// A wheel of the frame that none of its bearings reaches is on a pedestal of its own, on the side where
 /// nothing crosses its axis.
 void addStub(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
   AxisLayout& layout = draft.axis(axisClass);

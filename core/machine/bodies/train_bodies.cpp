@@ -110,7 +110,7 @@ class BodyBuilder {
     const double half = layout.width() / 2;
     const double outer = hole + bearing.wall * bossWall(layout);
     add(bearing.parent, TubePart{outer, hole, bearing.at - half, bearing.at + half}, layout, line(layout));
-    if (bearing.parent == 0 && isOnFeet(c, bearing.at)) addFlange(c, bearing.at, hole, outer);
+    if (bearing.parent == 0 && isOnPedestal(c, bearing.at)) addFlange(c, bearing.at, hole, outer);
   }
 
   void addFlange(int c, double at, double hole, double outer);
@@ -123,12 +123,13 @@ class BodyBuilder {
   void addLathe(const LathePlan& plan);
   void addCage(const CagePlan& plan);
   void addFrame(const FramePlan& frame);
-  /// Has a bearing of the ground feet of its own?
-  [[nodiscard]] bool isOnFeet(int c, double at) const {
+  /// Is a bearing of the ground on a pedestal of its own?
+  [[nodiscard]] bool isOnPedestal(int c, double at) const {
     return m_plan.isSimple ||
-           std::any_of(m_plan.frame.onFeet.begin(), m_plan.frame.onFeet.end(), [&](const auto& place) {
-             return place.first == c && std::abs(place.second - at) < 1e-6 * axis(c).module;
-           });
+           std::any_of(m_plan.frame.onPedestals.begin(), m_plan.frame.onPedestals.end(),
+                       [&](const auto& place) {
+                         return place.first == c && std::abs(place.second - at) < 1e-6 * axis(c).module;
+                       });
   }
 
   const Arrangement& m_plan;
@@ -170,7 +171,7 @@ void BodyBuilder::addStub(const StubPlan& stub) {
   const double hole = 0.5 * (shaft->inner + shaft->outer);
   const double outer = shaft->outer + bossWall(layout);
   add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
-  if (isOnFeet(stub.axisClass, stub.at)) addFlange(stub.axisClass, stub.at, hole, outer);
+  if (isOnPedestal(stub.axisClass, stub.at)) addFlange(stub.axisClass, stub.at, hole, outer);
 }
 
 /// Does no gear of another axis come nearer to this one, beside the coordinate?

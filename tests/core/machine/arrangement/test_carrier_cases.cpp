@@ -107,7 +107,7 @@ class TestCarrierCases : public QObject {
     for (const FrameBar& bar : differential.plan.frame.bars)
       QVERIFY(!swept.isNear(bar.from, bar.to, bar.radius));
     QVERIFY(differential.plan.frame.top < swept.lowestAlong(Vector3d::UnitZ()));
-    QVERIFY(differential.plan.frame.onFeet.empty());
+    QVERIFY(differential.plan.frame.onPedestals.empty());
   }
 };
 

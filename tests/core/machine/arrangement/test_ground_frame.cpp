@@ -119,21 +119,22 @@ class TestGroundFrame : public QObject {
 
   /// Where envelopes leave a way the ground is one body: in all examples, and in most random trains, whose
   /// deep carriers sweep round many bearings.
-  void bearingsRarelyStayOnFeetOfTheirOwn() {
+  void bearingsRarelyStayOnPedestalsOfTheirOwn() {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
-      if (placementOf(mechanism).tree) QVERIFY2(Planned(mechanism).plan.frame.onFeet.empty(), name.c_str());
+      if (placementOf(mechanism).tree)
+        QVERIFY2(Planned(mechanism).plan.frame.onPedestals.empty(), name.c_str());
     }
     int separate = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed)
-      separate += Planned(randomTrain(seed)).plan.frame.onFeet.empty() ? 0 : 1;
+      separate += Planned(randomTrain(seed)).plan.frame.onPedestals.empty() ? 0 : 1;
     QVERIFY2(separate <= 60, qPrintable(QString::number(separate)));
   }
 
   /// Two shafts on the ground with nothing else: joined without a base.
   void aSpurPairNeedsNoBase() {
     const FramePlan frame = Planned(test::example("spur-pair")).plan.frame;
-    QVERIFY(frame.bars.empty() && frame.feet.empty() && frame.housings.empty() && frame.onFeet.empty());
+    QVERIFY(frame.bars.empty() && frame.feet.empty() && frame.housings.empty() && frame.onPedestals.empty());
   }
 
   /// The bearings of a differential stand on two columns.

@@ -5,9 +5,9 @@
 
 #include "core/machine/arrangement/body_planner.h"
 #include "core/machine/arrangement/crossing_arms.h"
-#include "core/machine/arrangement/feet.h"
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/parallel_arms.h"
+#include "core/machine/arrangement/pedestals.h"
 #include "core/machine/arrangement/ring_carriers.h"
 #include "core/machine/arrangement/shaft_extents.h"
 #include "core/machine/arrangement/shaft_ways.h"
@@ -126,17 +126,17 @@ class TestPlannerParts : public QObject {
     QVERIFY(rings >= 5);
   }
 
-  /// On a spur pair's axis a bearing may stand beside the wheel; on feet it takes the place.
-  void feetTakeTheirPlace() {
+  /// On a spur pair's axis a bearing may stand beside the wheel; on pedestals it takes the place.
+  void pedestalsTakeTheirPlace() {
     Drafted drafted(test::example("spur-pair"));
     PlanDraft& draft = drafted.draft;
     const Turning turning = firstOf(draft);
     AxisLayout& axis = draft.axis(turning.axisClass);
     Bearing& bearing = axis.bearings.front();
-    const auto place = placeOfFeet(draft, bearing);
+    const auto place = pedestalPlace(draft, bearing);
     QVERIFY(place && axis.slotIsFree(*place) && shaftPasses(draft, bearing, *place));
     QVERIFY(*place < turning.hub.low || turning.hub.high < *place);
-    putOnFeet(draft, bearing, *place);
+    putOnPedestal(draft, bearing, *place);
     QVERIFY(bearing.placed && !axis.slotIsFree(*place));
     QCOMPARE(bearing.at, *place);
     QVERIFY(draft.plan.blocked.empty());
@@ -299,7 +299,7 @@ class TestPlannerParts : public QObject {
     PlanDraft& draft = drafted.draft;
     const Turning turning = firstOf(draft);
     Bearing& bearing = draft.axis(turning.axisClass).bearings.front();
-    putOnFeetOrReport(draft, bearing);
+    putOnPedestalOrReport(draft, bearing);
     addShaft(draft, turning.axisClass, turning.link);
     QCOMPARE(draft.plan.shafts.size(), std::size_t{1});
     const ShaftSegment& shaft = draft.plan.shafts.front();

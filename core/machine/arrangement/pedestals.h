@@ -10,12 +10,12 @@ namespace geargraph::inline arrangement {
 
 /// The coordinate at which a bearing of the frame can have a pedestal of its own, beside the wheels that it
 /// supports; std::nullopt if there is none.
-[[nodiscard]] std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing);
+[[nodiscard]] std::optional<double> pedestalPlace(const PlanDraft& draft, const Bearing& bearing);
 
 /// Places the bearing there and occupies the slot on its axis.
-void putOnFeet(PlanDraft& draft, Bearing& bearing, double place);
+void putOnPedestal(PlanDraft& draft, Bearing& bearing, double place);
 
-/// The same at placeOfFeet(); if there is none, its links are reported as blocked.
-void putOnFeetOrReport(PlanDraft& draft, Bearing& bearing);
+/// The same at pedestalPlace(); if there is none, its links are reported as blocked.
+void putOnPedestalOrReport(PlanDraft& draft, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement

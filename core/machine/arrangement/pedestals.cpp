@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/feet.h"
+#include "core/machine/arrangement/pedestals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace geargraph::inline arrangement {
 
-std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing) {
+std::optional<double> pedestalPlace(const PlanDraft& draft, const Bearing& bearing) {
   const int c = draft.classOf(bearing);
   const AxisLayout& layout = draft.axis(c);
   std::vector<double> places{bearing.at};
@@ -24,17 +24,17 @@ std::optional<double> placeOfFeet(const PlanDraft& draft, const Bearing& bearing
   });
 }
 
-void putOnFeet(PlanDraft& draft, Bearing& bearing, double place) {
+void putOnPedestal(PlanDraft& draft, Bearing& bearing, double place) {
   bearing.at = place;
   bearing.placed = true;
   draft.axis(draft.classOf(bearing)).occupy(place, bearing.parent);
 }
 
-void putOnFeetOrReport(PlanDraft& draft, Bearing& bearing) {
-  const auto place = placeOfFeet(draft, bearing);
+void putOnPedestalOrReport(PlanDraft& draft, Bearing& bearing) {
+  const auto place = pedestalPlace(draft, bearing);
   if (!place) draft.plan.blocked.push_back({bearing.parent, bearing.child});
   const int c = draft.classOf(bearing);
-  putOnFeet(draft, bearing, place ? *place : draft.axis(c).freeSlot(bearing.at));
+  putOnPedestal(draft, bearing, place ? *place : draft.axis(c).freeSlot(bearing.at));
 }
 
 }  // namespace geargraph::inline arrangement
