@@ -104,7 +104,7 @@ class TtPaperTest : public QObject {
  private slots:
   // The two rows of (26) with across and through variables exchanged; here the across row, for both signs,
   // and n21 = N2 / N1 = 1 / n12. After (26) the paper takes the sign from the directions of rotation, which
-  // says nothing for crossing axes: it comes from the drawn pose.
+  // says nothing for non-parallel axes: it comes from the drawn pose.
   void eq26_relationOfTwoGears() {
     const TerminalPair& opposite = *graph.terminal(0);
     const TerminalPair& together = *graph.terminal(3);

@@ -49,7 +49,7 @@ std::vector<NamedAxisChoice> axisChoices(const Mechanism& mechanism, const std::
                                        {{}, tr("Along z"), {Way::alongZ}}};
   const std::pair<Way, QString> groups[] = {{Way::squareTo, tr("Square to")},
                                             {Way::parallelTo, tr("Parallel to")},
-                                            {Way::throughMeeting, tr("Through the meeting point of")}};
+                                            {Way::throughIntersection, tr("Through the meeting point of")}};
   const std::vector<AxisId> offered = nearestAxes(mechanism, of);
   const bool isAll = offered.size() + of.size() >= mechanism.axes.size();
   for (const auto& [way, group] : groups) {

@@ -37,7 +37,8 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
 }
 
 /// Where classes that share a link cross, nothing can stand on either; and bearings go to the other end.
-void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, const std::stop_token& stop) {
+void addIntersections(const Placement& placement, std::vector<AxisLayout>& layouts,
+                      const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
   const auto topOf = [&](std::size_t c) { return classes.classes[c].top; };
   std::vector<std::vector<std::size_t>> heldBy(placement.tree->joint.size());  // classes by their top link
@@ -164,7 +165,7 @@ std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement&
     layouts[c].module = module;
   }
   addWheels(train, layouts);
-  addCrossings(placement, layouts, stop);
+  addIntersections(placement, layouts, stop);
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     AxisLayout& layout = layouts[static_cast<std::size_t>(classes.classOf[j])];
     const AxisLine& own = placement.axes[static_cast<std::size_t>(tree.axisOf[j])];

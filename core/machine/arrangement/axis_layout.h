@@ -86,7 +86,7 @@ struct AxisLayout {
   [[nodiscard]] double outerSlot() const;
 };
 
-/// The axis classes with their wheels, crossings and the bearings still without a place. The result is
+/// The axis classes with their wheels, intersections and the bearings still without a place. The result is
 /// meaningless if `stop` was requested meanwhile. Cost: O(joints + gears), and the square of the classes that
 /// one link holds.
 [[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,

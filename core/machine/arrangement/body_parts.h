@@ -47,9 +47,9 @@ struct ShaftSegment {
 struct PinPlan {
   int link = 0;
   int home = 0;      ///< the link's axis class
-  double level = 0;  ///< coordinate of the crossing along it
+  double level = 0;  ///< coordinate of the intersection along it
   int axisClass = 0;
-  double from = 0;  ///< of the crossing along the pin's axis
+  double from = 0;  ///< of the intersection along the pin's axis
   double to = 0;    ///< beyond the child's last wheel
 };
 
@@ -57,9 +57,9 @@ struct PinPlan {
 struct TeePlan {
   int link = 0;
   int home = 0;      ///< the link's axis class
-  double level = 0;  ///< coordinate of the crossing along it
+  double level = 0;  ///< coordinate of the intersection along it
   int axisClass = 0;
-  double at = 0;             ///< of the crossing along the other axis
+  double at = 0;             ///< of the intersection along the other axis
   int child = 0;             ///< link whose shaft is in the boss
   double low = 0, high = 0;  ///< the interval of that shaft, for other links that turn on it
 };

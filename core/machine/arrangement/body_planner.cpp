@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/machine/arrangement/coaxial_plan.h"
-#include "core/machine/arrangement/crossing_arms.h"
+#include "core/machine/arrangement/intersecting_arms.h"
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/parallel_arms.h"
 #include "core/machine/arrangement/ring_carriers.h"
@@ -60,7 +60,7 @@ void placeLink(PlanDraft& draft, int link) {
   for (const auto& [c, b] : held) {
     if (draft.isStopped()) return;
     if (!draft.parallel(home, c) && !draft.axis(c).bearings[b].placed)
-      placeCrossing(draft, link, home, draft.axis(c).bearings[b]);
+      placeIntersecting(draft, link, home, draft.axis(c).bearings[b]);
   }
   if (link == 0) releaseRoom(draft);
 }

@@ -36,8 +36,8 @@ DiscHull cylinder(const Vector3d& point, const Vector3d& direction, double low, 
 /// A pinion's boss about its axis, which meets the carrier's.
 struct PinionBoss {
   const ArmPlan* arm = nullptr;
-  double crossing = 0;  ///< coordinate along the pinion's axis
-  double side = 1;      ///< on which the boss stands of the crossing
+  double intersection = 0;  ///< coordinate along the pinion's axis
+  double side = 1;          ///< on which the boss stands of the intersection
 };
 
 /// The bosses of a carrier whose axes meet its own at right angles in one point, each on a side of its own,
@@ -51,8 +51,8 @@ std::vector<PinionBoss> bossesOf(const Arrangement& plan, const std::vector<cons
     const AxisLayout& to = plan.axes[static_cast<std::size_t>(arm->to)];
     if (std::abs(own.direction.dot(to.direction)) > 1e-9) return {};
     const double along = own.coordinate(to.point);  // where axes at right angles come nearest
-    const double crossing = to.coordinate(own.at(along));
-    const bool meets = (to.at(crossing) - own.at(along)).norm() < 1e-6 * own.module;
+    const double intersection = to.coordinate(own.at(along));
+    const bool meets = (to.at(intersection) - own.at(along)).norm() < 1e-6 * own.module;
     if (!meets || (!bosses.empty() && std::abs(along - level) > 1e-6 * own.module)) return {};
     const auto isHeld = [&](const auto& each) { return each.link == arm->child; };
     if (std::any_of(plan.arms.begin(), plan.arms.end(), isHeld) ||
@@ -60,7 +60,7 @@ std::vector<PinionBoss> bossesOf(const Arrangement& plan, const std::vector<cons
         std::any_of(plan.tees.begin(), plan.tees.end(), isHeld))
       return {};
     level = along;
-    bosses.push_back({arm, crossing, arm->at < crossing ? -1.0 : 1.0});
+    bosses.push_back({arm, intersection, arm->at < intersection ? -1.0 : 1.0});
     if (!sides.insert({arm->to, bosses.back().side}).second) return {};
   }
   return bosses.size() < 2 ? std::vector<PinionBoss>{} : bosses;
@@ -108,7 +108,7 @@ class CaseMaker {
     double inner = 0;
     for (const PinionBoss& boss : bosses) {
       const AxisLayout& to = axis(boss.arm->to);
-      inner = std::max(inner, std::abs(boss.arm->at - boss.crossing) + 0.5 * to.width());
+      inner = std::max(inner, std::abs(boss.arm->at - boss.intersection) + 0.5 * to.width());
       for (const BodyHull& hull : m_hulls) {
         if (hull.link != boss.arm->child) continue;
         for (const Disc& disc : hull.discs) {
@@ -171,8 +171,8 @@ class CaseMaker {
     const AxisLayout& own = axis(made.axisClass);
     const AxisLayout& to = axis(boss.arm->to);
     const double wall = bossWall(to), hole = holeFor(m_plan, boss.arm->to, boss.arm->at, made.link);
-    const double ring = (made.inner + made.outer) / 2, away = std::abs(boss.arm->at - boss.crossing);
-    const Vector3d middle = to.at(boss.crossing), way = wayOf(boss);
+    const double ring = (made.inner + made.outer) / 2, away = std::abs(boss.arm->at - boss.intersection);
+    const Vector3d middle = to.at(boss.intersection), way = wayOf(boss);
     made.tubes.push_back({middle + (away + 0.25 * to.width()) * way, middle + ring * way, hole + 0.1 * wall,
                           hole + 0.9 * wall});
     if (made.rings.size() < 2) return;

@@ -26,7 +26,7 @@ PlanDraft::PlanDraft(const Mechanism& mechanism, const Placement& placed, const 
   }
 }
 
-std::optional<std::pair<double, double>> PlanDraft::crossingOf(int a, int b) const {
+std::optional<std::pair<double, double>> PlanDraft::intersectionOf(int a, int b) const {
   const AxisLayout& one = axis(a);
   const AxisLayout& other = axis(b);
   const Vector3d across = one.direction.cross(other.direction);

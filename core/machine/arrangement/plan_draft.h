@@ -26,8 +26,8 @@ struct PlanTries {
 };
 
 /// An arrangement under construction. The parts of the planner (ring_carriers.h, parallel_arms.h, tees.h,
-/// crossing_arms.h, shaft_extents.h, nested_shafts.h) read it and add to it; each can be tested by itself.
-/// The arguments of the constructor outlive it.
+/// intersecting_arms.h, shaft_extents.h, nested_shafts.h) read it and add to it; each can be tested by
+/// itself. The arguments of the constructor outlive it.
 struct PlanDraft {
   /// The axes with their wheels, nothing placed. Cost: that of axisLayouts().
   PlanDraft(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
@@ -47,7 +47,7 @@ struct PlanDraft {
   [[nodiscard]] double carried(int a, double x, int b) const { return axis(b).coordinate(axis(a).at(x)); }
   /// Where two axes intersect: the coordinates of the point along them; std::nullopt if they are skew or
   /// parallel.
-  [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
+  [[nodiscard]] std::optional<std::pair<double, double>> intersectionOf(int a, int b) const;
   /// A span along a gear's own axis as an interval of its axis class.
   [[nodiscard]] Interval intervalOf(const TrainGear& gear, const AxialSpan& span) const;
 

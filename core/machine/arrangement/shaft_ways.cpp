@@ -15,7 +15,7 @@ namespace {
 
 /// Does a shaft from what it holds to its bearing cross another axis? What turns about that one may need the
 /// place.
-bool isPastCrossing(const AxisLayout& layout, const Interval& held, double at) {
+bool isPastIntersection(const AxisLayout& layout, const Interval& held, double at) {
   return std::any_of(layout.occupied.begin(), layout.occupied.end(), [&](const Interval& s) {
     return s.link == -1 && layout.isBelow(std::min(held.low, at), s.low) &&
            layout.isBelow(s.high, std::max(held.high, at));
@@ -88,7 +88,7 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
   const Interval held = heldInterval(draft, c, bearing.child);
   if (held.low > held.high) return true;
   if (isCutOff(draft, c, bearing.child, held, at)) return false;
-  if (bearing.parent == 0 && isPastCrossing(layout, held, at)) return false;
+  if (bearing.parent == 0 && isPastIntersection(layout, held, at)) return false;
   const double from = at < held.low ? at : std::min(held.high, at);
   const double to = at < held.low ? held.low : at;
   if (to - from < 1e-9 * layout.module) return true;

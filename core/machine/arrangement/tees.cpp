@@ -21,8 +21,8 @@ bool isAround(const PlanDraft& draft, int home, int link, double level) {
          });
 }
 
-/// The bearing of the one shaft that a boss at the crossing holds: the one with wheels on both sides of it;
-/// where several have theirs on one side, the nearest, on which the others run. The end: there is none.
+/// The bearing of the one shaft that a boss at the intersection holds: the one with wheels on both sides of
+/// it; where several have theirs on one side, the nearest, on which the others run. The end: there is none.
 std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisClass, double at) {
   AxisLayout& target = draft.axis(axisClass);
   std::vector<std::vector<Bearing>::iterator> passing, below, above;
@@ -50,9 +50,9 @@ std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisCla
 bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
   AxisLayout& own = draft.axis(home);
   AxisLayout& target = draft.axis(axisClass);
-  const auto meeting = draft.crossingOf(home, axisClass);
-  if (link == 0 || !meeting) return false;
-  const auto [level, at] = *meeting;
+  const auto intersection = draft.intersectionOf(home, axisClass);
+  if (link == 0 || !intersection) return false;
+  const auto [level, at] = *intersection;
   const auto isOthers = [&](const Interval& s, double low, double high) {
     return s.link >= 0 && own.overlap(s.low, s.high, low, high);
   };

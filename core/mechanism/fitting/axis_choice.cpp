@@ -54,7 +54,7 @@ ExactVector3 directionOf(const PlacedMechanism& placed, AxisId axis, const AxisC
       return squarePart(lineOf(placed, axis).direction, lineOf(placed, choice.other).direction);
     case Way::parallelTo:
       return lineOf(placed, choice.other).direction;
-    case Way::throughMeeting:
+    case Way::throughIntersection:
       break;
   }
   return lineOf(placed, axis).direction;
@@ -145,7 +145,7 @@ Expected<PlacedMechanism> withDirection(const PlacedMechanism& before, AxisId ax
   return withLine(before, *next, axis, {line.point, direction});
 }
 
-Expected<PlacedMechanism> withMeetingPoint(const PlacedMechanism& before, AxisId axis, AxisId other) {
+Expected<PlacedMechanism> withIntersectionPoint(const PlacedMechanism& before, AxisId axis, AxisId other) {
   const ExactLine line = lineOf(before, other);
   ExactVector3 point = line.point;
   for (const Neighbour& neighbour : neighboursOf(before, other)) {
@@ -170,7 +170,8 @@ Expected<PlacedMechanism> withAxisChosen(const PlacedMechanism& before, AxisId a
     }
   }
   if (isPinned(*mechanism.find(axis))) return pinRefusal(*mechanism.find(axis));
-  if (choice.way == AxisChoice::Way::throughMeeting) return withMeetingPoint(before, axis, choice.other);
+  if (choice.way == AxisChoice::Way::throughIntersection)
+    return withIntersectionPoint(before, axis, choice.other);
   return withDirection(before, axis, directionOf(before, axis, choice));
 }
 

@@ -13,10 +13,10 @@ struct AxisChoice {
     alongX,
     alongY,
     alongZ,
-    squareTo,       ///< at right angles to `other`; its own direction is projected
-    parallelTo,     ///< in the direction of `other`
-    throughMeeting  ///< through the point where `other` intersects the axis of its first bevel pair; if it
-                    ///< has none, through its reference point
+    squareTo,            ///< at right angles to `other`; its own direction is projected
+    parallelTo,          ///< in the direction of `other`
+    throughIntersection  ///< through the point where `other` intersects the axis of its first bevel pair; if
+                         ///< it has none, through its reference point
   };
   Way way = Way::alongZ;
   AxisId other = {};  ///< for the last three

@@ -92,7 +92,8 @@ class AxisPlacer {
         if (!m_lines[a] || !m_lines[b] || !seen.insert({a, b}).second) continue;
         const PlacedLine& one = *m_lines[a];
         const PlacedLine& other = *m_lines[b];
-        if (positionOfLines(one, other) == LinePosition::meeting) m_bevels.stand(a, b, m_module.toDouble());
+        if (positionOfLines(one, other) == LinePosition::intersecting)
+          m_bevels.stand(a, b, m_module.toDouble());
       }
     }
   }

@@ -180,7 +180,7 @@ LinePosition positionOf(const GearPair<double>& pair, const LineComparison& trai
   const double distance = axisDistance(pair);
   const bool meet = distance <= kGeometryFits * length(pair.headPoint - pair.tailPoint) ||
                     distance <= kGeometryFits * train.size();
-  return meet ? LinePosition::meeting : LinePosition::skew;
+  return meet ? LinePosition::intersecting : LinePosition::skew;
 }
 
 Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
@@ -221,7 +221,7 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
   geometry.tailRadius = dot(geometry.normal, tail);
   geometry.headRadius = dot(geometry.normal, head);
   geometry.sign = geometry.tailRadius * geometry.headRadius < 0 ? -1 : 1;
-  geometry.kind = position == LinePosition::meeting                                 ? MeshKind::bevel
+  geometry.kind = position == LinePosition::intersecting                            ? MeshKind::bevel
                   : geometry.sign * dot(pair.tailDirection, pair.headDirection) < 0 ? MeshKind::external
                                                                                     : MeshKind::internal;
   const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind;

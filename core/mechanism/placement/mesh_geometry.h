@@ -39,8 +39,8 @@ struct MeshGeometry {
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
 };
 
-/// The relative position of two lines; meeting: they intersect.
-enum class LinePosition { parallel, meeting, skew };
+/// The relative position of two lines.
+enum class LinePosition { parallel, intersecting, skew };
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
 
 /// Checks a pitch point against axes, teeth and kind (the moment equation has rank 1 exactly if both radii

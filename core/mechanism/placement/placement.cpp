@@ -133,7 +133,7 @@ class MeshLocator {
   bool derivePitchPoint(int mesh, const GearPair<double>& pair, const MeshWord& word, LinePosition position,
                         MeshGeometry& geometry) {
     geometry.derived = true;
-    if (position == LinePosition::meeting) {
+    if (position == LinePosition::intersecting) {
       geometry.sides = m_sides.choose(mesh, word, pair);
       if (!m_bevelSizes.empty()) geometry.bevelSize = m_bevelSizes[mesh];
       geometry.tailToPitch =

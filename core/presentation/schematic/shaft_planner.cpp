@@ -243,17 +243,17 @@ void ShaftPlanner::addPin(const PinPlan& pin, const SheetBearing& bearing) {
   m_held.push_back({pin.axisClass, pin.link, start, 0, 0});
   m_held.push_back({pin.axisClass, pin.link, m_bearingSpots[at(bearing.joint)], kPinEnd, kPinEnd});
   if (pin.home < 0 || areParallel(pin.home, pin.axisClass)) return;
-  m_spots[start].fixed = crossing(pin.axisClass, pin.home);
+  m_spots[start].fixed = intersection(pin.axisClass, pin.home);
   const std::size_t home = addSpot(pin.home, pin.level);
-  m_spots[home].fixed = crossing(pin.home, pin.axisClass);
+  m_spots[home].fixed = intersection(pin.home, pin.axisClass);
   m_held.push_back({pin.home, pin.link, home, 0, 0});
 }
 
-/// The link's shaft comes as near to the crossing as the bars of the bearing.
+/// The link's shaft comes as near to the intersection as the bars of the bearing.
 void ShaftPlanner::addTee(const TeePlan& tee, const SheetBearing& bearing) {
-  m_spots[m_bearingSpots[at(bearing.joint)]].fixed = crossing(tee.axisClass, tee.home);
+  m_spots[m_bearingSpots[at(bearing.joint)]].fixed = intersection(tee.axisClass, tee.home);
   const std::size_t home = addSpot(tee.home, tee.level);
-  m_spots[home].fixed = crossing(tee.home, tee.axisClass);
+  m_spots[home].fixed = intersection(tee.home, tee.axisClass);
   const double reach = bearing.height + kBearingGap;
   m_held.push_back({tee.home, tee.link, home, -reach, -reach});
 }
@@ -403,7 +403,7 @@ double ShaftPlanner::atOn(int a, std::size_t spot) const {
 }
 
 /// px along the first axis of a's family where the other axis crosses it.
-double ShaftPlanner::crossing(int a, int other) const {
+double ShaftPlanner::intersection(int a, int other) const {
   const SheetAxis& on = axis(a);
   const SheetAxis& across = axis(other);
   const double sine = dot(on.along, turned(across.along));

@@ -63,7 +63,7 @@ class ShaftPlanner {
   }
   /// px along an axis of a placed spot on a parallel one.
   [[nodiscard]] double atOn(int axis, std::size_t spot) const;
-  [[nodiscard]] double crossing(int axis, int other) const;
+  [[nodiscard]] double intersection(int axis, int other) const;
   [[nodiscard]] double hiddenPlace(SheetBearing& bearing);
   [[nodiscard]] const SheetWheel* wheelOnPin(const PinPlan& pin, int child) const;
   [[nodiscard]] double heightOf(const WallPlan& wall, double place, double radius) const;

@@ -24,7 +24,7 @@ std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, co
 
 /// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
 /// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
-std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+std::optional<int> signOfIntersecting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
   if (pose.pitchPoint == nullptr) return std::nullopt;
   const double cosine = dot(tail.direction, head.direction);
   const double sineSquared = 1 - cosine * cosine;
@@ -50,7 +50,7 @@ std::optional<int> meshSign(const MeshPose& pose) {
   if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
     return areParallel(pose.tailAxis->direction, pose.headAxis->direction)
                ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
-               : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
+               : signOfIntersecting(pose, *pose.tailAxis, *pose.headAxis);
   }
   // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
   if (pose.kind == MeshKind::external) return -1;

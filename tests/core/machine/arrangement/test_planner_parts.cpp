@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/machine/arrangement/body_planner.h"
-#include "core/machine/arrangement/crossing_arms.h"
+#include "core/machine/arrangement/intersecting_arms.h"
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/parallel_arms.h"
 #include "core/machine/arrangement/pedestals.h"
@@ -71,24 +71,25 @@ Turning firstOf(const PlanDraft& draft) {
 class TestPlannerParts : public QObject {
   Q_OBJECT
  private slots:
-  /// A crossing lies on both axes; parallel and skew axes have none.
-  void crossingsLieOnBothAxes() {
-    int crossings = 0, none = 0;
+  /// An intersection lies on both axes; parallel and skew axes have none.
+  void intersectionsLieOnBothAxes() {
+    int intersections = 0, none = 0;
     for (const auto& [name, mechanism] : someTrains()) {
       const Drafted drafted(mechanism);
       const PlanDraft& draft = drafted.draft;
       for (int a = 0; a < axesOf(draft); ++a) {
         for (int b = 0; b < axesOf(draft); ++b) {
-          const auto meeting = draft.crossingOf(a, b);
-          if (draft.parallel(a, b)) QVERIFY2(!meeting, name.c_str());
-          ++(meeting ? crossings : none);
-          if (!meeting) continue;
-          const double apart = (draft.axis(a).at(meeting->first) - draft.axis(b).at(meeting->second)).norm();
+          const auto intersection = draft.intersectionOf(a, b);
+          if (draft.parallel(a, b)) QVERIFY2(!intersection, name.c_str());
+          ++(intersection ? intersections : none);
+          if (!intersection) continue;
+          const double apart =
+              (draft.axis(a).at(intersection->first) - draft.axis(b).at(intersection->second)).norm();
           QVERIFY2(apart < 0.02 * draft.axis(a).module, name.c_str());
         }
       }
     }
-    QVERIFY(crossings > 20 && none > 20);
+    QVERIFY(intersections > 20 && none > 20);
   }
 
   void aHubIsWhereItsGearIs() {
@@ -237,7 +238,7 @@ class TestPlannerParts : public QObject {
     QVERIFY(placed > 50);
   }
 
-  /// A pin starts at the crossing and ends behind the wheels, which stand on one side of it.
+  /// A pin starts at the intersection and ends behind the wheels, which stand on one side of it.
   void pinsReachBehindTheirWheels() {
     int pins = 0;
     for (const auto& [name, mechanism] : someTrains()) {

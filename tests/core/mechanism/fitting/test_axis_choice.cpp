@@ -101,7 +101,7 @@ class TestAxisChoice : public QObject {
     }
   }
 
-  void parallelAndThroughTheMeetingPoint() {
+  void parallelAndThroughTheIntersection() {
     const PlacedMechanism bevel =
         *withAxisChosen(PlacedMechanism(drawn(3, {{0, 1}, {0, 2}, {2, 3}}, {{1, 3}})), AxisId("b"),
                         {Way::squareTo, AxisId("a")});
@@ -112,7 +112,7 @@ class TestAxisChoice : public QObject {
     const auto parallel = withAxisChosen(more, added, {Way::parallelTo, AxisId("b")});
     QVERIFY(parallel.has_value());
     QVERIFY(isAlong(directionOf(*parallel, "c"), 1));
-    const auto through = withAxisChosen(*parallel, added, {Way::throughMeeting, AxisId("a")});
+    const auto through = withAxisChosen(*parallel, added, {Way::throughIntersection, AxisId("a")});
     QVERIFY(through.has_value());
     const Placement& placement = through->placement();
     // The apex: on line a, and on line b.

@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/crossing_arms.h"
+#include "core/machine/arrangement/intersecting_arms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,11 +73,12 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
     low = std::min(low, wheels->low);
     high = std::max(high, wheels->high);
   }
-  if (const auto meeting = draft.crossingOf(arm.from, arm.to)) {
+  if (const auto intersection = draft.intersectionOf(arm.from, arm.to)) {
     constexpr int kThrough = 6;  // places in gears that shafts through each other weigh as much as
     const Interval own = reachOf(draft, arm);
-    const bool through = from.isBelow(own.low, meeting->first) && from.isBelow(meeting->first, own.high) &&
-                         to.isBelow(low, meeting->second) && to.isBelow(meeting->second, high);
+    const bool through = from.isBelow(own.low, intersection->first) &&
+                         from.isBelow(intersection->first, own.high) &&
+                         to.isBelow(low, intersection->second) && to.isBelow(intersection->second, high);
     count += through ? kThrough : 0;
   }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
@@ -174,10 +175,10 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
   const AxisLayout& own = draft.axis(home);
   const AxisLayout& target = draft.axis(c);
   const auto wheels = target.wheelsOf(bearing.child);
-  const auto meeting = draft.crossingOf(home, c);
-  if (!wheels || !meeting) return std::nullopt;
-  PinPlan pin{link, home, meeting->first, c};
-  pin.from = meeting->second;
+  const auto intersection = draft.intersectionOf(home, c);
+  if (!wheels || !intersection) return std::nullopt;
+  PinPlan pin{link, home, intersection->first, c};
+  pin.from = intersection->second;
   if (target.isBelow(wheels->low, pin.from) && target.isBelow(pin.from, wheels->high)) return std::nullopt;
   const double end = 2 * target.gap();
   pin.to = target.isBelow(wheels->low, pin.from) ? wheels->low - end : wheels->high + end;
@@ -186,7 +187,7 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
            target.overlap(s.low, s.high, std::min(pin.from, pin.to), std::max(pin.from, pin.to));
   };
   if (std::any_of(target.occupied.begin(), target.occupied.end(), inTheWay)) return std::nullopt;
-  for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
+  for (const Bearing& other : own.bearings) {  // shafts of others through the intersection
     if (other.child == link || !other.isBoss()) continue;
     const auto span = own.wheelsOf(other.child);
     const double low = std::min(other.at, span ? span->low : other.at);
@@ -196,7 +197,7 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
   return pin;
 }
 
-void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing) {
+void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing) {
   if (draft.tries.onPedestals.contains(bearing.child) && link == 0)
     return putOnPedestalOrReport(draft, bearing);
   TriedArm best = bestArm(draft, link, home, bearing, levelsBeside(draft, link, home));

@@ -16,6 +16,6 @@ namespace geargraph::inline arrangement {
 /// Places bearing and arm for an axis that intersects the link's own. First criterion: clear of the gears;
 /// then bearings as drawn, arms beside the link's own wheel or at an arm that it has already. If no arm is
 /// clear of the gears, a pin is tried, then an arm around the wheels.
-void placeCrossing(PlanDraft& draft, int link, int home, Bearing& bearing);
+void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement
