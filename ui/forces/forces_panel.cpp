@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/forces/duality_line.h"
 #include "ui/forces/efficiency_card.h"
 #include "ui/forces/efficiency_page.h"
 #include "ui/forces/explanation_label.h"
@@ -21,7 +22,6 @@
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
 #include "ui/forces/sideways_scroll.h"
-#include "ui/forces/twin_line.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
@@ -88,13 +88,13 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   layout->addWidget(new SidewaysScroll(makeBar(), this));
   layout->addWidget(makeMiddle(), 1);
   layout->addWidget(new SidewaysScroll(makeTotals(), this));
-  m_twin = new TwinLine(selection, this);
-  auto* twin = new SidewaysScroll(m_twin, this);
-  twin->setVisible(false);
-  connect(m_twin, &TwinLine::filled, twin, &QWidget::setVisible);
+  m_duality = new DualityLine(selection, this);
+  auto* dual = new SidewaysScroll(m_duality, this);
+  dual->setVisible(false);
+  connect(m_duality, &DualityLine::filled, dual, &QWidget::setVisible);
   // A table of few rows leaves room for what is below it.
   m_pages->setMinimumHeight(scaledPixels(100));
-  layout->addWidget(twin);
+  layout->addWidget(dual);
   // What is shared, and beside it what decides the shares.
   auto* remark = new QHBoxLayout;
   remark->setContentsMargins(0, 0, 10, 0);
@@ -262,7 +262,7 @@ void ForcesPanel::showForces() {
   showTotals();
   showRemark();
   m_table->selectRowOfSelection();
-  m_twin->show(forces());
+  m_duality->show(forces());
   m_explanation->show(forces());
 }
 

@@ -23,7 +23,7 @@ class ExplanationLabel;
 class ForceTableModel;
 class LinkedTable;
 class LoadsList;
-class TwinLine;
+class DualityLine;
 
 /// Torques, forces and powers of the newest snapshot: the loads, a table of the torques that hold them, and
 /// the power balance. Rows are linked with the selection in both directions. Documents without loads are
@@ -51,7 +51,7 @@ class ForcesPanel : public QWidget {
   void showPlots();
   [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
   [[nodiscard]] EfficiencyCard& efficiency() { return *m_card; }
-  [[nodiscard]] TwinLine& twinLine() { return *m_twin; }
+  [[nodiscard]] DualityLine& dualityLine() { return *m_duality; }
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// The diagnostic under the table; empty if there is none.
   [[nodiscard]] QString remark() const;
@@ -107,7 +107,7 @@ class ForcesPanel : public QWidget {
   QScrollArea* m_cardView = nullptr;
   QLabel* m_empty;
   QLabel* m_remark;
-  TwinLine* m_twin = nullptr;
+  DualityLine* m_duality = nullptr;
   ExplanationLabel* m_explanation;
   QButtonGroup* m_chips = nullptr;
   QComboBox* m_states = nullptr;

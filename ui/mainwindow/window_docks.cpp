@@ -8,10 +8,10 @@
 
 #include "ui/derivation/derivation_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
+#include "ui/forces/duality_line.h"
 #include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/torque_rows.h"
-#include "ui/forces/twin_line.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
@@ -35,14 +35,14 @@ bool isUrgent(const Diagnostic& diagnostic) {
          diagnostic.code == Code::assembly;
 }
 
-/// The entry that an equation of speeds and its twin of torques share is framed in Matrices, too: a click on
+/// The entry that an equation of speeds and its dual of torques share is framed in Matrices, too: a click on
 /// it shows it there, in P or where that is too large in Q, and the cell under the mouse there is shown in
 /// Forces.
-void wireSharedEntry(TwinLine& line, MatricesPanel& matrices, QDockWidget& dock) {
+void wireSharedEntry(DualityLine& line, MatricesPanel& matrices, QDockWidget& dock) {
   MatrixView& view = matrices.view();
-  QObject::connect(&line, &TwinLine::entryChanged, &view, &MatrixView::setFramed);
-  QObject::connect(&view, &MatrixView::entryHovered, &line, &TwinLine::pointAt);
-  QObject::connect(&line, &TwinLine::entryWanted, &matrices, [&matrices, &view, &dock] {
+  QObject::connect(&line, &DualityLine::entryChanged, &view, &MatrixView::setFramed);
+  QObject::connect(&view, &MatrixView::entryHovered, &line, &DualityLine::pointAt);
+  QObject::connect(&line, &DualityLine::entryWanted, &matrices, [&matrices, &view, &dock] {
     dock.show();
     dock.raise();
     matrices.showQuantity(QuantityKind::coefficients);
@@ -130,7 +130,7 @@ void MainWindow::makeDocks() {
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
   m_view3d->setForces(nullptr, forcesCaption(nullptr));
-  wireSharedEntry(m_forces->twinLine(), *m_matrices, *dock("dock.matrices"));
+  wireSharedEntry(m_forces->dualityLine(), *m_matrices, *dock("dock.matrices"));
   placeDocks();
 }
 

@@ -77,7 +77,7 @@ class TeethFitter {
   }
 
   void setTeeth(int wheel, int teeth) {
-    std::vector<int> all = m_wheels.twins(wheel);
+    std::vector<int> all = m_wheels.identicalPlanets(wheel);
     all.push_back(wheel);
     for (const int each : all) {
       if (m_pinned.contains(each)) refusePinned(m_wheels.ends(each).front() / 2);

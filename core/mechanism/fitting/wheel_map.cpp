@@ -79,17 +79,17 @@ WheelMap::WheelMap(const Mechanism& mechanism, const Placement& placement)
   for (auto& neighbours : m_neighbours) std::sort(neighbours.begin(), neighbours.end());
 }
 
-std::vector<int> WheelMap::twins(int wheel) const {
+std::vector<int> WheelMap::identicalPlanets(int wheel) const {
   const auto at = static_cast<std::size_t>(wheel);
   const auto& neighbours = m_neighbours[at];
-  std::vector<int> twins;
+  std::vector<int> planets;
   // One neighbour on the ground's own axes: two idlers beside one wheel are no planets.
-  if (neighbours.size() < 2 && neighbours.front().carrier == 0) return twins;
+  if (neighbours.size() < 2 && neighbours.front().carrier == 0) return planets;
   for (std::size_t other = 0; other < m_neighbours.size(); ++other) {
     if (other == at || m_link[other] == m_link[at] || m_teeth[other] != m_teeth[at]) continue;
-    if (m_neighbours[other] == neighbours) twins.push_back(static_cast<int>(other));
+    if (m_neighbours[other] == neighbours) planets.push_back(static_cast<int>(other));
   }
-  return twins;
+  return planets;
 }
 
 }  // namespace geargraph::inline fitting

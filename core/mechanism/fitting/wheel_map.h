@@ -22,7 +22,7 @@ class WheelMap {
   }
   /// The identical planets of a set: wheels on other links that mesh with the same wheels in the same way on
   /// the same carrier, with as many teeth.
-  [[nodiscard]] std::vector<int> twins(int wheel) const;
+  [[nodiscard]] std::vector<int> identicalPlanets(int wheel) const;
 
  private:
   struct Neighbour {

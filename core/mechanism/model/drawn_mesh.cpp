@@ -166,7 +166,7 @@ Guess guessOf(const Mechanism& mechanism, LinkId tail, LinkId head) {
     }
   }
   for (const Neighbour& wheel : neighbours) {
-    // The same gear again, and its partner a twin of the one it meshes with already.
+    // The same gear again, and its partner identical to the one it meshes with already.
     const bool ofTail = wheel.gear == tail && wheel.axis == seat->tailAxis;
     const bool ofHead = wheel.gear == head && wheel.axis == seat->headAxis;
     if (ofTail) guess = {wheel.teeth, wheel.otherTeeth, wheel.mesh->kind};

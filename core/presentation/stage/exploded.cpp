@@ -81,16 +81,16 @@ std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain, c
   for (const auto& [link, instances] : row.links) {
     if (stop.stop_requested()) break;
     Car car = carOf(scene, instances, row.direction, grain);
-    const auto twin = std::find_if(cars.begin(), cars.end(), [&](const Car& known) {
+    const auto identical = std::find_if(cars.begin(), cars.end(), [&](const Car& known) {
       return known.solid == car.solid && known.middle == car.middle;
     });
-    if (twin == cars.end()) {
+    if (identical == cars.end()) {
       cars.push_back(std::move(car));
       continue;
     }
-    twin->instances.insert(twin->instances.end(), car.instances.begin(), car.instances.end());
-    twin->low = std::min(twin->low, car.low);
-    twin->high = std::max(twin->high, car.high);
+    identical->instances.insert(identical->instances.end(), car.instances.begin(), car.instances.end());
+    identical->low = std::min(identical->low, car.low);
+    identical->high = std::max(identical->high, car.high);
   }
   std::stable_sort(cars.begin(), cars.end(), [](const Car& a, const Car& b) {
     return std::tuple(a.middle, a.radius) < std::tuple(b.middle, b.radius);

@@ -14,12 +14,12 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "tests/ui/forces/open_forces_panel.h"
+#include "ui/forces/duality_line.h"
 #include "ui/forces/efficiency_card.h"
 #include "ui/forces/efficiency_page.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
-#include "ui/forces/twin_line.h"
 
 namespace geargraph {
 
@@ -76,33 +76,33 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QCOMPARE(panel->total(QStringLiteral("circulating")), QStringLiteral("none"));
   }
 
-  /// An equation of speeds and its twin of torques, with the entry of P that both use.
-  void equationsStandBesideTheirTwins() {
-    auto* twin = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
-    QVERIFY(!twin->isVisible());
+  /// An equation of speeds and its dual of torques, with the entry of P that both use.
+  void dualEquationsStandSideBySide() {
+    auto* dual = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
+    QVERIFY(!dual->isVisible());
     open(loadedSet());
-    QTRY_VERIFY(twin->isVisible());
+    QTRY_VERIFY(dual->isVisible());
     const Mechanism& mechanism = *document->mechanism();
     selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
     for (const char* words :
          {"Row 10: speeds of mesh 10", "(17)", "Column 6: torque in joint 6", "(17*)", "here 25 N m", "P10"})
-      QVERIFY2(twin->text().contains(QLatin1String(words)), qPrintable(twin->text()));
-    QCOMPARE(twin->text().count(QStringLiteral("border:2px solid")), 3);  // in row, matrix and column
+      QVERIFY2(dual->text().contains(QLatin1String(words)), qPrintable(dual->text()));
+    QCOMPARE(dual->text().count(QStringLiteral("border:2px solid")), 3);  // in row, matrix and column
     QCOMPARE(
-        twin->text().count(QRegularExpression(QStringLiteral("border:2px[^>]*><a [^>]*>\u2212?60</a></td>"))),
+        dual->text().count(QRegularExpression(QStringLiteral("border:2px[^>]*><a [^>]*>\u2212?60</a></td>"))),
         3);
     selection.select({mechanism.turningJoints[0].id});
-    QVERIFY2(twin->text().contains(QLatin1String("Row 9: speeds of mesh 9")), qPrintable(twin->text()));
+    QVERIFY2(dual->text().contains(QLatin1String("Row 9: speeds of mesh 9")), qPrintable(dual->text()));
     // It follows the train with losses.
     type("meshEfficiency", "0.98");
     selection.select({mechanism.turningJoints[1].id});
-    QVERIFY2(twin->text().contains(QLatin1String("here 24.01 N m")), qPrintable(twin->text()));
+    QVERIFY2(dual->text().contains(QLatin1String("here 24.01 N m")), qPrintable(dual->text()));
   }
 
   /// The framed entry follows what is pointed at, tells others, and can be clicked.
   void theSharedEntryIsTold() {
-    QSignalSpy changed(&panel->twinLine(), &TwinLine::entryChanged);
-    QSignalSpy wanted(&panel->twinLine(), &TwinLine::entryWanted);
+    QSignalSpy changed(&panel->dualityLine(), &DualityLine::entryChanged);
+    QSignalSpy wanted(&panel->dualityLine(), &DualityLine::entryWanted);
     open(loadedSet());
     const Mechanism& mechanism = *document->mechanism();
     const auto entry = [&](int mesh, int joint) {
@@ -111,9 +111,9 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
                  QVariantList{QVariant::fromValue(ElementId(mechanism.gearMeshes[std::size_t(mesh)].id)),
                               QVariant::fromValue(ElementId(mechanism.turningJoints[std::size_t(joint)].id))};
     };
-    QTRY_VERIFY(panel->twinLine().isVisible());
+    QTRY_VERIFY(panel->dualityLine().isVisible());
     QVERIFY(changed.isEmpty());  // nobody has chosen one
-    emit panel->twinLine().linkActivated(QStringLiteral("entry"));
+    emit panel->dualityLine().linkActivated(QStringLiteral("entry"));
     QVERIFY(entry(0, 0));
     wanted.clear();
     selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
@@ -123,14 +123,14 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     selection.unhover();
     QVERIFY(entry(1, 1));
     // The cell of a matrix comes before the cycle that lights up with it.
-    panel->twinLine().pointAt(mechanism.gearMeshes[0].id, mechanism.turningJoints[3].id);
+    panel->dualityLine().pointAt(mechanism.gearMeshes[0].id, mechanism.turningJoints[3].id);
     selection.hover(
         {mechanism.turningJoints[0].id, mechanism.turningJoints[3].id, mechanism.gearMeshes[0].id});
     QVERIFY(entry(0, 3));
-    panel->twinLine().pointAt({}, {});
+    panel->dualityLine().pointAt({}, {});
     selection.unhover();
     QVERIFY(entry(1, 1));
-    emit panel->twinLine().linkActivated(QStringLiteral("entry"));
+    emit panel->dualityLine().linkActivated(QStringLiteral("entry"));
     QCOMPARE(wanted.size(), 1);
     // Without torques there is none.
     changed.clear();

@@ -182,9 +182,9 @@ class StoriesTest : public QObject {
   void aPlanetGetsCompanionsWithTwoGestures() {
     window->document().replace(emptyMechanism(), {});
     insertSet();
-    const std::vector<ElementId> twins{now()->links[5].id, now()->links[6].id};
-    for (const ElementId& twin : twins) {
-      window->selection().select({twin});
+    const std::vector<ElementId> planets{now()->links[5].id, now()->links[6].id};
+    for (const ElementId& planet : planets) {
+      window->selection().select({planet});
       window->actions().remove->trigger();
     }
     QCOMPARE(now()->n(), 4);

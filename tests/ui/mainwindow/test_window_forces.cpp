@@ -14,8 +14,8 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/forces/duality_line.h"
 #include "ui/forces/forces_panel.h"
-#include "ui/forces/twin_line.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
@@ -364,12 +364,12 @@ class WindowForcesTest : public QObject {
   void theSharedEntryIsFramedInMatrices() {
     open(set());
     show("dock.forces");
-    QTRY_VERIFY(window->forces().twinLine().isVisible());
+    QTRY_VERIFY(window->forces().dualityLine().isVisible());
     const Mechanism& mechanism = *window->document().mechanism();
     window->selection().select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
     auto& matrices = *window->findChild<MatricesPanel*>();
     QVERIFY(matrices.view().isFramed(1, 1));  // C10 below joint 6, not in sight yet
-    emit window->forces().twinLine().linkActivated(QStringLiteral("entry"));
+    emit window->forces().dualityLine().linkActivated(QStringLiteral("entry"));
     QTRY_VERIFY(matrices.isVisible() && !matrices.visibleRegion().isEmpty());
     QVERIFY(matrices.model().quantityKind() == QuantityKind::coefficients);
     QVERIFY(matrices.view().isFramed(1, 1));

@@ -37,7 +37,7 @@ class TestFitting : public QObject {
     QCOMPARE((*after.axes[2].point)[1].exact(), Rational(192, 5));
   }
 
-  void planetsFollowTheirTwin() {
+  void identicalPlanetsFollow() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism after = *withTeethFitted(before, mesh(before, 3).id, 20, 60);  // planet 5
     for (int planet = 0; planet < 3; ++planet) {
@@ -199,7 +199,7 @@ class TestFitting : public QObject {
     QVERIFY(!withKindFitted(after, mesh(after, 0).id, MeshKind::bevel));
   }
 
-  void aDraggedAxisTakesTheModuleAndItsTwinsAlong() {
+  void aDraggedAxisTakesTheModuleAndIdenticalPlanetsAlong() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism after = *withAxisMoved(before, before.axes[1].id, at(0, 63, 0));
     QCOMPARE((*after.axes[1].point)[1].value(), 63.0);

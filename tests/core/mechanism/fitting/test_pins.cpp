@@ -121,7 +121,7 @@ class TestPins : public QObject {
     QVERIFY(!own && blames(own.error()[0], before.links[2].id));
   }
 
-  void aPinnedTwinHoldsItsTwins() {
+  void aPinnedPlanetHoldsIdenticalOnes() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism pinned = pin(before, before.links[6].id);  // the third planet
     const auto refused = withTeethFitted(pinned, mesh(before, 0).id, 24, 20);

@@ -115,7 +115,7 @@ class DrawnMeshTest : public QObject {
     QCOMPARE(teethOf(back.gearMeshes[1]), QStringLiteral("60:18 internal"));
   }
 
-  void aSecondPlanetIsATwinOfTheFirst() {
+  void aSecondPlanetIsIdenticalToTheFirst() {
     Mechanism train = meshed(drawn(4, kPlanetary), 1, 3);
     train = withTeeth(train, train.gearMeshes[0].id, 24, 18).value();
     train = meshed(train, 3, 0);

@@ -138,7 +138,7 @@ class ReportTest : public QObject {
     QVERIFY(equations.at(45).find("-i_{17} i_{16} i_{15} & -i_{17} i_{16} & -i_{17}") != std::string::npos);
   }
 
-  // The equations of statics, each with the number of its twin.
+  // The equations of statics, each with the number of its dual.
   void theStaticsOfTheRobot() {
     const Report report = reportOf(loadedRobot());
     check(report);

@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "core/teaching/force_tables/cutset_words.h"
+#include "core/teaching/force_tables/dual_equations.h"
 #include "core/teaching/force_tables/efficiency_table.h"
-#include "core/teaching/force_tables/twin_words.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/statics_case.h"
@@ -286,16 +286,16 @@ class TestForceTables : public QObject {
     const Picture picture;
     const StaticsCase train(picture.mechanism);
     const StaticsReport report = reportOf(train, picture.options);
-    const auto twin = twinWords(train.mechanism, train.model, train.placement, report, 1, 1);
-    QVERIFY(twin);
-    QCOMPARE(twin->joints, (std::vector{1, 2, 3}));
-    QCOMPARE(twin->meshes, (std::vector{1}));
-    QCOMPARE(std::abs(twin->cells[0][0]), 60);
-    QVERIFY2(twin->speeds.ends_with(" = 0"), twin->speeds.c_str());
-    QCOMPARE(twin->torque, std::string("24.01"));
+    const auto dual = dualEquations(train.mechanism, train.model, train.placement, report, 1, 1);
+    QVERIFY(dual);
+    QCOMPARE(dual->joints, (std::vector{1, 2, 3}));
+    QCOMPARE(dual->meshes, (std::vector{1}));
+    QCOMPARE(std::abs(dual->cells[0][0]), 60);
+    QVERIFY2(dual->speeds.ends_with(" = 0"), dual->speeds.c_str());
+    QCOMPARE(dual->torque, std::string("24.01"));
     // Every row is an equation that the speeds fulfil.
     for (int joint = 0; joint < train.model.t(); ++joint) {
-      const auto each = twinWords(train.mechanism, train.model, train.placement, report, joint, {});
+      const auto each = dualEquations(train.mechanism, train.model, train.placement, report, joint, {});
       QVERIFY(each && each->joint == joint);
       Rational speeds;
       const auto row = std::find(each->meshes.begin(), each->meshes.end(), each->mesh) - each->meshes.begin();
@@ -305,24 +305,24 @@ class TestForceTables : public QObject {
       QVERIFY(speeds.isZero());
     }
     // By itself a mesh is shown with a joint of its cycle.
-    QCOMPARE(twinWords(train.mechanism, train.model, train.placement, report, {}, 0)->joint, 0);
-    QCOMPARE(twinWords(train.mechanism, train.model, train.placement, report, {}, {})->mesh, 0);
+    QCOMPARE(dualEquations(train.mechanism, train.model, train.placement, report, {}, 0)->joint, 0);
+    QCOMPARE(dualEquations(train.mechanism, train.model, train.placement, report, {}, {})->mesh, 0);
   }
 
   /// Without losses every column of P is a torque, with one force per tooth for each mesh.
-  void columnsOfTwinsAreTorques() {
+  void columnsOfDualEquationsAreTorques() {
     Picture picture;
     picture.options.losses = false;
     const StaticsCase train(picture.mechanism);
     const StaticsReport report = reportOf(train, picture.options);
     const auto at = [&](int joint) {
-      return *twinWords(train.mechanism, train.model, train.placement, report, joint, {});
+      return *dualEquations(train.mechanism, train.model, train.placement, report, joint, {});
     };
     // Joint 5 has mesh 9 alone, joint 6 mesh 10 alone; both are in joint 7, where the sun's 10 and the ring's
     // 25 N m are held by -35.
     const double sun = 10.0 / at(0).cells[0][0];  // its row begins with joint 5
     const double ring = 25.0 / at(1).cells[0][0];
-    const TwinWords carrier = at(2);
+    const DualEquations carrier = at(2);
     QCOMPARE(carrier.meshes, (std::vector{0, 1}));
     const auto column =
         std::size_t(std::find(carrier.joints.begin(), carrier.joints.end(), 2) - carrier.joints.begin());

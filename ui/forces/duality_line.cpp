@@ -1,4 +1,4 @@
-#include "ui/forces/twin_line.h"
+#include "ui/forces/duality_line.h"
 
 #include <QBuffer>
 #include <QEvent>
@@ -8,7 +8,7 @@
 #include <QtMath>
 #include <algorithm>
 
-#include "core/teaching/force_tables/twin_words.h"
+#include "core/teaching/force_tables/dual_equations.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
@@ -54,11 +54,11 @@ QString rateSymbol(const QFont& labelFont, const QColor& ink, double pixelRatio)
 }
 
 /// Rich text of a pair of equations, in the colours of a theme.
-class TwinText {
+class DualityText {
  public:
   /// `rate`: the symbol of a rate
-  TwinText(const Mechanism& mechanism, const TwinWords& words, Theme theme, QString rate)
-      : m_mechanism(mechanism), m_words(words), m_theme(theme), m_rate(std::move(rate)) {}
+  DualityText(const Mechanism& mechanism, const DualEquations& equations, Theme theme, QString rate)
+      : m_mechanism(mechanism), m_equations(equations), m_theme(theme), m_rate(std::move(rate)) {}
 
   [[nodiscard]] QString html() const {
     return QStringLiteral(
@@ -92,16 +92,17 @@ class TwinText {
     return QStringLiteral("<table cellspacing=0 cellpadding=1><tr><td>%1</td></tr></table>").arg(html);
   }
   [[nodiscard]] int cell(int mesh, int joint) const {
-    const auto row = std::find(m_words.meshes.begin(), m_words.meshes.end(), mesh) - m_words.meshes.begin();
+    const auto row =
+        std::find(m_equations.meshes.begin(), m_equations.meshes.end(), mesh) - m_equations.meshes.begin();
     const auto column =
-        std::find(m_words.joints.begin(), m_words.joints.end(), joint) - m_words.joints.begin();
-    return m_words.cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+        std::find(m_equations.joints.begin(), m_equations.joints.end(), joint) - m_equations.joints.begin();
+    return m_equations.cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
   }
   /// "60 x" or " − 60 x".
   [[nodiscard]] QString term(bool isFirst, int mesh, int joint, const QString& symbol) const {
     const int factor = cell(mesh, joint);
     const QString size = QString::number(std::abs(factor));
-    if (mesh == m_words.mesh && joint == m_words.joint)
+    if (mesh == m_equations.mesh && joint == m_equations.joint)
       return (isFirst ? QString() : QStringLiteral(" + ")) + framed(signText(factor) + size) + symbol;
     const QString sign = isFirst      ? signText(factor)
                          : factor < 0 ? QStringLiteral(" \u2212 ")
@@ -111,58 +112,59 @@ class TwinText {
 
   [[nodiscard]] QString rowSide() const {
     QString sum;
-    for (const int joint : m_words.joints)
-      if (cell(m_words.mesh, joint) != 0)
-        sum += term(sum.isEmpty(), m_words.mesh, joint,
+    for (const int joint : m_equations.joints)
+      if (cell(m_equations.mesh, joint) != 0)
+        sum += term(sum.isEmpty(), m_equations.mesh, joint,
                     m_rate + QStringLiteral("<sub>%1</sub>").arg(jointLabel(joint)));
-    const QString title = TwinLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_words.mesh));
+    const QString title = DualityLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_equations.mesh));
     return quiet(title + QStringLiteral(" (17)")) + line(sum + QStringLiteral(" = 0")) +
-           quiet(printed(m_words.speeds));
+           quiet(printed(m_equations.speeds));
   }
 
   [[nodiscard]] QString columnSide() const {
     QString sum;
-    for (const int mesh : m_words.meshes)
-      if (cell(mesh, m_words.joint) != 0)
-        sum += term(sum.isEmpty(), mesh, m_words.joint,
+    for (const int mesh : m_equations.meshes)
+      if (cell(mesh, m_equations.joint) != 0)
+        sum += term(sum.isEmpty(), mesh, m_equations.joint,
                     QStringLiteral("\u03BC<sub>%1</sub>").arg(meshLabel(mesh)));
     if (sum.isEmpty()) sum = QStringLiteral("0");
-    const QString title = TwinLine::tr("Column %1: torque in joint %1").arg(jointLabel(m_words.joint));
-    const QString number = m_words.torque.empty() ? TwinLine::tr("shared in unknown parts, or not held")
-                                                  : TwinLine::tr("here %1 N m").arg(printed(m_words.torque));
+    const QString title = DualityLine::tr("Column %1: torque in joint %1").arg(jointLabel(m_equations.joint));
+    const QString number = m_equations.torque.empty()
+                               ? DualityLine::tr("shared in unknown parts, or not held")
+                               : DualityLine::tr("here %1 N m").arg(printed(m_equations.torque));
     return quiet(title + QStringLiteral(" (17*)")) +
            line(QStringLiteral("\u03C4<sub>%1</sub> + \u2113<sub>%1</sub> = %2")
-                    .arg(jointLabel(m_words.joint), sum)) +
+                    .arg(jointLabel(m_equations.joint), sum)) +
            quiet(number);
   }
 
   /// The mesh's row and another of the column, of wide rows the columns about the joint.
   [[nodiscard]] QString matrix() const {
-    std::vector<int> meshes{m_words.mesh};
-    for (const int mesh : m_words.meshes)
-      if (mesh != m_words.mesh && meshes.size() < kMostMatrixRows) meshes.push_back(mesh);
+    std::vector<int> meshes{m_equations.mesh};
+    for (const int mesh : m_equations.meshes)
+      if (mesh != m_equations.mesh && meshes.size() < kMostMatrixRows) meshes.push_back(mesh);
     std::sort(meshes.begin(), meshes.end());
-    std::vector<int> joints = m_words.joints;
+    std::vector<int> joints = m_equations.joints;
     while (joints.size() > kMostMatrixColumns)
-      joints.erase(joints.front() == m_words.joint ? joints.end() - 1 : joints.begin());
+      joints.erase(joints.front() == m_equations.joint ? joints.end() - 1 : joints.begin());
     const QString tint = QStringLiteral(" bgcolor='%1'").arg(color(ColorRole::panel));
     QString rows = QStringLiteral("<tr><td></td>");
     for (const int joint : joints)
       rows += QStringLiteral("<td align=right%1>%2</td>")
-                  .arg(joint == m_words.joint ? tint : QString(),
-                       joint == m_words.joint ? QStringLiteral("<b>%1</b>").arg(jointLabel(joint))
-                                              : quiet(jointLabel(joint)));
+                  .arg(joint == m_equations.joint ? tint : QString(),
+                       joint == m_equations.joint ? QStringLiteral("<b>%1</b>").arg(jointLabel(joint))
+                                                  : quiet(jointLabel(joint)));
     rows += QStringLiteral("</tr>");
     for (const int mesh : meshes) {
       const QString name = QLatin1Char('P') + meshLabel(mesh);
       rows += QStringLiteral("<tr><td>%1</td>")
-                  .arg(mesh == m_words.mesh ? QStringLiteral("<b>%1</b>").arg(name) : quiet(name));
+                  .arg(mesh == m_equations.mesh ? QStringLiteral("<b>%1</b>").arg(name) : quiet(name));
       for (const int joint : joints) {
         const int factor = cell(mesh, joint);
         const QString text =
             factor == 0 ? QStringLiteral("\u00B7") : signText(factor) + QString::number(std::abs(factor));
-        const bool isLit = mesh == m_words.mesh || joint == m_words.joint;
-        const bool isCommon = mesh == m_words.mesh && joint == m_words.joint;
+        const bool isLit = mesh == m_equations.mesh || joint == m_equations.joint;
+        const bool isCommon = mesh == m_equations.mesh && joint == m_equations.joint;
         rows += QStringLiteral("<td align=right%1>%2</td>")
                     .arg(isCommon ? frame()
                          : isLit  ? tint
@@ -175,7 +177,7 @@ class TwinText {
   }
 
   const Mechanism& m_mechanism;
-  const TwinWords& m_words;
+  const DualEquations& m_equations;
   Theme m_theme;
   QString m_rate;
 };
@@ -189,7 +191,7 @@ std::optional<int> firstSelected(const Elements& elements, const std::set<Elemen
 
 }  // namespace
 
-TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_selection(selection) {
+DualityLine::DualityLine(Selection* selection, QWidget* parent) : QLabel(parent), m_selection(selection) {
   setObjectName(QStringLiteral("twinLine"));
   setTextFormat(Qt::RichText);
   setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
@@ -201,7 +203,7 @@ TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_se
       "Select a joint or a mesh to see its own; click the framed entry to see it in Matrices."));
   constexpr int kQuarters = 15;  // of a line: three lines with dots above their letters
   setMinimumHeight(kQuarters * fontMetrics().lineSpacing() / 4);
-  connect(selection, &Selection::selectionChanged, this, &TwinLine::renew);
+  connect(selection, &Selection::selectionChanged, this, &DualityLine::renew);
   connect(selection, &Selection::hoverChanged, this, [this] {
     if (isVisible()) renew();
   });
@@ -211,7 +213,7 @@ TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_se
   });
 }
 
-void TwinLine::pointAt(const ElementId& row, const ElementId& column) {
+void DualityLine::pointAt(const ElementId& row, const ElementId& column) {
   m_cell = {row, column};
   std::erase_if(m_cell, [](const ElementId& each) {
     return each.kind != ElementKind::gearMesh && each.kind != ElementKind::turningJoint;
@@ -221,23 +223,23 @@ void TwinLine::pointAt(const ElementId& row, const ElementId& column) {
 }
 
 /// A cell, or one element: a cycle or a cutset that is lit would choose by chance.
-std::set<ElementId> TwinLine::pointedAt() const {
+std::set<ElementId> DualityLine::pointedAt() const {
   if (!m_cell.empty()) return m_cell;
   return m_selection->hovered().size() == 1 ? m_selection->hovered() : std::set<ElementId>();
 }
 
-void TwinLine::show(const ForcesPtr& forces) {
+void DualityLine::show(const ForcesPtr& forces) {
   m_forces = forces;
   renew();
 }
 
-void TwinLine::changeEvent(QEvent* event) {
+void DualityLine::changeEvent(QEvent* event) {
   QLabel::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) renew();
 }
 
-void TwinLine::renew() {
-  std::optional<TwinWords> words;
+void DualityLine::renew() {
+  std::optional<DualEquations> equations;
   m_mesh = m_joint = {};
   bool isChosen = false;
   if (m_forces && m_forces->report && m_forces->report->isSolved) {
@@ -249,22 +251,22 @@ void TwinLine::renew() {
     if (!joint) joint = firstSelected(mechanism.turningJoints, selected);
     if (!mesh) mesh = firstSelected(mechanism.gearMeshes, selected);
     isChosen = joint || mesh;
-    words = twinWords(mechanism, *m_forces->solved->kinematics->model,
-                      m_forces->solved->kinematics->placement(), *m_forces->report, joint, mesh);
-    if (words) {
+    equations = dualEquations(mechanism, *m_forces->solved->kinematics->model,
+                              m_forces->solved->kinematics->placement(), *m_forces->report, joint, mesh);
+    if (equations) {
       const Theme theme = themeOf(palette());
       const QString rate = rateSymbol(font(), qColor(ColorRole::ink, theme), devicePixelRatioF());
-      setText(TwinText(mechanism, *words, theme, rate).html());
-      m_mesh = mechanism.gearMeshes[static_cast<std::size_t>(words->mesh)].id;
-      m_joint = mechanism.turningJoints[static_cast<std::size_t>(words->joint)].id;
+      setText(DualityText(mechanism, *equations, theme, rate).html());
+      m_mesh = mechanism.gearMeshes[static_cast<std::size_t>(equations->mesh)].id;
+      m_joint = mechanism.turningJoints[static_cast<std::size_t>(equations->joint)].id;
     }
   }
-  if (!words) clear();
-  emit filled(words.has_value());
+  if (!equations) clear();
+  emit filled(equations.has_value());
   isChosen ? tell(m_mesh, m_joint) : tell({}, {});
 }
 
-void TwinLine::tell(const ElementId& mesh, const ElementId& joint) {
+void DualityLine::tell(const ElementId& mesh, const ElementId& joint) {
   std::set<ElementId> entry{mesh, joint};
   if (entry == m_entry) return;
   m_entry = std::move(entry);

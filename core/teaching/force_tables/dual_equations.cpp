@@ -1,4 +1,4 @@
-#include "core/teaching/force_tables/twin_words.h"
+#include "core/teaching/force_tables/dual_equations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@ void addFactor(std::string& sum, bool isNegative, const std::string& text) {
   sum += text;
 }
 
-class Twin {
+class DualityEntries {
  public:
-  Twin(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement)
+  DualityEntries(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement)
       : m_mechanism(mechanism), m_matrix(mechanism, model, placement) {}
 
   /// 0 where the row has no entry at the joint.
@@ -36,16 +36,18 @@ class Twin {
     return row.empty() ? std::nullopt : std::optional(row.front().joint);
   }
 
-  void fill(TwinWords& words) const {
-    for (const CoefficientMatrix::Entry& each : m_matrix.row(words.mesh)) words.joints.push_back(each.joint);
-    if (std::find(words.joints.begin(), words.joints.end(), words.joint) == words.joints.end())
-      words.joints.push_back(words.joint);
-    std::sort(words.joints.begin(), words.joints.end());
+  void fill(DualEquations& equations) const {
+    for (const CoefficientMatrix::Entry& each : m_matrix.row(equations.mesh))
+      equations.joints.push_back(each.joint);
+    if (std::find(equations.joints.begin(), equations.joints.end(), equations.joint) ==
+        equations.joints.end())
+      equations.joints.push_back(equations.joint);
+    std::sort(equations.joints.begin(), equations.joints.end());
     for (int mesh = 0; mesh < m_matrix.rows(); ++mesh)
-      if (mesh == words.mesh || entry(mesh, words.joint) != 0) words.meshes.push_back(mesh);
-    for (const int mesh : words.meshes) {
-      std::vector<int>& row = words.cells.emplace_back();
-      for (const int joint : words.joints) row.push_back(entry(mesh, joint));
+      if (mesh == equations.mesh || entry(mesh, equations.joint) != 0) equations.meshes.push_back(mesh);
+    for (const int mesh : equations.meshes) {
+      std::vector<int>& row = equations.cells.emplace_back();
+      for (const int joint : equations.joints) row.push_back(entry(mesh, joint));
     }
   }
 
@@ -59,13 +61,14 @@ class Twin {
   CoefficientMatrix m_matrix;
 };
 
-std::string speedsOf(const TwinWords& words, const Motion& motion) {
+std::string speedsOf(const DualEquations& equations, const Motion& motion) {
   std::string sum;
-  const auto row = std::find(words.meshes.begin(), words.meshes.end(), words.mesh) - words.meshes.begin();
-  for (std::size_t column = 0; column < words.joints.size(); ++column) {
-    const int factor = words.cells[static_cast<std::size_t>(row)][column];
+  const auto row =
+      std::find(equations.meshes.begin(), equations.meshes.end(), equations.mesh) - equations.meshes.begin();
+  for (std::size_t column = 0; column < equations.joints.size(); ++column) {
+    const int factor = equations.cells[static_cast<std::size_t>(row)][column];
     if (factor == 0) continue;
-    const Rational& speed = motion[static_cast<std::size_t>(words.joints[column])];
+    const Rational& speed = motion[static_cast<std::size_t>(equations.joints[column])];
     const double size = std::abs(speed.toDouble());
     addFactor(sum, (factor < 0) != (speed.sign() < 0),
               std::to_string(std::abs(factor)) + "\xC2\xB7" + shownNumber(size));
@@ -75,20 +78,20 @@ std::string speedsOf(const TwinWords& words, const Motion& motion) {
 
 }  // namespace
 
-std::optional<TwinWords> twinWords(const Mechanism& mechanism, const KinematicModel& model,
-                                   const Placement& placement, const StaticsReport& report,
-                                   std::optional<int> joint, std::optional<int> mesh) {
+std::optional<DualEquations> dualEquations(const Mechanism& mechanism, const KinematicModel& model,
+                                           const Placement& placement, const StaticsReport& report,
+                                           std::optional<int> joint, std::optional<int> mesh) {
   if (model.c() == 0) return std::nullopt;
-  const Twin twin(mechanism, model, placement);
-  if (!mesh) mesh = joint ? twin.firstMesh(*joint) : std::optional(0);
+  const DualityEntries dual(mechanism, model, placement);
+  if (!mesh) mesh = joint ? dual.firstMesh(*joint) : std::optional(0);
   if (!mesh) return std::nullopt;
-  if (!joint) joint = twin.firstJoint(*mesh);
+  if (!joint) joint = dual.firstJoint(*mesh);
   if (!joint) return std::nullopt;
-  TwinWords words;
-  words.mesh = *mesh;
-  words.joint = *joint;
-  twin.fill(words);
-  if (report.motion) words.speeds = speedsOf(words, *report.motion);
+  DualEquations equations;
+  equations.mesh = *mesh;
+  equations.joint = *joint;
+  dual.fill(equations);
+  if (report.motion) equations.speeds = speedsOf(equations, *report.motion);
   if (const auto cutset = cutsetWords(mechanism, model, placement, report, *joint)) {
     Real held;
     bool isDetermined = true;
@@ -97,9 +100,9 @@ std::optional<TwinWords> twinWords(const Mechanism& mechanism, const KinematicMo
       held -= term.torque;
       isDetermined = isDetermined && term.isDetermined;
     }
-    if (isDetermined) words.torque = shownNumber(held.number());
+    if (isDetermined) equations.torque = shownNumber(held.number());
   }
-  return words;
+  return equations;
 }
 
 }  // namespace geargraph::inline force_tables

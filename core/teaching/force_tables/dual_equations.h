@@ -11,7 +11,7 @@ namespace geargraph::inline force_tables {
 /// The duality of kinematics and statics: a row of P, for the speeds of a mesh (17), and a column, for the
 /// torque in a joint (17*), with their common entry. Lengths are counted in teeth, so that all entries are
 /// integers.
-struct TwinWords {
+struct DualEquations {
   int mesh = 0;
   int joint = 0;
   std::vector<int> joints;              ///< positions, ascending: those of the row, and `joint`
@@ -24,8 +24,10 @@ struct TwinWords {
 /// If only one of the two is given, the other is the first with a common entry; with neither, the first mesh
 /// is taken. std::nullopt without meshes, or if the given one has no entry. Cost: the entries of P.
 /// @pre all of one mechanism without errors; the positions exist
-[[nodiscard]] std::optional<TwinWords> twinWords(const Mechanism& mechanism, const KinematicModel& model,
-                                                 const Placement& placement, const StaticsReport& report,
-                                                 std::optional<int> joint, std::optional<int> mesh);
+[[nodiscard]] std::optional<DualEquations> dualEquations(const Mechanism& mechanism,
+                                                         const KinematicModel& model,
+                                                         const Placement& placement,
+                                                         const StaticsReport& report,
+                                                         std::optional<int> joint, std::optional<int> mesh);
 
 }  // namespace geargraph::inline force_tables

@@ -10,11 +10,11 @@ namespace geargraph::inline forces {
 /// The row of P for the speeds of a mesh and the column of P for the torque in a joint, with their common
 /// entry framed. It follows the hovered joint and mesh, else the selected ones. The framed entry can be
 /// clicked.
-class TwinLine : public QLabel {
+class DualityLine : public QLabel {
   Q_OBJECT
 
  public:
-  explicit TwinLine(Selection* selection, QWidget* parent = nullptr);
+  explicit DualityLine(Selection* selection, QWidget* parent = nullptr);
 
   void show(const ForcesPtr& forces);
   /// Sets the row and column of the matrix cell under the mouse; both empty: none. Elements other than joints
