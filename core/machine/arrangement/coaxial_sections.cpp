@@ -334,9 +334,9 @@ std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) c
   return terminals;
 }
 
-/// Planets of one carrier that stand alike are carried alike.
+/// Identical planets of one carrier are carried in the same way.
 void SectionMaker::addCarried() {
-  const auto alike = [&](const CoaxialPlanets& a, const CoaxialPlanets& b) {
+  const auto identical = [&](const CoaxialPlanets& a, const CoaxialPlanets& b) {
     const double step = 1e-6 * m_made.module;
     return a.carrier == b.carrier && std::abs(a.distance - b.distance) < step &&
            std::equal(a.wheels.begin(), a.wheels.end(), b.wheels.begin(), b.wheels.end(),
@@ -352,7 +352,7 @@ void SectionMaker::addCarried() {
     m_made.planetsOf[at(net)].emplace_back();
     if (m_made.planets[i].carrier == 0) addHousing(net);
     for (std::size_t k = i; k < m_made.planets.size(); ++k) {
-      if (done[k] || !alike(m_made.planets[i], m_made.planets[k])) continue;
+      if (done[k] || !identical(m_made.planets[i], m_made.planets[k])) continue;
       done[k] = true;
       m_made.planetsOf[at(net)].back().push_back(k);
     }

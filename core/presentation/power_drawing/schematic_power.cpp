@@ -56,7 +56,8 @@ class SchematicBands {
         m_entries(mechanism.links.size()) {
     for (std::size_t i = 0; i < mechanism.links.size(); ++i)
       m_links[mechanism.links[i].id] = static_cast<int>(i);
-    for (const DrawnPart::Alike& alike : geometry.alike) m_drawnAs[alike.like] = alike.drawn;
+    for (const DrawnPart::Represented& represented : geometry.represented)
+      m_drawnAs[represented.omitted] = represented.drawn;
     readMarks();
     joinFlows();
   }

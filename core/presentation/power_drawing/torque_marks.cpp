@@ -268,9 +268,9 @@ DisplayList schematicTorques(const std::vector<ShownTorque>& torques, const Sche
     if (line == nullptr || mark.role != MarkRole::line || line->points.size() < 2) continue;
     anchors.try_emplace(mark.element, between(line->points.front(), line->points.back(), 0.5));
   }
-  for (const DrawnPart::Alike& alike : geometry.alike)
-    if (const auto drawnOne = anchors.find(alike.drawn); drawnOne != anchors.end())
-      anchors.try_emplace(alike.like, drawnOne->second);
+  for (const DrawnPart::Represented& represented : geometry.represented)
+    if (const auto drawnOne = anchors.find(represented.drawn); drawnOne != anchors.end())
+      anchors.try_emplace(represented.omitted, drawnOne->second);
   return drawn(torques, anchors, schematicDrawing(geometry, {}), under);
 }
 

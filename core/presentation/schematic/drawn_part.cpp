@@ -115,7 +115,7 @@ void dropUntied(DrawnPart& part) {
   Thinner(part).keep(reached.links, reached.joints, meshesBetween(m, positions, reached.links));
 }
 
-void dropAlike(DrawnPart& part, const PlacedMechanism& placed) {
+void omitIdentical(DrawnPart& part, const PlacedMechanism& placed) {
   const Mechanism& m = part.mechanism;
   const Placement& placement = placed.placement();
   if (!placement.tree) return;
@@ -132,13 +132,13 @@ void dropAlike(DrawnPart& part, const PlacedMechanism& placed) {
         (g == 0 ? planets.drawn : planets.others).push_back(part.linkLabels[link]);
         if (g == 0) continue;
         links[link] = joints[joint] = false;
-        part.alike.push_back({m.links[static_cast<std::size_t>(set[0].links[k])].id, m.links[link].id});
-        part.alike.push_back(
+        part.represented.push_back({m.links[static_cast<std::size_t>(set[0].links[k])].id, m.links[link].id});
+        part.represented.push_back(
             {m.turningJoints[static_cast<std::size_t>(set[0].joints[k])].id, m.turningJoints[joint].id});
       }
       for (std::size_t k = 0; g > 0 && k < group.meshes.size(); ++k) {
-        part.alike.push_back({m.gearMeshes[static_cast<std::size_t>(set[0].meshes[k])].id,
-                              m.gearMeshes[static_cast<std::size_t>(group.meshes[k])].id});
+        part.represented.push_back({m.gearMeshes[static_cast<std::size_t>(set[0].meshes[k])].id,
+                                    m.gearMeshes[static_cast<std::size_t>(group.meshes[k])].id});
       }
     }
     part.planets.push_back(std::move(planets));
@@ -156,7 +156,7 @@ DrawnPart drawnPart(const PlacedMechanism& document) {
   for (int j = 0; j < mechanism.t(); ++j) part.jointLabels.push_back(mechanism.jointLabel(j));
   for (int m = 0; m < mechanism.c(); ++m) part.meshLabels.push_back(mechanism.meshLabel(m));
   dropUntied(part);
-  dropAlike(part, part.isWhole() ? document : PlacedMechanism(part.mechanism));
+  omitIdentical(part, part.isWhole() ? document : PlacedMechanism(part.mechanism));
   return part;
 }
 

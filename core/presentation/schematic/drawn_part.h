@@ -17,12 +17,12 @@ struct DrawnPart {
   std::vector<int> loose;        ///< labels of links that no turning joints connect to the ground
   std::vector<int> closing;      ///< labels of turning joints that close a loop
 
-  /// An element that is not drawn (`like`) because an equal one is (`drawn`).
-  struct Alike {
+  /// An element that is not drawn (`omitted`) because an equal one is (`drawn`).
+  struct Represented {
     ElementId drawn;
-    ElementId like;
+    ElementId omitted;
   };
-  std::vector<Alike> alike;
+  std::vector<Represented> represented;
   /// A drawn set of planets that represents several equal ones, with the labels of the links.
   struct Planets {
     std::vector<int> drawn;   ///< link labels

@@ -20,11 +20,11 @@ Emphasis joined(const Emphasis& a, const Emphasis& b) {
 
 /// Emphases with those of equal planets on the one that is drawn.
 Emphases onDrawn(const SchematicGeometry& geometry, Emphases emphases) {
-  for (const DrawnPart::Alike& alike : geometry.alike) {
-    const auto found = emphases.find(alike.like);
+  for (const DrawnPart::Represented& represented : geometry.represented) {
+    const auto found = emphases.find(represented.omitted);
     if (found == emphases.end()) continue;
     const Emphasis emphasis = found->second;
-    emphases[alike.drawn] = joined(emphases[alike.drawn], emphasis);
+    emphases[represented.drawn] = joined(emphases[represented.drawn], emphasis);
   }
   return emphases;
 }
@@ -63,7 +63,7 @@ SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::
   geometry.rims = sheetRims(part, layout);
   geometry.notes = sectionNotes(part, layout);
   SectionLabels labels = sectionLabels(part, section, geometry.notes);
-  geometry.alike = part.alike;
+  geometry.represented = part.represented;
   geometry.marks = std::move(section.marks);
   geometry.marks.insert(geometry.marks.end(), labels.marks.begin(), labels.marks.end());
   std::stable_sort(geometry.marks.begin(), geometry.marks.end(),

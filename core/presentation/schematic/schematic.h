@@ -19,7 +19,7 @@ struct SchematicGeometry {
   std::vector<Mark> marks;       ///< in painting order
   std::vector<Mark> highlights;  ///< shown only while their element is highlighted
   std::vector<Outline> outlines;
-  std::vector<DrawnPart::Alike> alike;  ///< elements represented by an equal one
+  std::vector<DrawnPart::Represented> represented;  ///< elements represented by an equal one
   std::vector<std::string> notes;
   SheetFrame frame;  ///< for editing on the sheet
   std::vector<SheetRim> rims;

@@ -112,7 +112,7 @@ QStringList crossings(const SchematicGeometry& geometry) {
 QStringList missing(const Mechanism& mechanism, const SchematicGeometry& geometry) {
   std::set<ElementId> shown;
   for (const Outline& outline : geometry.outlines) shown.insert(outline.element);
-  for (const DrawnPart::Alike& alike : geometry.alike) shown.insert(alike.like);
+  for (const DrawnPart::Represented& represented : geometry.represented) shown.insert(represented.omitted);
   QStringList found;
   const auto check = [&](const ElementId& element) {
     if (!shown.contains(element)) found << nameOf(element);
