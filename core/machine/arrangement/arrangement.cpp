@@ -100,9 +100,10 @@ std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTra
     const ArmPlan& arm = arrangement.arms[a];
     if (arm.from == axisClass) places.push_back({Kind::arm, arm.level, arm.link, static_cast<int>(a)});
   }
-  for (const CupPlan& cup : arrangement.cups) {
-    const TrainGear& ring = train.gears[static_cast<std::size_t>(cup.gear)];
-    if (ring.axisClass == axisClass) places.push_back({Kind::ringCarrier, cup.plate, ring.link, cup.gear});
+  for (const RingCarrierPlan& ringCarrier : arrangement.ringCarriers) {
+    const TrainGear& ring = train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    if (ring.axisClass == axisClass)
+      places.push_back({Kind::ringCarrier, ringCarrier.plate, ring.link, ringCarrier.gear});
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const AxisPlace& a, const AxisPlace& b) { return a.at < b.at; });

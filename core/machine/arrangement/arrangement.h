@@ -32,7 +32,7 @@ struct Arrangement {
   std::vector<AxisLayout> axes;
   std::vector<ArmPlan> arms;
   std::vector<ShaftSegment> shafts;
-  std::vector<CupPlan> cups;
+  std::vector<RingCarrierPlan> ringCarriers;
   std::vector<PinPlan> pins;
   std::vector<TeePlan> tees;
   std::vector<LathePlan> lathes;

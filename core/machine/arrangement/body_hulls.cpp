@@ -110,10 +110,10 @@ class HullMaker {
   }
 
   void addRevolved(const GearTrain& train) {
-    for (const CupPlan& cup : m_plan.cups) {
-      const TrainGear& ring = train.gears[static_cast<std::size_t>(cup.gear)];
+    for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {
+      const TrainGear& ring = train.gears[static_cast<std::size_t>(ringCarrier.gear)];
       const double half = axis(ring.axisClass).width() / 2;
-      addRound(HullKind::gear, ring.link, ring.axisClass, cup.plate - half, cup.plate + half,
+      addRound(HullKind::gear, ring.link, ring.axisClass, ringCarrier.plate - half, ringCarrier.plate + half,
                rimDiameter(ring.spec) / 2);
     }
     for (const CagePlan& cage : m_plan.cages)

@@ -71,7 +71,7 @@ struct StubPlan {
 };
 
 /// The ring-gear carrier: the disc and wall that support a ring gear on its link's shaft.
-struct CupPlan {
+struct RingCarrierPlan {
   int gear = 0;
   int side = -1;     ///< the face of the ring that the disc closes: -1 or 1 along the axis
   double plate = 0;  ///< coordinate of the disc's middle

@@ -199,10 +199,10 @@ bool FlangeMaker::isClear() const {
     const bool isShaft = e.isOnAxis && e.kind == HullKind::shaft && e.outer < m_made.hub.hole;
     if ((!isShaft && meets(flange, e)) || (!isGear && !isShaft && meets(drum, e))) return false;
   }
-  for (const CupPlan& cup : m_plan.cups) {  // their walls
-    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
+  for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {  // their walls
+    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(ringCarrier.gear)];
     const double at = own().coordinate(ring.pose.translation());
-    const auto [low, high] = std::minmax({at, cup.plate});
+    const auto [low, high] = std::minmax({at, ringCarrier.plate});
     if (ring.axisClass == m_made.axisClass && low < flange.high && flange.low < high &&
         nominalRootRadius(ring.spec) < m_reach + kPlay * module)
       return false;

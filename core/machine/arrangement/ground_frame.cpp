@@ -178,9 +178,9 @@ void FrameMaker::findRims() {
     const double middle = on.coordinate(gear.pose.translation()), half = gear.spec.faceWidth / 2;
     Rim rim{gear.axisClass, middle - half, middle + half,
             nominalRootRadius(gear.spec) + 0.4 * gear.spec.module, rimDiameter(gear.spec) / 2};
-    for (const CupPlan& cup : m_plan.cups) {
-      if (&m_train.gears[static_cast<std::size_t>(cup.gear)] == &gear)
-        rim.piece = pieceAt(gear.axisClass, cup.plate);
+    for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {
+      if (&m_train.gears[static_cast<std::size_t>(ringCarrier.gear)] == &gear)
+        rim.piece = pieceAt(gear.axisClass, ringCarrier.plate);
     }
     if (rim.piece < 0) {
       rim.piece = static_cast<int>(m_pieces.size());

@@ -22,8 +22,8 @@ double boreRoom(const PlanDraft& draft, int axisClass, int link) {
   return room;
 }
 
-/// How many wheels, cups and arms of a link another shaft on the axis would cut through if it went about the
-/// link's own.
+/// How many wheels, ring carriers and arms of a link another shaft on the axis would cut through if it went
+/// about the link's own.
 int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
   const AxisLayout& layout = draft.axis(outer.axisClass);
   const auto isCut = [&](double low, double high) {
@@ -37,10 +37,10 @@ int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
     const Interval wheel = draft.intervalOf(gear, axialSpan(gear.spec));
     cuts += isCut(wheel.low, wheel.high);
   }
-  for (const CupPlan& cup : draft.plan.cups) {
-    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+  for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
+    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
     if (ring.link == link && ring.axisClass == outer.axisClass)
-      cuts += isCut(cup.plate - half, cup.plate + half);
+      cuts += isCut(ringCarrier.plate - half, ringCarrier.plate + half);
   }
   for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
     const ArmPlan& arm = draft.plan.arms[a];

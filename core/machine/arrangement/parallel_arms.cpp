@@ -179,7 +179,7 @@ std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home
       if (draft.tries.roomFor.contains(b->child) || draft.tries.roundBearings.contains(b->child))
         return 1e300;
       double nearest = -1e300;                     // a link without wheels has the inmost shaft
-      for (const Interval& s : layout.occupied) {  // wheels and cups
+      for (const Interval& s : layout.occupied) {  // wheels and ring carriers
         if (s.link == b->child) nearest = std::max(nearest, layout.bearingSide * (s.low + s.high) / 2);
       }
       return nearest;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kFlange = -3;  ///< in place of a link: kept free for the flange of a carrier
 
-/// Does a plate of the ring's cup at this place cut through planets that have wheels on both of its sides?
+/// Does a plate of the ring's ring carrier at this place cut through planets that have wheels on both of its
+/// sides?
 bool cutsPlanets(const PlanDraft& draft, const TrainGear& ring, double plate) {
   const AxisLayout& own = draft.axis(ring.axisClass);
   const double half = own.width() / 2 + own.gap() / 2;
@@ -50,7 +51,7 @@ bool enclosesPlanets(const PlanDraft& draft, const TrainGear& ring) {
 
 /// The face of a ring that its other wheels on the axis call for, or that lets wheels inside out which the
 /// frame holds; 0: neither.
-int cupSideFor(const PlanDraft& draft, const TrainGear& ring) {
+int ringCarrierSideFor(const PlanDraft& draft, const TrainGear& ring) {
   const AxisLayout& own = draft.axis(ring.axisClass);
   const double middle = own.coordinate(ring.pose.translation());
   double others = 0;
@@ -78,7 +79,7 @@ void placeRingCarriers(PlanDraft& draft) {
     AxisLayout& layout = draft.axis(gear.axisClass);
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
-    const int wanted = cupSideFor(draft, gear);
+    const int wanted = ringCarrierSideFor(draft, gear);
     int side = wanted != 0 ? wanted : layout.bearingSide;
     const auto isOpen = [&](int towards) {
       const double plate = middle + towards * reach;
@@ -90,8 +91,8 @@ void placeRingCarriers(PlanDraft& draft) {
                            !cutsPlanets(draft, gear, plate);
     if (hasFlange)
       layout.occupied.push_back({flange - layout.width() / 2, flange + layout.width() / 2, kFlange});
-    draft.plan.cups.push_back({static_cast<int>(g), side, hasFlange ? plate : flange});
-    layout.occupy(draft.plan.cups.back().plate, gear.link);
+    draft.plan.ringCarriers.push_back({static_cast<int>(g), side, hasFlange ? plate : flange});
+    layout.occupy(draft.plan.ringCarriers.back().plate, gear.link);
   }
 }
 

@@ -59,7 +59,7 @@ bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment
   return true;
 }
 
-/// Arms, cups, tees and pins of the link that stand on the axis.
+/// Arms, ring carriers, tees and pins of the link that stand on the axis.
 void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
   const double half = draft.axis(axisClass).width() / 2;
   for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
@@ -67,9 +67,10 @@ void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment
     if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
   }
   if (const auto level = heldLevel(draft, axisClass, link)) shaft.include(*level - half, *level + half);
-  for (const CupPlan& cup : draft.plan.cups) {
-    const TrainGear& gear = draft.train.gears[static_cast<std::size_t>(cup.gear)];
-    if (gear.link == link && gear.axisClass == axisClass) shaft.include(cup.plate - half, cup.plate + half);
+  for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
+    const TrainGear& gear = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    if (gear.link == link && gear.axisClass == axisClass)
+      shaft.include(ringCarrier.plate - half, ringCarrier.plate + half);
   }
   for (const TeePlan& tee : draft.plan.tees) {
     if (tee.link == link && tee.home == axisClass) shaft.include(tee.level, tee.level);

@@ -47,14 +47,17 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& h
     return false;
   };
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isAgainst)) return true;
-  return std::any_of(draft.plan.cups.begin(), draft.plan.cups.end(), [&](const CupPlan& cup) {
-    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
-    if (ring.link != link || ring.axisClass != axisClass || held.low < held.high) return false;
-    return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Interval& s) {
-      return s.link != link && -cup.side * (at - cup.plate) > 0 && std::min(at, cup.plate) < s.low &&
-             s.high < std::max(at, cup.plate);
-    });
-  });
+  return std::any_of(draft.plan.ringCarriers.begin(), draft.plan.ringCarriers.end(),
+                     [&](const RingCarrierPlan& ringCarrier) {
+                       const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+                       if (ring.link != link || ring.axisClass != axisClass || held.low < held.high)
+                         return false;
+                       return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Interval& s) {
+                         return s.link != link && -ringCarrier.side * (at - ringCarrier.plate) > 0 &&
+                                std::min(at, ringCarrier.plate) < s.low &&
+                                s.high < std::max(at, ringCarrier.plate);
+                       });
+                     });
 }
 
 }  // namespace
@@ -73,11 +76,11 @@ Interval hubInterval(const PlanDraft& draft, int axisClass, int link) {
 
 Interval heldInterval(const PlanDraft& draft, int axisClass, int link) {
   Interval held = hubInterval(draft, axisClass, link);
-  for (const CupPlan& cup : draft.plan.cups) {
-    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
+  for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
+    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
     if (ring.link != link || ring.axisClass != axisClass) continue;
-    held.low = std::min(held.low, cup.plate);
-    held.high = std::max(held.high, cup.plate);
+    held.low = std::min(held.low, ringCarrier.plate);
+    held.high = std::max(held.high, ringCarrier.plate);
   }
   return held;
 }
@@ -109,18 +112,19 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
       return false;
     }
   }
-  const bool isThroughCup =
-      std::any_of(draft.plan.cups.begin(), draft.plan.cups.end(), [&](const CupPlan& cup) {
-        const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(cup.gear)];
-        if (ring.axisClass == c || !draft.parallel(c, ring.axisClass)) return false;
-        const double plate = draft.carried(ring.axisClass, cup.plate, c),
-                     half = draft.axis(ring.axisClass).width() / 2;
-        if (!layout.overlap(plate - half, plate + half, from, to)) return false;
-        const Vector3d apart = draft.axis(ring.axisClass).point - layout.point;
-        const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
-        return now < rimDiameter(ring.spec) / 2 + radius;
-      });
-  if (isThroughCup) return false;
+  const bool isThroughRingCarrier =
+      std::any_of(draft.plan.ringCarriers.begin(), draft.plan.ringCarriers.end(),
+                  [&](const RingCarrierPlan& ringCarrier) {
+                    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+                    if (ring.axisClass == c || !draft.parallel(c, ring.axisClass)) return false;
+                    const double plate = draft.carried(ring.axisClass, ringCarrier.plate, c),
+                                 half = draft.axis(ring.axisClass).width() / 2;
+                    if (!layout.overlap(plate - half, plate + half, from, to)) return false;
+                    const Vector3d apart = draft.axis(ring.axisClass).point - layout.point;
+                    const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
+                    return now < rimDiameter(ring.spec) / 2 + radius;
+                  });
+  if (isThroughRingCarrier) return false;
   return bearing.parent != 0 || draft.obstacles.crossingHits(bearing.child, layout.at(from), layout.at(to),
                                                              radius, layout.direction) == 0;
 }

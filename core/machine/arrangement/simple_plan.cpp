@@ -52,7 +52,7 @@ void planSimply(PlanDraft& draft) {
     AxisLayout& layout = draft.axis(gear.axisClass);
     const double plate = layout.coordinate(gear.pose.translation()) +
                          layout.bearingSide * (gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2);
-    draft.plan.cups.push_back({static_cast<int>(g), layout.bearingSide, plate});
+    draft.plan.ringCarriers.push_back({static_cast<int>(g), layout.bearingSide, plate});
     layout.wheels.push_back({plate - layout.width() / 2, plate + layout.width() / 2, gear.link});
   }
   for (std::size_t c = 0; c < draft.plan.axes.size() && !draft.isStopped(); ++c) {

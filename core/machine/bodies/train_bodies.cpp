@@ -42,7 +42,7 @@ class BodyBuilder {
   std::vector<BodyRecipe> build() {
     for (const ShaftSegment& shaft : m_plan.shafts) addShaft(shaft);
     addArms();
-    for (const CupPlan& cup : m_plan.cups) addCup(cup);
+    for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) addRingCarrier(ringCarrier);
     for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
     for (const CagePlan& plan : m_plan.cages) addCage(plan);
     for (const StubPlan& stub : m_plan.stubs) addStub(stub);
@@ -119,7 +119,7 @@ class BodyBuilder {
   void addArms();
   void addSpider(std::span<const ArmPlan* const> arms);
   void addStandoff(const ArmPlan& plan);
-  void addCup(const CupPlan& cup);
+  void addRingCarrier(const RingCarrierPlan& ringCarrier);
   void addLathe(const LathePlan& plan);
   void addCage(const CagePlan& plan);
   void addFrame(const FramePlan& frame);
@@ -224,24 +224,24 @@ void BodyBuilder::addStandoff(const ArmPlan& plan) {
 }
 
 /// The plate beside the ring's face and the wall that joins them.
-void BodyBuilder::addCup(const CupPlan& cup) {
-  const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
+void BodyBuilder::addRingCarrier(const RingCarrierPlan& ringCarrier) {
+  const TrainGear& gear = m_train.gears[static_cast<std::size_t>(ringCarrier.gear)];
   const AxisLayout& layout = axis(gear.axisClass);
-  const ShaftSegment* own = m_plan.shaftOf(gear.axisClass, gear.link, cup.plate);
+  const ShaftSegment* own = m_plan.shaftOf(gear.axisClass, gear.link, ringCarrier.plate);
   if (own == nullptr) return;
   // The wall reaches a little into the ring and stays a little behind its rim: no face of one lies on the
   // other's.
   const double face = layout.coordinate(gear.pose.translation()) +
-                      cup.side * (gear.spec.faceWidth / 2 - 0.2 * gear.spec.module);
+                      ringCarrier.side * (gear.spec.faceWidth / 2 - 0.2 * gear.spec.module);
   const double half = 0.5 * layout.width();
-  const double nearSide = cup.plate - cup.side * half;
-  const double farSide = cup.plate + cup.side * half;
+  const double nearSide = ringCarrier.plate - ringCarrier.side * half;
+  const double farSide = ringCarrier.plate + ringCarrier.side * half;
   const double rim = rimDiameter(gear.spec) / 2 - 0.05 * gear.spec.module;
   const double root = nominalRootRadius(gear.spec) + 0.4 * gear.spec.module;
   const double hole = std::max(own->inner, 0.5 * own->outer);
   std::vector<ProfileVertex> profile{{rim, farSide},   {hole, farSide}, {hole, nearSide},
                                      {root, nearSide}, {root, face},    {rim, face}};
-  if (cup.side < 0) std::reverse(profile.begin(), profile.end());
+  if (ringCarrier.side < 0) std::reverse(profile.begin(), profile.end());
   add(gear.link, LathePart{std::move(profile)}, layout, line(layout));
 }
 

@@ -114,8 +114,8 @@ class TrainFilter {
           take(m_classes, arm.to))
         drawn.arms.push_back(arm);
     }
-    for (CupPlan cup : whole.cups) {
-      if (take(m_gears, cup.gear)) drawn.cups.push_back(cup);
+    for (RingCarrierPlan ringCarrier : whole.ringCarriers) {
+      if (take(m_gears, ringCarrier.gear)) drawn.ringCarriers.push_back(ringCarrier);
     }
     for (WallPlan wall : whole.walls) {
       if (take(m_links, wall.link) && take(m_classes, wall.axisClass)) drawn.walls.push_back(wall);

@@ -36,7 +36,7 @@ class SectionBuilder {
   Section build() {
     for (const SheetShaft& shaft : m_plan.shafts) addShaft(shaft);
     for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) addWheel(w);
-    for (const SheetCup& cup : m_plan.cups) addCup(cup);
+    for (const RingCarrierSymbol& ringCarrier : m_plan.ringCarriers) addRingCarrier(ringCarrier);
     for (const SheetWall& wall : m_plan.walls) addWall(wall);
     m_hold = 0;
     for (const SheetBearing& bearing : m_plan.bearings) addBearing(bearing);
@@ -51,7 +51,7 @@ class SectionBuilder {
   void addShaft(const SheetShaft& shaft);
   void addWheel(std::size_t w);
   void addFrame(const SheetWheel& wheel);
-  void addCup(const SheetCup& cup);
+  void addRingCarrier(const RingCarrierSymbol& ringCarrier);
   void addWall(const SheetWall& wall);
   void addBearing(const SheetBearing& bearing);
   void addBar(const SheetBearing& bearing, double height, double out);
@@ -128,7 +128,7 @@ void SectionBuilder::addShaft(const SheetShaft& shaft) {
   anchor(m_section.links[at(shaft.link)], on.at((shaft.low + shaft.high) / 2, height));
 }
 
-/// Pitch lines and bodies; the wall of a ring comes with its cup.
+/// Pitch lines and bodies; the wall of a ring comes with its ring carrier.
 void SectionBuilder::addWheel(std::size_t w) {
   const SheetWheel& wheel = m_layout.wheels[w];
   const SheetAxis& on = axis(wheel.axis);
@@ -177,18 +177,18 @@ void SectionBuilder::addFrame(const SheetWheel& wheel) {
   }
 }
 
-void SectionBuilder::addCup(const SheetCup& cup) {
-  const SheetWheel& wheel = m_layout.wheels[at(cup.wheel)];
+void SectionBuilder::addRingCarrier(const RingCarrierSymbol& ringCarrier) {
+  const SheetWheel& wheel = m_layout.wheels[at(ringCarrier.wheel)];
   const SheetAxis& on = axis(wheel.axis);
   const double rim = wheel.radius + kRimHeight;
-  const double lane = laneOf(wheel.axis, wheel.link, cup.at);
+  const double lane = laneOf(wheel.axis, wheel.link, ringCarrier.at);
   for (const double side : sides(wheel.axis)) {
-    line(wheel.link, on.at(wheel.at, side * rim), on.at(cup.at, side * rim), kLinkWidth);
-    line(wheel.link, on.at(cup.at, side * rim), on.at(cup.at, side * lane), kLinkWidth);
+    line(wheel.link, on.at(wheel.at, side * rim), on.at(ringCarrier.at, side * rim), kLinkWidth);
+    line(wheel.link, on.at(ringCarrier.at, side * rim), on.at(ringCarrier.at, side * lane), kLinkWidth);
   }
   m_section.links[at(wheel.link)].places.insert(m_section.links[at(wheel.link)].places.begin(),
-                                                on.at((wheel.at + cup.at) / 2, rim));
-  anchor(m_section.links[at(wheel.link)], on.at(cup.at, (rim + lane) / 2));
+                                                on.at((wheel.at + ringCarrier.at) / 2, rim));
+  anchor(m_section.links[at(wheel.link)], on.at(ringCarrier.at, (rim + lane) / 2));
 }
 
 void SectionBuilder::addWall(const SheetWall& wall) {

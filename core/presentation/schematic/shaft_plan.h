@@ -33,7 +33,7 @@ struct SheetArm {
 };
 
 /// The ring-gear carrier: the side wall that supports a ring gear.
-struct SheetCup {
+struct RingCarrierSymbol {
   int wheel = 0;
   double at = 0;
 };
@@ -61,7 +61,7 @@ struct SheetShaft {
 struct ShaftPlan {
   std::vector<SheetBearing> bearings;  ///< by joint of the part
   std::vector<SheetArm> arms;
-  std::vector<SheetCup> cups;
+  std::vector<RingCarrierSymbol> ringCarriers;
   std::vector<SheetWall> walls;
   std::vector<SheetShaft> shafts;
 

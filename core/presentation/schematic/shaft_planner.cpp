@@ -31,7 +31,7 @@ ShaftPlanner::ShaftPlanner(const DrawnPart& part, const DrawnTrain& train, Sheet
 ShaftPlan ShaftPlanner::plan() {
   findFamilies();
   addWheels();
-  addCups();
+  addRingCarriers();
   layWalls();
   addWalls();
   addBearings();
@@ -127,15 +127,15 @@ void ShaftPlanner::addWheels() {
   }
 }
 
-void ShaftPlanner::addCups() {
-  for (const CupPlan& cup : m_train.arrangement.cups) {
-    const SheetWheel& wheel = m_layout.wheels[at(cup.gear)];
+void ShaftPlanner::addRingCarriers() {
+  for (const RingCarrierPlan& ringCarrier : m_train.arrangement.ringCarriers) {
+    const SheetWheel& wheel = m_layout.wheels[at(ringCarrier.gear)];
     if (wheel.link == 0) continue;  // in the frame
-    const std::size_t spot = addSpot(wheel.axis, cup.plate);
+    const std::size_t spot = addSpot(wheel.axis, ringCarrier.plate);
     occupy(spot, kStemHalf, kStemHalf, laneHeight(wheel.axis, wheel.link, m_spots[spot].place),
            wheel.radius + kRimHeight + 3);
-    m_plan.cups.push_back({cup.gear, 0});
-    m_cupSpots.push_back(spot);
+    m_plan.ringCarriers.push_back({ringCarrier.gear, 0});
+    m_ringCarrierSpots.push_back(spot);
     m_held.push_back({wheel.axis, wheel.link, spot, 0, 0});
   }
 }
@@ -415,8 +415,9 @@ double ShaftPlanner::intersection(int a, int other) const {
 void ShaftPlanner::takePlaces() {
   for (SheetBearing& bearing : m_plan.bearings)
     bearing.at = atOn(bearing.axis, m_bearingSpots[at(bearing.joint)]);
-  for (std::size_t c = 0; c < m_plan.cups.size(); ++c)
-    m_plan.cups[c].at = atOn(m_layout.wheels[at(m_plan.cups[c].wheel)].axis, m_cupSpots[c]);
+  for (std::size_t c = 0; c < m_plan.ringCarriers.size(); ++c)
+    m_plan.ringCarriers[c].at =
+        atOn(m_layout.wheels[at(m_plan.ringCarriers[c].wheel)].axis, m_ringCarrierSpots[c]);
   for (std::size_t a = 0; a < m_plan.arms.size(); ++a) {
     if (m_plan.arms[a].axis >= 0) m_plan.arms[a].at = atOn(m_plan.arms[a].axis, m_armSpots[a]);
   }

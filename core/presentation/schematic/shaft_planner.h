@@ -38,7 +38,7 @@ class ShaftPlanner {
 
   void findFamilies();
   void addWheels();
-  void addCups();
+  void addRingCarriers();
   void layWalls();
   void addWalls();
   void addBearings();
@@ -97,7 +97,7 @@ class ShaftPlanner {
     std::size_t high = 0;
   };
   std::vector<WheelSpots> m_wheelSpots;
-  std::vector<std::size_t> m_cupSpots;
+  std::vector<std::size_t> m_ringCarrierSpots;
   std::vector<std::size_t> m_bearingSpots;
   std::vector<std::size_t> m_armSpots;
   struct WallSpots {

@@ -35,8 +35,9 @@ void checkLevels(const Planned& planned, const FlangePlan& made) {
     const double middle = own.coordinate(gear.pose.translation());
     QVERIFY(side * (edge - middle) > gear.spec.faceWidth / 2);
   }
-  for (const CupPlan& cup : planned.plan.cups)
-    QVERIFY(side * (cup.plate - made.level) < 0 || std::abs(cup.plate - made.level) > own.width());
+  for (const RingCarrierPlan& ringCarrier : planned.plan.ringCarriers)
+    QVERIFY(side * (ringCarrier.plate - made.level) < 0 ||
+            std::abs(ringCarrier.plate - made.level) > own.width());
 }
 
 /// Pillars pass all gears in the plane of the arms.

@@ -112,15 +112,16 @@ class TestPlannerParts : public QObject {
       placeRingCarriers(drafted.draft);
       std::size_t expected = 0;
       for (const TrainGear& gear : drafted.train.gears) expected += gear.spec.kind == GearKind::internal;
-      QCOMPARE(drafted.draft.plan.cups.size(), expected);
-      for (const CupPlan& cup : drafted.draft.plan.cups) {
-        const TrainGear& ring = drafted.train.gears[static_cast<std::size_t>(cup.gear)];
+      QCOMPARE(drafted.draft.plan.ringCarriers.size(), expected);
+      for (const RingCarrierPlan& ringCarrier : drafted.draft.plan.ringCarriers) {
+        const TrainGear& ring = drafted.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
         const AxisLayout& axis = drafted.draft.axis(ring.axisClass);
-        const double beyond = cup.side * (cup.plate - axis.coordinate(ring.pose.translation()));
+        const double beyond =
+            ringCarrier.side * (ringCarrier.plate - axis.coordinate(ring.pose.translation()));
         QVERIFY2(beyond - axis.width() / 2 > ring.spec.faceWidth / 2, name.c_str());
-        QVERIFY2(!axis.slotIsFree(cup.plate), name.c_str());
+        QVERIFY2(!axis.slotIsFree(ringCarrier.plate), name.c_str());
         const Interval held = heldInterval(drafted.draft, ring.axisClass, ring.link);
-        QVERIFY2(held.low <= cup.plate && cup.plate <= held.high, name.c_str());
+        QVERIFY2(held.low <= ringCarrier.plate && ringCarrier.plate <= held.high, name.c_str());
         ++rings;
       }
     }

@@ -76,10 +76,11 @@ struct Drawn {
       }
       case AxisPlace::Kind::ringCarrier: {
         const SheetWheel* ring = wheelOf(place.index);
-        const auto found = std::find_if(plan.cups.begin(), plan.cups.end(), [&](const SheetCup& cup) {
-          return &layout.wheels[at(cup.wheel)] == ring;
-        });
-        return found == plan.cups.end() ? std::nullopt : std::optional(found->at);
+        const auto found = std::find_if(plan.ringCarriers.begin(), plan.ringCarriers.end(),
+                                        [&](const RingCarrierSymbol& ringCarrier) {
+                                          return &layout.wheels[at(ringCarrier.wheel)] == ring;
+                                        });
+        return found == plan.ringCarriers.end() ? std::nullopt : std::optional(found->at);
       }
     }
     return std::nullopt;
