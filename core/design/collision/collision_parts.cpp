@@ -35,11 +35,11 @@ Solid sweptWheel(const GearSpec& spec) {
     outline.push_back({tip, outline.back().height});
     outline.push_back({tip, outline.front().height});
   }
-  return lathed(outline, kCollisionTolerance * spec.module);
+  return revolved(outline, kCollisionTolerance * spec.module);
 }
 
 bool isRevolved(const BodyPart& part) {
-  return std::holds_alternative<TubePart>(part.shape) || std::holds_alternative<LathePart>(part.shape);
+  return std::holds_alternative<TubePart>(part.shape) || std::holds_alternative<RevolvedPart>(part.shape);
 }
 
 /// The distance of the origin from a triangle of the plane.

@@ -35,8 +35,9 @@ struct Arrangement {
   std::vector<RingCarrierPlan> ringCarriers;
   std::vector<PinPlan> pins;
   std::vector<TeePlan> tees;
-  std::vector<LathePlan> lathes;
-  std::vector<WallPlan> walls;  ///< the discs and walls of `lathes` and `cages`, by their middle surfaces
+  std::vector<RevolvedPlan> revolvedBodies;
+  std::vector<WallPlan>
+      walls;  ///< the discs and walls of `revolvedBodies` and `cages`, by their middle surfaces
   std::vector<CagePlan> cages;
   std::vector<StubPlan> stubs;
   FramePlan frame;

@@ -118,15 +118,15 @@ class HullMaker {
     }
     for (const CagePlan& cage : m_plan.cages)
       addRound(HullKind::gear, cage.link, cage.axisClass, cage.low, cage.high, cage.outer);
-    for (const LathePlan& lathe : m_plan.lathes) {
-      for (const auto& profile : lathe.profiles) {
+    for (const RevolvedPlan& revolved : m_plan.revolvedBodies) {
+      for (const auto& profile : revolved.profiles) {
         double low = 1e300, high = -1e300, radius = 0;
         for (const ProfileVertex& vertex : profile) {
           low = std::min(low, vertex.height);
           high = std::max(high, vertex.height);
           radius = std::max(radius, vertex.radius);
         }
-        addRound(HullKind::gear, lathe.link, lathe.axisClass, low, high, radius);
+        addRound(HullKind::gear, revolved.link, revolved.axisClass, low, high, radius);
       }
     }
   }

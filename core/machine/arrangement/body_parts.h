@@ -88,7 +88,7 @@ struct CagePlan {
 };
 
 /// Solids of revolution of a link about an axis: closed profiles, material on the left.
-struct LathePlan {
+struct RevolvedPlan {
   int axisClass = 0;
   int link = 0;
   std::vector<std::vector<ProfileVertex>> profiles;  ///< heights are coordinates along the axis

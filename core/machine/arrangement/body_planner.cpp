@@ -37,7 +37,8 @@ void planCoaxial(PlanDraft& draft, int axisClass) {
   for (const ShaftSegment& shaft : plan->shafts) draft.addSegment(shaft);
   for (const ArmPlan& arm : plan->arms) draft.addArm(arm);
   draft.plan.pins.insert(draft.plan.pins.end(), plan->pins.begin(), plan->pins.end());
-  draft.plan.lathes.insert(draft.plan.lathes.end(), plan->lathes.begin(), plan->lathes.end());
+  draft.plan.revolvedBodies.insert(draft.plan.revolvedBodies.end(), plan->revolvedBodies.begin(),
+                                   plan->revolvedBodies.end());
   draft.plan.walls.insert(draft.plan.walls.end(), plan->walls.begin(), plan->walls.end());
   draft.plan.cages.insert(draft.plan.cages.end(), plan->cages.begin(), plan->cages.end());
   draft.plan.hubs.insert(draft.plan.hubs.end(), plan->hubs.begin(), plan->hubs.end());

@@ -230,9 +230,9 @@ std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain&
     std::ptrdiff_t held = 0;
     for (const AxisLayout& layout : plan.axes)
       held += std::count_if(layout.bearings.begin(), layout.bearings.end(), isOfLink);
-    const bool isLathed = std::any_of(plan.lathes.begin(), plan.lathes.end(),
-                                      [&, on = home](const LathePlan& l) { return l.axisClass == on; });
-    if (held != static_cast<std::ptrdiff_t>(arms.size()) || isLathed) continue;
+    const bool isRevolved = std::any_of(plan.revolvedBodies.begin(), plan.revolvedBodies.end(),
+                                        [&, on = home](const RevolvedPlan& l) { return l.axisClass == on; });
+    if (held != static_cast<std::ptrdiff_t>(arms.size()) || isRevolved) continue;
     if (!envelopes) envelopes = sweptEnvelopes(plan, train, placement);
     if (auto made = FlangeMaker(plan, train, arms, *envelopes).make()) flanges.push_back(std::move(*made));
   }

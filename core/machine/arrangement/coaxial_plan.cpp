@@ -43,7 +43,7 @@ class CoaxialMaker {
       carryPlanets(static_cast<int>(n));
       addWalls(static_cast<int>(n));
       openDrums(static_cast<int>(n));
-      addLathes(static_cast<int>(n));
+      addRevolvedBodies(static_cast<int>(n));
       placeBearing(static_cast<int>(n));
     }
     setHubs();
@@ -64,7 +64,7 @@ class CoaxialMaker {
   [[nodiscard]] bool isSpider(int net, const RouteTerminal& terminal) const;
   void addWalls(int net);
   void openDrums(int net);
-  void addLathes(int net);
+  void addRevolvedBodies(int net);
   void placeBearing(int net);
   void setHubs();
 
@@ -371,7 +371,7 @@ void CoaxialMaker::openDrums(int net) {
   }
 }
 
-void CoaxialMaker::addLathes(int net) {
+void CoaxialMaker::addRevolvedBodies(int net) {
   const double module = m_sections.module;
   OutlinePlaces places;
   places.height = [&](int cell, int side) {
@@ -391,7 +391,7 @@ void CoaxialMaker::addLathes(int net) {
     const Sleeve* sleeve = joined ? sleeveIn(net, c) : nullptr;
     return sleeve != nullptr ? wallMiddle(*sleeve) : m_sections.rowLow(r) + inset;
   };
-  LathePlan plan{m_class, link(net), outlinesOf(m_grid, m_isBody, places)};
+  RevolvedPlan plan{m_class, link(net), outlinesOf(m_grid, m_isBody, places)};
   // Where a link changes from one sleeve to another, a disc joins them.
   for (int c = 0; c < m_grid.columns; ++c) {
     const Sleeve* low = nullptr;
@@ -406,7 +406,7 @@ void CoaxialMaker::addLathes(int net) {
     const double bottom = column(c).low + m_margin, top = column(c).high - m_margin;
     plan.profiles.push_back({{to, top}, {from, top}, {from, bottom}, {to, bottom}});
   }
-  if (!plan.profiles.empty()) m_plan.lathes.push_back(std::move(plan));
+  if (!plan.profiles.empty()) m_plan.revolvedBodies.push_back(std::move(plan));
 }
 
 /// The bearing of the net's link on this axis: at the end where it comes out.

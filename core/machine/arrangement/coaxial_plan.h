@@ -25,7 +25,7 @@ struct CoaxialPlan {
   std::vector<ShaftSegment> shafts;  ///< with their radii
   std::vector<ArmPlan> arms;
   std::vector<PinPlan> pins;
-  std::vector<LathePlan> lathes;
+  std::vector<RevolvedPlan> revolvedBodies;
   std::vector<WallPlan> walls;
   std::vector<CagePlan> cages;
   std::vector<CoaxialBearing> bearings;

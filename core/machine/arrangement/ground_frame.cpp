@@ -153,10 +153,10 @@ void FrameMaker::findPieces() {
       m_pieces.push_back({stub.axisClass, stub.at - half, stub.at + half,
                           shaft->outer + bossWall(axis(stub.axisClass)), true});
   }
-  for (const LathePlan& lathe : m_plan.lathes) {
-    if (lathe.link != 0) continue;
-    for (const auto& profile : lathe.profiles) {
-      Piece piece{lathe.axisClass, 1e300, -1e300, 0, false};
+  for (const RevolvedPlan& revolved : m_plan.revolvedBodies) {
+    if (revolved.link != 0) continue;
+    for (const auto& profile : revolved.profiles) {
+      Piece piece{revolved.axisClass, 1e300, -1e300, 0, false};
       for (const ProfileVertex& vertex : profile) {
         piece.low = std::min(piece.low, vertex.height);
         piece.high = std::max(piece.high, vertex.height);

@@ -10,7 +10,7 @@ struct Maker {
   double tolerance;
 
   Solid operator()(const TubePart& t) const { return tube(t.outer, t.inner, t.from, t.to, tolerance); }
-  Solid operator()(const LathePart& l) const { return lathed(l.profile, tolerance); }
+  Solid operator()(const RevolvedPart& l) const { return revolved(l.profile, tolerance); }
   Solid operator()(const SpiderPart& s) const { return spider(s.hub, s.ends, s.from, s.to, tolerance); }
   Solid operator()(const BarPart& b) const {
     return tubeSector(b.outer, b.inner, b.from, b.to, b.half, tolerance);
@@ -29,7 +29,7 @@ struct Hasher {
   void operator()(const TubePart& t) const {
     for (const double number : {t.outer, t.inner, t.from, t.to}) add(number);
   }
-  void operator()(const LathePart& l) const {
+  void operator()(const RevolvedPart& l) const {
     for (const ProfileVertex& circle : l.profile) {
       add(circle.radius);
       add(circle.height);

@@ -25,10 +25,10 @@ struct TubePart {
   friend bool operator==(const TubePart&, const TubePart&) = default;
 };
 
-/// lathed()
-struct LathePart {
+/// revolved()
+struct RevolvedPart {
   std::vector<ProfileVertex> profile;
-  friend bool operator==(const LathePart&, const LathePart&) = default;
+  friend bool operator==(const RevolvedPart&, const RevolvedPart&) = default;
 };
 
 /// spider()
@@ -60,7 +60,7 @@ struct PlatePart {
 
 /// A part in its own frame with its place in the body.
 struct BodyPart {
-  std::variant<TubePart, LathePart, SpiderPart, BarPart, PlatePart> shape;
+  std::variant<TubePart, RevolvedPart, SpiderPart, BarPart, PlatePart> shape;
   double module = 1;                                         ///< the unit of the tolerance
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();  ///< its own frame to the body's
 

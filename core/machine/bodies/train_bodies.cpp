@@ -43,7 +43,7 @@ class BodyBuilder {
     for (const ShaftSegment& shaft : m_plan.shafts) addShaft(shaft);
     addArms();
     for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) addRingCarrier(ringCarrier);
-    for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
+    for (const RevolvedPlan& plan : m_plan.revolvedBodies) addRevolved(plan);
     for (const CagePlan& plan : m_plan.cages) addCage(plan);
     for (const StubPlan& stub : m_plan.stubs) addStub(stub);
     addFrame(m_plan.frame);
@@ -120,7 +120,7 @@ class BodyBuilder {
   void addSpider(std::span<const ArmPlan* const> arms);
   void addStandoff(const ArmPlan& plan);
   void addRingCarrier(const RingCarrierPlan& ringCarrier);
-  void addLathe(const LathePlan& plan);
+  void addRevolved(const RevolvedPlan& plan);
   void addCage(const CagePlan& plan);
   void addFrame(const FramePlan& frame);
   /// Is a bearing of the ground on a pedestal of its own?
@@ -242,13 +242,13 @@ void BodyBuilder::addRingCarrier(const RingCarrierPlan& ringCarrier) {
   std::vector<ProfileVertex> profile{{rim, farSide},   {hole, farSide}, {hole, nearSide},
                                      {root, nearSide}, {root, face},    {rim, face}};
   if (ringCarrier.side < 0) std::reverse(profile.begin(), profile.end());
-  add(gear.link, LathePart{std::move(profile)}, layout, line(layout));
+  add(gear.link, RevolvedPart{std::move(profile)}, layout, line(layout));
 }
 
-void BodyBuilder::addLathe(const LathePlan& plan) {
+void BodyBuilder::addRevolved(const RevolvedPlan& plan) {
   const AxisLayout& layout = axis(plan.axisClass);
   for (const std::vector<ProfileVertex>& profile : plan.profiles)
-    add(plan.link, LathePart{profile}, layout, line(layout));
+    add(plan.link, RevolvedPart{profile}, layout, line(layout));
 }
 
 void BodyBuilder::addCage(const CagePlan& plan) {

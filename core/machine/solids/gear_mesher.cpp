@@ -298,7 +298,7 @@ void ToothedShell::writeTriangles() {
 /// The strips of the body; where it has windows, those of the web have openings.
 void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double start) {
   if (!blank.windows) {
-    builder.addLathe(blank.body, count, start);
+    builder.addRevolved(blank.body, count, start);
     return;
   }
   const WebWindows& w = *blank.windows;
@@ -308,7 +308,7 @@ void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double st
     return top || (a == ProfileVertex{w.hub, -w.half} && b == ProfileVertex{w.rim, -w.half});
   };
   for (std::size_t i = 0; i + 1 < body.size(); ++i) {
-    if (!isWeb(body[i], body[i + 1])) builder.addLathe(std::span(body).subspan(i, 2), count, start);
+    if (!isWeb(body[i], body[i + 1])) builder.addRevolved(std::span(body).subspan(i, 2), count, start);
   }
   addWindowedWeb(builder, w, count, start, blank.tolerance);
 }

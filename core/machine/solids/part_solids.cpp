@@ -246,7 +246,7 @@ Eigen::Isometry3d frameAlong(const Vector3d& origin, const Vector3d& axis, const
   return frame;
 }
 
-Solid lathed(std::span<const ProfileVertex> profile, double tolerance) {
+Solid revolved(std::span<const ProfileVertex> profile, double tolerance) {
   GEARGRAPH_REQUIRE(profile.size() >= 2);
   Solid solid;
   ShellBuilder builder(solid);
@@ -259,7 +259,7 @@ Solid lathed(std::span<const ProfileVertex> profile, double tolerance) {
   solid.positions.reserve(most);
   solid.normals.reserve(most);
   solid.triangles.reserve(most);
-  builder.addLathe(closed, count, 0);
+  builder.addRevolved(closed, count, 0);
   return solid;
 }
 
@@ -273,7 +273,7 @@ Solid tube(double outer, double inner, double from, double to, double tolerance)
   }
   profile.push_back({outer, from + chamfer});
   profile.push_back({outer, to - chamfer});
-  return lathed(profile, tolerance);
+  return revolved(profile, tolerance);
 }
 
 Solid tubeSector(double outer, double inner, double from, double to, double half, double tolerance) {

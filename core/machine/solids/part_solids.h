@@ -14,7 +14,7 @@ namespace geargraph::inline solids {
 
 /// A solid of revolution about z. The profile has the material on the left (from the top face inward, down
 /// the bore, outward along the bottom, up the outside) and is closed implicitly.
-[[nodiscard]] Solid lathed(std::span<const ProfileVertex> profile, double tolerance);
+[[nodiscard]] Solid revolved(std::span<const ProfileVertex> profile, double tolerance);
 
 /// A shaft or tube along z from `from` to `to`, with chamfered ends. `outer`, `inner`: radii; inner 0: solid.
 [[nodiscard]] Solid tube(double outer, double inner, double from, double to, double tolerance);

@@ -116,7 +116,7 @@ Eigen::Vector2d ShellBuilder::normalOf(const ProfileVertex& a, const ProfileVert
   return m_inward ? -normal : normal;
 }
 
-void ShellBuilder::addLathe(std::span<const ProfileVertex> circles, int count, double start) {
+void ShellBuilder::addRevolved(std::span<const ProfileVertex> circles, int count, double start) {
   const std::vector<Turn>& turns = turnsOf(count, start);
   for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
     const ProfileVertex& a = circles[i];

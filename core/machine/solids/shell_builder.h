@@ -47,7 +47,7 @@ class ShellBuilder {
   void sew(const Loop& a, const Loop& b);
 
   /// Adds strips of revolution along a profile, creased at every circle, from the first to the last.
-  void addLathe(std::span<const ProfileVertex> circles, int count, double start);
+  void addRevolved(std::span<const ProfileVertex> circles, int count, double start);
 
   /// Outward normal (radial, axial) of the strip between two circles, material on the left.
   [[nodiscard]] Eigen::Vector2d normalOf(const ProfileVertex& a, const ProfileVertex& b) const;

@@ -15,12 +15,12 @@ class TestBodyRecipe : public QObject {
     const std::vector<ProfileVertex> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
     Solid expected = tube(3, 1, -5, 12, 0.01);
     append(expected, spider(hub, ends, -1, 1, 0.02), there);
-    append(expected, lathed(ring, 0.01));
+    append(expected, revolved(ring, 0.01));
     for (int i = 0; i < 2; ++i) append(expected, tubeSector(10, 9, -2, 5, 0.3, 0.01), there);
     const BarPart bar{10, 9, -2, 5, 0.3};
     const BodyRecipe recipe{{TubePart{3, 1, -5, 12}, 1, Eigen::Isometry3d::Identity()},
                             {SpiderPart{hub, ends, -1, 1}, 2, there},
-                            {LathePart{ring}, 1, Eigen::Isometry3d::Identity()},
+                            {RevolvedPart{ring}, 1, Eigen::Isometry3d::Identity()},
                             {bar, 1, there},
                             {bar, 1, there}};
     QVERIFY(madeBy(recipe, 0.01) == expected);
