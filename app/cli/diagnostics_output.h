@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/diagnostic.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/presentation/results/diagnostics_json.h"

@@ -39,9 +39,8 @@ std::optional<int> observerOf(const Mechanism& mechanism, const std::string& wor
 /// Why no power can be drawn: what was found about the torques, and a sentence.
 std::string whyNoPower(const std::string& file, const std::optional<StaticsReport>& report) {
   const auto all = [&](const char* sentence) {
-    const std::string findings = report ? diagnosticLines(file, report->diagnostics) : std::string();
-    return findings + "geargraph-cli: " + translated(sentence) + ' ' + translated("Nothing was written.") +
-           '\n';
+    const std::string lines = report ? diagnosticLines(file, report->diagnostics) : std::string();
+    return lines + "geargraph-cli: " + translated(sentence) + ' ' + translated("Nothing was written.") + '\n';
   };
   if (!report) return all(toTranslate("--power needs a mechanism without errors."));
   if (report->loads.empty())

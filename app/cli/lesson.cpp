@@ -19,15 +19,15 @@ constexpr std::size_t kLargestLesson = std::size_t{4} * 1024 * 1024;
 
 struct CheckedLesson {
   std::string file;
-  Diagnostics findings;
+  Diagnostics diagnostics;
   std::string summary;  ///< of a lesson without faults
 };
 
 CheckedLesson checked(const std::string& file, const std::string& text, const std::stop_token& stop) {
   const auto lesson = readLesson(text);
   if (!lesson) return {file, lesson.error(), {}};
-  const Diagnostics findings = checkLesson(*lesson, bundledExample, stop);
-  if (!findings.empty()) return {file, placedInText(text, findings), {}};
+  const Diagnostics diagnostics = checkLesson(*lesson, bundledExample, stop);
+  if (!diagnostics.empty()) return {file, placedInText(text, diagnostics), {}};
   const std::size_t steps = lesson->steps.size();
   return {file,
           {},
@@ -48,7 +48,7 @@ std::string asJson(const std::vector<CheckedLesson>& lessons) {
       json.beginObject();
       json.member("file", lesson.file);
       json.key("diagnostics");
-      writeDiagnostics(json, lesson.findings);
+      writeDiagnostics(json, lesson.diagnostics);
       json.endObject();
     }
     json.endArray();
@@ -67,13 +67,13 @@ int check(const Arguments& arguments) {
     if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the check"));
   }
   const bool isFine = std::all_of(lessons.begin(), lessons.end(),
-                                  [](const CheckedLesson& lesson) { return lesson.findings.empty(); });
+                                  [](const CheckedLesson& lesson) { return lesson.diagnostics.empty(); });
   const int status = isFine ? kFine : kMechanismErrors;
   if (arguments.has("--json")) return print(asJson(lessons), status);
   std::string text;
   for (const CheckedLesson& lesson : lessons) {
-    text += lesson.findings.empty() ? lesson.file + ": " + lesson.summary + '\n'
-                                    : diagnosticLines(lesson.file, lesson.findings);
+    text += lesson.diagnostics.empty() ? lesson.file + ": " + lesson.summary + '\n'
+                                       : diagnosticLines(lesson.file, lesson.diagnostics);
   }
   return print(text, status);
 }

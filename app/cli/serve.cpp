@@ -31,7 +31,7 @@ constexpr std::size_t kMostDocuments = 1'000;
 
 /// Why a request was not answered.
 struct Refusal {
-  std::string_view code;  ///< "request", "unknown-document", "limit", or that of the first finding
+  std::string_view code;  ///< "request", "unknown-document", "limit", or that of the first diagnostic
   std::string message;
   Diagnostics diagnostics = {};
 };

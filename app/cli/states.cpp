@@ -78,7 +78,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-/// Why a state without a ratio has none, where no finding says it.
+/// Why a state without a ratio has none, where no diagnostic says it.
 std::string remarks(const AnalysisSnapshot& snapshot) {
   std::string text;
   for (const StateSolution& solution : *snapshot.states) {

@@ -27,8 +27,8 @@ struct Solved {
   std::vector<std::optional<StaticsReport>> reports;  ///< none where the mechanism has errors
 };
 
-/// The findings of the document that concern a state: its inputs do not.
-Diagnostics findingsOf(const AnalysisSnapshot& snapshot, int state) {
+/// The diagnostics of the document that concern a state: its inputs do not.
+Diagnostics documentDiagnostics(const AnalysisSnapshot& snapshot, int state) {
   Diagnostics all;
   for (const Diagnostic& diagnostic : snapshot.diagnostics) {
     const bool isIdle = state >= 0 && diagnostic.code == Code::invalidInputs;
@@ -38,8 +38,8 @@ Diagnostics findingsOf(const AnalysisSnapshot& snapshot, int state) {
 }
 
 /// These, and those of its statics.
-Diagnostics allFindings(const Solved& solved, std::size_t place) {
-  Diagnostics all = findingsOf(*solved.snapshot, solved.states[place]);
+Diagnostics allDiagnostics(const Solved& solved, std::size_t place) {
+  Diagnostics all = documentDiagnostics(*solved.snapshot, solved.states[place]);
   if (const auto& report = solved.reports[place]) append(all, report->diagnostics);
   return all;
 }
@@ -58,7 +58,7 @@ std::string asJson(const Solved& solved, bool asList) {
     for (std::size_t i = 0; i < solved.states.size(); ++i) {
       const StaticsReport* const report = solved.reports[i] ? &*solved.reports[i] : nullptr;
       writeStaticsJson(json, solved.snapshot.get(), report, solved.states[i], solved.options,
-                       allFindings(solved, i));
+                       allDiagnostics(solved, i));
     }
     if (asList) {
       json.endArray();
@@ -81,7 +81,7 @@ std::string asJson(const Diagnostics& diagnostics) {
 int solveAll(Solved& solved, const Arguments& arguments) {
   const AnalysisSnapshot& snapshot = *solved.snapshot;
   for (const int state : solved.states) {
-    if (snapshot.matroid() == nullptr || hasErrors(findingsOf(snapshot, state))) {
+    if (snapshot.matroid() == nullptr || hasErrors(documentDiagnostics(snapshot, state))) {
       solved.reports.emplace_back();
       continue;
     }
@@ -135,9 +135,9 @@ int run(const Arguments& arguments) {
   bool isWrong = hasNoStates && hasErrors(solved.snapshot->diagnostics);
   if (hasNoStates) std::cerr << diagnosticLines(file, solved.snapshot->diagnostics);
   for (std::size_t i = 0; i < solved.states.size(); ++i) {
-    const Diagnostics findings = allFindings(solved, i);
-    isWrong = isWrong || hasErrors(findings);
-    std::cerr << diagnosticLines(file, findings);
+    const Diagnostics diagnostics = allDiagnostics(solved, i);
+    isWrong = isWrong || hasErrors(diagnostics);
+    std::cerr << diagnosticLines(file, diagnostics);
   }
   const int status = isWrong ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(solved, arguments.has("--all-states")), status);

@@ -33,7 +33,7 @@ struct Row {
   std::string name;
 };
 
-void addFindings(Row& row, const Diagnostics& diagnostics) {
+void addDiagnostics(Row& row, const Diagnostics& diagnostics) {
   std::vector<std::string_view> codes;
   for (const Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity() == Severity::info) continue;
@@ -51,7 +51,7 @@ Row rowOf(const std::string& path, const std::stop_token& stop) {
   if (std::holds_alternative<FileError>(loaded)) return row;
   auto& document = std::get<Expected<Mechanism>>(loaded);
   if (!document) {
-    addFindings(row, document.error());
+    addDiagnostics(row, document.error());
     return row;
   }
   const auto mechanism = std::make_shared<const Mechanism>(std::move(document).value());
@@ -59,7 +59,7 @@ Row rowOf(const std::string& path, const std::stop_token& stop) {
   if (snapshot) snapshot = analyzeStates(snapshot, {false}, stop);
   if (!snapshot) return row;  // out of time, which the caller tells
   Diagnostics diagnostics = snapshot->diagnostics;
-  append(diagnostics, toothFindings(*snapshot, stop));
+  append(diagnostics, geometryDiagnostics(*snapshot, stop));
   row.name = mechanism->name;
   row.counts = {std::to_string(mechanism->n()), std::to_string(mechanism->t()),
                 std::to_string(mechanism->c())};
@@ -68,7 +68,7 @@ Row rowOf(const std::string& path, const std::stop_token& stop) {
     row.counts[4] = std::to_string(matroid->dof);
   }
   row.counts[5] = std::to_string(mechanism->states.size());
-  addFindings(row, diagnostics);
+  addDiagnostics(row, diagnostics);
   return row;
 }
 

@@ -9,7 +9,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -39,7 +39,7 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::option
   if (live) live = analyzeStates(live, {false}, stop);
   if (!live) return std::nullopt;
   Diagnostics diagnostics = live->diagnostics;
-  const Diagnostics teeth = toothFindings(*live, stop);
+  const Diagnostics teeth = geometryDiagnostics(*live, stop);
   if (stop.stop_requested()) return std::nullopt;
   append(diagnostics, teeth);
   if (motion != nullptr) {

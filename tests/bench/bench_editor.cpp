@@ -285,7 +285,7 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
     lap("picture_ms");
     parts["seen_ms"] += static_cast<double>(seen.nsecsElapsed()) / 1e6;  // all that moves has moved
     until([&] { return window.isSettled(); });
-    lap("settled_ms");  // symbols, agreement and tooth findings, for which nothing waits
+    lap("settled_ms");  // symbols, agreement and tooth diagnostics, for which nothing waits
   };
   // The first steps are no part of the measure: caches fill, and the view finds out how fine a quick look may
   // be. So does everybody's first second of dragging.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/contract.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/fitting/fitted_edits.h"

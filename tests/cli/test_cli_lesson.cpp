@@ -54,9 +54,9 @@ class CliLessonTest : public QObject {
     std::ifstream results(test::sourcePath("resources/schema/results.schema.json"));
     QCOMPARE(test::JsonSchema(nlohmann::json::parse(results)).complaint(parsed), std::string());
     QCOMPARE(parsed["format"].get<std::string>(), std::string("geargraph-lesson-check"));
-    const auto& finding = parsed["lessons"][0]["diagnostics"][0];
-    QVERIFY(finding["line"].get<int>() > 30);
-    QCOMPARE(finding["pointer"].get<std::string>(), std::string("/steps/2/task/about"));
+    const auto& diagnostic = parsed["lessons"][0]["diagnostics"][0];
+    QVERIFY(diagnostic["line"].get<int>() > 30);
+    QCOMPARE(diagnostic["pointer"].get<std::string>(), std::string("/steps/2/task/about"));
   }
 
   void slipsOfThePenAreFound() {

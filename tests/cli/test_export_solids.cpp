@@ -133,7 +133,7 @@ class TestExportSolids : public QObject {
     const Run first = exported("assembly", out, {"--frames", "13"});
     QCOMPARE(first.errors, std::string());
     QCOMPARE(first.status, 0);
-    const AssemblyFindings found = checkedAssembly(out);
+    const AssemblyMeasurements found = checkedAssembly(out);
     QCOMPARE(found.gears, 8);
     QCOMPARE(found.pairs, 4);
     QCOMPARE(found.frames, 13);

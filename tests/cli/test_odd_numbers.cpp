@@ -270,10 +270,10 @@ class OddNumbersTest : public QObject {
     const QString file = written(folder, rejected.document);
     const Run validated = run({"validate", file, "--json"});
     QCOMPARE(validated.status, kErrors);
-    const json findings = json::parse(validated.output)["diagnostics"];
-    QCOMPARE(findings.size(), std::size_t{1});
-    QCOMPARE(findings[0]["code"].get<std::string>(), std::string("schema"));
-    QCOMPARE(findings[0]["pointer"].get<std::string>(), std::string(rejected.pointer));
+    const json diagnostics = json::parse(validated.output)["diagnostics"];
+    QCOMPARE(diagnostics.size(), std::size_t{1});
+    QCOMPARE(diagnostics[0]["code"].get<std::string>(), std::string("schema"));
+    QCOMPARE(diagnostics[0]["pointer"].get<std::string>(), std::string(rejected.pointer));
     for (const char* command : {"analyze", "inputs", "pose"}) QCOMPARE(run({command, file}).status, kErrors);
     const QString out = folder.filePath("out");
     for (const QStringList& form : {QStringList{"md"}, {"csv", "--all"}, {"glb"}, {"assembly"}}) {

@@ -107,15 +107,15 @@ Reduce quickFix(Random& random) {
   const std::vector<GearMesh>& meshes = random.mechanism().gearMeshes;
   if (!std::all_of(meshes.begin(), meshes.end(), isUsual)) return {};
   const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(random.mechanism()));
-  Diagnostics findings = snapshot->diagnostics;
+  Diagnostics diagnostics = snapshot->diagnostics;
   if (snapshot->tree) {
     const Mechanism& mechanism = random.mechanism();
     const Diagnostics teeth = trainDiagnostics(mechanism, placementOf(mechanism));
-    findings.insert(findings.end(), teeth.begin(), teeth.end());
+    diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
   }
-  if (findings.empty()) return {};
+  if (diagnostics.empty()) return {};
   const std::vector<Fix> fixes = fixesFor(
-      findings[static_cast<std::size_t>(random.below(static_cast<int>(findings.size())))], *snapshot);
+      diagnostics[static_cast<std::size_t>(random.below(static_cast<int>(diagnostics.size())))], *snapshot);
   if (fixes.empty()) return {};
   return fixes[static_cast<std::size_t>(random.below(static_cast<int>(fixes.size())))].edit;
 }

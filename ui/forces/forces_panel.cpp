@@ -311,7 +311,7 @@ QString ForcesPanel::remark() const {
   return m_remark->text();
 }
 
-/// The gravest finding; all of them are its tooltip.
+/// The gravest diagnostic; all of them are its tooltip.
 void ForcesPanel::showRemark() {
   const ForcesPtr& shown = forces();
   const Diagnostic* gravest = nullptr;

@@ -263,8 +263,9 @@ void MainWindow::wireViews() {
   });
   connect(m_presentation, &Presentation::played, this, [this] { m_view3d->playback().toggle(); });
   m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr& report) {
-    m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics(),
-                                  shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
+    m_problems->setMotionDiagnostics(
+        report ? report->diagnostics : Diagnostics(),
+        shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
     tellWhenSettled();
   });
   m_workbench->forces().onAnswer(this, [this](const ForcesPtr& forces) { onForces(forces); });
@@ -401,7 +402,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
 
 /// Null: the document has no loads, and no view shows torques.
 void MainWindow::onForces(const ForcesPtr& forces) {
-  m_problems->setLoadFindings(forces ? forces->findings : Diagnostics());
+  m_problems->setLoadDiagnostics(forces ? forces->diagnostics : Diagnostics());
   const ForceTable* const torques = forces ? forces->table(ForceTableKind::states) : nullptr;
   // A first part comes without: the torques before it stay, else they would blink.
   if (torques != nullptr || m_workbench->forces().isComplete())

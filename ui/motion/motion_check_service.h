@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "ui/service/service.h"
 
 namespace geargraph::inline ui_motion {

@@ -164,24 +164,24 @@ QString GearboxPanel::remark() const {
   return m_remark->text();
 }
 
-/// The finding of the state that was clicked last, else the first there is, else what can be done.
+/// The diagnostic of the state that was clicked last, else the first there is, else what can be done.
 void GearboxPanel::paintRemark() {
-  const auto findingOf = [&](int row) -> const Diagnostic* {
+  const auto diagnosticOf = [&](int row) -> const Diagnostic* {
     const StateSolution* solution = row < 0 ? nullptr : m_model->solutionAt(row);
     return solution == nullptr || solution->diagnostics.empty() ? nullptr : &solution->diagnostics.front();
   };
-  const Diagnostic* finding = findingOf(m_shownState);
-  for (int row = 0; row < m_model->rowCount() && finding == nullptr; ++row) finding = findingOf(row);
+  const Diagnostic* diagnostic = diagnosticOf(m_shownState);
+  for (int row = 0; row < m_model->rowCount() && diagnostic == nullptr; ++row) diagnostic = diagnosticOf(row);
   QString text;
   ColorRole role = ColorRole::secondary;
   const bool asks =
-      m_shownState >= 0 && findingOf(m_shownState) == nullptr && m_model->lacksLinks(m_shownState);
+      m_shownState >= 0 && diagnosticOf(m_shownState) == nullptr && m_model->lacksLinks(m_shownState);
   if (asks) {
     text = tr("State %1 has no ratio yet: click “choose…” in its row and name its input and output links.")
                .arg(m_model->index(m_shownState, 0).data().toString());
-  } else if (finding != nullptr) {
-    text = shownText(finding->message);
-    role = finding->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
+  } else if (diagnostic != nullptr) {
+    text = shownText(diagnostic->message);
+    role = diagnostic->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
   } else if (m_model->rowCount() > 0) {
     text = tr(
         "Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.");

@@ -26,7 +26,7 @@ constexpr int kRight = 14;
 constexpr int kRowsAtOnce = 200;
 
 /// An icon, the sentence, and below it the place in a file, in secondary ink.
-class FindingDelegate : public QStyledItemDelegate {
+class DiagnosticDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
@@ -90,7 +90,7 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   m_list->setModel(m_model);
   m_list->setObjectName(QStringLiteral("problemList"));
   m_list->setAccessibleName(tr("Problems"));
-  m_list->setItemDelegate(new FindingDelegate(m_list));
+  m_list->setItemDelegate(new DiagnosticDelegate(m_list));
   m_list->setMouseTracking(true);
   m_list->setSelectionMode(QAbstractItemView::NoSelection);
   m_list->setResizeMode(QListView::Adjust);
@@ -151,16 +151,16 @@ void ProblemsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   renew();
 }
 
-void ProblemsPanel::setMotionFindings(const Diagnostics& findings, const QString& note) {
-  if (findings == m_motionFindings && note == m_motionNote->text()) return;
-  m_motionFindings = findings;
+void ProblemsPanel::setMotionDiagnostics(const Diagnostics& diagnostics, const QString& note) {
+  if (diagnostics == m_motionDiagnostics && note == m_motionNote->text()) return;
+  m_motionDiagnostics = diagnostics;
   m_motionNote->setText(note);
   renew();
 }
 
-void ProblemsPanel::setLoadFindings(const Diagnostics& findings) {
-  if (findings == m_loadFindings) return;
-  m_loadFindings = findings;
+void ProblemsPanel::setLoadDiagnostics(const Diagnostics& diagnostics) {
+  if (diagnostics == m_loadDiagnostics) return;
+  m_loadDiagnostics = diagnostics;
   renew();
 }
 
@@ -204,8 +204,8 @@ void ProblemsPanel::renew() {
   const bool ofFile = !m_fileName.isEmpty();
   Diagnostics shown = ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics();
   if (!ofFile && m_snapshot) {
-    append(shown, m_loadFindings);
-    append(shown, m_motionFindings);
+    append(shown, m_loadDiagnostics);
+    append(shown, m_motionDiagnostics);
   }
   m_model->setDiagnostics(std::move(shown));
   m_banner->setVisible(ofFile);

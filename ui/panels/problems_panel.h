@@ -29,9 +29,9 @@ class ProblemsPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
   /// Sets the diagnostics of the motion check, listed after the others, and a sentence below them on what was
   /// not checked (motionNote()); empty: none.
-  void setMotionFindings(const Diagnostics& findings, const QString& note);
+  void setMotionDiagnostics(const Diagnostics& diagnostics, const QString& note);
   /// Sets the diagnostics of the document's loads, listed after those of the analysis.
-  void setLoadFindings(const Diagnostics& findings);
+  void setLoadDiagnostics(const Diagnostics& diagnostics);
   /// Sets the diagnostics of a file that was not opened. They stay on top until dismissed or another file
   /// opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
@@ -63,8 +63,8 @@ class ProblemsPanel : public QWidget {
   QLabel* m_bannerText = nullptr;
   QString m_fileName;
   Diagnostics m_fileProblems;
-  Diagnostics m_motionFindings;
-  Diagnostics m_loadFindings;
+  Diagnostics m_motionDiagnostics;
+  Diagnostics m_loadDiagnostics;
   SnapshotPtr m_snapshot;
 };
 

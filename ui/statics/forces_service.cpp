@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/theory/statics/load_findings.h"
+#include "core/theory/statics/load_diagnostics.h"
 
 namespace geargraph::inline ui_statics {
 namespace {
@@ -86,7 +86,7 @@ class Work {
         isAnswered ? std::optional<StaticsReport>() : solved(ForcesQuestion(), *m_request.snapshot, m_stop);
     if (m_stop.stop_requested()) return false;
     const auto& on = isAnswered ? m_forces->report : report;
-    if (on) m_forces->findings = loadFindings(m_mechanism, *on);
+    if (on) m_forces->diagnostics = solvedLoadDiagnostics(m_mechanism, *on);
     return true;
   }
 
@@ -111,7 +111,7 @@ class Work {
     if (!states) return false;
     std::vector<const StaticsReport*> reports;
     for (const StateForces& each : *states) reports.push_back(each.report ? &*each.report : nullptr);
-    m_forces->findings = loadFindings(m_mechanism, reports);
+    m_forces->diagnostics = solvedLoadDiagnostics(m_mechanism, reports);
     return true;
   }
 

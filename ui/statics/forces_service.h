@@ -39,7 +39,7 @@ struct Forces {
   std::optional<StaticsReport> report;  ///< std::nullopt if the mechanism has errors
   /// The diagnostics of the document's loads, independent of the question: for the engaged couplings, or for
   /// all states if none is engaged.
-  Diagnostics findings;
+  Diagnostics diagnostics;
   StageForces arrows;              ///< for the 3D view; null if there are none
   std::vector<ForceTable> tables;  ///< allForceTableKinds(), then the shift table if there are states
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "app/python/bindings/snapshot.h"
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/presentation/results/analysis_json.h"
 #include "core/presentation/results/input_pose.h"
 #include "core/presentation/results/states_json.h"

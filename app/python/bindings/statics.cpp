@@ -47,10 +47,10 @@ std::string staticsJson(const Snapshot& self, const StaticsChoice& choice) {
   options.stiffness = choice.stiffness;
   options.symbolic = choice.symbolic;
   const SnapshotPtr snapshot = analysedFor(self, options.state);
-  Diagnostics findings, errors;
+  Diagnostics diagnostics, errors;
   for (const Diagnostic& diagnostic : snapshot->diagnostics) {
     if (options.state >= 0 && diagnostic.code == Code::invalidInputs) continue;  // a state drives by itself
-    findings.push_back(diagnostic);
+    diagnostics.push_back(diagnostic);
     if (diagnostic.severity() == Severity::error) errors.push_back(diagnostic);
   }
   if (!errors.empty()) raise(errors);
@@ -60,11 +60,11 @@ std::string staticsJson(const Snapshot& self, const StaticsChoice& choice) {
                           snapshot->kinematics->placement(), *snapshot->kinematics->ttGraph,
                           *snapshot->matroid(), options, stop);
   });
-  append(findings, report->diagnostics);
+  append(diagnostics, report->diagnostics);
   TextSink sink;
   {
     JsonWriter json(sink);
-    writeStaticsJson(json, snapshot.get(), &*report, options.state, options, findings);
+    writeStaticsJson(json, snapshot.get(), &*report, options.state, options, diagnostics);
   }
   return sink.take();
 }

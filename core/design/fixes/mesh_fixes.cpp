@@ -98,8 +98,8 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   }
   fixes = tried(std::move(fixes), mechanism, [&](const Mechanism& mended) {
     const Diagnostics left = placementOf(mended).diagnostics;
-    return std::any_of(left.begin(), left.end(), [&](const Diagnostic& finding) {
-      return finding.severity() == Severity::error && finding.elements == diagnostic.elements;
+    return std::any_of(left.begin(), left.end(), [&](const Diagnostic& each) {
+      return each.severity() == Severity::error && each.elements == diagnostic.elements;
     });
   });
   fixes.push_back(removalOf(snapshot, mesh->id));

@@ -40,7 +40,7 @@ std::vector<Part> partsOf(const Arrangement& plan, const GearTrain& train) {
 /// Is one within the other by design, or kept off it by other means: a shaft in bores, bosses and other
 /// shafts of its axis, and what stands on one axis?
 bool holds(const BodyHull& a, const BodyHull& b) {
-  if (a.kind == HullKind::gear && b.kind == HullKind::gear) return true;  // findings of their own
+  if (a.kind == HullKind::gear && b.kind == HullKind::gear) return true;  // diagnostics of their own
   const auto isAcross = [](const BodyHull& part) {
     return part.kind == HullKind::standoff || part.held >= 0;
   };

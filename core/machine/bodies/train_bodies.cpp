@@ -18,7 +18,7 @@
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_solid.h"
-#include "core/machine/train/train_findings.h"
+#include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline bodies {
 namespace {
@@ -336,14 +336,14 @@ void fitBore(const Arrangement& plan, TrainGear& gear) {
   if (passing > 0) gear.spec.bore = 2 * (passing + 0.12 * layout.module);
 }
 
-Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& links) {
+Diagnostic blockedDiagnostic(const Mechanism& mechanism, const std::vector<int>& links) {
   std::vector<std::string> labels;
   std::vector<ElementId> elements;
   for (const int link : links) {
     labels.push_back(std::to_string(link));
     elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
   }
-  return finding(
+  return makeDiagnostic(
       Detail::bodiesOverlap,
       translated(
           "Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the "
@@ -356,7 +356,7 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
 
 Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
   Diagnostics found;
-  for (const auto& links : train.blocked) found.push_back(blockedFinding(mechanism, links));
+  for (const auto& links : train.blocked) found.push_back(blockedDiagnostic(mechanism, links));
   return found;
 }
 

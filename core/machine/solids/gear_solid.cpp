@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_mesher.h"
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/half_tooth.h"
 
 namespace geargraph::inline solids {

@@ -3,7 +3,7 @@
 #include "core/foundations/base/words.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/teeth/phase.h"
-#include "core/machine/train/train_findings.h"
+#include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
 namespace {
@@ -78,16 +78,16 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
-    found.push_back(
-        finding(Detail::wheelsOverlap,
-                bevels ? translated("Gears %1 and %2 overlap and do not mesh. Use smaller face widths, "
-                                    "or leave them or a pitch point open.",
-                                    {one.name, other.name})
-                       : translated("Gears %1 and %2 overlap and do not mesh. Move the pitch point of "
-                                    "one along its axis, or leave it open.",
-                                    {one.name, other.name}),
-                {mechanism.links[static_cast<std::size_t>(one.link)].id,
-                 mechanism.links[static_cast<std::size_t>(other.link)].id}));
+    found.push_back(makeDiagnostic(
+        Detail::wheelsOverlap,
+        bevels ? translated("Gears %1 and %2 overlap and do not mesh. Use smaller face widths, "
+                            "or leave them or a pitch point open.",
+                            {one.name, other.name})
+               : translated("Gears %1 and %2 overlap and do not mesh. Move the pitch point of "
+                            "one along its axis, or leave it open.",
+                            {one.name, other.name}),
+        {mechanism.links[static_cast<std::size_t>(one.link)].id,
+         mechanism.links[static_cast<std::size_t>(other.link)].id}));
   }
   return found;
 }

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/train/train_wheels.h"

@@ -40,7 +40,8 @@ WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
           wheel.axis};
 }
 
-/// Planets of one carrier stand where they are drawn; whether they have room there is a finding of its own.
+/// Planets of one carrier stand where they are drawn; whether they have room there is a diagnostic of its
+/// own.
 bool WheelSharing::pass(const Round& a, const Round& b) const {
   if (m_meshing.contains({a.link, a.teeth, b.link, b.teeth})) return true;
   if (a.axisClass == b.axisClass) return a.outer <= b.inner || b.outer <= a.inner;

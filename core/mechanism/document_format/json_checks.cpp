@@ -38,7 +38,7 @@ bool isTooLarge(std::string_view number) {
 /// Walks all values and keeps the way to the one at hand.
 class Walk {
  public:
-  explicit Walk(JsonFindings& findings) : m_findings(findings) {}
+  explicit Walk(JsonDiagnostics& diagnostics) : m_diagnostics(diagnostics) {}
 
   void visit(JsonValue value) {
     switch (value.kind()) {
@@ -67,7 +67,7 @@ class Walk {
     std::string pointer;
     for (const Step& step : m_way)
       pointer += step.key ? pointerStep(step.key->string()) : pointerStep(step.position);
-    m_findings.add(Code::schema, std::move(message), {}, std::move(pointer), at);
+    m_diagnostics.add(Code::schema, std::move(message), {}, std::move(pointer), at);
   }
 
   void array(JsonValue value) {
@@ -106,7 +106,7 @@ class Walk {
     });
   }
 
-  JsonFindings& m_findings;
+  JsonDiagnostics& m_diagnostics;
   std::vector<Step> m_way;
 };
 
@@ -131,14 +131,14 @@ struct Place {
 
 }  // namespace
 
-void JsonFindings::add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer,
-                       JsonValue at) {
+void JsonDiagnostics::add(Code code, std::string message, std::vector<ElementId> elements,
+                          std::string pointer, JsonValue at) {
   m_pointers.insert(pointer);
-  m_findings.push_back(
+  m_diagnostics.push_back(
       {{code, std::move(message), std::move(elements), std::move(pointer), 0, 0}, at.offset()});
 }
 
-bool JsonFindings::covers(std::string_view pointer) const {
+bool JsonDiagnostics::covers(std::string_view pointer) const {
   while (true) {
     if (m_pointers.contains(std::string(pointer))) return true;
     if (pointer.empty()) return false;
@@ -146,17 +146,18 @@ bool JsonFindings::covers(std::string_view pointer) const {
   }
 }
 
-Diagnostics JsonFindings::inOrder() const {
-  std::vector<std::size_t> order(m_findings.size());
+Diagnostics JsonDiagnostics::inOrder() const {
+  std::vector<std::size_t> order(m_diagnostics.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return m_findings[a].offset < m_findings[b].offset; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return m_diagnostics[a].offset < m_diagnostics[b].offset;
+  });
   Diagnostics result;
   result.reserve(order.size());
   Place place;
   for (const std::size_t i : order) {
-    place.advanceTo(m_findings[i].offset, m_document.text());
-    Diagnostic& diagnostic = result.emplace_back(m_findings[i].diagnostic);
+    place.advanceTo(m_diagnostics[i].offset, m_document.text());
+    Diagnostic& diagnostic = result.emplace_back(m_diagnostics[i].diagnostic);
     diagnostic.line = place.line;
     diagnostic.column = place.column;
     if (diagnostic.code == Code::schema) {
@@ -167,8 +168,8 @@ Diagnostics JsonFindings::inOrder() const {
   return result;
 }
 
-void checkJson(const JsonDocument& document, JsonFindings& findings) {
-  Walk(findings).visit(document.root());
+void checkJson(const JsonDocument& document, JsonDiagnostics& diagnostics) {
+  Walk(diagnostics).visit(document.root());
 }
 
 std::string pointerStep(std::string_view name) {

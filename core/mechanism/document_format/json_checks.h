@@ -12,9 +12,9 @@
 namespace geargraph::inline document_format {
 
 /// Collects the diagnostics of one JSON text with their positions.
-class JsonFindings {
+class JsonDiagnostics {
  public:
-  explicit JsonFindings(const JsonDocument& document) : m_document(document) {}
+  explicit JsonDiagnostics(const JsonDocument& document) : m_document(document) {}
 
   /// `pointer` is the JSON pointer of the wrong value; `at` is that value, or the one that should contain it
   /// if it is missing.
@@ -25,7 +25,7 @@ class JsonFindings {
   /// only be its consequence.
   [[nodiscard]] bool covers(std::string_view pointer) const;
 
-  [[nodiscard]] bool empty() const { return m_findings.empty(); }
+  [[nodiscard]] bool empty() const { return m_diagnostics.empty(); }
   /// All diagnostics in the order of the text, with line and column; those of `schema` include their pointer.
   /// Cost: O(text + k log k).
   [[nodiscard]] Diagnostics inOrder() const;
@@ -36,13 +36,13 @@ class JsonFindings {
     std::size_t offset = 0;
   };
   const JsonDocument& m_document;
-  std::vector<Placed> m_findings;
+  std::vector<Placed> m_diagnostics;
   std::unordered_set<std::string> m_pointers;
 };
 
 /// Checks that apply whatever the members mean: lists of more than kLongestList elements, a member name twice
 /// in one object, numbers too large for a double. One `schema` diagnostic each. Cost: O(values).
-void checkJson(const JsonDocument& document, JsonFindings& findings);
+void checkJson(const JsonDocument& document, JsonDiagnostics& diagnostics);
 
 /// One step of a JSON pointer (RFC 6901), with its slash.
 [[nodiscard]] std::string pointerStep(std::string_view name);

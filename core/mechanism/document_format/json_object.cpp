@@ -43,8 +43,8 @@ constexpr std::string_view kNumber = toTranslate("a number, or a fraction as a s
 
 }  // namespace
 
-JsonObject::JsonObject(JsonFindings& findings, JsonValue value, std::string pointer)
-    : m_findings(findings),
+JsonObject::JsonObject(JsonDiagnostics& diagnostics, JsonValue value, std::string pointer)
+    : m_diagnostics(diagnostics),
       m_value(value),
       m_pointer(std::move(pointer)),
       m_isObject(value.is(JsonKind::object)) {
@@ -52,9 +52,10 @@ JsonObject::JsonObject(JsonFindings& findings, JsonValue value, std::string poin
 }
 
 void JsonObject::wrongAt(const std::string& pointer, JsonValue found, std::string_view expected) {
-  if (m_findings.covers(pointer)) return;
-  m_findings.add(Code::schema, translated("expected %1, found %2.", {translated(expected), described(found)}),
-                 m_blamed, pointer, found);
+  if (m_diagnostics.covers(pointer)) return;
+  m_diagnostics.add(Code::schema,
+                    translated("expected %1, found %2.", {translated(expected), described(found)}), m_blamed,
+                    pointer, found);
 }
 
 void JsonObject::wrong(std::string_view name, JsonValue found, std::string_view expected) {
@@ -69,9 +70,9 @@ std::optional<JsonValue> JsonObject::member(std::string_view name) {
 std::optional<JsonValue> JsonObject::required(std::string_view name, std::string_view expected) {
   auto value = member(name);
   if (!value && m_isObject) {
-    m_findings.add(Code::schema,
-                   translated("the member \"%1\" is missing; expected %2.", {name, translated(expected)}),
-                   m_blamed, pointerTo(name), m_value);
+    m_diagnostics.add(Code::schema,
+                      translated("the member \"%1\" is missing; expected %2.", {name, translated(expected)}),
+                      m_blamed, pointerTo(name), m_value);
   }
   return value;
 }
@@ -105,7 +106,7 @@ std::optional<std::vector<Atom>> JsonObject::ids(std::string_view name) {
   std::vector<Atom> result;
   if (!value->is(JsonKind::array)) {
     wrong(name, *value, toTranslate("a list of ids"));
-  } else if (!m_findings.covers(pointerTo(name))) {
+  } else if (!m_diagnostics.covers(pointerTo(name))) {
     value->forEachElement([&](JsonValue element, std::size_t position) {
       result.push_back(idOf(element, pointerTo(name) + pointerStep(position)).value_or(Atom()));
     });
@@ -124,7 +125,7 @@ std::optional<std::string> JsonObject::text(std::string_view name) {
 std::optional<std::string> JsonObject::shortText(std::string_view name) {
   auto result = text(name);
   if (!result || utf8Count(*result) <= kLongestName) return result;
-  m_findings.add(
+  m_diagnostics.add(
       Code::schema,
       translated("expected at most 1,000 characters, found %1.", {std::to_string(utf8Count(*result))}),
       m_blamed, pointerTo(name), *m_value.member(name));

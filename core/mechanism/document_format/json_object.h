@@ -20,7 +20,7 @@ class JsonObject {
  public:
   /// Adds a diagnostic if the value is no object; then every member reads as absent, without further
   /// diagnostics.
-  JsonObject(JsonFindings& findings, JsonValue value, std::string pointer);
+  JsonObject(JsonDiagnostics& diagnostics, JsonValue value, std::string pointer);
 
   /// From here on, diagnostics name this element.
   void blame(const ElementId& element) { m_blamed = {element}; }
@@ -62,7 +62,7 @@ class JsonObject {
   void wrongAt(const std::string& pointer, JsonValue found, std::string_view expected);
   [[nodiscard]] std::string pointerTo(std::string_view name) const { return m_pointer + pointerStep(name); }
 
-  JsonFindings& m_findings;
+  JsonDiagnostics& m_diagnostics;
   JsonValue m_value;
   std::string m_pointer;
   std::vector<ElementId> m_blamed;

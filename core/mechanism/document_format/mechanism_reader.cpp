@@ -63,16 +63,16 @@ class Places {
 class MechanismReader {
  public:
   explicit MechanismReader(const JsonDocument& document)
-      : m_document(document), m_root(document.root()), m_findings(document) {}
+      : m_document(document), m_root(document.root()), m_diagnostics(document) {}
 
   Expected<Mechanism> run() {
-    if (!readHeader()) return m_findings.inOrder();
-    checkJson(m_document, m_findings);
-    JsonObject root(m_findings, m_root, "");
+    if (!readHeader()) return m_diagnostics.inOrder();
+    checkJson(m_document, m_diagnostics);
+    JsonObject root(m_diagnostics, m_root, "");
     readRoot(root);
     m_mechanism.unknown = root.unknown();
-    addSemanticFindings();
-    if (!m_findings.empty()) return m_findings.inOrder();
+    addSemanticDiagnostics();
+    if (!m_diagnostics.empty()) return m_diagnostics.inOrder();
     return std::move(m_mechanism);
   }
 
@@ -86,7 +86,7 @@ class MechanismReader {
     if (!version || !version->is(JsonKind::number)) return true;  // readRoot() says what is wrong
     const auto number = Rational::fromText(version->slice());
     if (!number || !number->isInteger() || *number <= kFileVersion) return true;
-    m_findings.add(
+    m_diagnostics.add(
         Code::version,
         translated("The file has version %1, but this program reads version %2: open it with a newer "
                    "GearGraph.",
@@ -96,7 +96,7 @@ class MechanismReader {
   }
 
   bool notThisFormat(JsonValue at) {
-    m_findings.add(
+    m_diagnostics.add(
         Code::format,
         translated("This is not a GearGraph document: the member \"format\" has to be \"geargraph\"."), {},
         "/format", at);
@@ -116,7 +116,7 @@ class MechanismReader {
     readLoads(root);
     m_mechanism.density = root.number("density");
     m_mechanism.gravity = root.triple("gravity");
-    if (const auto view = root.member("view")) m_mechanism.view = readView(m_findings, *view);
+    if (const auto view = root.member("view")) m_mechanism.view = readView(m_diagnostics, *view);
   }
 
   void readStructure(JsonObject& root) {
@@ -151,9 +151,9 @@ class MechanismReader {
     readMass(from, link);
     const auto shapes = from.member("shapes");
     const std::string pointer = from.pointer() + "/shapes";
-    if (!shapes || m_findings.covers(pointer)) return;
+    if (!shapes || m_diagnostics.covers(pointer)) return;
     if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, toTranslate("a list of 3D files"));
-    link.shapes = readShapes(m_findings, *shapes, pointer, link.id);
+    link.shapes = readShapes(m_diagnostics, *shapes, pointer, link.id);
   }
 
   static void readMass(JsonObject& from, Link& link) {
@@ -191,7 +191,7 @@ class MechanismReader {
                wheel.backlash = from.number("backlash");
              });
     if (const auto value = root.member("gearDefaults")) {
-      JsonObject from(m_findings, *value, "/gearDefaults");
+      JsonObject from(m_diagnostics, *value, "/gearDefaults");
       GearDefaults& defaults = m_mechanism.gearDefaults.emplace();
       defaults.pressureAngle = from.number("pressureAngle");
       defaults.backlash = from.number("backlash");
@@ -259,7 +259,7 @@ class MechanismReader {
       for (const Atom id : from.ids("links").value_or(std::vector<Atom>{})) coupling.links.emplace_back(id);
     } else {
       if (kind) from.wrong("kind", *kind, toTranslate("\"brake\" or \"clutch\""));
-      if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more findings
+      if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more diagnostics
     }
   }
 
@@ -323,28 +323,28 @@ class MechanismReader {
     return axis ? std::optional(AxisId(*axis)) : std::nullopt;
   }
 
-  /// Calls read(object) for each element of a list; a value that is no list is a finding.
+  /// Calls read(object) for each element of a list; a value that is no list is a diagnostic.
   template <class Read>
   bool forEachObject(JsonValue list, const std::string& pointer, Read read) {
-    if (m_findings.covers(pointer)) return false;  // too long: said already
+    if (m_diagnostics.covers(pointer)) return false;  // too long: said already
     if (!list.is(JsonKind::array)) {
-      m_findings.add(Code::schema, translated("expected a list."), {}, pointer, list);
+      m_diagnostics.add(Code::schema, translated("expected a list."), {}, pointer, list);
       return false;
     }
     list.forEachElement([&](JsonValue value, std::size_t position) {
-      JsonObject object(m_findings, value, pointer + pointerStep(position));
+      JsonObject object(m_diagnostics, value, pointer + pointerStep(position));
       read(object);
     });
     return true;
   }
 
   /// Reads a list of elements with ids. Each element of the file gives one here, however broken, so that
-  /// positions in findings stay those of the file.
+  /// positions in diagnostics stay those of the file.
   template <class Element, class Read>
   void readList(std::optional<JsonValue> list, ElementKind kind, std::vector<Element>& elements, Read read) {
     const std::string pointer = pointerStep(listName(kind));
     if (!list) {
-      if (m_findings.covers(pointer)) m_unread.insert(kind);
+      if (m_diagnostics.covers(pointer)) m_unread.insert(kind);
       return;
     }
     const bool isRead = forEachObject(*list, pointer, [&](JsonObject& from) {
@@ -363,24 +363,24 @@ class MechanismReader {
     if (!isRead) m_unread.insert(kind);
   }
 
-  /// What is wrong with the elements together, without what only follows from a finding there is already.
-  void addSemanticFindings() {
+  /// What is wrong with the elements together, without what only follows from a diagnostic there is already.
+  void addSemanticDiagnostics() {
     const Diagnostics found = wellFormedDiagnostics(m_mechanism);
     if (found.empty()) return;
     const Places places(m_root);
     for (const Diagnostic& diagnostic : found) {
-      if (m_findings.covers(diagnostic.pointer)) continue;
+      if (m_diagnostics.covers(diagnostic.pointer)) continue;
       const bool toUnread = diagnostic.code == Code::unknownId && !diagnostic.elements.empty() &&
                             m_unread.contains(diagnostic.elements.back().kind);
       if (toUnread) continue;
-      m_findings.add(diagnostic.code, diagnostic.message, diagnostic.elements, diagnostic.pointer,
-                     places.at(diagnostic.pointer, m_root));
+      m_diagnostics.add(diagnostic.code, diagnostic.message, diagnostic.elements, diagnostic.pointer,
+                        places.at(diagnostic.pointer, m_root));
     }
   }
 
   const JsonDocument& m_document;
   JsonValue m_root;
-  JsonFindings m_findings;
+  JsonDiagnostics m_diagnostics;
   Mechanism m_mechanism;
   std::set<ElementKind> m_unread;  ///< lists with an id that could not be read
 };

@@ -51,12 +51,12 @@ class TableReader {
       : m_separator(csvSeparatorOf(bytes)), m_records(bytes, m_separator) {}
 
   Expected<Mechanism> run() {
-    if (!readHeader()) return m_findings.all();
-    while (!m_findings.isFull() && !m_isBeyondLimits && m_records.next(m_fields)) readRow();
+    if (!readHeader()) return m_diagnostics.all();
+    while (!m_diagnostics.isFull() && !m_isBeyondLimits && m_records.next(m_fields)) readRow();
     if (const auto& error = m_records.error())
-      m_findings.add(error->code, error->message, {}, error->line, error->column);
-    if (m_findings.empty()) addSemanticFindings();
-    if (!m_findings.empty()) return m_findings.all();
+      m_diagnostics.add(error->code, error->message, {}, error->line, error->column);
+    if (m_diagnostics.empty()) addSemanticDiagnostics();
+    if (!m_diagnostics.empty()) return m_diagnostics.all();
     return std::move(m_mechanism);
   }
 
@@ -64,22 +64,22 @@ class TableReader {
   bool readHeader() {
     const bool isRead = m_records.next(m_fields);
     if (const auto& error = m_records.error()) {
-      m_findings.add(error->code, error->message, {}, error->line, error->column);
+      m_diagnostics.add(error->code, error->message, {}, error->line, error->column);
       return false;
     }
     const auto named = [](const CsvField& field) { return field.text == "element"; };
     if (!isRead || std::none_of(m_fields.begin(), m_fields.end(), named)) {
-      m_findings.add(Code::format,
-                     translated("This is no table of a mechanism: its first row has to name the columns, "
-                                "\"element\" among them."),
-                     {}, 1, 1);
+      m_diagnostics.add(Code::format,
+                        translated("This is no table of a mechanism: its first row has to name the columns, "
+                                   "\"element\" among them."),
+                        {}, 1, 1);
       return false;
     }
     for (std::size_t i = 0; i < m_fields.size(); ++i) readColumn(i);
     if (m_records.count() > m_fields.size())
-      m_findings.add(Code::schema, translated("There are too many columns."), {}, m_fields.back().line,
-                     m_fields.back().column);
-    return m_findings.empty();
+      m_diagnostics.add(Code::schema, translated("There are too many columns."), {}, m_fields.back().line,
+                        m_fields.back().column);
+    return m_diagnostics.empty();
   }
 
   void readColumn(std::size_t position) {
@@ -88,14 +88,14 @@ class TableReader {
     const auto known = std::find(kTableColumns.begin(), kTableColumns.end(), field.text);
     if (known == kTableColumns.end()) {
       std::vector<std::string> names(kTableColumns.begin(), kTableColumns.end());
-      m_findings.add(
+      m_diagnostics.add(
           Code::schema,
           translated("There is no column \"%1\": %2.",
                      {field.text.substr(0, kLongestName), listed(names, kAllNames, toTranslate("or"))}),
           {}, field.line, field.column);
     } else if (!m_header.emplace(*known, position).second) {
-      m_findings.add(Code::schema, translated("The column \"%1\" occurs twice.", {field.text}), {},
-                     field.line, field.column);
+      m_diagnostics.add(Code::schema, translated("The column \"%1\" occurs twice.", {field.text}), {},
+                        field.line, field.column);
     }
   }
 
@@ -103,7 +103,7 @@ class TableReader {
     const auto isEmpty = [](const CsvField& field) { return field.text.empty(); };
     if (std::all_of(m_fields.begin(), m_fields.end(), isEmpty)) return;
     if (!hasOnlyNamedCells()) return;
-    TableRowReader row(m_header, m_fields, m_separator != ',', m_findings);
+    TableRowReader row(m_header, m_fields, m_separator != ',', m_diagnostics);
     const std::size_t at = m_header.at("element");
     const std::string element = at < m_fields.size() ? m_fields[at].text : "";
     if (!readElement(element, row)) {
@@ -119,7 +119,7 @@ class TableReader {
     row.rejectOtherCells(element);
   }
 
-  /// False, with a finding, where a cell with a text is under no name.
+  /// False, with a diagnostic, where a cell with a text is under no name.
   bool hasOnlyNamedCells() {
     std::vector<bool> isNamed(m_fields.size());
     for (const auto& [name, position] : m_header) {
@@ -127,13 +127,13 @@ class TableReader {
     }
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
       if (isNamed[i] || m_fields[i].text.empty()) continue;
-      m_findings.add(Code::schema, translated("This cell is in a column without a name."), {},
-                     m_fields[i].line, m_fields[i].column);
+      m_diagnostics.add(Code::schema, translated("This cell is in a column without a name."), {},
+                        m_fields[i].line, m_fields[i].column);
       return false;
     }
     if (m_records.count() <= m_fields.size()) return true;
-    m_findings.add(Code::schema, translated("This row has more cells than there are columns."), {},
-                   m_fields.front().line, m_fields.front().column);
+    m_diagnostics.add(Code::schema, translated("This row has more cells than there are columns."), {},
+                      m_fields.front().line, m_fields.front().column);
     return false;
   }
 
@@ -239,10 +239,10 @@ class TableReader {
     }
   }
 
-  void addSemanticFindings() {
+  void addSemanticDiagnostics() {
     for (const Diagnostic& found : wellFormedDiagnostics(m_mechanism)) {
       const auto [line, column] = placeOf(found.pointer);
-      m_findings.add(found.code, found.message, found.elements, line, column);
+      m_diagnostics.add(found.code, found.message, found.elements, line, column);
     }
   }
 
@@ -276,7 +276,7 @@ class TableReader {
   CsvRecords m_records;
   std::vector<CsvField> m_fields;
   TableHeader m_header;
-  TableFindings m_findings;
+  TableDiagnostics m_diagnostics;
   Mechanism m_mechanism;
   std::optional<CsvRecords::Place> m_documentPlace;
   std::unordered_map<std::string_view, std::vector<CsvRecords::Place>> m_places;  ///< rows by list

@@ -22,8 +22,8 @@ std::string quoted(const std::string& cell) {
 
 }  // namespace
 
-void TableFindings::add(Code code, std::string message, std::vector<ElementId> elements, int line,
-                        int column) {
+void TableDiagnostics::add(Code code, std::string message, std::vector<ElementId> elements, int line,
+                           int column) {
   if (isFull()) {
     m_hasMore = true;
     return;
@@ -31,7 +31,7 @@ void TableFindings::add(Code code, std::string message, std::vector<ElementId> e
   m_found.push_back({code, std::move(message), std::move(elements), {}, line, column});
 }
 
-Diagnostics TableFindings::all() const {
+Diagnostics TableDiagnostics::all() const {
   Diagnostics found = m_found;
   if (m_hasMore) {
     const int line = found.back().line;
@@ -47,11 +47,11 @@ Diagnostics TableFindings::all() const {
 }
 
 TableRowReader::TableRowReader(const TableHeader& header, const std::vector<CsvField>& fields,
-                               bool hasDecimalComma, TableFindings& findings)
+                               bool hasDecimalComma, TableDiagnostics& diagnostics)
     : m_header(header),
       m_fields(fields),
       m_hasDecimalComma(hasDecimalComma),
-      m_findings(findings),
+      m_diagnostics(diagnostics),
       m_isRead(fields.size()) {}
 
 const std::string& TableRowReader::cell(std::string_view column) {
@@ -66,7 +66,7 @@ void TableRowReader::wrong(std::string_view column, std::string message) {
   const auto found = m_header.find(column);
   const bool hasCell = found != m_header.end() && found->second < m_fields.size();
   const CsvField& at = hasCell ? m_fields[found->second] : m_fields.front();
-  m_findings.add(Code::schema, std::move(message), m_blamed, at.line, at.column);
+  m_diagnostics.add(Code::schema, std::move(message), m_blamed, at.line, at.column);
 }
 
 void TableRowReader::wrongRow(std::string message) {

@@ -15,7 +15,7 @@
 namespace geargraph::inline document_format {
 
 /// Collects at most kMost diagnostics about a table, so that a malicious file cannot exhaust the memory.
-class TableFindings {
+class TableDiagnostics {
  public:
   static constexpr std::size_t kMost = 100;
 
@@ -41,7 +41,7 @@ class TableRowReader {
 
   /// @pre all of them outlive the reader
   TableRowReader(const TableHeader& header, const std::vector<CsvField>& fields, bool hasDecimalComma,
-                 TableFindings& findings);
+                 TableDiagnostics& diagnostics);
 
   void text(std::string_view column, std::string& text);
   template <class Tag>
@@ -87,7 +87,7 @@ class TableRowReader {
   const TableHeader& m_header;
   const std::vector<CsvField>& m_fields;
   bool m_hasDecimalComma;
-  TableFindings& m_findings;
+  TableDiagnostics& m_diagnostics;
   std::vector<ElementId> m_blamed;
   std::vector<bool> m_isRead;  ///< by position
 };

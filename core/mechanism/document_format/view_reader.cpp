@@ -43,8 +43,8 @@ std::optional<std::array<double, N>> coordinatesOf(JsonValue value) {
 
 class ViewReader {
  public:
-  ViewReader(JsonFindings& findings, JsonValue value)
-      : m_findings(findings), m_from(findings, value, "/view") {}
+  ViewReader(JsonDiagnostics& diagnostics, JsonValue value)
+      : m_diagnostics(diagnostics), m_from(diagnostics, value, "/view") {}
 
   View run() {
     View view;
@@ -71,8 +71,8 @@ class ViewReader {
         return;
       }
       const std::string pointer = "/view" + pointerStep(name) + pointerStep(key.string());
-      if (m_findings.covers(pointer)) return;
-      m_findings.add(
+      if (m_diagnostics.covers(pointer)) return;
+      m_diagnostics.add(
           Code::schema,
           translated("expected the point of a node: a list of two numbers, x to the right and y down."), {},
           pointer, point);
@@ -82,13 +82,13 @@ class ViewReader {
 
   std::vector<SheetNote> notes(JsonValue list) {
     std::vector<SheetNote> found;
-    if (m_findings.covers("/view/notes")) return found;  // too long: said already
+    if (m_diagnostics.covers("/view/notes")) return found;  // too long: said already
     if (!list.is(JsonKind::array)) {
       m_from.wrong("notes", list, toTranslate("a list of notes"));
       return found;
     }
     list.forEachElement([&](JsonValue value, std::size_t position) {
-      JsonObject from(m_findings, value, "/view/notes" + pointerStep(position));
+      JsonObject from(m_diagnostics, value, "/view/notes" + pointerStep(position));
       SheetNote& note = found.emplace_back();
       note.id = NoteId(from.requiredId("id"));
       if (!note.id.empty()) from.blame(note.id);
@@ -106,7 +106,7 @@ class ViewReader {
   }
 
   ViewCamera camera(JsonValue value) {
-    JsonObject from(m_findings, value, "/view/camera");
+    JsonObject from(m_diagnostics, value, "/view/camera");
     ViewCamera camera;
     if (const auto target = from.required("target", toTranslate("the point that the camera looks at"))) {
       const auto point = coordinatesOf<3>(*target);
@@ -126,25 +126,25 @@ class ViewReader {
     return camera;
   }
 
-  JsonFindings& m_findings;
+  JsonDiagnostics& m_diagnostics;
   JsonObject m_from;
 };
 
 }  // namespace
 
-std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list, const std::string& pointer,
+std::vector<LinkShape> readShapes(JsonDiagnostics& diagnostics, JsonValue list, const std::string& pointer,
                                   LinkId link) {
   std::vector<LinkShape> shapes;
   list.forEachElement([&](JsonValue value, std::size_t position) {
-    JsonObject from(findings, value, pointer + pointerStep(position));
+    JsonObject from(diagnostics, value, pointer + pointerStep(position));
     from.blame(link);
     shapes.push_back(readShape(from));
   });
   return shapes;
 }
 
-View readView(JsonFindings& findings, JsonValue value) {
-  return ViewReader(findings, value).run();
+View readView(JsonDiagnostics& diagnostics, JsonValue value) {
+  return ViewReader(diagnostics, value).run();
 }
 
 }  // namespace geargraph::inline document_format

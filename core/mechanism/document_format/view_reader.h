@@ -8,10 +8,10 @@
 namespace geargraph::inline document_format {
 
 /// The 3D files attached to a link, from its member `shapes`; diagnostics name the link.
-[[nodiscard]] std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list,
+[[nodiscard]] std::vector<LinkShape> readShapes(JsonDiagnostics& diagnostics, JsonValue list,
                                                 const std::string& pointer, LinkId link);
 
 /// What the editor remembers of its drawings, from the member `view` of the document.
-[[nodiscard]] View readView(JsonFindings& findings, JsonValue value);
+[[nodiscard]] View readView(JsonDiagnostics& diagnostics, JsonValue value);
 
 }  // namespace geargraph::inline document_format

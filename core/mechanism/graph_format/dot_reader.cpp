@@ -149,7 +149,7 @@ class DotReader {
   Expected<GraphParts> run() {
     for (std::size_t at = 0; at < m_text.size();) {
       const std::size_t length = utf8Length(m_text, at);
-      if (length == 0) return finding(Code::syntax, translated("The text is not UTF-8."), at);
+      if (length == 0) return makeDiagnostics(Code::syntax, translated("The text is not UTF-8."), at);
       at += length;
     }
     next();
@@ -169,15 +169,15 @@ class DotReader {
   };
   using Given = std::vector<std::pair<std::string, AttributePtr>>;
 
-  Diagnostics finding(Code code, std::string message, std::size_t offset) const {
-    GraphFindings findings(m_text);
-    findings.add(code, std::move(message), offset);
-    return findings.inOrder();
+  Diagnostics makeDiagnostics(Code code, std::string message, std::size_t offset) const {
+    GraphDiagnostics diagnostics(m_text);
+    diagnostics.add(code, std::move(message), offset);
+    return diagnostics.inOrder();
   }
   /// Always false. What the scanner has found wrong goes first.
   bool fail(const DotToken& at, const std::string& message, Code code = Code::syntax) {
     const bool isFault = at.kind == DotToken::Kind::fault;
-    m_failure = finding(isFault ? Code::syntax : code, isFault ? at.text : message, at.offset);
+    m_failure = makeDiagnostics(isFault ? Code::syntax : code, isFault ? at.text : message, at.offset);
     return false;
   }
   bool expected(const std::string& what) {
@@ -350,7 +350,8 @@ class DotReader {
     for (std::size_t i = 0; i + 1 < ids.size(); ++i) {
       if (m_parts.edges.size() == kMostEdges) return tooManyEdges(offset);
       if (m_isStrict && !m_pairs.emplace(ids[i], ids[i + 1]).second) {
-        m_failure = finding(Code::schema,
+        m_failure =
+            makeDiagnostics(Code::schema,
                             translated("The graph is strict, and a second edge leads from %1 to %2: it would "
                                        "be one with the first. Leave out \"strict\".",
                                        {quoted(ids[i]), quoted(ids[i + 1])}),
@@ -365,7 +366,8 @@ class DotReader {
   }
 
   bool tooManyEdges(std::size_t offset) {
-    m_failure = finding(Code::schema, translated("A graph of at most 200,000 edges is read."), offset);
+    m_failure =
+        makeDiagnostics(Code::schema, translated("A graph of at most 200,000 edges is read."), offset);
     return false;
   }
 
@@ -374,7 +376,8 @@ class DotReader {
     const auto [known, isNew] = m_positions.try_emplace(id, m_parts.nodes.size());
     if (isNew) {
       if (m_parts.nodes.size() == kMostNodes) {
-        m_failure = finding(Code::schema, translated("A graph of at most 100,000 nodes is read."), offset);
+        m_failure =
+            makeDiagnostics(Code::schema, translated("A graph of at most 100,000 nodes is read."), offset);
         return nullptr;
       }
       m_parts.nodes.push_back({id, offset, m_scopes.back().nodes});

@@ -39,19 +39,20 @@ void GraphParts::addUnread(std::string_view attribute) {
   if (unread.size() < kMostNames && attribute.size() <= kLongest) unread.emplace(attribute);
 }
 
-void GraphFindings::add(Code code, std::string message, std::size_t offset, std::vector<ElementId> elements) {
+void GraphDiagnostics::add(Code code, std::string message, std::size_t offset,
+                           std::vector<ElementId> elements) {
   if (isFull()) return;
-  m_findings.emplace_back(offset, Diagnostic{code, std::move(message), std::move(elements), {}, 0, 0});
+  m_diagnostics.emplace_back(offset, Diagnostic{code, std::move(message), std::move(elements), {}, 0, 0});
 }
 
-Diagnostics GraphFindings::inOrder() const {
-  std::vector<std::pair<std::size_t, Diagnostic>> sorted = m_findings;
+Diagnostics GraphDiagnostics::inOrder() const {
+  std::vector<std::pair<std::size_t, Diagnostic>> sorted = m_diagnostics;
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   Diagnostics result;
   std::size_t at = 0;
   int line = 1, column = 1;
-  for (auto& [offset, finding] : sorted) {
+  for (auto& [offset, diagnostic] : sorted) {
     for (; at < std::min(offset, m_text.size()); ++at) {
       const bool continues = (static_cast<unsigned char>(m_text[at]) & 0xC0U) == 0x80U;
       if (m_text[at] == '\n') {
@@ -61,9 +62,9 @@ Diagnostics GraphFindings::inOrder() const {
         ++column;
       }
     }
-    finding.line = line;
-    finding.column = column;
-    result.push_back(std::move(finding));
+    diagnostic.line = line;
+    diagnostic.column = column;
+    result.push_back(std::move(diagnostic));
   }
   return result;
 }
@@ -82,13 +83,13 @@ std::string quoted(std::string_view text) {
 }
 
 Diagnostics undirectedGraph(std::string_view text, std::size_t offset) {
-  GraphFindings findings(text);
-  findings.add(
+  GraphDiagnostics diagnostics(text);
+  diagnostics.add(
       Code::format,
       translated("The graph is undirected, so that it does not say which link of a joint or mesh is tail and "
                  "which is head: the signs and the teeth of each gear depend on it. Make it directed."),
       offset);
-  return findings.inOrder();
+  return diagnostics.inOrder();
 }
 
 }  // namespace geargraph::inline graph_format

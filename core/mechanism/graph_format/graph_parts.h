@@ -63,20 +63,20 @@ struct GraphParts {
 };
 
 /// Collects at most 100 diagnostics about the text of a graph.
-class GraphFindings {
+class GraphDiagnostics {
  public:
-  explicit GraphFindings(std::string_view text) : m_text(text) {}
+  explicit GraphDiagnostics(std::string_view text) : m_text(text) {}
 
   void add(Code code, std::string message, std::size_t offset, std::vector<ElementId> elements = {});
-  [[nodiscard]] bool empty() const { return m_findings.empty(); }
-  [[nodiscard]] bool isFull() const { return m_findings.size() >= kMost; }
+  [[nodiscard]] bool empty() const { return m_diagnostics.empty(); }
+  [[nodiscard]] bool isFull() const { return m_diagnostics.size() >= kMost; }
   /// All diagnostics in the order of the text, with line and column. Cost: O(text).
   [[nodiscard]] Diagnostics inOrder() const;
 
  private:
   static constexpr std::size_t kMost = 100;
   std::string_view m_text;
-  std::vector<std::pair<std::size_t, Diagnostic>> m_findings;
+  std::vector<std::pair<std::size_t, Diagnostic>> m_diagnostics;
 };
 
 /// A text of the file, quoted for a sentence; a long one is truncated.

@@ -64,9 +64,9 @@ class GraphMlReader {
     return at < 0 ? 0 : static_cast<std::size_t>(at);
   }
   void fail(Code code, std::string message) {
-    GraphFindings findings(m_text);
-    findings.add(code, std::move(message), offset());
-    m_failure = findings.inOrder();
+    GraphDiagnostics diagnostics(m_text);
+    diagnostics.add(code, std::move(message), offset());
+    m_failure = diagnostics.inOrder();
     XML_StopParser(m_parser.get(), XML_FALSE);
   }
 

@@ -1,5 +1,5 @@
 // A mechanism from the parts of a graph: they are put together as a document, which the document's reader
-// judges; its findings get the places that they have in the graph.
+// judges; its diagnostics get the places that they have in the graph.
 
 #include <algorithm>
 #include <charconv>
@@ -71,13 +71,13 @@ struct Origin {
 class MechanismGraphReader {
  public:
   MechanismGraphReader(std::string_view text, GraphParts parts)
-      : m_text(text), m_parts(std::move(parts)), m_findings(text) {}
+      : m_text(text), m_parts(std::move(parts)), m_diagnostics(text) {}
 
   Expected<GraphReading> run() {
-    if (!isOfThisVersion()) return m_findings.inOrder();
+    if (!isOfThisVersion()) return m_diagnostics.inOrder();
     if (m_parts.edges.empty() && m_parts.nodes.empty())
-      m_findings.add(Code::schema, translated("The graph has no node; the first one is the ground."),
-                     m_parts.offset);
+      m_diagnostics.add(Code::schema, translated("The graph has no node; the first one is the ground."),
+                        m_parts.offset);
     sortNodes();
     sortEdges();
     writeHead();
@@ -86,11 +86,11 @@ class MechanismGraphReader {
     writeEdges(GraphPart::turningEdge, "turningJoints", m_joints);
     writeEdges(GraphPart::meshEdge, "gearMeshes", m_meshes);
     m_json += '}';
-    if (!m_findings.empty()) return m_findings.inOrder();
+    if (!m_diagnostics.empty()) return m_diagnostics.inOrder();
     auto mechanism = readMechanism(m_json);
     if (!mechanism) {
-      for (const Diagnostic& found : mechanism.error()) addFinding(found);
-      return m_findings.inOrder();
+      for (const Diagnostic& found : mechanism.error()) addDiagnostic(found);
+      return m_diagnostics.inOrder();
     }
     addUnread();
     return GraphReading{std::move(mechanism).value(), std::move(m_notes)};
@@ -103,7 +103,7 @@ class MechanismGraphReader {
     m_isOurs = true;
     const auto number = wholeNumber(version->text);
     if (number && *number >= 1 && *number <= kGraphVersion) return true;
-    m_findings.add(
+    m_diagnostics.add(
         Code::version,
         translated(
             "The graph has version %1, but this program reads version %2: read it with a newer GearGraph.",
@@ -167,7 +167,7 @@ class MechanismGraphReader {
   std::optional<GraphPart> partOf(const ReadEdge& edge) {
     const AttributeText* const kind = edge.attributes.find(kEdgeKind);
     if (kind == nullptr) {
-      m_findings.add(
+      m_diagnostics.add(
           Code::schema,
           translated("%1 lacks the attribute \"kind\"; expected \"turning\" or \"mesh\".", {nameOf(edge)}),
           edge.offset);
@@ -176,25 +176,25 @@ class MechanismGraphReader {
     if (kind->text == kTurning) return GraphPart::turningEdge;
     if (kind->text == kMesh) return GraphPart::meshEdge;
     const bool isTtGraph = kind->text == "branch" || kind->text == "chord";
-    m_findings.add(Code::schema,
-                   isTtGraph ? translated("%1: its \"kind\" is %2, so this is a T-T graph; the digraph "
-                                          "(--view digraph) is read back.",
-                                          {nameOf(edge), quoted(kind->text)})
-                             : translated("%1: its \"kind\" is %2; expected \"turning\" or \"mesh\".",
-                                          {nameOf(edge), quoted(kind->text)}),
-                   edge.offset);
+    m_diagnostics.add(Code::schema,
+                      isTtGraph ? translated("%1: its \"kind\" is %2, so this is a T-T graph; the digraph "
+                                             "(--view digraph) is read back.",
+                                             {nameOf(edge), quoted(kind->text)})
+                                : translated("%1: its \"kind\" is %2; expected \"turning\" or \"mesh\".",
+                                             {nameOf(edge), quoted(kind->text)}),
+                      edge.offset);
     return std::nullopt;
   }
 
-  /// False beyond what a document may have, with a finding.
+  /// False beyond what a document may have, with a diagnostic.
   bool append(std::string_view json) {
     if (m_json.size() + json.size() <= kLargestFile) {
       m_json += json;
       return true;
     }
     if (!m_isTooLarge)
-      m_findings.add(Code::schema, translated("As a document the graph has more than 64 MiB."),
-                     m_parts.offset);
+      m_diagnostics.add(Code::schema, translated("As a document the graph has more than 64 MiB."),
+                        m_parts.offset);
     m_isTooLarge = true;
     return false;
   }
@@ -211,10 +211,10 @@ class MechanismGraphReader {
       }
       const auto written = documentValue(*value, member->type);
       if (!written) {
-        m_findings.add(Code::schema,
-                       translated("%1, %2: expected a list or an object as JSON, found %3.",
-                                  {origin.name, name, quoted(value->text)}),
-                       origin.offset, origin.elements);
+        m_diagnostics.add(Code::schema,
+                          translated("%1, %2: expected a list or an object as JSON, found %3.",
+                                     {origin.name, name, quoted(value->text)}),
+                          origin.offset, origin.elements);
         continue;
       }
       if (!append((hasMembers ? "," : "") + jsonString(member->member) + ':' + *written)) return;
@@ -239,8 +239,8 @@ class MechanismGraphReader {
       const Origin& origin = m_origins["links"].emplace_back(
           Origin{translated("The node %1", {quoted(node.key)}), node.offset, GraphPart::node, {LinkId(id)}});
       if (!m_links.emplace(node.key, id).second) {
-        m_findings.add(Code::duplicateId, translated("%1 is in the graph twice.", {origin.name}),
-                       node.offset);
+        m_diagnostics.add(Code::duplicateId, translated("%1 is in the graph twice.", {origin.name}),
+                          node.offset);
         continue;
       }
       if (!append((m_json.back() == '[' ? "{\"id\":" : ",{\"id\":") + jsonString(id))) return;
@@ -308,8 +308,8 @@ class MechanismGraphReader {
     const auto need = [&](std::string_view attribute, const char* sentence) {
       if (edge.attributes.find(attribute) != nullptr) return;
       isComplete = false;
-      m_findings.add(Code::schema, filled(translated(sentence), {origin.name, attribute}), edge.offset,
-                     origin.elements);
+      m_diagnostics.add(Code::schema, filled(translated(sentence), {origin.name, attribute}), edge.offset,
+                        origin.elements);
     };
     if (origin.part == GraphPart::turningEdge) {
       need("axis", toTranslate("%1 lacks the attribute \"%2\": the name of the axis that the joint turns "
@@ -323,14 +323,14 @@ class MechanismGraphReader {
     for (const std::string* const end : {&edge.source, &edge.target}) {
       if (m_links.contains(*end)) continue;
       isComplete = false;
-      m_findings.add(Code::unknownId, translated("%1: there is no node %2.", {origin.name, quoted(*end)}),
-                     edge.offset, origin.elements);
+      m_diagnostics.add(Code::unknownId, translated("%1: there is no node %2.", {origin.name, quoted(*end)}),
+                        edge.offset, origin.elements);
     }
     return isComplete;
   }
 
-  /// A finding about the document, as one about the graph.
-  void addFinding(const Diagnostic& found) {
+  /// A diagnostic about the document, as one about the graph.
+  void addDiagnostic(const Diagnostic& found) {
     std::string_view rest = found.pointer;
     const auto step = [&rest] {
       const std::size_t end = std::min(rest.find('/', 1), rest.size());
@@ -356,8 +356,8 @@ class MechanismGraphReader {
     if (!found.pointer.empty() && message.starts_with(prefix)) {
       message = origin->name + (path.empty() ? ": " : ", " + path + ": ") + message.substr(prefix.size());
     }
-    m_findings.add(found.code, std::move(message), origin->offset,
-                   found.elements.empty() ? origin->elements : found.elements);
+    m_diagnostics.add(found.code, std::move(message), origin->offset,
+                      found.elements.empty() ? origin->elements : found.elements);
   }
 
   void addUnread() {
@@ -370,7 +370,7 @@ class MechanismGraphReader {
 
   std::string_view m_text;
   GraphParts m_parts;
-  GraphFindings m_findings;
+  GraphDiagnostics m_diagnostics;
   std::string m_json;  ///< the document so far
   Origin m_graph;
   std::map<std::string, std::vector<Origin>> m_origins;  ///< by list of the document, in its order

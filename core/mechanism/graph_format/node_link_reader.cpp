@@ -30,8 +30,8 @@ class NodeLinkReader {
       readMembers(AttributeOwner::graph, *graph, m_parts.attributes, {});
     }
     if (nodes->size() > kMostNodes || (edges && edges->size() > kMostEdges)) {
-      return finding(translated("A graph of at most 100,000 nodes and 200,000 edges is read."),
-                     nodes->size() > kMostNodes ? *nodes : *edges);
+      return makeDiagnostics(translated("A graph of at most 100,000 nodes and 200,000 edges is read."),
+                             nodes->size() > kMostNodes ? *nodes : *edges);
     }
     nodes->forEachElement([&](JsonValue node, std::size_t) { readNode(node); });
     if (edges) edges->forEachElement([&](JsonValue edge, std::size_t) { readEdge(edge); });
@@ -40,13 +40,13 @@ class NodeLinkReader {
   }
 
  private:
-  Diagnostics finding(std::string message, JsonValue at, Code code = Code::schema) const {
-    GraphFindings findings(m_text);
-    findings.add(code, std::move(message), at.offset());
-    return findings.inOrder();
+  Diagnostics makeDiagnostics(std::string message, JsonValue at, Code code = Code::schema) const {
+    GraphDiagnostics diagnostics(m_text);
+    diagnostics.add(code, std::move(message), at.offset());
+    return diagnostics.inOrder();
   }
   Diagnostics noGraph(JsonValue at) const {
-    return finding(
+    return makeDiagnostics(
         translated("This is no node-link graph: it is an object with the lists \"nodes\" and \"links\"."), at,
         Code::format);
   }
@@ -57,7 +57,7 @@ class NodeLinkReader {
     if (value && value->is(JsonKind::string)) return value->string();
     if (value && value->is(JsonKind::number)) return std::string(value->slice());
     if (m_failure.empty()) {
-      m_failure = finding(
+      m_failure = makeDiagnostics(
           translated("Expected an object with \"%1\", a text or a number that names a node.", {member}),
           value.value_or(element));
     }
@@ -107,10 +107,10 @@ class NodeLinkReader {
 Expected<GraphParts> readNodeLink(std::string_view text) {
   const auto document = JsonDocument::parse(text);
   if (!document) return document.error();
-  JsonFindings findings(*document);
-  checkJson(*document, findings);
+  JsonDiagnostics diagnostics(*document);
+  checkJson(*document, diagnostics);
   // A list of edges may be longer than lists of documents.
-  Diagnostics found = findings.inOrder();
+  Diagnostics found = diagnostics.inOrder();
   std::erase_if(found,
                 [](const Diagnostic& each) { return each.pointer == "/links" || each.pointer == "/edges"; });
   if (!found.empty()) return found;

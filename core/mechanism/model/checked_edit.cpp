@@ -8,11 +8,11 @@ namespace geargraph::inline model {
 
 Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
                                 Diagnostics (*checks)(const Mechanism&)) {
-  for (const Diagnostics& findings : {checks(mechanism), limitDiagnostics(mechanism)}) {
-    const auto found = std::find_if(findings.begin(), findings.end(), [pointer](const Diagnostic& finding) {
-      return finding.pointer.starts_with(pointer);
-    });
-    if (found == findings.end()) continue;
+  for (const Diagnostics& diagnostics : {checks(mechanism), limitDiagnostics(mechanism)}) {
+    const auto found = std::find_if(
+        diagnostics.begin(), diagnostics.end(),
+        [pointer](const Diagnostic& diagnostic) { return diagnostic.pointer.starts_with(pointer); });
+    if (found == diagnostics.end()) continue;
     Diagnostic refusal = *found;
     refusal.pointer.clear();
     return refusal;

@@ -120,7 +120,7 @@ std::string loopRefusal(const Mechanism& edited, JointId added, const std::vecto
                    {tail, head, others});
 }
 
-/// The first finding that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
+/// The first diagnostic that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
 Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
   for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
     if (diagnostic.code != Code::turningLoop) continue;

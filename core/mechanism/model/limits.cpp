@@ -27,33 +27,33 @@ std::string pointerTo(ElementKind list, std::size_t position, const char* member
   return pointerTo(list, position) + "/" + member;
 }
 
-Diagnostic finding(std::string message, std::string pointer, std::vector<ElementId> elements = {}) {
+Diagnostic makeDiagnostic(std::string message, std::string pointer, std::vector<ElementId> elements = {}) {
   return {Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0};
 }
 
 Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<ElementId> elements = {}) {
-  return finding(
+  return makeDiagnostic(
       translated("A name has at most 1,000 characters; this one has %1.", {std::to_string(characters(text))}),
       std::move(pointer), std::move(elements));
 }
 
-void checkLength(std::size_t size, const std::string& name, Diagnostics& findings) {
+void checkLength(std::size_t size, const std::string& name, Diagnostics& diagnostics) {
   if (size <= kLongestList) return;
-  findings.push_back(
-      finding(translated("A document has at most 100,000 %1; this one has %2.", {name, std::to_string(size)}),
-              "/" + name));
+  diagnostics.push_back(makeDiagnostic(
+      translated("A document has at most 100,000 %1; this one has %2.", {name, std::to_string(size)}),
+      "/" + name));
 }
 
-void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
-  checkLength(size, std::string(listName(kind)), findings);
+void checkLength(std::size_t size, ElementKind kind, Diagnostics& diagnostics) {
+  checkLength(size, std::string(listName(kind)), diagnostics);
 }
 
 template <class Element>
-void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& findings) {
-  checkLength(list.size(), kind, findings);
+void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& diagnostics) {
+  checkLength(list.size(), kind, diagnostics);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const ElementId id = list[i].id;
-    if (isTooLong(id.id.text())) findings.push_back(tooLong(id.id.text(), pointerTo(kind, i, "id"), {id}));
+    if (isTooLong(id.id.text())) diagnostics.push_back(tooLong(id.id.text(), pointerTo(kind, i, "id"), {id}));
   }
 }
 
@@ -122,7 +122,7 @@ class RangeCheck {
 
   void number(std::vector<ElementId> elements, double value, const char* what, const std::string& pointer) {
     if (std::abs(value) <= kMost) return;
-    found.push_back(finding(translated(what), pointer, std::move(elements)));
+    found.push_back(makeDiagnostic(translated(what), pointer, std::move(elements)));
   }
   void number(std::vector<ElementId> elements, const std::optional<Number>& value, const char* what,
               const std::string& pointer) {
@@ -164,47 +164,48 @@ class RangeCheck {
   void notTooShort(const Axis& axis, const std::string& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
-    if (longest >= 1 / kMost || isZero(*axis.direction)) return;  // that of length 0 has a finding of its own
-    found.push_back(
-        finding(translated("expected a direction with a component of at least 1e-15."), pointer, {axis.id}));
+    if (longest >= 1 / kMost || isZero(*axis.direction))
+      return;  // that of length 0 has a diagnostic of its own
+    found.push_back(makeDiagnostic(translated("expected a direction with a component of at least 1e-15."),
+                                   pointer, {axis.id}));
   }
 };
 
 }  // namespace
 
 Diagnostics limitDiagnostics(const Mechanism& mechanism) {
-  Diagnostics findings;
-  if (isTooLong(mechanism.name)) findings.push_back(tooLong(mechanism.name, "/name"));
-  if (isTooLong(mechanism.unit)) findings.push_back(tooLong(mechanism.unit, "/unit"));
-  checkList(mechanism.links, ElementKind::link, findings);
-  checkList(mechanism.axes, ElementKind::axis, findings);
-  checkList(mechanism.turningJoints, ElementKind::turningJoint, findings);
-  checkList(mechanism.gearMeshes, ElementKind::gearMesh, findings);
-  checkList(mechanism.wheels, ElementKind::wheel, findings);
-  checkList(mechanism.couplings, ElementKind::coupling, findings);
-  checkLength(mechanism.states.size(), ElementKind::state, findings);
-  checkLength(mechanism.engaged.size(), "engaged", findings);
-  checkList(mechanism.loads, ElementKind::load, findings);
-  if (mechanism.balances) checkLength(mechanism.balances->size(), "balances", findings);
+  Diagnostics diagnostics;
+  if (isTooLong(mechanism.name)) diagnostics.push_back(tooLong(mechanism.name, "/name"));
+  if (isTooLong(mechanism.unit)) diagnostics.push_back(tooLong(mechanism.unit, "/unit"));
+  checkList(mechanism.links, ElementKind::link, diagnostics);
+  checkList(mechanism.axes, ElementKind::axis, diagnostics);
+  checkList(mechanism.turningJoints, ElementKind::turningJoint, diagnostics);
+  checkList(mechanism.gearMeshes, ElementKind::gearMesh, diagnostics);
+  checkList(mechanism.wheels, ElementKind::wheel, diagnostics);
+  checkList(mechanism.couplings, ElementKind::coupling, diagnostics);
+  checkLength(mechanism.states.size(), ElementKind::state, diagnostics);
+  checkLength(mechanism.engaged.size(), "engaged", diagnostics);
+  checkList(mechanism.loads, ElementKind::load, diagnostics);
+  if (mechanism.balances) checkLength(mechanism.balances->size(), "balances", diagnostics);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
     const Link& link = mechanism.links[i];
     if (isTooLong(link.name))
-      findings.push_back(tooLong(link.name, pointerTo(ElementKind::link, i, "name"), {link.id}));
+      diagnostics.push_back(tooLong(link.name, pointerTo(ElementKind::link, i, "name"), {link.id}));
   }
   for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
     const std::string& name = mechanism.states[i].name;
-    if (isTooLong(name)) findings.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
+    if (isTooLong(name)) diagnostics.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
   }
-  append(findings, noteDiagnostics(mechanism));
+  append(diagnostics, noteDiagnostics(mechanism));
   const Diagnostics beyond = RangeCheck(mechanism).found;
-  findings.insert(findings.end(), beyond.begin(), beyond.end());
-  return findings;
+  diagnostics.insert(diagnostics.end(), beyond.begin(), beyond.end());
+  return diagnostics;
 }
 
 Expected<Mechanism> checkedLimits(Mechanism mechanism) {
   Diagnostics beyond = limitDiagnostics(mechanism);
   if (beyond.empty()) return mechanism;
-  for (Diagnostic& finding : beyond) finding.pointer.clear();
+  for (Diagnostic& diagnostic : beyond) diagnostic.pointer.clear();
   return beyond;
 }
 

@@ -21,14 +21,14 @@ class LoadCheck {
     checkLosses();
     checkLoads();
     checkBalances();
-    return std::move(m_findings);
+    return std::move(m_diagnostics);
   }
 
  private:
   using Known = std::unordered_set<Atom>;
 
   void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
-    m_findings.push_back({code, std::move(message), std::move(elements), std::move(pointer), 0, 0});
+    m_diagnostics.push_back({code, std::move(message), std::move(elements), std::move(pointer), 0, 0});
   }
 
   void reference(const char* list, const ElementId& to, const Known& known, const std::string& pointer) {
@@ -109,7 +109,7 @@ class LoadCheck {
   Known m_links;
   Known m_axes;
   Known m_joints;
-  Diagnostics m_findings;
+  Diagnostics m_diagnostics;
 };
 
 }  // namespace

@@ -30,22 +30,23 @@ Expected<Mechanism> withGravity(Mechanism mechanism, std::optional<NumberTriple>
 }
 
 Diagnostics massDiagnostics(const Mechanism& mechanism) {
-  Diagnostics findings;
+  Diagnostics diagnostics;
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
     const Link& link = mechanism.links[i];
     if (!link.mass) continue;
     if (auto problem = massProblem(*link.mass)) {
-      findings.push_back({Code::schema,
-                          std::move(problem->message),
-                          {link.id},
-                          "/links/" + std::to_string(i) + "/" + problem->member,
-                          0,
-                          0});
+      diagnostics.push_back({Code::schema,
+                             std::move(problem->message),
+                             {link.id},
+                             "/links/" + std::to_string(i) + "/" + problem->member,
+                             0,
+                             0});
     }
   }
   if (mechanism.density && mechanism.density->exact().sign() <= 0)
-    findings.push_back({Code::schema, translated("A density is above 0, in kg/m³."), {}, "/density", 0, 0});
-  return findings;
+    diagnostics.push_back(
+        {Code::schema, translated("A density is above 0, in kg/m³."), {}, "/density", 0, 0});
+  return diagnostics;
 }
 
 }  // namespace geargraph::inline model

@@ -108,9 +108,9 @@ Expected<Mechanism> withNotesMoved(Mechanism mechanism,
 
 Diagnostics noteDiagnostics(const Mechanism& mechanism) {
   const std::vector<SheetNote>& notes = mechanism.view.notes;
-  Diagnostics findings;
+  Diagnostics diagnostics;
   const auto add = [&](std::string message, std::vector<ElementId> elements, std::string pointer) {
-    findings.push_back({Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0});
+    diagnostics.push_back({Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0});
   };
   if (notes.size() > kMostNotes)
     add(translated("A document has at most 1,000 notes; this one has %1.", {std::to_string(notes.size())}),
@@ -133,7 +133,7 @@ Diagnostics noteDiagnostics(const Mechanism& mechanism) {
     const bool isNear = std::abs(note.at.x) <= kMost && std::abs(note.at.y) <= kMost;
     if (!isNear) add(translated("expected a coordinate from -1e15 to 1e15."), {note.id}, at + "/at");
   }
-  return findings;
+  return diagnostics;
 }
 
 }  // namespace geargraph::inline model

@@ -16,8 +16,8 @@
 namespace geargraph::inline model {
 namespace {
 
-Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements,
-                   std::string pointer = {}) {
+Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId> elements,
+                          std::string pointer = {}) {
   return {code, std::move(message), std::move(elements), std::move(pointer), 0, 0};
 }
 
@@ -30,7 +30,7 @@ class WellFormedCheck {
     if (m_mechanism.links.empty()) {
       add(Code::schema, translated("A mechanism needs at least the ground."), {}, "/links");
     }
-    for (Diagnostic& beyond : limitDiagnostics(m_mechanism)) m_findings.push_back(std::move(beyond));
+    for (Diagnostic& beyond : limitDiagnostics(m_mechanism)) m_diagnostics.push_back(std::move(beyond));
     uniqueIds(m_mechanism.links, ElementKind::link, m_links);
     uniqueIds(m_mechanism.axes, ElementKind::axis, m_axes);
     uniqueIds(m_mechanism.turningJoints, ElementKind::turningJoint, m_joints);
@@ -48,17 +48,18 @@ class WellFormedCheck {
     checkCouplings();
     checkStates();
     checkEngaged();
-    for (Diagnostic& wrong : loadDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
-    for (Diagnostic& wrong : massDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
+    for (Diagnostic& wrong : loadDiagnostics(m_mechanism)) m_diagnostics.push_back(std::move(wrong));
+    for (Diagnostic& wrong : massDiagnostics(m_mechanism)) m_diagnostics.push_back(std::move(wrong));
     checkCamera();
-    return std::move(m_findings);
+    return std::move(m_diagnostics);
   }
 
  private:
   using Known = std::unordered_set<Atom>;
 
   void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
-    m_findings.push_back(finding(code, std::move(message), std::move(elements), std::move(pointer)));
+    m_diagnostics.push_back(
+        makeDiagnostic(code, std::move(message), std::move(elements), std::move(pointer)));
   }
 
   template <class Element>
@@ -262,7 +263,7 @@ class WellFormedCheck {
   }
 
   const Mechanism& m_mechanism;
-  Diagnostics m_findings;
+  Diagnostics m_diagnostics;
   Known m_links;
   Known m_axes;
   Known m_joints;
@@ -373,7 +374,7 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
                        {last.axis.text(), label})
           : translated(
                 "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.");
-  Diagnostic result = finding(Code::turningLoop, std::move(message), std::move(elements));
+  Diagnostic result = makeDiagnostic(Code::turningLoop, std::move(message), std::move(elements));
   result.detail = isRedundant ? Detail::redundantBearing : Detail::turningCycle;
   return result;
 }
@@ -398,7 +399,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) position.emplace(mechanism.links[i].id, i);
 
   Forest forest(mechanism.links.size());
-  Diagnostics findings;
+  Diagnostics diagnostics;
   std::vector<std::size_t> closing;
   for (std::size_t j = 0; j < mechanism.turningJoints.size(); ++j) {
     const TurningJoint& joint = mechanism.turningJoints[j];
@@ -413,7 +414,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
     std::vector<std::size_t> path;
     if (named < kMostNamedInLoops) path = forest.path(position.at(joint.tail), position.at(joint.head));
     named += path.size();
-    findings.push_back(loopDiagnostic(mechanism, j, path));
+    diagnostics.push_back(loopDiagnostic(mechanism, j, path));
   }
 
   std::vector<ElementId> loose;
@@ -425,9 +426,9 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   }
   if (!loose.empty()) {
     const bool one = loose.size() == 1;
-    findings.insert(
-        findings.begin(),
-        finding(
+    diagnostics.insert(
+        diagnostics.begin(),
+        makeDiagnostic(
             Code::disconnected,
             one ? translated(
                       "Link %1 is not tied to the ground by turning joints: draw a turning joint to it.",
@@ -437,7 +438,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
                       {listed(labels, kMostNamesInASentence)}),
             std::move(loose)));
   }
-  return findings;
+  return diagnostics;
 }
 
 }  // namespace geargraph::inline model

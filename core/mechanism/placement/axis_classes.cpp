@@ -185,9 +185,9 @@ class ClassFinder {
     for (const auto& [a, b, sense] : m_merged) {
       const AxisId first = m_mechanism.axes[a].id;
       const AxisId second = m_mechanism.axes[b].id;
-      Diagnostic finding;
-      finding.code = Code::mergedAxes;
-      finding.message =
+      Diagnostic diagnostic;
+      diagnostic.code = Code::mergedAxes;
+      diagnostic.message =
           sense < 0
               ? translated(
                     "Axes %1 and %2 are one line held by a common link: they are treated as one axis, with "
@@ -195,8 +195,8 @@ class ClassFinder {
                     {first.text(), second.text()})
               : translated("Axes %1 and %2 are one line held by a common link: they are treated as one axis.",
                            {first.text(), second.text()});
-      finding.elements = {first, second};
-      diagnostics.push_back(std::move(finding));
+      diagnostic.elements = {first, second};
+      diagnostics.push_back(std::move(diagnostic));
     }
   }
 
@@ -223,20 +223,20 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
   }
   for (std::size_t a = 0; a < classesOfAxis.size(); ++a) {
     if (classesOfAxis[a].size() < 2) continue;
-    Diagnostic finding;
-    finding.code = Code::splitAxis;
-    finding.elements = {mechanism.axes[a].id};
+    Diagnostic diagnostic;
+    diagnostic.code = Code::splitAxis;
+    diagnostic.elements = {mechanism.axes[a].id};
     std::string groups;
     for (const int of : classesOfAxis[a]) {
       const int joint = classes.classes[of].joint;
       groups += (groups.empty() ? "" : ", ") + std::to_string(mechanism.jointLabel(joint));
-      finding.elements.emplace_back(mechanism.turningJoints[joint].id);
+      diagnostic.elements.emplace_back(mechanism.turningJoints[joint].id);
     }
-    finding.message = translated(
+    diagnostic.message = translated(
         "Axis %1 is named by joints that share no link on it (%2 ...): they coincide in the drawn pose "
         "only and are treated as different axes. Give each its own axis.",
         {mechanism.axes[a].id.text(), groups});
-    diagnostics.push_back(std::move(finding));
+    diagnostics.push_back(std::move(diagnostic));
   }
 }
 

@@ -35,7 +35,7 @@ std::string pitchPointText(const MeshGeometry& found) {
   return text(found.pitchPoint, reachOf(found.tailToPitch));
 }
 
-Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::string& message) {
+Diagnostic makeDiagnostic(const Mechanism& mechanism, int mesh, Code code, const std::string& message) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   Diagnostic result;
   result.code = code;
@@ -44,8 +44,8 @@ Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::s
   return result;
 }
 
-Diagnostic finding(const Mechanism& mechanism, int mesh, Detail detail, const std::string& message) {
-  Diagnostic result = finding(mechanism, mesh, codeOf(detail), message);
+Diagnostic makeDiagnostic(const Mechanism& mechanism, int mesh, Detail detail, const std::string& message) {
+  Diagnostic result = makeDiagnostic(mechanism, mesh, codeOf(detail), message);
   result.detail = detail;
   return result;
 }
@@ -95,13 +95,14 @@ std::string kindWord(MeshKind kind) {
 }
 
 Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& found, bool ofTail) {
-  return finding(mechanism, mesh, Code::pitchPointOnAxis,
-                 ofTail ? translated("the pitch point %1 lies on the axis of the tail gear, so its pitch "
-                                     "radius is 0. What fits: a point off both axes, in their plane.",
-                                     {pitchPointText(found)})
-                        : translated("the pitch point %1 lies on the axis of the head gear, so its pitch "
-                                     "radius is 0. What fits: a point off both axes, in their plane.",
-                                     {pitchPointText(found)}));
+  return makeDiagnostic(mechanism, mesh, Code::pitchPointOnAxis,
+                        ofTail
+                            ? translated("the pitch point %1 lies on the axis of the tail gear, so its pitch "
+                                         "radius is 0. What fits: a point off both axes, in their plane.",
+                                         {pitchPointText(found)})
+                            : translated("the pitch point %1 lies on the axis of the head gear, so its pitch "
+                                         "radius is 0. What fits: a point off both axes, in their plane.",
+                                         {pitchPointText(found)}));
 }
 
 Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
@@ -110,8 +111,8 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
   const Vector3 normal = parallel ? cross(pair.tailDirection, pair.headPoint - pair.tailPoint)
                                   : cross(pair.tailDirection, pair.headDirection);
   if (length(normal) <= roundingOf(length(pair.headPoint))) {
-    return finding(mechanism, mesh, Detail::coincidentAxes,
-                   translated("its two axes are the same line in the reference pose."));
+    return makeDiagnostic(mechanism, mesh, Detail::coincidentAxes,
+                          translated("its two axes are the same line in the reference pose."));
   }
   const Vector3& point = found.tailToPitch;
   const double off = std::abs(dot(point - pair.tailPoint, unit(normal)));
@@ -119,18 +120,20 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
                        cross(pair.headDirection, point - pair.headPoint)) < 0
                        ? -1
                        : 1;
-  return finding(mechanism, mesh, Detail::pitchPointOffPlane,
-                 translated("the pitch point %1 lies %2 off the plane of the two axes, so the teeth would "
-                            "lock. What fits: %3, or none (then it follows from the axes).",
-                            {pitchPointText(found), text(off), fit(pair, position, found, sign)}));
+  return makeDiagnostic(
+      mechanism, mesh, Detail::pitchPointOffPlane,
+      translated("the pitch point %1 lies %2 off the plane of the two axes, so the teeth would "
+                 "lock. What fits: %3, or none (then it follows from the axes).",
+                 {pitchPointText(found), text(off), fit(pair, position, found, sign)}));
 }
 
 Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
-  return finding(mechanism, mesh, Detail::kindAgainstAxes,
-                 position == LinePosition::parallel
-                     ? translated("it says %1, but its axes are parallel. What fits: external or internal.",
-                                  {kindWord(kind)})
-                     : translated("it says %1, but its axes meet. What fits: bevel.", {kindWord(kind)}));
+  return makeDiagnostic(
+      mechanism, mesh, Detail::kindAgainstAxes,
+      position == LinePosition::parallel
+          ? translated("it says %1, but its axes are parallel. What fits: external or internal.",
+                       {kindWord(kind)})
+          : translated("it says %1, but its axes meet. What fits: bevel.", {kindWord(kind)}));
 }
 
 Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
@@ -148,7 +151,7 @@ Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double
   const int fittingSign = -found.sign;
   message += ' ' + translated("What fits: %1, or %2.",
                               {kindWord(found.kind), fit(pair, position, found, fittingSign)});
-  return finding(mechanism, mesh, Detail::kindAgainstSides, message);
+  return makeDiagnostic(mechanism, mesh, Detail::kindAgainstSides, message);
 }
 
 Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
@@ -156,7 +159,7 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<doubl
   const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
   const double fitting = pair.tailTeeth * head / tail;
-  return finding(
+  return makeDiagnostic(
       mechanism, mesh, Detail::teethAgainstRadii,
       translated("the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What "
                  "fits: %7 teeth on the head, or %8.",
@@ -184,14 +187,15 @@ LinePosition positionOf(const GearPair<double>& pair, const LineComparison& trai
 }
 
 Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
-  return finding(mechanism, mesh, Detail::skewAxes,
-                 translated("its axes are skew, %1 apart: there is no point where the gears could roll. What "
-                            "fits: axes that are parallel or meet.",
-                            {text(axisDistance(pair))}));
+  return makeDiagnostic(
+      mechanism, mesh, Detail::skewAxes,
+      translated("its axes are skew, %1 apart: there is no point where the gears could roll. What "
+                 "fits: axes that are parallel or meet.",
+                 {text(axisDistance(pair))}));
 }
 
 Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
-  return finding(
+  return makeDiagnostic(
       mechanism, mesh, Detail::equalInternalTeeth,
       translated("an internal pair needs different tooth counts, the ring the larger one; both have %1.",
                  {std::to_string(mechanism.gearMeshes[mesh].tailTeeth)}));

@@ -85,26 +85,26 @@ std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& 
   const auto [tail, head] = tree.meshes[mesh];
   if (const auto proper = properWord(classes, tail, head)) return proper;
   path.walk(classes, tail, head);
-  Diagnostic finding;
+  Diagnostic diagnostic;
   const GearMesh& element = mechanism.gearMeshes[mesh];
-  finding.elements = {element.id, element.tail, element.head};
+  diagnostic.elements = {element.id, element.tail, element.head};
   const std::string label = std::to_string(mechanism.meshLabel(mesh));
   const std::string pair = std::to_string(tail) + ", " + std::to_string(head);
   const std::string word = wordText(mechanism, classes, path.classes());
   if (path.classes().size() < 2) {
-    finding.code = Code::coaxialMesh;
-    finding.message = translated(
+    diagnostic.code = Code::coaxialMesh;
+    diagnostic.message = translated(
         "Mesh %1 (%2) joins two gears on the same axis %3: coaxial gears cannot mesh. Move one of them "
         "to another axis, or delete the mesh.",
         {label, pair, word});
   } else {
-    finding.code = Code::noTransferVertex;
-    finding.message = translated(
+    diagnostic.code = Code::noTransferVertex;
+    diagnostic.message = translated(
         "Mesh %1 (%2) has no carrier: the path between its gears changes axis more than once, %3. One "
         "link must carry both axes, so that their distance is constant.",
         {label, pair, word});
   }
-  diagnostics.push_back(std::move(finding));
+  diagnostics.push_back(std::move(diagnostic));
   return std::nullopt;
 }
 

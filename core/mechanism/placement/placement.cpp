@@ -76,7 +76,7 @@ class MeshLocator {
         m_train(train),
         m_sides(mechanism, placement, train) {}
 
-  /// False, and a finding, where it comes to nothing.
+  /// False, and a diagnostic, where it comes to nothing.
   bool locate(int mesh, const MeshWord& word, MeshGeometry& geometry) {
     const GearMesh& element = m_mechanism.gearMeshes[mesh];
     const AxisLine& tail = m_placement.lineOfClass(word.tailClass);

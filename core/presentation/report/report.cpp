@@ -8,13 +8,13 @@
 namespace geargraph::inline report {
 namespace {
 
-void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
+void addDiagnostics(Report& report, const AnalysisSnapshot& snapshot) {
   if (snapshot.diagnostics.empty()) return;
   report.blocks.emplace_back(ReportHeading{1, translated("Warnings")});
-  ReportList findings;
-  for (const Diagnostic& finding : snapshot.diagnostics)
-    findings.items.push_back(plainWords(finding.message));
-  report.blocks.emplace_back(std::move(findings));
+  ReportList diagnostics;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics)
+    diagnostics.items.push_back(plainWords(diagnostic.message));
+  report.blocks.emplace_back(std::move(diagnostics));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
   Report report;
   report.title = reportTitle(*snapshot->mechanism);
-  addFindings(report, *snapshot);
+  addDiagnostics(report, *snapshot);
   addDigraphPart(report, *snapshot);
   addMatroidPart(report, snapshot, stop);
   addTtGraphPart(report, *snapshot, stop);

@@ -13,7 +13,7 @@ using Layout = JsonWriter::Layout;
 void writeElements(JsonWriter& json, const std::vector<ElementId>& elements) {
   std::map<ElementKind, std::vector<std::string>> lists;
   for (const ElementId& element : elements) {
-    std::vector<std::string>& ids = lists[element.kind];  // an element may play two parts in a finding
+    std::vector<std::string>& ids = lists[element.kind];  // an element may play two parts in a diagnostic
     if (std::find(ids.begin(), ids.end(), element.id.text()) == ids.end()) ids.push_back(element.id.text());
   }
   json.beginObject(Layout::row);

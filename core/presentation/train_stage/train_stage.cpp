@@ -8,7 +8,7 @@
 #include "core/foundations/base/words.h"
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/bodies/derived_geometry.h"
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/solids/toothless_gear.h"
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/train_stage/joint_motion.h"

@@ -16,12 +16,12 @@ class LessonChecker {
   Diagnostics check() {
     checkTerms();
     for (std::size_t i = 0; i < m_lesson.steps.size() && !m_stop.stop_requested(); ++i) checkStep(i);
-    return m_stop.stop_requested() ? Diagnostics() : std::move(m_findings);
+    return m_stop.stop_requested() ? Diagnostics() : std::move(m_diagnostics);
   }
 
  private:
   void find(const std::string& pointer, const std::string& message) {
-    m_findings.push_back({Code::schema, message, {}, pointer});
+    m_diagnostics.push_back({Code::schema, message, {}, pointer});
   }
 
   void checkTerms() {
@@ -39,7 +39,7 @@ class LessonChecker {
     const LessonStep& step = m_lesson.steps[position];
     const std::string pointer = "/steps/" + std::to_string(position) + "/task";
     const auto prepared = prepareStep(m_lesson, position, m_examples, m_stop);
-    if (!prepared) return append(m_findings, prepared.error());
+    if (!prepared) return append(m_diagnostics, prepared.error());
     if (const auto* draw = std::get_if<DrawTask>(&step.task)) return checkDrawTask(*draw, *prepared, pointer);
     const Question& question = *prepared->question;
     if (!grade(question, question.solution).isRight)
@@ -70,7 +70,7 @@ class LessonChecker {
            translated("The document of the step fulfils them already: nothing is left to draw."));
     const auto solution = mechanismOf(task.solution, m_examples, pointer + "/solution");
     if (!solution) {
-      append(m_findings, solution.error());
+      append(m_diagnostics, solution.error());
     } else {
       const DrawingVerdict result = checkDrawing(task, *solution, m_stop);
       if (!result.verdict.isRight)
@@ -80,7 +80,7 @@ class LessonChecker {
       const std::string place = pointer + "/mistakes/" + std::to_string(i);
       const auto drawing = mechanismOf(task.mistakes[i].drawing, m_examples, place + "/drawing");
       if (!drawing) {
-        append(m_findings, drawing.error());
+        append(m_diagnostics, drawing.error());
         continue;
       }
       const int failing = checkDrawing(task, *drawing, m_stop).failing;
@@ -94,7 +94,7 @@ class LessonChecker {
   const Lesson& m_lesson;
   const ExampleSource& m_examples;
   const std::stop_token& m_stop;
-  Diagnostics m_findings;
+  Diagnostics m_diagnostics;
 };
 
 }  // namespace

@@ -144,13 +144,13 @@ JsonValue valueAt(const JsonValue& root, std::string_view pointer) {
 
 }  // namespace
 
-Diagnostics placedInText(std::string_view text, const Diagnostics& findings) {
+Diagnostics placedInText(std::string_view text, const Diagnostics& diagnostics) {
   const auto document = JsonDocument::parse(text);
   if (!document) return document.error();
-  JsonFindings placed(*document);
-  for (const Diagnostic& finding : findings)
-    placed.add(finding.code, finding.message, finding.elements, finding.pointer,
-               valueAt(document->root(), finding.pointer));
+  JsonDiagnostics placed(*document);
+  for (const Diagnostic& diagnostic : diagnostics)
+    placed.add(diagnostic.code, diagnostic.message, diagnostic.elements, diagnostic.pointer,
+               valueAt(document->root(), diagnostic.pointer));
   return placed.inOrder();
 }
 

@@ -17,6 +17,6 @@ constexpr int kLessonVersion = 1;
 
 /// Sorts diagnostics in the order of the text and adds the line and column of their pointers, or of the
 /// innermost existing value.
-[[nodiscard]] Diagnostics placedInText(std::string_view text, const Diagnostics& findings);
+[[nodiscard]] Diagnostics placedInText(std::string_view text, const Diagnostics& diagnostics);
 
 }  // namespace geargraph::inline lessons

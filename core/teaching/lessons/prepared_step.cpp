@@ -17,10 +17,10 @@ Diagnostic taskFault(const std::string& pointer, const std::string& message) {
   return {Code::schema, message, {}, pointer};
 }
 
-/// Findings of a quantity at the place that asks for it.
-Diagnostics atPointer(Diagnostics findings, const std::string& pointer) {
-  for (Diagnostic& finding : findings) finding.pointer = pointer;
-  return findings;
+/// Diagnostics of a quantity at the place that asks for it.
+Diagnostics atPointer(Diagnostics diagnostics, const std::string& pointer) {
+  for (Diagnostic& diagnostic : diagnostics) diagnostic.pointer = pointer;
+  return diagnostics;
 }
 
 std::vector<std::string> labelsOf(const Mechanism& mechanism, const std::vector<ElementKind>& kinds) {
@@ -234,10 +234,10 @@ DrawingVerdict checkDrawing(const DrawTask& task, const MechanismPtr& drawing, c
     result.failing = static_cast<int>(i);
     FoundMistake mistake{"", {}, {}, condition.reason};
     if (condition.quantity.quantity == Quantity::errors) {
-      for (const Diagnostic& finding : analysis.findings()) {
-        if (finding.severity() != Severity::error) continue;
-        mistake.reason += ' ' + finding.message;
-        mistake.elements = finding.elements;
+      for (const Diagnostic& diagnostic : analysis.diagnostics()) {
+        if (diagnostic.severity() != Severity::error) continue;
+        mistake.reason += ' ' + diagnostic.message;
+        mistake.elements = diagnostic.elements;
         break;
       }
     }

@@ -68,9 +68,9 @@ std::optional<int> positionOf(const List& list, const std::string& id) {
   return static_cast<int>(found - list.begin());
 }
 
-bool isCalled(const Diagnostic& finding, const std::string& name) {
-  return codeName(finding.code) == name ||
-         (finding.detail != Detail::none && detailName(finding.detail) == name);
+bool isCalled(const Diagnostic& diagnostic, const std::string& name) {
+  return codeName(diagnostic.code) == name ||
+         (diagnostic.detail != Detail::none && detailName(diagnostic.detail) == name);
 }
 
 bool isLabelled(const ElementId& element) {
@@ -109,7 +109,7 @@ const AnalysisSnapshot& LessonAnalysis::live() {
   return *m_live;
 }
 
-const Diagnostics& LessonAnalysis::findings() {
+const Diagnostics& LessonAnalysis::diagnostics() {
   static const Diagnostics kNone;
   live();
   if (!m_complete) m_complete = analyzeFully(m_live, {false}, m_stop);
@@ -155,7 +155,7 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     case Quantity::errors:
     case Quantity::finding:
     case Quantity::blamed:
-      return findingsOf(asked);
+      return diagnosticValues(asked);
     case Quantity::rate:
     case Quantity::outputRates:
       return ratesOf(asked);
@@ -170,16 +170,16 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
   return notDefined(translated("This quantity is not known."));
 }
 
-QuantityValues LessonAnalysis::findingsOf(const AskedQuantity& asked) {
+QuantityValues LessonAnalysis::diagnosticValues(const AskedQuantity& asked) {
   std::int64_t count = 0;
   QuantityValues values;
-  for (const Diagnostic& finding : findings()) {
-    const bool counts = asked.quantity == Quantity::errors ? finding.severity() == Severity::error
-                                                           : isCalled(finding, asked.of);
+  for (const Diagnostic& diagnostic : diagnostics()) {
+    const bool counts = asked.quantity == Quantity::errors ? diagnostic.severity() == Severity::error
+                                                           : isCalled(diagnostic, asked.of);
     if (!counts) continue;
     ++count;
     if (asked.quantity != Quantity::blamed) continue;
-    for (const ElementId& element : finding.elements) {
+    for (const ElementId& element : diagnostic.elements) {
       const bool isNew =
           std::find(values.elements.begin(), values.elements.end(), element) == values.elements.end();
       if (isNew && isLabelled(element)) values.elements.push_back(element);

@@ -38,7 +38,7 @@ class LessonAnalysis {
   /// torques an exact solution.
   [[nodiscard]] Expected<QuantityValues> valuesOf(const AskedQuantity& asked);
   /// The diagnostics of the complete analysis. Empty if `stop` was requested meanwhile.
-  [[nodiscard]] const Diagnostics& findings();
+  [[nodiscard]] const Diagnostics& diagnostics();
 
  private:
   const AnalysisSnapshot& live();
@@ -46,7 +46,7 @@ class LessonAnalysis {
   [[nodiscard]] Expected<QuantityValues> ratioOf(const std::string& state);
   [[nodiscard]] Expected<QuantityValues> torqueOf(const std::string& holder);
   [[nodiscard]] Expected<QuantityValues> walkOf(const AskedQuantity& asked);
-  [[nodiscard]] QuantityValues findingsOf(const AskedQuantity& asked);
+  [[nodiscard]] QuantityValues diagnosticValues(const AskedQuantity& asked);
 
   MechanismPtr m_mechanism;
   std::stop_token m_stop;

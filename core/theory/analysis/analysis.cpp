@@ -10,19 +10,19 @@ namespace geargraph::inline analysis {
 namespace {
 
 /// The placement and the T-T graph both meet axes that split or merge and meshes without a carrier; such a
-/// finding is said once, in the words of the T-T graph, whose notions they are.
-Diagnostics geometryFindings(const Diagnostics& ttGraph, const Diagnostics& placement) {
+/// diagnostic is said once, in the words of the T-T graph, whose notions they are.
+Diagnostics placementDiagnostics(const Diagnostics& ttGraph, const Diagnostics& placement) {
   std::set<std::pair<Code, ElementId>> said;
   for (const Diagnostic& diagnostic : ttGraph) {
     for (const ElementId& element : diagnostic.elements) said.emplace(diagnostic.code, element);
   }
-  Diagnostics findings = ttGraph;
+  Diagnostics all = ttGraph;
   for (const Diagnostic& diagnostic : placement) {
     const bool known =
         !diagnostic.elements.empty() && said.contains({diagnostic.code, diagnostic.elements.front()});
-    if (!known) findings.push_back(diagnostic);
+    if (!known) all.push_back(diagnostic);
   }
-  return findings;
+  return all;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
   snapshot->kinematics = liveKinematics(placed, stop);
   if (!snapshot->kinematics) return nullptr;
   append(snapshot->diagnostics,
-         geometryFindings(snapshot->kinematics->ttGraph->diagnostics(), placed.placement().diagnostics));
+         placementDiagnostics(snapshot->kinematics->ttGraph->diagnostics(), placed.placement().diagnostics));
   append(snapshot->diagnostics, snapshot->kinematics->engagement);
   if (const MatroidAnalysis* matroid = snapshot->matroid()) {
     append(snapshot->diagnostics, matroid->diagnostics);
@@ -62,7 +62,7 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   return analyzeLive(std::make_shared<const DerivedGeometry>(std::move(mechanism)), revision, stop);
 }
 
-Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop) {
+Diagnostics geometryDiagnostics(const AnalysisSnapshot& live, const std::stop_token& stop) {
   if (!live.kinematics || hasErrors(live.diagnostics)) return {};
   const auto found = live.geometry->diagnostics(stop);
   return found ? *found : Diagnostics{};
@@ -89,7 +89,7 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
     snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
     if (!snapshot->solved) return nullptr;
   }
-  append(snapshot->diagnostics, toothFindings(*live, stop));
+  append(snapshot->diagnostics, geometryDiagnostics(*live, stop));
   if (stop.stop_requested()) return nullptr;
   if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);
   return snapshot;

@@ -64,7 +64,7 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 
 /// The diagnostics of the train of a mechanism without errors (DerivedGeometry::diagnostics()). Part of the
 /// second step. Empty if `stop` was requested meanwhile.
-[[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop = {});
+[[nodiscard]] Diagnostics geometryDiagnostics(const AnalysisSnapshot& live, const std::stop_token& stop = {});
 
 /// Returns the snapshot with the states of the document solved and their diagnostics added. Null if `stop`
 /// was requested meanwhile.

@@ -7,12 +7,12 @@
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/base/scratch.h"
 #include "core/foundations/base/words.h"
-#include "core/theory/matroid/findings.h"
+#include "core/theory/matroid/matroid_diagnostics.h"
 
 namespace geargraph::inline matroid {
 namespace {
 
-/// The finding where speeds or ratios are beyond what a double can hold: the numbers would be infinite.
+/// The diagnostic where speeds or ratios are beyond what a double can hold: the numbers would be infinite.
 std::optional<Diagnostic> overflowOf(const Mechanism& mechanism, const KinematicModel& model,
                                      const LiveSolution& solution, std::span<const Vector3> velocities) {
   const auto isFinite = [](double value) { return std::isfinite(value); };
@@ -66,7 +66,7 @@ class Analyzer {
       m_result.linkVelocities = linkVelocities(m_model, m_placement, m_result.solution->rates);
       overflow = overflowOf(m_mechanism, m_model, *m_result.solution, m_result.linkVelocities);
     }
-    m_result.diagnostics = findingsOf(m_mechanism, m_model, m_placement, m_result, m_wanted, m_stop);
+    m_result.diagnostics = matroidDiagnostics(m_mechanism, m_model, m_placement, m_result, m_wanted, m_stop);
     if (overflow) {
       m_result.diagnostics.push_back(std::move(*overflow));
       m_result.solution.reset();  // of wrong numbers, none is shown

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/position_index.h"
 #include "core/theory/states/relative_speed.h"
-#include "core/theory/states/state_findings.h"
+#include "core/theory/states/state_diagnostics.h"
 
 namespace geargraph::inline states {
 namespace {

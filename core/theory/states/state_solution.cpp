@@ -7,7 +7,7 @@
 #include "core/foundations/exact/expansion.h"
 #include "core/theory/matroid/symbolic_solution.h"
 #include "core/theory/states/engagement.h"
-#include "core/theory/states/state_findings.h"
+#include "core/theory/states/state_diagnostics.h"
 #include "core/theory/states/state_system.h"
 
 namespace geargraph::inline states {

@@ -7,7 +7,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
-#include "core/theory/statics/statics_findings.h"
+#include "core/theory/statics/statics_diagnostics.h"
 
 namespace geargraph::inline statics {
 namespace {

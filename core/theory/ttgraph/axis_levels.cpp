@@ -22,7 +22,7 @@ namespace {
 // 1. Every axis of the document gets a number that equal lines share.
 // 2. At each link, sort the joints by these numbers: those of one axis, and those whose lines may be one,
 //    come to stand together. Unite what is of one axis or collinear.
-// 3. Number the levels by their first joints; give senses, names and findings.
+// 3. Number the levels by their first joints; give senses, names and diagnostics.
 class Classifier {
  public:
   Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
@@ -172,26 +172,26 @@ class Classifier {
       if (m_axisOf[j] == axis && std::find(levels.begin(), levels.end(), found) == levels.end())
         levels.push_back(found);
     }
-    Diagnostic finding;
-    finding.code = Code::splitAxis;
+    Diagnostic diagnostic;
+    diagnostic.code = Code::splitAxis;
     const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
-    finding.elements.emplace_back(id);
+    diagnostic.elements.emplace_back(id);
     std::vector<std::string> labels;
     std::vector<std::string> names;
     for (std::size_t j = 0; j < joints(); ++j) {
       if (m_axisOf[j] != axis) continue;
       labels.push_back(labelOfJoint(j));
-      finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
+      diagnostic.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }
     for (const int found : levels) names.push_back(m_levels.name(found));
-    finding.message = translated(
+    diagnostic.message = translated(
         "Turning joints %1 name one axis (%2) but do not all hang together on it by common links: they "
         "coincide "
         "only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its "
         "own "
         "entry in axes.",
         {listed(labels, kMostNames), id.text(), listed(names, kMostNames)});
-    m_levels.diagnostics.push_back(std::move(finding));
+    m_levels.diagnostics.push_back(std::move(diagnostic));
   }
 
   void reportMerges() {
@@ -204,24 +204,24 @@ class Classifier {
   }
 
   void reportMerge(int level, const std::vector<int>& axes) {
-    Diagnostic finding;
-    finding.code = Code::mergedAxes;
+    Diagnostic diagnostic;
+    diagnostic.code = Code::mergedAxes;
     std::vector<std::string> names;
     std::vector<std::string> opposite;
     const Vector3& along = m_lines.axis(axes.front())->direction;
     for (const int axis : axes) {
       const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
       names.push_back(id.text());
-      finding.elements.emplace_back(id);
+      diagnostic.elements.emplace_back(id);
       if (dot(m_lines.axis(axis)->direction, along) < 0) opposite.push_back(id.text());
     }
-    finding.message =
+    diagnostic.message =
         translated("Axes %1 are one line held by common links: they are treated as one axis (%2).",
                    {listed(names, kMostNames), m_levels.name(level)});
     if (!opposite.empty())
-      finding.message +=
+      diagnostic.message +=
           ' ' + translated("The opposite direction of %1 is minded.", {listed(opposite, kMostNames)});
-    m_levels.diagnostics.push_back(std::move(finding));
+    m_levels.diagnostics.push_back(std::move(diagnostic));
   }
 
   const Mechanism& m_mechanism;

@@ -19,11 +19,11 @@ std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& w
 }
 
 Diagnostic culprit(Code code, const Digraph& graph, int mesh) {
-  Diagnostic finding;
-  finding.code = code;
+  Diagnostic diagnostic;
+  diagnostic.code = code;
   const DigraphEdge& edge = graph.meshEdge(mesh);
-  finding.elements = {graph.edgeId(graph.t() + mesh), graph.nodeId(edge.tail), graph.nodeId(edge.head)};
-  return finding;
+  diagnostic.elements = {graph.edgeId(graph.t() + mesh), graph.nodeId(edge.tail), graph.nodeId(edge.head)};
+  return diagnostic;
 }
 
 std::string label(int node) {
@@ -32,21 +32,21 @@ std::string label(int node) {
 
 Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh,
                    const std::vector<WalkStretch>& walk) {
-  Diagnostic finding = culprit(Code::coaxialMesh, graph, mesh);
-  finding.message = translated(
+  Diagnostic diagnostic = culprit(Code::coaxialMesh, graph, mesh);
+  diagnostic.message = translated(
       "Mesh %1 holds gears %2 and %3 on one axis (%4). Gears that mesh turn about two axes of one carrier: "
       "let "
       "one of them turn about another axis.",
       {std::to_string(graph.edgeLabel(graph.t() + mesh)), label(walk.front().from), label(walk.back().to),
        wordText(levels, walk)});
-  return finding;
+  return diagnostic;
 }
 
 /// The tail gear is well attached to any link that carries the head gear's axis: the last stretch of the
 /// walk.
 Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels, int mesh,
                     const std::vector<WalkStretch>& walk) {
-  Diagnostic finding = culprit(Code::noTransferVertex, graph, mesh);
+  Diagnostic diagnostic = culprit(Code::noTransferVertex, graph, mesh);
   std::vector<std::string> carriers;
   int node = walk.back().from;
   for (const PathStep& step : treePath(tree, walk.back().from, walk.back().to)) {
@@ -54,14 +54,14 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
     const DigraphEdge& branch = graph.turningEdge(step.joint);
     node = branch.tail == node ? branch.head : branch.tail;
   }
-  finding.message = translated(
+  diagnostic.message = translated(
       "The path between the gears of mesh %1 runs over %2 axes (%3), and no carrier holds both of theirs: "
       "attach "
       "gear %4 to link %5.",
       {std::to_string(graph.edgeLabel(graph.t() + mesh)), countInWords(static_cast<int>(walk.size())),
        wordText(levels, walk, ", "), label(walk.front().from),
        listed(carriers, kMostNames, toTranslate("or"))});
-  return finding;
+  return diagnostic;
 }
 
 }  // namespace

@@ -13,14 +13,14 @@
 namespace geargraph {
 namespace {
 
-/// What an example's notes promise for its own inputs: label of the joint, rate. `findings` are the codes
+/// What an example's notes promise for its own inputs: label of the joint, rate. `diagnostics` are the codes
 /// that the analysis and the gears report.
 struct Promise {
   const char* example;
   int freedoms;
   int redundant;
   std::vector<std::pair<int, Rational>> rates;
-  std::vector<Code> findings = {};
+  std::vector<Code> diagnostics = {};
 };
 
 const std::vector<Promise>& promises() {
@@ -63,10 +63,10 @@ const std::vector<Promise>& promises() {
 /// The example that is wrong on purpose; it promises nothing but its mistakes.
 constexpr const char* kToMend = "robot-to-mend";
 
-QStringList codesOf(const Diagnostics& findings) {
+QStringList codesOf(const Diagnostics& diagnostics) {
   QStringList codes;
-  for (const Diagnostic& finding : findings) {
-    const std::string_view name = codeName(finding.code);
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const std::string_view name = codeName(diagnostic.code);
     codes << QString::fromUtf8(name.data(), qsizetype(name.size()));
   }
   return codes;
@@ -135,13 +135,14 @@ class ExamplesTest : public QObject {
     QCOMPARE(snapshot->matroid()->dof, promise.freedoms);
     QCOMPARE(snapshot->matroid()->rank, read->c() - promise.redundant);
     Diagnostics promised;
-    for (const Code code : promise.findings) promised.push_back({code, {}, {}, {}, 0, 0});
-    Diagnostics findings = snapshot->diagnostics;
-    append(findings, trainDiagnostics(*read, snapshot->kinematics->placement()));
-    QCOMPARE(codesOf(findings), codesOf(promised));
+    for (const Code code : promise.diagnostics) promised.push_back({code, {}, {}, {}, 0, 0});
+    Diagnostics diagnostics = snapshot->diagnostics;
+    append(diagnostics, trainDiagnostics(*read, snapshot->kinematics->placement()));
+    QCOMPARE(codesOf(diagnostics), codesOf(promised));
 
     const test::TtCase found(*read);
-    for (const Diagnostic& finding : found.placement.diagnostics) qWarning("%s", finding.message.c_str());
+    for (const Diagnostic& diagnostic : found.placement.diagnostics)
+      qWarning("%s", diagnostic.message.c_str());
     QVERIFY(found.placement.diagnostics.empty());
     QVERIFY(found.graph.diagnostics().empty());
     const SubstitutionPlan plan = substitutionPlan(found.graph, found.inputs());
@@ -183,7 +184,7 @@ class ExamplesTest : public QObject {
     }
   }
 
-  void theRobotToMendIsMendedOneFindingAfterAnother() {
+  void theRobotToMendIsMendedOneDiagnosticAfterAnother() {
     const std::string bytes = test::exampleText(kToMend);
     Mechanism wrong = readMechanism(bytes).value();
     QCOMPARE(QString::fromStdString(writeMechanism(wrong)), QString::fromStdString(bytes));

@@ -16,13 +16,14 @@ using test::Transformation;
 
 namespace {
 
-using Finding = std::pair<std::string, std::set<std::string>>;  // code, elements in the original's names
+using NamedDiagnostic =
+    std::pair<std::string, std::set<std::string>>;  // code, elements in the original's names
 
 /// What an analysis says of a mechanism, in the names of the original and free of the order of lists.
 struct Verdict {
   int rank = -1;
   int dof = -1;
-  std::multiset<Finding> findings;
+  std::multiset<NamedDiagnostic> diagnostics;
   std::map<std::string, Rational> rates;  // by joint
   std::map<std::string, double> radii;    // by mesh, in the original's length
   std::string messages;                   // to be read where something differs; not compared
@@ -35,11 +36,12 @@ bool operator==(const Verdict& a, const Verdict& b) {
       return x.first == y.first && std::abs(x.second - y.second) <= 1e-12 * std::abs(x.second);
     });
   };
-  return a.rank == b.rank && a.dof == b.dof && a.findings == b.findings && a.rates == b.rates && radiiAgree();
+  return a.rank == b.rank && a.dof == b.dof && a.diagnostics == b.diagnostics && a.rates == b.rates &&
+         radiiAgree();
 }
 
 /// Which of several dependent meshes is called redundant, and which loop is said to lock, follows from the
-/// order of the list; so in these findings the meshes are not compared.
+/// order of the list; so in these diagnostics the meshes are not compared.
 bool meshesFollowFromOrder(Code code) {
   return code == Code::redundantMesh || code == Code::locked || code == Code::deadJoint ||
          code == Code::assembly;
@@ -47,8 +49,8 @@ bool meshesFollowFromOrder(Code code) {
 
 /// Routing of bodies prefers the positive end of an axis and the earlier of equal choices: a train some of
 /// whose axes point the other way, or that is listed in another order, may get other bodies.
-bool isOfBodies(const Diagnostic& finding) {
-  return finding.detail == Detail::bodiesOverlap;
+bool isOfBodies(const Diagnostic& diagnostic) {
+  return diagnostic.detail == Detail::bodiesOverlap;
 }
 
 class Names {
@@ -77,20 +79,20 @@ Verdict verdictOf(const Mechanism& original, const Transformation& to, bool with
   const Names names(original, to);
   const SnapshotPtr live = analyzeLive(std::make_shared<const Mechanism>(to.mechanism));
   Verdict verdict;
-  Diagnostics findings = live->diagnostics;
+  Diagnostics diagnostics = live->diagnostics;
   if (withTeeth) {
-    const Diagnostics teeth = toothFindings(*live);
-    findings.insert(findings.end(), teeth.begin(), teeth.end());
+    const Diagnostics teeth = geometryDiagnostics(*live);
+    diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
   }
-  for (const Diagnostic& finding : findings) {
-    if (!withBodies && isOfBodies(finding)) continue;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!withBodies && isOfBodies(diagnostic)) continue;
     std::set<std::string> elements;
-    for (const ElementId& element : finding.elements) {
-      if (element.kind != ElementKind::gearMesh || !meshesFollowFromOrder(finding.code))
+    for (const ElementId& element : diagnostic.elements) {
+      if (element.kind != ElementKind::gearMesh || !meshesFollowFromOrder(diagnostic.code))
         elements.insert(names.of(element));
     }
-    verdict.messages += "\n    " + finding.message;
-    verdict.findings.emplace(codeName(finding.code), std::move(elements));
+    verdict.messages += "\n    " + diagnostic.message;
+    verdict.diagnostics.emplace(codeName(diagnostic.code), std::move(elements));
   }
   if (live->kinematics) {
     for (int m = 0; m < to.mechanism.c(); ++m) {
@@ -120,7 +122,7 @@ Verdict verdictOf(const Mechanism& original, const Transformation& to, bool with
 
 QString text(const Verdict& verdict) {
   std::string all = "rank " + std::to_string(verdict.rank) + ", dof " + std::to_string(verdict.dof);
-  for (const auto& [code, elements] : verdict.findings) {
+  for (const auto& [code, elements] : verdict.diagnostics) {
     all += "; " + code;
     for (const std::string& element : elements) all += " " + element;
   }

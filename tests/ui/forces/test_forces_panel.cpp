@@ -354,40 +354,40 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QVERIFY(panel->forces() == nullptr);
   }
 
-  /// What is tried in the panel is no finding of the document.
-  void findingsAreThoseOfTheDocument() {
+  /// What is tried in the panel is no diagnostic of the document.
+  void diagnosticsAreThoseOfTheDocument() {
     open(loadedSet());
-    QVERIFY(panel->forces()->findings.empty());
+    QVERIFY(panel->forces()->diagnostics.empty());
     Mechanism unheld = loadedSet();
     unheld.balances->pop_back();
     open(unheld);
-    QCOMPARE(panel->forces()->findings.size(), std::size_t{1});
-    QVERIFY(panel->forces()->findings.front().code == Code::unbalanced);
+    QCOMPARE(panel->forces()->diagnostics.size(), std::size_t{1});
+    QVERIFY(panel->forces()->diagnostics.front().code == Code::unbalanced);
     open(loadedSet(3));
-    const Diagnostics shared = panel->forces()->findings;
+    const Diagnostics shared = panel->forces()->diagnostics;
     QVERIFY(shared.size() == 1 && shared.front().code == Code::staticallyIndeterminate);
     panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"))->click();
     type("meshEfficiency", "0.5");
     QTRY_VERIFY(panel->isUpToDate());
-    QVERIFY(panel->forces()->findings == shared);
+    QVERIFY(panel->forces()->diagnostics == shared);
     unheld.loads.clear();
     open(unheld);
-    QVERIFY(panel->forces()->findings.empty());
+    QVERIFY(panel->forces()->diagnostics.empty());
   }
 
   /// Loads of a gearbox with nothing engaged are meant for its states.
-  void findingsOfStates() {
+  void diagnosticsOfStates() {
     Mechanism gearbox = test::eightSpeed();
     gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(2)}}};
     open(gearbox);
-    QVERIFY(panel->forces()->findings.empty());
+    QVERIFY(panel->forces()->diagnostics.empty());
     gearbox.balances = std::vector<Balance>{{Balance::OnLink{LinkId("1"), {}}}};  // the driven link is free
     open(gearbox);
-    QVERIFY(panel->forces()->findings.empty());
+    QVERIFY(panel->forces()->diagnostics.empty());
     gearbox.loads.push_back({{}, LinkTorque{LinkId("8"), {}, Number(2)}});
     gearbox.balances = std::vector<Balance>{};
     open(gearbox);
-    const Diagnostics& found = panel->forces()->findings;
+    const Diagnostics& found = panel->forces()->diagnostics;
     QVERIFY(!found.empty() && found.front().code == Code::unbalanced);
     QVERIFY2(found.front().message.starts_with("In state"), found.front().message.c_str());
   }

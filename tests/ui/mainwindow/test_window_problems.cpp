@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"

@@ -7,7 +7,7 @@
 
 #include "core/design/collision/collision_pair.h"
 #include "core/design/collision/motion_collisions.h"
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/theory/pose/turning_lines.h"
 #include "tests/core/support/deep_train.h"

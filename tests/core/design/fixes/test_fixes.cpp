@@ -22,8 +22,8 @@ GearMesh& meshOf(Mechanism& mechanism, const char* id) {
                        [id](const GearMesh& mesh) { return mesh.id == MeshId(id); });
 }
 
-/// What the editor lists: the snapshot's findings and those of the teeth.
-Diagnostics findingsOf(const AnalysisSnapshot& snapshot) {
+/// What the editor lists: the snapshot's diagnostics and those of the teeth.
+Diagnostics listedDiagnostics(const AnalysisSnapshot& snapshot) {
   Diagnostics all = snapshot.diagnostics;
   if (!snapshot.tree) return all;
   const Diagnostics teeth = trainDiagnostics(*snapshot.mechanism, placementOf(*snapshot.mechanism));
@@ -33,14 +33,14 @@ Diagnostics findingsOf(const AnalysisSnapshot& snapshot) {
 
 }  // namespace
 
-/// Every fix: the finding is provoked, its fix is named, and after it the finding is gone.
+/// Every fix: the diagnostic is provoked, its fix is named, and after it the diagnostic is gone.
 class FixesTest : public QObject {
   Q_OBJECT
 
   SnapshotPtr snapshot;
 
-  [[nodiscard]] std::optional<Diagnostic> finding(Code code) const {
-    for (const Diagnostic& found : findingsOf(*snapshot)) {
+  [[nodiscard]] std::optional<Diagnostic> diagnosticWith(Code code) const {
+    for (const Diagnostic& found : listedDiagnostics(*snapshot)) {
       if (found.code == code) return found;
     }
     return std::nullopt;
@@ -50,14 +50,14 @@ class FixesTest : public QObject {
   }
   [[nodiscard]] QStringList offered(Code code) const {
     QStringList texts;
-    if (const auto found = finding(code)) {
+    if (const auto found = diagnosticWith(code)) {
       for (const Fix& fix : fixesFor(*found, *snapshot)) texts << QString::fromStdString(fix.text);
     }
     return texts;
   }
   /// Each fix mends; the mechanism after the first of them is the snapshot's then.
   void eachMends(Code code) {
-    const auto found = finding(code);
+    const auto found = diagnosticWith(code);
     QVERIFY(found);
     const SnapshotPtr broken = snapshot;
     SnapshotPtr afterFirst;
@@ -66,7 +66,7 @@ class FixesTest : public QObject {
       QVERIFY2(mended, fix.text.c_str());
       QVERIFY2(wellFormedDiagnostics(*mended).empty(), fix.text.c_str());
       provoke(*mended);
-      const auto same = finding(code);
+      const auto same = diagnosticWith(code);
       QVERIFY2(!same || same->elements != found->elements, fix.text.c_str());
       if (!afterFirst) afterFirst = snapshot;
     }
@@ -206,14 +206,14 @@ class FixesTest : public QObject {
 
   void planetsThatDoNotFitGetOtherTeeth() {
     provoke(test::example("cannot-be-assembled"));
-    QVERIFY(finding(Code::assembly));
+    QVERIFY(diagnosticWith(Code::assembly));
     const QStringList texts = offered(Code::assembly);
     QVERIFY2(!texts.isEmpty() && texts.first().contains("on the planets"), qPrintable(texts.join(" | ")));
-    const auto found = finding(Code::assembly);
+    const auto found = diagnosticWith(Code::assembly);
     const SnapshotPtr broken = snapshot;
     for (const Fix& fix : fixesFor(*found, *broken)) {
       provoke(*fix.edit(*broken->mechanism));
-      QVERIFY2(!finding(Code::assembly), fix.text.c_str());
+      QVERIFY2(!diagnosticWith(Code::assembly), fix.text.c_str());
       QVERIFY2(!hasErrors(snapshot->diagnostics), fix.text.c_str());
     }
   }
@@ -223,7 +223,7 @@ class FixesTest : public QObject {
     pair.gearMeshes.front().pitchPoint.reset();
     pair = *withTeeth(std::move(pair), pair.gearMeshes.front().id, 9, 18);
     provoke(pair);
-    QVERIFY(finding(Code::undercut));
+    QVERIFY(diagnosticWith(Code::undercut));
     QVERIFY2(offered(Code::undercut).first().endsWith("the teeth everywhere"),
              qPrintable(offered(Code::undercut).join(" | ")));
     eachMends(Code::undercut);
@@ -233,7 +233,7 @@ class FixesTest : public QObject {
 
   void aLockedTrainIsFreed() {
     provoke(test::example("locked-train"));
-    const Code code = finding(Code::locked) ? Code::locked : Code::deadJoint;
+    const Code code = diagnosticWith(Code::locked) ? Code::locked : Code::deadJoint;
     QVERIFY(!offered(code).isEmpty());
     eachMends(code);
     QVERIFY(snapshot->matroid()->dof > 0);
@@ -267,7 +267,7 @@ class FixesTest : public QObject {
     train = *withGearMesh(std::move(train), one, two, 20, 40);
     train = *withGearMesh(std::move(train), one, two, 20, 41);
     provoke(train);
-    QVERIFY(finding(Code::locked));
+    QVERIFY(diagnosticWith(Code::locked));
     QVERIFY2(offered(Code::locked).first().startsWith("Use "), qPrintable(offered(Code::locked).join(" | ")));
     eachMends(Code::locked);
   }
@@ -287,13 +287,13 @@ class FixesTest : public QObject {
     arm.couplings.push_back({CouplingId("B"), CouplingKind::brake, {arm.links.back().id}, {}});
     arm.states.push_back({"s", {CouplingId("B")}, arm.links[1].id, arm.links[2].id, {}});
     snapshot = analyze(std::make_shared<const Mechanism>(arm));
-    const auto found = finding(Code::turningLoop);
+    const auto found = diagnosticWith(Code::turningLoop);
     QVERIFY(found && found->detail == Detail::couplingLinkage);
     const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
     QCOMPARE(fixes.size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(fixes.front().text), QString("Delete brake B"));
     snapshot = analyze(std::make_shared<const Mechanism>(fixes.front().edit(arm).value()));
-    QVERIFY(!finding(Code::turningLoop));
+    QVERIFY(!diagnosticWith(Code::turningLoop));
   }
 
   /// Bevels of the robot on the other side of their apex: links cross each other's way.
@@ -306,7 +306,7 @@ class FixesTest : public QObject {
             withBevelSideFlipped(robot, robot.gearMeshes[first].id, ofTail);
         if (!flipped) continue;
         provoke(flipped->mechanism());
-        const auto found = finding(Code::interference);
+        const auto found = diagnosticWith(Code::interference);
         if (!found) continue;
         const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
         if (fixes.empty()) continue;
@@ -326,7 +326,7 @@ class FixesTest : public QObject {
     provoke(emptyMechanism());
     QVERIFY(fixesFor({Code::noMeshes, "", {}, {}, 0, 0}, *snapshot).empty());
     QVERIFY(fixesFor({Code::symbolicSkipped, "", {}, {}, 0, 0}, *snapshot).empty());
-    // A finding about elements that are gone meanwhile.
+    // A diagnostic about elements that are gone meanwhile.
     QVERIFY(fixesFor({Code::teethGeometry, "", {MeshId("gone")}, {}, 0, 0}, *snapshot).empty());
   }
 };

@@ -23,7 +23,7 @@ bool isAboutBodies(const Diagnostic& diagnostic) {
   return diagnostic.detail == Detail::bodiesOverlap;
 }
 
-/// Everything a set has to be: well formed, a tree, placed without findings, teeth in phase, of this rank.
+/// Everything a set has to be: well formed, a tree, placed without diagnostics, teeth in phase, of this rank.
 /// `crowded`: bodies may find no way past each other, which is said.
 bool isSound(const Mechanism& set, int rank, bool crowded = false) {
   if (!wellFormedDiagnostics(set).empty() || !treeDiagnostics(set).empty()) return false;

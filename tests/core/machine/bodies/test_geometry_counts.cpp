@@ -82,7 +82,7 @@ class GeometryCountsTest : public QObject {
       });
     };
     const std::jthread view3d = run([&] { static_cast<void>(geometry.train()); });
-    const std::jthread findings = run([&] { static_cast<void>(geometry.diagnostics()); });
+    const std::jthread diagnostics = run([&] { static_cast<void>(geometry.diagnostics()); });
     const std::jthread motion = run([&] { static_cast<void>(geometry.train()->bodies.size()); });
     const std::jthread schematic = run([&] { static_cast<void>(geometry.wheels()); });
     const std::jthread form = run([&] { static_cast<void>(document.placement()); });

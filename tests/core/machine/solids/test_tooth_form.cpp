@@ -2,7 +2,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/involute.h"
 

@@ -22,7 +22,7 @@ inline std::string summary(const Diagnostics& diagnostics) {
 }
 
 /// What reading the text gives: "" or the summary of its diagnostics.
-inline std::string findings(const std::string& text) {
+inline std::string diagnosticsFor(const std::string& text) {
   const auto read = readMechanism(text);
   return read ? std::string() : summary(read.error());
 }

@@ -7,17 +7,17 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
-/// One row a fault: the document with one thing changed, and every finding that it may give.
+/// One row a fault: the document with one thing changed, and every diagnostic that it may give.
 class TestMechanismReader : public QObject {
   Q_OBJECT
 
  private slots:
-  void oneFault_givesOneFinding_data();
-  void oneFault_givesOneFinding();
+  void oneFault_givesOneDiagnostic_data();
+  void oneFault_givesOneDiagnostic();
   void allProblemsAreReportedTogether_inTheOrderOfTheFile();
   void syntaxErrors_sayLineAndColumn();
   void schemaErrors_sayPointerAndWhatWasExpectedAndFound();
-  void findings_knowTheirPlaceInTheFile();
+  void diagnostics_knowTheirPlaceInTheFile();
   void treeFaults_areForTheEditorToMend_data();
   void treeFaults_areForTheEditorToMend();
   void manyLongLoops_areAllReported();
@@ -27,7 +27,7 @@ class TestMechanismReader : public QObject {
   void largeFiles_areReadInReasonableTime();
 };
 
-void TestMechanismReader::oneFault_givesOneFinding_data() {
+void TestMechanismReader::oneFault_givesOneDiagnostic_data() {
   QTest::addColumn<QString>("from");
   QTest::addColumn<QString>("to");
   QTest::addColumn<QString>("expected");
@@ -39,12 +39,12 @@ void TestMechanismReader::oneFault_givesOneFinding_data() {
     fault(broken.name, broken.from, broken.to, broken.expected);
 }
 
-void TestMechanismReader::oneFault_givesOneFinding() {
+void TestMechanismReader::oneFault_givesOneDiagnostic() {
   QFETCH(QString, from);
   QFETCH(QString, to);
   QFETCH(QString, expected);
   const std::string text = with(kEverything, from.toStdString(), to.toStdString());
-  QCOMPARE(QString::fromStdString(findings(text)), expected);
+  QCOMPARE(QString::fromStdString(diagnosticsFor(text)), expected);
 }
 
 void TestMechanismReader::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
@@ -53,7 +53,7 @@ void TestMechanismReader::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
   text = with(text, "\"tailTeeth\": 20", "\"tailTeeth\": \"20\"");
   text = with(text, "[\"sun\", \"arm\"]", "[\"sun\", \"sun\"]");
   text = with(text, "\"zoom\": 1.50", "\"zoom\": 1.50, \"zoom\": 2");
-  QCOMPARE(findings(text),
+  QCOMPARE(diagnosticsFor(text),
            std::string("schema /name; unknown-id /turningJoints/2/axis [turningJoints:6] [axes:q]; "
                        "schema /gearMeshes/0/tailTeeth [gearMeshes:7]; "
                        "self-joint /couplings/1/links/1 [couplings:C] [links:sun]; schema /view/grid/zoom"));
@@ -106,7 +106,7 @@ void TestMechanismReader::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
                   "string \"ΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓ...."));
 }
 
-void TestMechanismReader::findings_knowTheirPlaceInTheFile() {
+void TestMechanismReader::diagnostics_knowTheirPlaceInTheFile() {
   const auto read = readMechanism(with(kEverything, "\"axis\": \"p\"", "\"axis\": \"q\""));
   QCOMPARE(read.error().at(0).line, 10);
   QCOMPARE(read.error().at(0).column, 56);
@@ -159,52 +159,54 @@ void TestMechanismReader::manyLongLoops_areAllReported() {
     mechanism.turningJoints.push_back(
         {JointId(id(kLinks + i)), LinkId("0"), LinkId(id(i)), AxisId("b"), {}, {}});
   }
-  const Diagnostics findings = treeDiagnostics(mechanism);
-  QCOMPARE(findings.size(), std::size_t{kLinks / 2});
-  QCOMPARE(findings.front().elements.size(), std::size_t{kLinks / 2 + 1});
-  QVERIFY(findings.front().elements.at(1) == ElementId(JointId("1")));
-  QCOMPARE(findings.back().elements.size(), std::size_t{1});
-  QVERIFY(findings.back().detail == Detail::turningCycle);
+  const Diagnostics diagnostics = treeDiagnostics(mechanism);
+  QCOMPARE(diagnostics.size(), std::size_t{kLinks / 2});
+  QCOMPARE(diagnostics.front().elements.size(), std::size_t{kLinks / 2 + 1});
+  QVERIFY(diagnostics.front().elements.at(1) == ElementId(JointId("1")));
+  QCOMPARE(diagnostics.back().elements.size(), std::size_t{1});
+  QVERIFY(diagnostics.back().detail == Detail::turningCycle);
 }
 
 void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
-  QCOMPARE(findings(R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}]})"), std::string());
-  QCOMPARE(findings(R"({"format": "geargraph", "version": 1, "links": []})"), std::string("schema /links"));
-  QCOMPARE(findings("[]"), std::string("format /format"));
-  QCOMPARE(findings("\xEF\xBB\xBF" + kEverything), std::string());
+  QCOMPARE(diagnosticsFor(R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}]})"), std::string());
+  QCOMPARE(diagnosticsFor(R"({"format": "geargraph", "version": 1, "links": []})"),
+           std::string("schema /links"));
+  QCOMPARE(diagnosticsFor("[]"), std::string("format /format"));
+  QCOMPARE(diagnosticsFor("\xEF\xBB\xBF" + kEverything), std::string());
 }
 
 void TestMechanismReader::limits_areRefused() {
   const std::string deep(65, '[');
-  QCOMPARE(findings(deep), std::string("schema "));
+  QCOMPARE(diagnosticsFor(deep), std::string("schema "));
   QCOMPARE(readMechanism(deep).error().at(0).column, 65);
-  QCOMPARE(findings(std::string(1'000'000, '[')), std::string("schema "));
-  QCOMPARE(findings(std::string(kLargestFile + 1, ' ')), std::string("schema "));
+  QCOMPARE(diagnosticsFor(std::string(1'000'000, '[')), std::string("schema "));
+  QCOMPARE(diagnosticsFor(std::string(kLargestFile + 1, ' ')), std::string("schema "));
   const std::string longName(1'001, 'x');
-  QCOMPARE(findings(with(kEverything, "\"stage\"", '"' + longName + '"')), std::string("schema /name"));
-  QCOMPARE(findings(with(kEverything, "\"ground\"", '"' + longName + '"')),
+  QCOMPARE(diagnosticsFor(with(kEverything, "\"stage\"", '"' + longName + '"')), std::string("schema /name"));
+  QCOMPARE(diagnosticsFor(with(kEverything, "\"ground\"", '"' + longName + '"')),
            std::string("schema /links/0/name [links:0]"));
-  QCOMPARE(findings(with(kEverything, "{\"id\": \"p\"}", "{\"id\": \"" + longName + "\"}")),
+  QCOMPARE(diagnosticsFor(with(kEverything, "{\"id\": \"p\"}", "{\"id\": \"" + longName + "\"}")),
            std::string("schema /axes/1/id"));
   std::string list = "[0";
   for (int i = 0; i < 100'000; ++i) list += ",0";
-  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string("schema /view/grid"));
+  QCOMPARE(diagnosticsFor(with(kEverything, "{\"zoom\": 1.50}", list + "]")),
+           std::string("schema /view/grid"));
 }
 
 void TestMechanismReader::limits_areInclusive() {
   std::string name;
   for (int i = 0; i < 1'000; ++i) name += "θ";
-  QCOMPARE(findings(with(kEverything, "\"stage\"", '"' + name + '"')), std::string());
-  QCOMPARE(findings(with(kEverything, "31", "100000")), std::string());
-  QCOMPARE(findings(with(kEverything, "31", "1")), std::string());
-  QCOMPARE(findings(with(kEverything, "-1.50", "-1e15")), std::string());
-  QCOMPARE(findings(with(kEverything, "-1.50", "1e-300")), std::string());
-  QCOMPARE(findings(with(kEverything, "[0, 0, 1e-3]", "[0, 0, 1e-15]")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "\"stage\"", '"' + name + '"')), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "31", "100000")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "31", "1")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "-1.50", "-1e15")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "-1.50", "1e-300")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "[0, 0, 1e-3]", "[0, 0, 1e-15]")), std::string());
   std::string list = "[0";
   for (int i = 1; i < 100'000; ++i) list += ",0";
-  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string());
+  QCOMPARE(diagnosticsFor(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string());
   // The camera is at depth 3, so 61 more make 64.
-  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", std::string(62, '[') + std::string(62, ']'))),
+  QCOMPARE(diagnosticsFor(with(kEverything, "{\"zoom\": 1.50}", std::string(62, '[') + std::string(62, ']'))),
            std::string());
 }
 

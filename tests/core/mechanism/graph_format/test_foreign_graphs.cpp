@@ -33,7 +33,7 @@ GraphReading readingOf(const std::string& text) {
   return std::move(reading).value();
 }
 
-/// "3:5 schema: sentence" of the first finding, "" of a graph that is read.
+/// "3:5 schema: sentence" of the first diagnostic, "" of a graph that is read.
 QString fault(const std::string& text, GraphForm form) {
   const auto reading = readMechanismGraph(text, form);
   if (reading) return {};

@@ -15,7 +15,7 @@ class LimitsTest : public QObject {
   const Mechanism robot = test::robotTopology();
   const std::string longest = std::string(kLongestName, 'x');
 
-  /// The finding that keeps a document from being opened is known before it is saved.
+  /// The diagnostic that keeps a document from being opened is known before it is saved.
   static void checkRefused(const Mechanism& mechanism, const std::string& pointer) {
     const Diagnostics beyond = limitDiagnostics(mechanism);
     QCOMPARE(beyond.size(), std::size_t{1});

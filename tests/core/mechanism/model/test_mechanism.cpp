@@ -12,7 +12,7 @@ namespace {
 
 using test::robotTopology;
 
-/// The codes of the findings, in order.
+/// The codes of the diagnostics, in order.
 std::vector<Code> codesOf(const Diagnostics& diagnostics) {
   std::vector<Code> codes;
   for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
@@ -224,18 +224,18 @@ class MechanismTest : public QObject {
   void looseLinksAreAllNamed() {
     Mechanism robot = robotTopology();
     robot.turningJoints.erase(robot.turningJoints.begin() + 4);  // 1 -> 2: then 2, 3 and 7 hang nowhere
-    const Diagnostics findings = treeDiagnostics(robot);
-    QCOMPARE(codesOf(findings), std::vector<Code>{Code::disconnected});
-    QCOMPARE(findings[0].elements, (std::vector<ElementId>{link("2"), link("3"), link("7")}));
+    const Diagnostics diagnostics = treeDiagnostics(robot);
+    QCOMPARE(codesOf(diagnostics), std::vector<Code>{Code::disconnected});
+    QCOMPARE(diagnostics[0].elements, (std::vector<ElementId>{link("2"), link("3"), link("7")}));
   }
 
   void aRedundantBearingIsNamed() {
     Mechanism robot = robotTopology();
     robot.turningJoints.push_back({JointId("x"), LinkId("5"), LinkId("1"), AxisId("b"), Number(0), {}});
-    const Diagnostics findings = treeDiagnostics(robot);
-    QCOMPARE(codesOf(findings), std::vector<Code>{Code::turningLoop});
-    QCOMPARE(findings[0].elements, (std::vector<ElementId>{JointId("x"), JointId("9"), JointId("10")}));
-    QVERIFY(findings[0].detail == Detail::redundantBearing);
+    const Diagnostics diagnostics = treeDiagnostics(robot);
+    QCOMPARE(codesOf(diagnostics), std::vector<Code>{Code::turningLoop});
+    QCOMPARE(diagnostics[0].elements, (std::vector<ElementId>{JointId("x"), JointId("9"), JointId("10")}));
+    QVERIFY(diagnostics[0].detail == Detail::redundantBearing);
   }
 
   void everyLoopAndEveryLooseLinkIsReportedTogether() {

@@ -36,7 +36,7 @@ Mechanism planetOn(const std::vector<std::string>& sun, const std::vector<std::s
 
 std::vector<Code> codesOf(const Mechanism& mechanism) {
   std::vector<Code> codes;
-  for (const Diagnostic& finding : placementOf(mechanism).diagnostics) codes.push_back(finding.code);
+  for (const Diagnostic& diagnostic : placementOf(mechanism).diagnostics) codes.push_back(diagnostic.code);
   return codes;
 }
 

@@ -21,18 +21,18 @@ Mechanism pair(std::optional<MeshKind> kind, const std::vector<std::string>& pit
       .build();
 }
 
-/// The one finding of the placement, with its code.
+/// The one diagnostic of the placement, with its code.
 Diagnostic only(const Mechanism& mechanism) {
   const Placement placement = placementOf(mechanism);
   return placement.diagnostics.size() == 1 ? placement.diagnostics.front() : Diagnostic{};
 }
 
-/// Does the finding state this value?
-bool states(const Diagnostic& finding, const char* value) {
-  return finding.message.find(value) != std::string::npos;
+/// Does the diagnostic state this value?
+bool states(const Diagnostic& diagnostic, const char* value) {
+  return diagnostic.message.find(value) != std::string::npos;
 }
 
-/// All findings about a mesh name it and its two links.
+/// All diagnostics about a mesh name it and its two links.
 const std::vector<ElementId> kMesh{MeshId("5"), LinkId("1"), LinkId("2")};
 
 }  // namespace
@@ -40,35 +40,35 @@ const std::vector<ElementId> kMesh{MeshId("5"), LinkId("1"), LinkId("2")};
 class TestPlacementErrors : public QObject {
   Q_OBJECT
  private slots:
-  void aFittingPairHasNoFindings() {
+  void aFittingPairHasNoDiagnostics() {
     QVERIFY(placementOf(pair(MeshKind::external, {"0", "20", "5"})).diagnostics.empty());
     QVERIFY(placementOf(pair(MeshKind::internal, {"0", "-60", "0"})).diagnostics.empty());
     QVERIFY(placementOf(pair({}, {})).diagnostics.empty());
   }
 
   void aPitchPointOnAnAxisIsRefused() {
-    const Diagnostic finding = only(pair({}, {"0", "60", "3"}));
-    QCOMPARE(finding.code, Code::pitchPointOnAxis);
-    QCOMPARE(finding.elements, kMesh);
-    QVERIFY(states(finding, "(0, 60, 3)"));
+    const Diagnostic diagnostic = only(pair({}, {"0", "60", "3"}));
+    QCOMPARE(diagnostic.code, Code::pitchPointOnAxis);
+    QCOMPARE(diagnostic.elements, kMesh);
+    QVERIFY(states(diagnostic, "(0, 60, 3)"));
     QCOMPARE(only(pair({}, {"0", "0", "3"})).code, Code::pitchPointOnAxis);
   }
 
   void aPitchPointOffThePlaneOfTheAxesIsRefusedWithTheDistanceAndThePointThatFits() {
-    const Diagnostic finding = only(pair(MeshKind::external, {"1/2", "20", "0"}));
-    QCOMPARE(finding.detail, Detail::pitchPointOffPlane);
-    QCOMPARE(finding.code, Code::pitchGeometry);
-    QCOMPARE(finding.elements, kMesh);
-    QVERIFY(states(finding, " 0.5 "));
-    QVERIFY(states(finding, "(0, 20, 0)"));
+    const Diagnostic diagnostic = only(pair(MeshKind::external, {"1/2", "20", "0"}));
+    QCOMPARE(diagnostic.detail, Detail::pitchPointOffPlane);
+    QCOMPARE(diagnostic.code, Code::pitchGeometry);
+    QCOMPARE(diagnostic.elements, kMesh);
+    QVERIFY(states(diagnostic, " 0.5 "));
+    QVERIFY(states(diagnostic, "(0, 20, 0)"));
   }
 
   void skewAxesAreRefusedWithTheirDistance() {
     for (const auto& point : {std::vector<std::string>{}, std::vector<std::string>{"0", "20", "0"}}) {
-      const Diagnostic finding = only(pair({}, point, {"1", "0", "0"}));
-      QCOMPARE(finding.detail, Detail::skewAxes);
-      QCOMPARE(finding.code, Code::pitchGeometry);
-      QVERIFY(states(finding, " 60 "));
+      const Diagnostic diagnostic = only(pair({}, point, {"1", "0", "0"}));
+      QCOMPARE(diagnostic.detail, Detail::skewAxes);
+      QCOMPARE(diagnostic.code, Code::pitchGeometry);
+      QVERIFY(states(diagnostic, " 60 "));
     }
   }
 
@@ -82,11 +82,12 @@ class TestPlacementErrors : public QObject {
   }
 
   void teethThatContradictTheRadiiAreRefusedWithBothAndWhatFits() {
-    const Diagnostic finding = only(pair(MeshKind::external, {"0", "24", "0"}));
-    QCOMPARE(finding.detail, Detail::teethAgainstRadii);
-    QCOMPARE(finding.code, Code::teethGeometry);
-    QCOMPARE(finding.elements, kMesh);
-    for (const char* value : {"24", "36", "20", "40", " 30 ", "(0, 20, 0)"}) QVERIFY(states(finding, value));
+    const Diagnostic diagnostic = only(pair(MeshKind::external, {"0", "24", "0"}));
+    QCOMPARE(diagnostic.detail, Detail::teethAgainstRadii);
+    QCOMPARE(diagnostic.code, Code::teethGeometry);
+    QCOMPARE(diagnostic.elements, kMesh);
+    for (const char* value : {"24", "36", "20", "40", " 30 ", "(0, 20, 0)"})
+      QVERIFY(states(diagnostic, value));
   }
 
   void aKindThatTheSignContradictsIsRefused() {
@@ -110,26 +111,26 @@ class TestPlacementErrors : public QObject {
   }
 
   void coaxialGearsAreRefused() {
-    const Diagnostic finding =
+    const Diagnostic diagnostic =
         only(TrainSketch(2).joint(0, 1, "a").joint(1, 2, "a").mesh(1, 2, 20, 20).build());
-    QCOMPARE(finding.code, Code::coaxialMesh);
-    QCOMPARE(finding.elements.front(), ElementId(MeshId("5")));
+    QCOMPARE(diagnostic.code, Code::coaxialMesh);
+    QCOMPARE(diagnostic.elements.front(), ElementId(MeshId("5")));
     QCOMPARE(only(TrainSketch(1).joint(0, 1, "a").mesh(0, 1, 20, 20).build()).code, Code::coaxialMesh);
   }
 
   void aPathOverThreeAxesIsRefusedWithItsWord() {
-    const Diagnostic finding =
+    const Diagnostic diagnostic =
         only(TrainSketch(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "c").mesh(0, 3, 20, 20).build());
-    QCOMPARE(finding.code, Code::noTransferVertex);
-    QVERIFY(states(finding, "a|b|c"));
+    QCOMPARE(diagnostic.code, Code::noTransferVertex);
+    QVERIFY(states(diagnostic, "a|b|c"));
   }
 
   void oneAxisNameOnTwoAxesIsReported() {
-    const Diagnostic finding =
+    const Diagnostic diagnostic =
         only(TrainSketch(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "a").build());
-    QCOMPARE(finding.code, Code::splitAxis);
-    QVERIFY(std::find(finding.elements.begin(), finding.elements.end(), ElementId(AxisId("a"))) !=
-            finding.elements.end());
+    QCOMPARE(diagnostic.code, Code::splitAxis);
+    QVERIFY(std::find(diagnostic.elements.begin(), diagnostic.elements.end(), ElementId(AxisId("a"))) !=
+            diagnostic.elements.end());
   }
 
   void coincidingAxesAtACommonLinkAreOneAndTheirSensesAreMinded() {

@@ -239,8 +239,8 @@ double penetration(const Gear& a, const Eigen::Isometry3d& A, const Gear& b, con
 
 }  // namespace
 
-AssemblyFindings checkedAssembly(const QString& folder, const QString& turned, double pitches) {
-  AssemblyFindings found;
+AssemblyMeasurements checkedAssembly(const QString& folder, const QString& turned, double pitches) {
+  AssemblyMeasurements found;
   const QJsonObject index = QJsonDocument::fromJson(contents(folder + "/assembly.json")).object();
   std::map<QString, Gear> gears;
   for (const QJsonValue& value : index["gears"].toArray()) {

@@ -5,7 +5,7 @@
 namespace geargraph::test {
 
 /// What a check of an assembly export found, from its files alone: it shares no code with what made them.
-struct AssemblyFindings {
+struct AssemblyMeasurements {
   int gears = 0;
   int pairs = 0;
   int frames = 0;
@@ -19,7 +19,7 @@ struct AssemblyFindings {
 
 /// Reads `folder`/assembly.json and its STL files, and measures. `turned`: a gear that is turned about its
 /// own axis by `pitches` first, to see that the check notices.
-[[nodiscard]] AssemblyFindings checkedAssembly(const QString& folder, const QString& turned = {},
-                                               double pitches = 0);
+[[nodiscard]] AssemblyMeasurements checkedAssembly(const QString& folder, const QString& turned = {},
+                                                   double pitches = 0);
 
 }  // namespace geargraph::test

@@ -91,7 +91,7 @@ Assembly bevelPair() {
   return assembly;
 }
 
-AssemblyFindings findings(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
+AssemblyMeasurements diagnostics(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
   const QTemporaryDir folder;
   if (const auto error = writeAssembly(assembly, folder.path().toStdString(), false)) {
     qFatal("%s", error->message.c_str());
@@ -112,7 +112,7 @@ class TestAssemblyCheck : public QObject {
   }
   void goodPairsPass() {
     QFETCH(int, which);
-    const AssemblyFindings found = findings(pair(which));
+    const AssemblyMeasurements found = diagnostics(pair(which));
     QCOMPARE(found.problem, QString());
     QCOMPARE(found.gears, 2);
     QCOMPARE(found.pairs, 1);
@@ -126,7 +126,8 @@ class TestAssemblyCheck : public QObject {
   void aGearTurnedByATenthOfAPitchIsNoticed() {
     QFETCH(int, which);
     const Assembly assembly = pair(which);
-    const AssemblyFindings found = findings(assembly, QString::fromStdString(assembly.gears[1].name), 0.1);
+    const AssemblyMeasurements found =
+        diagnostics(assembly, QString::fromStdString(assembly.gears[1].name), 0.1);
     QVERIFY(std::abs(found.phaseError - 0.1) < 1e-6);
     QVERIFY2(found.penetration > 0.05, qPrintable(QString::number(found.penetration)));
   }
@@ -137,7 +138,7 @@ class TestAssemblyCheck : public QObject {
     Assembly assembly = pair(which);
     assembly.frames.clear();
     addFrames(assembly, which == 1 ? -1 : 1);
-    const AssemblyFindings found = findings(assembly);
+    const AssemblyMeasurements found = diagnostics(assembly);
     QVERIFY(found.phaseError > 0.35 && found.penetration > 0.1);
   }
 
@@ -146,7 +147,7 @@ class TestAssemblyCheck : public QObject {
     GearSpec wrong = standardGear(GearKind::bevel, 30, kModule, 8);
     wrong.coneAngle = assembly.gears[1].coneAngle * 1.02;
     assembly.gears[1].solid = std::make_shared<const Solid>(gearSolid(wrong, kExportTolerance).value());
-    QVERIFY(findings(assembly).penetration > 0.02);
+    QVERIFY(diagnostics(assembly).penetration > 0.02);
   }
 
   void aHoleIsNoticed() {
@@ -154,7 +155,7 @@ class TestAssemblyCheck : public QObject {
     Solid holed = *assembly.gears[0].solid;
     holed.triangles.pop_back();
     assembly.gears[0].solid = std::make_shared<const Solid>(holed);
-    QVERIFY(!findings(assembly).closed);
+    QVERIFY(!diagnostics(assembly).closed);
   }
 
  private:

@@ -124,9 +124,9 @@ class ReportWordsTest : public QObject {
       Diagnostics all = snapshot->diagnostics;
       if (snapshot->geometry != nullptr)
         if (const auto ofTrain = snapshot->geometry->diagnostics({})) append(all, *ofTrain);
-      for (const Diagnostic& finding : all) {
-        seen.insert(finding.code);
-        verifyTranslated(finding.message, names);
+      for (const Diagnostic& diagnostic : all) {
+        seen.insert(diagnostic.code);
+        verifyTranslated(diagnostic.message, names);
       }
     });
     for (const Code code : {Code::assembly, Code::redundantMesh}) QVERIFY(seen.contains(code));

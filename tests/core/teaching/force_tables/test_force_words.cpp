@@ -112,7 +112,8 @@ class TestForceWords : public QObject {
       const Loaded loaded(planets);
       const Mechanism& mechanism = loaded.train.mechanism;
       const std::vector<std::string> names = namesIn(mechanism);
-      for (const Diagnostic& finding : loaded.report.diagnostics) verifyTranslated(finding.message, names);
+      for (const Diagnostic& diagnostic : loaded.report.diagnostics)
+        verifyTranslated(diagnostic.message, names);
       for (int joint = 0; joint < mechanism.t(); ++joint) {
         const auto cutset =
             cutsetWords(mechanism, loaded.train.model, loaded.train.placement, loaded.report, joint);

@@ -104,8 +104,8 @@ class LessonSchemaTest : public QObject {
       const auto lesson = readLesson(text);
       if (!lesson) continue;
       ++read;
-      for (const Diagnostic& finding : placedInText(text, checkLesson(*lesson, bundledExample))) {
-        QVERIFY2(finding.line > 0, finding.message.c_str());
+      for (const Diagnostic& diagnostic : placedInText(text, checkLesson(*lesson, bundledExample))) {
+        QVERIFY2(diagnostic.line > 0, diagnostic.message.c_str());
         ++faulty;
       }
     }

@@ -27,9 +27,9 @@ class LessonsTest : public QObject {
   static std::string reasonAgainst(std::string text) {
     std::replace(text.begin(), text.end(), '\'', '"');
     const auto lesson = readLesson(text);
-    const Diagnostics findings =
+    const Diagnostics diagnostics =
         lesson ? placedInText(text, checkLesson(*lesson, bundledExample)) : lesson.error();
-    return findings.empty() ? std::string() : findings.front().message;
+    return diagnostics.empty() ? std::string() : diagnostics.front().message;
   }
   /// A lesson of one step about the spur pair.
   static std::string lessonWith(const std::string& task, const std::string& more = {}) {
@@ -46,8 +46,8 @@ class LessonsTest : public QObject {
   void everyLessonCanBeTaught() {
     std::set<std::string> ids;
     for (const Lesson& lesson : course()) {
-      for (const Diagnostic& finding : checkLesson(lesson, bundledExample))
-        QFAIL(qPrintable(QString::fromStdString(lesson.id + finding.pointer + ": " + finding.message)));
+      for (const Diagnostic& diagnostic : checkLesson(lesson, bundledExample))
+        QFAIL(qPrintable(QString::fromStdString(lesson.id + diagnostic.pointer + ": " + diagnostic.message)));
       QVERIFY2(ids.insert(lesson.id).second, lesson.id.c_str());
     }
   }

@@ -32,7 +32,7 @@ class AnalysisTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void theRobotIsSolvedByBothMethodsWithoutFindings() {
+  void theRobotIsSolvedByBothMethodsWithoutDiagnostics() {
     const SnapshotPtr snapshot = analysisOf(test::robot());
     QVERIFY(snapshot->diagnostics.empty());
     const SolvedKinematics& solved = *snapshot->solved;

@@ -100,12 +100,12 @@ class TestDiagnosticWords : public QObject {
     const PseudoLanguage pseudo;
     for (const Mechanism& mechanism : noteworthy()) {
       const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(mechanism));
-      for (const Diagnostic& finding : snapshot->diagnostics) {
-        const auto entry = expected.find(finding.code);
+      for (const Diagnostic& diagnostic : snapshot->diagnostics) {
+        const auto entry = expected.find(diagnostic.code);
         if (entry == expected.end()) continue;
         ++entry->second;
-        const auto words = PseudoLanguage::english(finding.message);
-        QVERIFY2(words.empty(), finding.message.c_str());
+        const auto words = PseudoLanguage::english(diagnostic.message);
+        QVERIFY2(words.empty(), diagnostic.message.c_str());
       }
     }
     for (const auto& [code, times] : expected) QVERIFY2(times > 0, std::string(codeName(code)).c_str());

@@ -41,7 +41,7 @@ bool has(const AnalysisSnapshot& snapshot, Code code) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
-const Diagnostic& findingOf(const AnalysisSnapshot& snapshot, Code code) {
+const Diagnostic& diagnosticOf(const AnalysisSnapshot& snapshot, Code code) {
   return *std::find_if(snapshot.diagnostics.begin(), snapshot.diagnostics.end(),
                        [&](const Diagnostic& each) { return each.code == code; });
 }
@@ -264,10 +264,10 @@ class EngagementTest : public QObject {
     box = *withBrake(box, box.couplings[0].links.front(), "A2");  // holds what A holds
     box.engaged.push_back(CouplingId("A2"));
     const SnapshotPtr snapshot = analysed(box);
-    const Diagnostic& finding = findingOf(*snapshot, Code::redundantCoupling);
-    QCOMPARE(finding.message, std::string("Brake A2 is engaged and holds nothing that could move: that "
-                                          "follows from brake A."));
-    QVERIFY(finding.elements.front() == ElementId(CouplingId("A2")));
+    const Diagnostic& diagnostic = diagnosticOf(*snapshot, Code::redundantCoupling);
+    QCOMPARE(diagnostic.message, std::string("Brake A2 is engaged and holds nothing that could move: that "
+                                             "follows from brake A."));
+    QVERIFY(diagnostic.elements.front() == ElementId(CouplingId("A2")));
     bothMethodsAgreeAsEngaged(*snapshot);
   }
 
@@ -276,8 +276,8 @@ class EngagementTest : public QObject {
     box = engaging(box, {CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("D")});
     const SnapshotPtr snapshot = analysed(box);
     QCOMPARE(snapshot->matroid()->dof, 0);
-    const Diagnostic& finding = findingOf(*snapshot, Code::locked);
-    QVERIFY(finding.message.find("brake A, brake B, clutch C and clutch D hold everything") !=
+    const Diagnostic& diagnostic = diagnosticOf(*snapshot, Code::locked);
+    QVERIFY(diagnostic.message.find("brake A, brake B, clutch C and clutch D hold everything") !=
             std::string::npos);
     QVERIFY(std::all_of(snapshot->solved->exact->rates.begin(), snapshot->solved->exact->rates.end(),
                         [](const Rational& rate) { return rate.isZero(); }));

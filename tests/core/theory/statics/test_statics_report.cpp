@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "core/mechanism/model/load_edits.h"
-#include "core/theory/statics/load_findings.h"
+#include "core/theory/statics/load_diagnostics.h"
 #include "core/theory/statics/statics_report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
@@ -210,22 +210,22 @@ class TestStaticsReport : public QObject {
     QCOMPARE(std::count(codes.begin(), codes.end(), Code::recirculation), std::ptrdiff_t{1});
   }
 
-  /// A document's findings are about its loads: without any there are none, whatever was solved beside it.
-  void findingsOfADocument() {
+  /// A document's diagnostics are about its loads: without any there are none, whatever was solved beside it.
+  void diagnosticsOfADocument() {
     Mechanism robot = example("robot");
     robot.balances = std::vector<Balance>{{JointId("8")}};
-    QVERIFY(loadFindings(robot, reportOf(StaticsCase(robot))).empty());
+    QVERIFY(solvedLoadDiagnostics(robot, reportOf(StaticsCase(robot))).empty());
     robot = *withLoad(robot, inJoint("14", "10"));
-    const Diagnostics findings = loadFindings(robot, reportOf(StaticsCase(robot)));
-    QVERIFY(findings.size() == 1 && findings.front().code == Code::unbalanced);
+    const Diagnostics diagnostics = solvedLoadDiagnostics(robot, reportOf(StaticsCase(robot)));
+    QVERIFY(diagnostics.size() == 1 && diagnostics.front().code == Code::unbalanced);
     robot.balances.reset();
     StaticsOptions options;
     options.losses = true;  // no mesh has an efficiency
-    QVERIFY(loadFindings(robot, reportOf(StaticsCase(robot), options)).empty());
+    QVERIFY(solvedLoadDiagnostics(robot, reportOf(StaticsCase(robot), options)).empty());
   }
 
   /// The errors and warnings of all states of a gearbox; those that states share once.
-  void findingsOfStates() {
+  void diagnosticsOfStates() {
     Mechanism gearbox = eightSpeed();
     gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(1)}}};
     gearbox.balances = std::vector<Balance>{};
@@ -237,15 +237,15 @@ class TestStaticsReport : public QObject {
       reports.push_back(reportOf(train, options));
     }
     std::vector<const StaticsReport*> all(9, nullptr);
-    QVERIFY(loadFindings(gearbox, all).empty());
+    QVERIFY(solvedLoadDiagnostics(gearbox, all).empty());
     for (const std::size_t state : {0U, 2U}) all[state] = &reports[state];
-    all[1] = &reports[0];  // the same finding
-    const Diagnostics findings = loadFindings(gearbox, all);
-    QCOMPARE(findings.size(), std::size_t{2});
-    QVERIFY2(findings[0].message.starts_with("In states 1 and 2: nothing holds this motion"),
-             findings[0].message.c_str());
-    QVERIFY(findings[1].message.starts_with("In state 3: nothing holds"));
-    QVERIFY(!findings[0].elements.empty());
+    all[1] = &reports[0];  // the same diagnostic
+    const Diagnostics diagnostics = solvedLoadDiagnostics(gearbox, all);
+    QCOMPARE(diagnostics.size(), std::size_t{2});
+    QVERIFY2(diagnostics[0].message.starts_with("In states 1 and 2: nothing holds this motion"),
+             diagnostics[0].message.c_str());
+    QVERIFY(diagnostics[1].message.starts_with("In state 3: nothing holds"));
+    QVERIFY(!diagnostics[0].elements.empty());
   }
 };
 

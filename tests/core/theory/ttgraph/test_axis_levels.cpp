@@ -67,9 +67,9 @@ class AxisLevelsTest : public QObject {
     const AxisLevels levels = levelsOf(mechanism);
     QCOMPARE(levelWord(levels), std::string("a b a'"));
     QCOMPARE(levels.diagnostics.size(), std::size_t(1));
-    const Diagnostic& finding = levels.diagnostics.front();
-    QCOMPARE(finding.code, Code::splitAxis);
-    QCOMPARE(finding.elements, (std::vector<ElementId>{AxisId("a"), JointId("j0"), JointId("j2")}));
+    const Diagnostic& diagnostic = levels.diagnostics.front();
+    QCOMPARE(diagnostic.code, Code::splitAxis);
+    QCOMPARE(diagnostic.elements, (std::vector<ElementId>{AxisId("a"), JointId("j0"), JointId("j2")}));
   }
 
   void oneLineUnderTwoNamesIsOneAxisAndItsDirectionIsMinded() {

@@ -1,4 +1,4 @@
-#include "core/theory/statics/statics_findings.h"
+#include "core/theory/statics/statics_diagnostics.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 12;
 
-Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements = {}) {
+Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId> elements = {}) {
   return {code, std::move(message), std::move(elements), {}, 0, 0};
 }
 
@@ -89,11 +89,11 @@ Drivers driversOf(const Mechanism& mechanism, const StaticsReport& report) {
 }  // namespace
 
 Diagnostic noLoad() {
-  return finding(Code::noLoad, translated("No load is given: all torques are 0."));
+  return makeDiagnostic(Code::noLoad, translated("No load is given: all torques are 0."));
 }
 
 Diagnostic unitLoad(const Mechanism& mechanism, const ShiftState& state) {
-  return finding(
+  return makeDiagnostic(
       Code::unitLoad,
       translated("The drive of state %1, link %2, gets 1 N m, as no load acts on it or on the driven link.",
                  {state.name, labelOf(mechanism, *state.drive).value_or(state.drive->text())}),
@@ -101,7 +101,7 @@ Diagnostic unitLoad(const Mechanism& mechanism, const ShiftState& state) {
 }
 
 Diagnostic unknownUnit(const Mechanism& mechanism, bool leavesForcesOut) {
-  return finding(
+  return makeDiagnostic(
       Code::unknownUnit,
       leavesForcesOut
           ? translated(
@@ -114,7 +114,7 @@ Diagnostic unknownUnit(const Mechanism& mechanism, bool leavesForcesOut) {
 }
 
 Diagnostic noMotion() {
-  return finding(
+  return makeDiagnostic(
       Code::noMotion,
       translated(
           "Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or "
@@ -122,9 +122,10 @@ Diagnostic noMotion() {
 }
 
 Diagnostic noEfficiency() {
-  return finding(Code::noEfficiency,
-                 translated("No mesh has an efficiency: give `efficiency` or `friction` in the document, or "
-                            "--eta."));
+  return makeDiagnostic(
+      Code::noEfficiency,
+      translated("No mesh has an efficiency: give `efficiency` or `friction` in the document, or "
+                 "--eta."));
 }
 
 Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& report) {
@@ -150,7 +151,7 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   std::vector<ElementId> elements;
   for (const int joint : motion.joints)
     elements.emplace_back(mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
-  return finding(Code::unbalanced, std::move(message), std::move(elements));
+  return makeDiagnostic(Code::unbalanced, std::move(message), std::move(elements));
 }
 
 Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
@@ -194,7 +195,7 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
   message += couplings.empty() && !balances
                  ? translated("Torques outside are determined.")
                  : translated("Torques that do not depend on them are determined.");
-  return finding(Code::staticallyIndeterminate, std::move(message), std::move(elements));
+  return makeDiagnostic(Code::staticallyIndeterminate, std::move(message), std::move(elements));
 }
 
 Diagnostic deadLoad(const Mechanism& mechanism, int joint, const std::vector<int>& meshes) {
@@ -211,7 +212,7 @@ Diagnostic deadLoad(const Mechanism& mechanism, int joint, const std::vector<int
   } else {
     message = translated("Joint %1 cannot turn: its load is carried by meshes %2.", {label, carrying});
   }
-  return finding(Code::deadLoad, std::move(message), std::move(elements));
+  return makeDiagnostic(Code::deadLoad, std::move(message), std::move(elements));
 }
 
 Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
@@ -248,13 +249,13 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
                         "begins at %2 % of these losses).",
                         {places, decimal(100 * *part)});
   }
-  return finding(Code::selfLocking, std::move(message), std::move(elements));
+  return makeDiagnostic(Code::selfLocking, std::move(message), std::move(elements));
 }
 
 Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& meshes) {
   std::vector<ElementId> elements;
   for (const int mesh : meshes) elements.push_back(meshId(mechanism, mesh));
-  return finding(
+  return makeDiagnostic(
       Code::patternLimit,
       translated("Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave "
                  "too many patterns to try all of them. Powers are those without losses.",
@@ -279,7 +280,7 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
   std::map<std::size_t, std::vector<int>> groups;
   for (std::size_t mesh = 0; mesh < times.size(); ++mesh)
     if (times[mesh] > 0) groups[leaderOf(mesh)].push_back(static_cast<int>(mesh));
-  Diagnostics findings;
+  Diagnostics diagnostics;
   for (const auto& [leader, meshes] : groups) {
     double most = 0;
     std::vector<ElementId> elements;
@@ -294,9 +295,9 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
                          {labels, decimal(most)})
             : translated("Meshes %1 pass up to %2 times the power fed, seen from their carriers.",
                          {labels, decimal(most)});
-    findings.push_back(finding(Code::recirculation, std::move(message), std::move(elements)));
+    diagnostics.push_back(makeDiagnostic(Code::recirculation, std::move(message), std::move(elements)));
   }
-  return findings;
+  return diagnostics;
 }
 
 Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation, double part) {
@@ -307,11 +308,12 @@ Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circu
     elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
   }
   for (const int mesh : circulation.meshes) elements.push_back(meshId(mechanism, mesh));
-  return finding(Code::recirculation,
-                 translated("%1 W of each W fed circulate through %2 and %3.",
-                            {decimal(part), counted(toTranslate("link %1"), toTranslate("links %1"), links),
-                             countedMeshes(meshLabels(mechanism, circulation.meshes))}),
-                 std::move(elements));
+  return makeDiagnostic(
+      Code::recirculation,
+      translated("%1 W of each W fed circulate through %2 and %3.",
+                 {decimal(part), counted(toTranslate("link %1"), toTranslate("links %1"), links),
+                  countedMeshes(meshLabels(mechanism, circulation.meshes))}),
+      std::move(elements));
 }
 
 }  // namespace geargraph::inline statics

@@ -17,11 +17,11 @@ using std::numbers::pi;
 
 namespace {
 
-Diagnostics findings(const Mechanism& mechanism) {
+Diagnostics diagnosticsFor(const Mechanism& mechanism) {
   return trainDiagnostics(mechanism, placementOf(mechanism));
 }
 
-/// Findings of this code that state the value.
+/// Diagnostics of this code that state the value.
 int count(const Diagnostics& diagnostics, Code code, const std::string& value = {}) {
   return static_cast<int>(std::count_if(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) {
     return d.code == code && d.message.find(value) != std::string::npos;
@@ -35,7 +35,7 @@ int count(const Diagnostics& diagnostics, Detail detail, const std::string& valu
   return count(some, codeOf(detail), value);
 }
 
-/// The elements of the findings with this detail, one text a finding: "links:1 links:2".
+/// The elements of the diagnostics with this detail, one text a diagnostic: "links:1 links:2".
 QStringList blamed(const Diagnostics& diagnostics, Detail detail) {
   QStringList all;
   for (const Diagnostic& d : diagnostics) {
@@ -94,16 +94,16 @@ Mechanism triangle(int a, int b, int c, double turn) {
 
 }  // namespace
 
-class TestFindings : public QObject {
+class TestTrainDiagnostics : public QObject {
   Q_OBJECT
  private slots:
   void undercutSaysHowManyTeethAndWhatShiftWouldDo() {
-    const Diagnostics found = findings(pair(12, 40));
+    const Diagnostics found = diagnosticsFor(pair(12, 40));
     QCOMPARE(count(found, Code::undercut), 1);
     QVERIFY(found.front().elements == (std::vector<ElementId>{MeshId("5"), LinkId("1")}));
     QCOMPARE(count(found, Code::undercut, "17.1"), 1);
     QCOMPARE(count(found, Code::undercut, "0.30"), 1);
-    QCOMPARE(count(findings(pair(18, 40)), Code::undercut), 0);
+    QCOMPARE(count(diagnosticsFor(pair(18, 40)), Code::undercut), 0);
   }
 
   /// A standard pair's ratio by the formula of every text book; 20/40 at 20 degrees has 1.64.
@@ -181,9 +181,9 @@ class TestFindings : public QObject {
   }
 
   void shortContactIsReported() {
-    QCOMPARE(blamed(findings(pair(8, 40)), Detail::contactRatio), QStringList("gearMeshes:5"));
-    QCOMPARE(count(findings(pair(8, 40)), Detail::contactRatio, " 0."), 1);  // below 1
-    QCOMPARE(count(findings(pair(20, 40)), Detail::contactRatio), 0);
+    QCOMPARE(blamed(diagnosticsFor(pair(8, 40)), Detail::contactRatio), QStringList("gearMeshes:5"));
+    QCOMPARE(count(diagnosticsFor(pair(8, 40)), Detail::contactRatio, " 0."), 1);  // below 1
+    QCOMPARE(count(diagnosticsFor(pair(20, 40)), Detail::contactRatio), 0);
   }
 
   void facesWiderThanAThirdOfTheConeDistanceAreReported() {
@@ -193,9 +193,9 @@ class TestFindings : public QObject {
     sketch.mesh(1, 2, 40, 30, MeshKind::bevel, {"40", "0", "30"});  // cone distance 50
     Mechanism mechanism = sketch.build();
     mechanism.gearMeshes.front().faceWidth = Number(16);
-    QCOMPARE(count(findings(mechanism), Code::interference), 0);
+    QCOMPARE(count(diagnosticsFor(mechanism), Code::interference), 0);
     mechanism.gearMeshes.front().faceWidth = Number(18);
-    const Diagnostics found = findings(mechanism);
+    const Diagnostics found = diagnosticsFor(mechanism);
     QCOMPARE(count(found, Detail::faceTooWide, "18.0"), 1);
     QCOMPARE(count(found, Detail::faceTooWide, "16.7"), 1);  // a third of the cone distance
     QCOMPARE(count(found, Code::interference), 1);
@@ -204,7 +204,7 @@ class TestFindings : public QObject {
   /// 2 a sin(pi / n) against the tips' diameter: 24 and 18 teeth leave room for five planets, not for seven.
   void planetsThatRunIntoEachOtherAreReportedOnce() {
     for (int n = 3; n <= 8; ++n) {
-      const Diagnostics found = findings(test::planetary(24, 18, n));
+      const Diagnostics found = diagnosticsFor(test::planetary(24, 18, n));
       const bool meet = (24 + 18) * std::sin(pi / n) < 18 + 2;
       QVERIFY2(count(found, Detail::planetsOverlap) == (meet ? n : 0), listed(found));  // once a pair
       if (meet) QCOMPARE(count(found, Detail::planetsOverlap, " 6 "), n);               // as many would fit
@@ -229,8 +229,8 @@ class TestFindings : public QObject {
       }
       return sketch.build();
     };
-    QCOMPARE(count(findings(differential(2)), Detail::planetsOverlap), 0);
-    QCOMPARE(count(findings(differential(4)), Detail::planetsOverlap), 4);
+    QCOMPARE(count(diagnosticsFor(differential(2)), Detail::planetsOverlap), 0);
+    QCOMPARE(count(diagnosticsFor(differential(4)), Detail::planetsOverlap), 4);
   }
 
   /// An odd ring of external wheels cannot turn, but it can be put together: wherever its first wheel stands,
@@ -238,7 +238,7 @@ class TestFindings : public QObject {
   void lockedOddRingsCanBeAssembled() {
     for (const double turn : {0.0, 0.1, 0.7, 2.0}) {
       for (const auto& [a, b, c] : {std::tuple{20, 30, 40}, {21, 34, 27}, {17, 18, 19}}) {
-        const Diagnostics found = findings(triangle(a, b, c, turn));
+        const Diagnostics found = diagnosticsFor(triangle(a, b, c, turn));
         QVERIFY2(count(found, Code::assembly) == 0, listed(found));
       }
     }
@@ -266,13 +266,13 @@ class TestFindings : public QObject {
   }
 
   void planetsThatDoNotFitAreToldWhatDoes() {
-    const Diagnostics found = findings(test::planetary(20, 20, 3));  // 80 / 3
+    const Diagnostics found = diagnosticsFor(test::planetary(20, 20, 3));  // 80 / 3
     QVERIFY2(count(found, Code::assembly) == 2, listed(found));
     QCOMPARE(count(found, Code::assembly, "360/80 = 4.500 degrees"), 2);
     QCOMPARE(count(found, Code::assembly, "58 teeth and the planets 19"), 2);  // 78 / 3
     QCOMPARE(count(found, Code::assembly, "use 4 planets"), 2);
-    QCOMPARE(count(findings(test::planetary(20, 20, 4)), Code::assembly), 0);
-    QCOMPARE(count(findings(test::planetary(20, 19, 3)), Code::assembly), 0);
+    QCOMPARE(count(diagnosticsFor(test::planetary(20, 20, 4)), Code::assembly), 0);
+    QCOMPARE(count(diagnosticsFor(test::planetary(20, 19, 3)), Code::assembly), 0);
   }
 
   /// A rectangle of wheels (core/machine/teeth/README.md, section 4): 15 teeth close the loop, 16 miss by a
@@ -298,18 +298,18 @@ class TestFindings : public QObject {
   /// A square of 21, 30, 21 and 30 teeth misses by half a pitch; what is proposed fits on the same axes.
   void aSquareOfWheelsProposesToothCountsThatFit() {
     const std::vector<std::pair<double, double>> corners{{0, 0}, {51, 0}, {51, 51}, {0, 51}};
-    const Diagnostics found = findings(ring({21, 30, 21, 30}, corners));
+    const Diagnostics found = diagnosticsFor(ring({21, 30, 21, 30}, corners));
     QVERIFY2(count(found, Code::assembly, "0.500 of a pitch") == 1, listed(found));
     QVERIFY2(count(found, Code::assembly, "19 instead of 21 teeth") == 1, listed(found));
     QVERIFY2(count(found, Code::assembly, "28 instead of 30 teeth") == 1, listed(found));
     for (const std::vector<int>& teeth : {std::vector{19, 30, 21, 30}, {21, 28, 21, 30}}) {
-      QCOMPARE(count(findings(ring(teeth, corners)), Code::assembly), 0);
+      QCOMPARE(count(diagnosticsFor(ring(teeth, corners)), Code::assembly), 0);
     }
-    QCOMPARE(count(findings(ring({20, 30, 21, 30}, corners)), Code::assembly), 1);
+    QCOMPARE(count(diagnosticsFor(ring({20, 30, 21, 30}, corners)), Code::assembly), 1);
   }
 
   void gearsWithoutAToothFormAreReported() {
-    const Diagnostics found = findings(pair(2, 40));
+    const Diagnostics found = diagnosticsFor(pair(2, 40));
     QVERIFY2(count(found, Detail::noToothForm) == 1, listed(found));
     QVERIFY(!gearSolid(standardGear(GearKind::external, 2, 1, 1), 0.01).has_value());
   }
@@ -317,20 +317,21 @@ class TestFindings : public QObject {
   /// Tips that collide outside of the mesh: 54 teeth in a ring of 60; and tips of a ring that a small pinion
   /// shortens.
   void internalPairsWithCloseToothCountsInterfere() {
-    QCOMPARE(blamed(findings(pair(54, 60, MeshKind::internal)), Detail::tipInterference),
+    QCOMPARE(blamed(diagnosticsFor(pair(54, 60, MeshKind::internal)), Detail::tipInterference),
              QStringList("gearMeshes:5"));
-    QCOMPARE(count(findings(pair(30, 60, MeshKind::internal)), Detail::tipInterference), 0);
-    QCOMPARE(blamed(findings(pair(12, 60, MeshKind::internal)), Detail::ringTipsLowered),
+    QCOMPARE(count(diagnosticsFor(pair(30, 60, MeshKind::internal)), Detail::tipInterference), 0);
+    QCOMPARE(blamed(diagnosticsFor(pair(12, 60, MeshKind::internal)), Detail::ringTipsLowered),
              QStringList("gearMeshes:5"));
-    QCOMPARE(count(findings(pair(30, 60, MeshKind::internal)), Detail::ringTipsLowered), 0);
+    QCOMPARE(count(diagnosticsFor(pair(30, 60, MeshKind::internal)), Detail::ringTipsLowered), 0);
   }
 
   void pointedTeethAreReported() {
     Mechanism shifted = pair(12, 40);
     shifted.wheels.push_back({WheelId("w"), LinkId("1"), Number::fromText("0.9"), {}, {}, {}});
     shifted.gearMeshes.front().tailWheel = WheelId("w");
-    QCOMPARE(blamed(findings(shifted), Detail::pointedTeeth), QStringList("gearMeshes:5 links:1 wheels:w"));
-    QCOMPARE(count(findings(pair(12, 40)), Detail::pointedTeeth), 0);
+    QCOMPARE(blamed(diagnosticsFor(shifted), Detail::pointedTeeth),
+             QStringList("gearMeshes:5 links:1 wheels:w"));
+    QCOMPARE(count(diagnosticsFor(pair(12, 40)), Detail::pointedTeeth), 0);
   }
 
   /// The pitch points of two links on one axis put their wheels into each other, and each into the other's
@@ -342,7 +343,7 @@ class TestFindings : public QObject {
     sketch.mesh(1, 3, 20, 20, MeshKind::external, {"20", "0", "0"});
     sketch.mesh(2, 4, 20, 20, MeshKind::external, {"0", "20", "0"});
     const Mechanism mechanism = sketch.build();
-    const Diagnostics found = findings(mechanism);
+    const Diagnostics found = diagnosticsFor(mechanism);
     QStringList pairs = blamed(found, Detail::wheelsOverlap);
     pairs.sort();
     QCOMPARE(pairs, (QStringList{"links:1 links:2", "links:1 links:4", "links:3 links:2"}));
@@ -361,7 +362,7 @@ class TestFindings : public QObject {
     sketch.mesh(2, 4, 20, 20, MeshKind::external, {"40", "25", "0"});
     sketch.mesh(2, 4, 20, 20, MeshKind::external, {"-40", "25", "0"});
     const Mechanism mechanism = sketch.build();
-    const Diagnostics found = findings(mechanism);
+    const Diagnostics found = diagnosticsFor(mechanism);
     QCOMPARE(blamed(found, Detail::bodiesOverlap), QStringList("links:1 links:2"));
   }
 
@@ -376,13 +377,13 @@ class TestFindings : public QObject {
       }
       return 0.0;
     };
-    QVERIFY2(findings(robot).empty(), listed(findings(robot)));
+    QVERIFY2(diagnosticsFor(robot).empty(), listed(diagnosticsFor(robot)));
     QVERIFY(faceOf("16:head") < 11 && faceOf("16:head") > 4);
     QVERIFY(std::abs(faceOf("16:tail") - faceOf("16:head")) < 1e-6);
     for (const auto& [name, radius, height] : {std::tuple{"17:tail", 18, 24}, {"18:tail", 16, 24}})
       QVERIFY(std::abs(faceOf(name) - std::hypot(radius, height) / 3) < 1e-6);
     for (const std::size_t mesh : {1, 2}) robot.gearMeshes[mesh].faceWidth = Number(11);
-    const Diagnostics found = findings(robot);
+    const Diagnostics found = diagnosticsFor(robot);
     QVERIFY2(count(found, Detail::wheelsOverlap) > 0, listed(found));
     QCOMPARE(faceOf("16:head"), 11.0);
   }
@@ -397,7 +398,7 @@ class TestFindings : public QObject {
         mesh.headTeeth *= factor;
       }
       for (const std::size_t mesh : {1, 2}) robot.gearMeshes[mesh].faceWidth = Number(11);
-      const Diagnostics found = findings(robot);
+      const Diagnostics found = diagnosticsFor(robot);
       QVERIFY2(count(found, Code::interference, "do not mesh. Use smaller face widths") > 0, listed(found));
     }
   }
@@ -407,15 +408,15 @@ class TestFindings : public QObject {
     for (const double far : {1e6, 1e9, 1e12, 1e15, 1e17}) {
       Mechanism simpson = test::example("simpson");
       (*simpson.gearMeshes.front().pitchPoint)[2] = Number::fromDouble(far);
-      QVERIFY(!findings(simpson).empty());
+      QVERIFY(!diagnosticsFor(simpson).empty());
     }
   }
 
-  void aSoundTrainHasNoFindings() {
-    QVERIFY(findings(pair(20, 40)).empty());
-    QVERIFY(findings(test::planetary(20, 19, 3)).empty());
+  void aSoundTrainHasNoDiagnostics() {
+    QVERIFY(diagnosticsFor(pair(20, 40)).empty());
+    QVERIFY(diagnosticsFor(test::planetary(20, 19, 3)).empty());
   }
 };
 
-QTEST_APPLESS_MAIN(TestFindings)
+QTEST_APPLESS_MAIN(TestTrainDiagnostics)
 #include "test_findings.moc"

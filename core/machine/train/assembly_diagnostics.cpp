@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/foundations/base/words.h"
-#include "core/machine/train/train_findings.h"
+#include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
 namespace {

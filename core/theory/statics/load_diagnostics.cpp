@@ -1,4 +1,4 @@
-#include "core/theory/statics/load_findings.h"
+#include "core/theory/statics/load_diagnostics.h"
 
 #include <algorithm>
 
@@ -37,33 +37,33 @@ std::string inStates(const std::vector<std::string>& names, std::string message)
 
 }  // namespace
 
-Diagnostics loadFindings(const Mechanism& mechanism, const StaticsReport& report) {
-  Diagnostics findings;
-  if (mechanism.loads.empty()) return findings;
+Diagnostics solvedLoadDiagnostics(const Mechanism& mechanism, const StaticsReport& report) {
+  Diagnostics diagnostics;
+  if (mechanism.loads.empty()) return diagnostics;
   for (const Diagnostic& each : report.diagnostics)
-    if (isOnLoads(each.code)) findings.push_back(each);
-  return findings;
+    if (isOnLoads(each.code)) diagnostics.push_back(each);
+  return diagnostics;
 }
 
-Diagnostics loadFindings(const Mechanism& mechanism, std::span<const StaticsReport* const> byState) {
-  Diagnostics findings;
-  std::vector<std::vector<std::string>> states;  // by finding: in which states it is
+Diagnostics solvedLoadDiagnostics(const Mechanism& mechanism, std::span<const StaticsReport* const> byState) {
+  Diagnostics diagnostics;
+  std::vector<std::vector<std::string>> states;  // by diagnostic: in which states it is
   for (std::size_t state = 0; state < byState.size(); ++state) {
     if (byState[state] == nullptr) continue;
-    for (Diagnostic& each : loadFindings(mechanism, *byState[state])) {
+    for (Diagnostic& each : solvedLoadDiagnostics(mechanism, *byState[state])) {
       if (each.severity() == Severity::info) continue;
-      const auto at = std::find(findings.begin(), findings.end(), each);
-      const auto place = static_cast<std::size_t>(at - findings.begin());
-      if (at == findings.end()) {
-        findings.push_back(std::move(each));
+      const auto at = std::find(diagnostics.begin(), diagnostics.end(), each);
+      const auto place = static_cast<std::size_t>(at - diagnostics.begin());
+      if (at == diagnostics.end()) {
+        diagnostics.push_back(std::move(each));
         states.emplace_back();
       }
       states[place].push_back(mechanism.states[state].name);
     }
   }
-  for (std::size_t i = 0; i < findings.size(); ++i)
-    findings[i].message = inStates(states[i], std::move(findings[i].message));
-  return findings;
+  for (std::size_t i = 0; i < diagnostics.size(); ++i)
+    diagnostics[i].message = inStates(states[i], std::move(diagnostics[i].message));
+  return diagnostics;
 }
 
 }  // namespace geargraph::inline statics

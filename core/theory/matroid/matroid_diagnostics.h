@@ -9,9 +9,9 @@ namespace geargraph::inline matroid {
 
 /// The diagnostics of the kinematics: redundant-mesh, redundant-coupling, locked, dead-joint, idle-joint,
 /// no-meshes and invalid-inputs. `wanted`: the document's inputs, as joint ordinals.
-[[nodiscard]] Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model,
-                                     const Placement& placement, const MatroidAnalysis& analysis,
-                                     std::span<const int> wanted, const std::stop_token& stop);
+[[nodiscard]] Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel& model,
+                                             const Placement& placement, const MatroidAnalysis& analysis,
+                                             std::span<const int> wanted, const std::stop_token& stop);
 
 /// Why an input was rejected: the relation that fixes its rate, in terms of the inputs of the choice: "q10 =
 /// -i15 q8"; "q5 = 0" if the joint cannot turn. In the ratios i_k if that is short enough, else in numbers.

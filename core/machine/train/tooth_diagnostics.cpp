@@ -3,10 +3,10 @@
 
 #include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
-#include "core/machine/train/train_findings.h"
+#include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 constexpr double kNoticedShortening = 0.3;
 /// Fewer pairs in contact than this at a time: the drive is rough, or interrupted (README.md, section 5).
 constexpr double kLeastContactRatio = 1.1;
-/// Findings ask for the ends of the flanks only, which do not depend on the tolerance.
-constexpr double kFindingTolerance = 0.2;
+/// Diagnostics ask for the ends of the flanks only, which do not depend on the tolerance.
+constexpr double kDiagnosticTolerance = 0.2;
 
 std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear) {
   std::vector<ElementId> elements;
@@ -30,13 +30,13 @@ std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear)
 HalfTooth toothOf(const GearSpec& spec) {
   switch (spec.kind) {
     case GearKind::internal:
-      return ringTooth(spec, kFindingTolerance);
+      return ringTooth(spec, kDiagnosticTolerance);
     case GearKind::bevel:
-      return bevelTooth(spec, kFindingTolerance);
+      return bevelTooth(spec, kDiagnosticTolerance);
     case GearKind::external:
       break;
   }
-  return externalTooth(spec, kFindingTolerance);
+  return externalTooth(spec, kDiagnosticTolerance);
 }
 
 class ToothFinder {
@@ -54,7 +54,7 @@ class ToothFinder {
 
  private:
   void add(Detail detail, std::string message, std::vector<ElementId> elements) {
-    found.push_back(finding(detail, std::move(message), std::move(elements)));
+    found.push_back(makeDiagnostic(detail, std::move(message), std::move(elements)));
   }
   void addGear(const TrainGear& gear);
   void addMesh(const TrainMesh& mesh);

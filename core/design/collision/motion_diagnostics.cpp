@@ -1,4 +1,4 @@
-#include "core/design/collision/motion_findings.h"
+#include "core/design/collision/motion_diagnostics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 /// Joints times inputs up to which rates are solved in fractions, which periods need.
 constexpr std::size_t kMostExactGains = 20'000;
 
-/// Inputs whose angles a finding gives.
+/// Inputs whose angles a diagnostic gives.
 constexpr std::size_t kMostNamedInputs = 6;
 
 /// With one decimal, below 1 with two digits that count, and no -0.
@@ -47,7 +47,7 @@ std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::s
   return rates;
 }
 
-/// Does a finding of the train say that these links overlap?
+/// Does a diagnostic of the train say that these links overlap?
 bool isKnown(const Diagnostics& known, const ElementId& one, const ElementId& other) {
   return std::any_of(known.begin(), known.end(), [&](const Diagnostic& diagnostic) {
     const auto names = [&](const ElementId& link) {
@@ -66,7 +66,7 @@ class Wording {
   Wording(const AnalysisSnapshot& snapshot, const MotionCheck& check, bool isLimited)
       : m_snapshot(snapshot), m_check(check), m_isLimited(isLimited) {}
 
-  [[nodiscard]] Diagnostic finding(const MotionCollision& collision) const {
+  [[nodiscard]] Diagnostic diagnosticOf(const MotionCollision& collision) const {
     const Mechanism& mechanism = *m_snapshot.mechanism;
     const std::string one = std::to_string(mechanism.linkLabel(collision.one));
     const std::string other = std::to_string(mechanism.linkLabel(collision.other));
@@ -139,9 +139,9 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   const Wording wording(snapshot, report.check, range.isLimited());
   std::size_t unlisted = 0;
   for (const MotionCollision& collision : report.check.collisions) {
-    Diagnostic found = wording.finding(collision);
+    Diagnostic found = wording.diagnosticOf(collision);
     if (isKnown(*known, found.elements[0], found.elements[1])) continue;
-    if (report.diagnostics.size() < kMostMotionFindings) {
+    if (report.diagnostics.size() < kMostMotionDiagnostics) {
       report.diagnostics.push_back(std::move(found));
     } else {
       ++unlisted;

@@ -1,4 +1,4 @@
-#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/spec_diagnostics.h"
 
 #include <cmath>
 #include <numbers>

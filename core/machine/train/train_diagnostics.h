@@ -26,7 +26,8 @@ namespace geargraph::inline train {
 /// A number for a sentence, with `digits` decimals.
 [[nodiscard]] std::string fixedText(double value, int digits);
 
-[[nodiscard]] inline Diagnostic finding(Detail detail, std::string message, std::vector<ElementId> elements) {
+[[nodiscard]] inline Diagnostic makeDiagnostic(Detail detail, std::string message,
+                                               std::vector<ElementId> elements) {
   Diagnostic d;
   d.code = codeOf(detail);
   d.detail = detail;

@@ -1,4 +1,4 @@
-#include "core/theory/states/state_findings.h"
+#include "core/theory/states/state_diagnostics.h"
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 12;
 
-Diagnostic finding(const ShiftState& state, Code code) {
+Diagnostic makeDiagnostic(const ShiftState& state, Code code) {
   Diagnostic result;
   result.code = code;
   result.elements.emplace_back(ElementKind::state, Atom(state.name));
@@ -25,7 +25,7 @@ std::string linkLabel(const Mechanism& mechanism, LinkId link) {
 
 Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, const std::vector<int>& locking,
                        bool byTrain) {
-  Diagnostic result = finding(state, Code::stateLocked);
+  Diagnostic result = makeDiagnostic(state, Code::stateLocked);
   const std::string drive = linkLabel(mechanism, *state.drive);
   std::vector<std::string> names;
   for (const int coupling : locking) {
@@ -57,7 +57,7 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
 
 Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
                      const std::vector<int>& links) {
-  Diagnostic result = finding(state, Code::stateFree);
+  Diagnostic result = makeDiagnostic(state, Code::stateFree);
   std::vector<std::string> names;
   for (const int link : links) {
     names.push_back(std::to_string(mechanism.linkLabel(link)));
@@ -92,7 +92,7 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
 
 Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling, const ShiftState* state) {
   Diagnostic result;
-  if (state != nullptr) result = finding(*state, Code::turningLoop);
+  if (state != nullptr) result = makeDiagnostic(*state, Code::turningLoop);
   result.code = Code::turningLoop;
   result.detail = Detail::couplingLinkage;
   const std::string& name = coupling.id.text();
@@ -126,7 +126,7 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
 }
 
 Diagnostic ratioBeyondRange(const ShiftState& state) {
-  Diagnostic result = finding(state, Code::schema);
+  Diagnostic result = makeDiagnostic(state, Code::schema);
   result.message = translated(
       "State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts "
       "nearer to "

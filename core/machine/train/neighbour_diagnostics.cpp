@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/foundations/base/words.h"
-#include "core/machine/train/train_findings.h"
+#include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
 namespace {
@@ -111,7 +111,7 @@ void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const 
   for (const TrainGear* g : {&a, &b}) {
     elements.emplace_back(m_mechanism.links[static_cast<std::size_t>(g->link)].id);
   }
-  found.push_back(finding(Detail::planetsOverlap, std::move(message), std::move(elements)));
+  found.push_back(makeDiagnostic(Detail::planetsOverlap, std::move(message), std::move(elements)));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <QtTest>
 #include <set>
 
-#include "core/theory/matroid/findings.h"
+#include "core/theory/matroid/matroid_diagnostics.h"
 #include "tests/core/support/matroid_fixture.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -22,26 +22,26 @@ Mechanism ringOfWheels(const std::vector<int>& teeth) {
 
 std::vector<Code> codes(const MatroidAnalysis& analysis) {
   std::vector<Code> result;
-  for (const Diagnostic& finding : analysis.diagnostics) result.push_back(finding.code);
+  for (const Diagnostic& diagnostic : analysis.diagnostics) result.push_back(diagnostic.code);
   return result;
 }
 
 Diagnostic find(const MatroidAnalysis& analysis, Code code) {
-  for (const Diagnostic& finding : analysis.diagnostics) {
-    if (finding.code == code) return finding;
+  for (const Diagnostic& diagnostic : analysis.diagnostics) {
+    if (diagnostic.code == code) return diagnostic;
   }
   return {};
 }
 
-/// Does the finding state this relation or list of labels?
-bool states(const Diagnostic& finding, const char* value) {
-  return finding.message.find(value) != std::string::npos;
+/// Does the diagnostic state this relation or list of labels?
+bool states(const Diagnostic& diagnostic, const char* value) {
+  return diagnostic.message.find(value) != std::string::npos;
 }
 
-/// The ids of the finding's elements, in order and without repetition.
-QStringList blamed(const Diagnostic& finding) {
+/// The ids of the diagnostic's elements, in order and without repetition.
+QStringList blamed(const Diagnostic& diagnostic) {
   QStringList ids;
-  for (const ElementId& element : finding.elements) ids << QString::fromStdString(element.id.text());
+  for (const ElementId& element : diagnostic.elements) ids << QString::fromStdString(element.id.text());
   ids.removeDuplicates();
   return ids;
 }
@@ -56,10 +56,10 @@ Mechanism withInputs(Mechanism mechanism, const std::vector<int>& labels) {
 
 }  // namespace
 
-class TestMatroidFindings : public QObject {
+class TestMatroidDiagnostics : public QObject {
   Q_OBJECT
  private slots:
-  void theRobotHasNoFindings() {
+  void theRobotHasNoDiagnostics() {
     const Worked worked(robot());
     QVERIFY(worked.analysis.diagnostics.empty());
     QCOMPARE(worked.analysis.rank, 4);
@@ -100,8 +100,8 @@ class TestMatroidFindings : public QObject {
     const Worked worked(planetary(24, 18, 2));
     QCOMPARE(worked.analysis.redundancies.front().equation, 3);
     QVERIFY(worked.analysis.redundancies.front().dependsOn == (std::vector<int>{0, 1, 2}));
-    const Diagnostic finding = find(worked.analysis, Code::redundantMesh);
-    QCOMPARE(blamed(finding), (QStringList{"14", "11", "12", "13"}));
+    const Diagnostic diagnostic = find(worked.analysis, Code::redundantMesh);
+    QCOMPARE(blamed(diagnostic), (QStringList{"14", "11", "12", "13"}));
   }
 
   void aTriangleOfWheelsIsLocked() {
@@ -165,12 +165,12 @@ class TestMatroidFindings : public QObject {
     const Worked worked(train);
     QCOMPARE(worked.analysis.dof, 1);
     QVERIFY(worked.analysis.rigidBlocks == (std::vector<std::vector<int>>{{0, 1, 2, 3}}));
-    const Diagnostic finding = find(worked.analysis, Code::deadJoint);
+    const Diagnostic diagnostic = find(worked.analysis, Code::deadJoint);
     std::set<ElementId> expected;  // the dead joints, the locked loop, the rigid block
     for (std::size_t i = 0; i < 3; ++i) expected.insert(train.turningJoints[i].id);
     for (std::size_t i = 0; i < 3; ++i) expected.insert(train.gearMeshes[i].id);
     for (std::size_t i = 0; i < 4; ++i) expected.insert(train.links[i].id);
-    QVERIFY(std::set(finding.elements.begin(), finding.elements.end()) == expected);
+    QVERIFY(std::set(diagnostic.elements.begin(), diagnostic.elements.end()) == expected);
     QVERIFY(worked.analysis.choice.joints == std::vector<int>{3});
   }
 
@@ -208,10 +208,10 @@ class TestMatroidFindings : public QObject {
   void dependentInputsAreRefusedWithTheirRelation() {
     const Worked worked(withInputs(robot(), {8, 10, 11}));
     QVERIFY(!worked.analysis.solution.has_value());
-    const Diagnostic finding = find(worked.analysis, Code::invalidInputs);
-    QVERIFY(states(finding, "q10 = -i15 q8"));
-    QVERIFY(states(finding, "8, 11 and 9"));
-    QCOMPARE(finding.elements.front(), ElementId(JointId("10")));
+    const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
+    QVERIFY(states(diagnostic, "q10 = -i15 q8"));
+    QVERIFY(states(diagnostic, "8, 11 and 9"));
+    QCOMPARE(diagnostic.elements.front(), ElementId(JointId("10")));
     QVERIFY(worked.analysis.choice.rejected == std::vector<int>{2});
     QVERIFY(worked.analysis.choice.added == std::vector<int>{1});
   }
@@ -223,8 +223,8 @@ class TestMatroidFindings : public QObject {
 
   void tooFewInputsAreRefusedWithWhatIsStillFree() {
     const Worked worked(withInputs(robot(), {8, 11}));
-    const Diagnostic finding = find(worked.analysis, Code::invalidInputs);
-    QCOMPARE(finding.elements.front(), ElementId(JointId("9")));
+    const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
+    QCOMPARE(diagnostic.elements.front(), ElementId(JointId("9")));
     QCOMPARE(worked.analysis.dof, 3);
   }
 
@@ -241,11 +241,11 @@ class TestMatroidFindings : public QObject {
 
   void aDeadInputIsRefused() {
     const Worked worked(withInputs(ringOfWheels({20, 30, 40}), {4}));
-    const Diagnostic finding = find(worked.analysis, Code::invalidInputs);
-    QVERIFY(states(finding, "q4 = 0"));
+    const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
+    QVERIFY(states(diagnostic, "q4 = 0"));
     QVERIFY(worked.analysis.choice.joints.empty());
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidFindings)
+QTEST_APPLESS_MAIN(TestMatroidDiagnostics)
 #include "test_matroid_findings.moc"

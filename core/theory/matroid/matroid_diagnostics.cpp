@@ -1,4 +1,4 @@
-#include "core/theory/matroid/findings.h"
+#include "core/theory/matroid/matroid_diagnostics.h"
 
 #include <algorithm>
 #include <iterator>
@@ -25,21 +25,21 @@ std::string couplingName(const Coupling& coupling) {
 /// Speaks of elements by their labels and collects them as culprits.
 class Speaker {
  public:
-  Speaker(const Mechanism& mechanism, Code code) : m_mechanism(mechanism) { m_finding.code = code; }
+  Speaker(const Mechanism& mechanism, Code code) : m_mechanism(mechanism) { m_diagnostic.code = code; }
 
   std::string meshes(std::span<const int> positions) {
     return names(
-        positions, [&](int m) { m_finding.elements.emplace_back(m_mechanism.gearMeshes[m].id); },
+        positions, [&](int m) { m_diagnostic.elements.emplace_back(m_mechanism.gearMeshes[m].id); },
         [&](int m) { return m_mechanism.meshLabel(m); });
   }
   std::string joints(std::span<const int> positions) {
     return names(
-        positions, [&](int j) { m_finding.elements.emplace_back(m_mechanism.turningJoints[j].id); },
+        positions, [&](int j) { m_diagnostic.elements.emplace_back(m_mechanism.turningJoints[j].id); },
         [&](int j) { return m_mechanism.jointLabel(j); });
   }
   std::string links(std::span<const int> positions) {
     return names(
-        positions, [&](int l) { m_finding.elements.emplace_back(m_mechanism.links[l].id); },
+        positions, [&](int l) { m_diagnostic.elements.emplace_back(m_mechanism.links[l].id); },
         [&](int l) { return l; });
   }
   /// "mesh 15", "meshes 15 and 16", "brake A", "meshes 15 and 16, brake A and clutch E".
@@ -63,14 +63,14 @@ class Speaker {
     std::vector<std::string> texts;
     for (const int position : positions) {
       const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
-      m_finding.elements.emplace_back(coupling.id);
+      m_diagnostic.elements.emplace_back(coupling.id);
       texts.push_back(couplingName(coupling));
     }
     return texts.empty() ? std::string() : listed(texts, kMostNames);
   }
   Diagnostic say(std::string message) {
-    m_finding.message = std::move(message);
-    return std::move(m_finding);
+    m_diagnostic.message = std::move(message);
+    return std::move(m_diagnostic);
   }
 
  private:
@@ -85,7 +85,7 @@ class Speaker {
   }
 
   const Mechanism& m_mechanism;
-  Diagnostic m_finding;
+  Diagnostic m_diagnostic;
 };
 
 std::vector<int> marked(const std::vector<char>& marks) {
@@ -205,26 +205,26 @@ Diagnostic deadJoints(const Mechanism& mechanism, const std::vector<int>& joints
 
 /// locked or dead-joint, of the train as engaged.
 void addLocked(const Mechanism& mechanism, const KinematicModel& model, const MatroidAnalysis& analysis,
-               Diagnostics& findings) {
+               Diagnostics& diagnostics) {
   if (model.held().empty()) {
     if (analysis.dof == 0 && model.t() > 0) {
-      findings.push_back(locked(mechanism, analysis.lockedLoops));
+      diagnostics.push_back(locked(mechanism, analysis.lockedLoops));
     } else if (!analysis.lockedLoops.empty()) {
-      findings.push_back(
+      diagnostics.push_back(
           deadJoints(mechanism, marked(analysis.dead), analysis.lockedLoops, analysis.rigidBlocks));
     }
     return;
   }
   const std::vector<LockedLoop> loops = loopsOfMeshes(model, analysis.lockedLoops);
   if (analysis.dof == 0) {
-    findings.push_back(analysis.independentHeld.empty() && !loops.empty()
-                           ? locked(mechanism, loops)
-                           : lockedAsEngaged(mechanism, model, analysis));
+    diagnostics.push_back(analysis.independentHeld.empty() && !loops.empty()
+                              ? locked(mechanism, loops)
+                              : lockedAsEngaged(mechanism, model, analysis));
   } else if (!loops.empty()) {
     std::vector<int> joints;
     for (const LockedLoop& loop : loops) joints.insert(joints.end(), loop.joints.begin(), loop.joints.end());
     std::sort(joints.begin(), joints.end());
-    findings.push_back(deadJoints(mechanism, joints, loops, {}));
+    diagnostics.push_back(deadJoints(mechanism, joints, loops, {}));
   }
 }
 
@@ -324,30 +324,30 @@ std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& mod
   return relationText(mechanism, joint, inputs, factors);
 }
 
-Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
-                       const MatroidAnalysis& analysis, std::span<const int> wanted,
-                       const std::stop_token& stop) {
-  Diagnostics findings;
+Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel& model,
+                               const Placement& placement, const MatroidAnalysis& analysis,
+                               std::span<const int> wanted, const std::stop_token& stop) {
+  Diagnostics diagnostics;
   for (const Redundancy& redundancy : analysis.redundancies) {
-    if (redundancy.equation < model.c()) findings.push_back(redundantMesh(mechanism, redundancy));
+    if (redundancy.equation < model.c()) diagnostics.push_back(redundantMesh(mechanism, redundancy));
   }
   for (const IdleCoupling& idle : idleCouplings(mechanism, model, analysis))
-    findings.push_back(redundantCoupling(mechanism, model, idle));
-  addLocked(mechanism, model, analysis, findings);
+    diagnostics.push_back(redundantCoupling(mechanism, model, idle));
+  addLocked(mechanism, model, analysis, diagnostics);
   if (model.equations() == 0 && model.t() > 0) {
     Diagnostic none;
     none.code = Code::noMeshes;
     none.message = translated("There are no gear meshes yet: every joint is free.");
-    findings.push_back(std::move(none));
+    diagnostics.push_back(std::move(none));
   } else if (std::find(analysis.idle.begin(), analysis.idle.end(), 1) != analysis.idle.end()) {
-    findings.push_back(idle(mechanism, analysis));
+    diagnostics.push_back(idle(mechanism, analysis));
   }
   const bool valid =
       model.held().empty() ? analysis.choice.wantedIsValid() : isValidAsEngaged(analysis.choice, wanted);
   if (analysis.inputsGiven && !valid) {
-    findings.push_back(invalidInputs(mechanism, model, placement, analysis, wanted, stop));
+    diagnostics.push_back(invalidInputs(mechanism, model, placement, analysis, wanted, stop));
   }
-  return findings;
+  return diagnostics;
 }
 
 }  // namespace geargraph::inline matroid

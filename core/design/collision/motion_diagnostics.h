@@ -13,7 +13,7 @@ namespace geargraph::inline collision {
 constexpr int kMostCheckedLinks = 300;
 
 /// The most pairs of links that are reported individually, the earliest first.
-constexpr std::size_t kMostMotionFindings = 20;
+constexpr std::size_t kMostMotionDiagnostics = 20;
 
 /// The motion of a mechanism with its inputs at their speeds, and what collides in it.
 struct MotionReport {
