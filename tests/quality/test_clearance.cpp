@@ -361,7 +361,7 @@ class TestClearance : public QObject {
 
   /// Trains drawn at random, with meshes between any two links of neighbouring axes, several between the same
   /// two, and groups that nothing ties together: there is room for every wheel of each.
-  void bareRandomTrainsHaveARoomForEveryWheel() {
+  void bareRandomTrainsHaveSpaceForEveryWheel() {
     std::size_t gears = 0;
     for (const auto& [links, meshes] : {std::pair{4, 3}, {6, 6}, {8, 6}, {12, 8}}) {
       for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -57,13 +57,13 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
     if (stop.stop_requested()) return std::move(tried.plan);
     tried.clashes = bodyClashes(tried.plan, train, stop);
     tried.plan.frame = planFrame(tried.plan, train, placement);
-    for (const int link : draft.wantRoom) isNew = tries.roomFor.insert(link).second || isNew;
+    for (const int link : draft.wantSlots) isNew = tries.slotsFor.insert(link).second || isNew;
     for (const BodyClash& clash : tried.clashes) {
       for (const int child : clash.heldByFrame) isNew = tries.onPedestals.insert(child).second || isNew;
     }
     for (const auto& [link, level] : armsRound(tried.plan)) {
       const bool isFirst = tries.roundBearings.try_emplace(link, level).second;
-      isNew = isFirst || tries.roomFor.insert(link).second || isNew;
+      isNew = isFirst || tries.slotsFor.insert(link).second || isNew;
     }
     if (!best || tried.faults() < best->faults()) best = std::move(tried);
   }

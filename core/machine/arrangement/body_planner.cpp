@@ -49,7 +49,7 @@ void placeLink(PlanDraft& draft, int link) {
   const auto& held = draft.heldBy[static_cast<std::size_t>(link)];
   if (held.empty()) return;
   const int home = homeOf(draft, link);
-  if (link == 0) reserveRoom(draft);
+  if (link == 0) reserveSlots(draft);
   for (const auto& round : roundsOf(draft, link, home)) {
     if (draft.isStopped()) return;
     placeParallel(draft, link, home, round);
@@ -63,7 +63,7 @@ void placeLink(PlanDraft& draft, int link) {
     if (!draft.parallel(home, c) && !draft.axis(c).bearings[b].placed)
       placeIntersecting(draft, link, home, draft.axis(c).bearings[b]);
   }
-  if (link == 0) releaseRoom(draft);
+  if (link == 0) releaseSlots(draft);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kReserved = -2;  ///< in place of a link: kept free by reserveRoom()
+constexpr int kReserved = -2;  ///< in place of a link: kept free by reserveSlots()
 
 /// Outside of everything on all of these axes, on the bearings' side.
 double outmostLevel(const PlanDraft& draft, int home, const std::vector<Bearing*>& round) {
@@ -129,22 +129,22 @@ int homeOf(const PlanDraft& draft, int link) {
   return home;
 }
 
-void reserveRoom(PlanDraft& draft) {
+void reserveSlots(PlanDraft& draft) {
   for (const auto& [link, level] : draft.tries.roundBearings) {
-    if (draft.tries.roomFor.contains(link)) continue;  // that did not help
+    if (draft.tries.slotsFor.contains(link)) continue;  // that did not help
     const int home = draft.placement.classes->classOfLink(link);
     AxisLayout& own = draft.axis(home);
-    Interval room{level - own.width() / 2, level + own.width() / 2, kReserved};
+    Interval reserved{level - own.width() / 2, level + own.width() / 2, kReserved};
     double low = 1e300, high = -1e300;  // of the wheels
     for (const Interval& s : own.wheels) {
       low = std::min(low, s.low);
       high = std::max(high, s.high);
     }
-    if (own.isBelow(high, level)) room.low = std::min(room.low, high);
-    if (own.isBelow(level, low)) room.high = std::max(room.high, low);
-    own.occupied.push_back(room);
+    if (own.isBelow(high, level)) reserved.low = std::min(reserved.low, high);
+    if (own.isBelow(level, low)) reserved.high = std::max(reserved.high, low);
+    own.occupied.push_back(reserved);
   }
-  for (const int link : draft.tries.roomFor) {
+  for (const int link : draft.tries.slotsFor) {
     const int home = draft.placement.classes->classOfLink(link);
     if (home < 0) continue;
     draft.axis(home).occupy(draft.axis(home).outerSlot(), kReserved);
@@ -157,7 +157,7 @@ void reserveRoom(PlanDraft& draft) {
   }
 }
 
-void releaseRoom(PlanDraft& draft) {
+void releaseSlots(PlanDraft& draft) {
   for (AxisLayout& layout : draft.plan.axes)
     std::erase_if(layout.occupied, [](const Interval& s) { return s.link == kReserved; });
 }
@@ -176,7 +176,7 @@ std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home
     if (!draft.parallel(home, c)) continue;
     const auto rounded = [&](double depth) { return std::round(depth / (kEqual * layout.module)); };
     const auto depth = [&](const Bearing* b) {
-      if (draft.tries.roomFor.contains(b->child) || draft.tries.roundBearings.contains(b->child))
+      if (draft.tries.slotsFor.contains(b->child) || draft.tries.roundBearings.contains(b->child))
         return 1e300;
       double nearest = -1e300;                     // a link without wheels has the inmost shaft
       for (const Interval& s : layout.occupied) {  // wheels and ring carriers
@@ -255,7 +255,7 @@ void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> r
     return;
   }
   if (!found) {
-    draft.wantRoom.insert(link);
+    draft.wantSlots.insert(link);
     draft.plan.blocked.push_back({link});
     for (const Bearing* b : round) draft.plan.blocked.back().push_back(b->child);
   }

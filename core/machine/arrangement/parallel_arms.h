@@ -20,9 +20,9 @@ struct AxisBar {
 [[nodiscard]] int homeOf(const PlanDraft& draft, int link);
 
 /// Reserves places beside the wheels for carriers that found none in the previous try, and the interval that
-/// their arms sweep (PlanTries), until releaseRoom().
-void reserveRoom(PlanDraft& draft);
-void releaseRoom(PlanDraft& draft);
+/// their arms sweep (PlanTries), until releaseSlots().
+void reserveSlots(PlanDraft& draft);
+void releaseSlots(PlanDraft& draft);
 
 /// The unplaced bearings that a link holds, in rounds: each has one bearing per axis parallel to the link's
 /// (including its own), those whose wheels are nearest the bearing side first.
@@ -35,7 +35,7 @@ void releaseRoom(PlanDraft& draft);
 
 /// Places the bearings of a round at the level that is free on all of their axes and nearest to where they
 /// are drawn, and adds the arms. If there is no such level, bearings of the ground get pedestals of their
-/// own; carriers are reported as blocked and recorded in wantRoom.
+/// own; carriers are reported as blocked and recorded in wantSlots.
 void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> round);
 
 }  // namespace geargraph::inline arrangement

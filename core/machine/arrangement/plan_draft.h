@@ -19,7 +19,7 @@ constexpr double kEqual = 1e-6;  ///< modules: lengths that differ by less are e
 /// The results of earlier tries.
 struct PlanTries {
   std::set<int> onPedestals;  ///< links whose bearings in the frame, on axes across its others, get no arm
-  std::set<int> roomFor;      ///< carriers that found no level for their arms
+  std::set<int> slotsFor;     ///< carriers that found no level for their arms
   /// Carriers whose arms revolve around bearings of the frame, with the level of these arms: the frame cannot
   /// reach bearings between that level and the wheels.
   std::map<int, double> roundBearings;
@@ -64,7 +64,7 @@ struct PlanDraft {
   const GearTrain& train;
   const PlanTries& tries;
   const std::stop_token& stop;
-  std::set<int> wantRoom;  ///< carriers whose arms found no level
+  std::set<int> wantSlots;  ///< carriers whose arms found no level
   GearObstacles obstacles;
   std::vector<std::vector<std::size_t>> gearsOn;  ///< gears by axis class
   std::vector<bool> coaxial;                      ///< axis classes with a coaxial plan

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/machine/solids/gear_body.h"
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 
 namespace geargraph::inline arrangement {
 

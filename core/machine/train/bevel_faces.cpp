@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 
 namespace geargraph::inline train {
 namespace {
@@ -13,7 +13,7 @@ constexpr int kMostSteps = 7;  // to a third
 class FaceShortener {
  public:
   FaceShortener(TrainWheels& train, const Placement& placement, const std::stop_token& stop)
-      : m_train(train), m_rooms(train, placement), m_stop(stop), m_pairsOf(train.wheels.size()) {
+      : m_train(train), m_envelopes(train, placement), m_stop(stop), m_pairsOf(train.wheels.size()) {
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
       for (const int w : {train.pairs[p].tail, train.pairs[p].head})
         m_pairsOf[static_cast<std::size_t>(w)].push_back(p);
@@ -38,7 +38,7 @@ class FaceShortener {
         if (choice.empty()) continue;
         if (m_stop.stop_requested()) return;
         for (const int w : choice) setFaceWidth(w, faceWidth(w) * share);
-        if (!m_rooms.collide(a, b)) return;
+        if (!m_envelopes.collide(a, b)) return;
         for (std::size_t k = 0; k < widths.size(); ++k) setFaceWidth(choices[2][k], widths[k]);
       }
     }
@@ -67,11 +67,11 @@ class FaceShortener {
     double& known = m_train.wheels[static_cast<std::size_t>(wheel)].spec.faceWidth;
     if (known == width) return;
     known = width;
-    m_rooms.update(wheel);
+    m_envelopes.update(wheel);
   }
 
   TrainWheels& m_train;
-  WheelRooms m_rooms;
+  WheelEnvelopes m_envelopes;
   const std::stop_token& m_stop;
   std::vector<std::vector<std::size_t>> m_pairsOf;  ///< by wheel
 };
@@ -88,7 +88,7 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
     const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
     return std::pair(wheel.meshes.front(), wheel.workingRadius);
   };
-  std::vector<std::pair<int, int>> pairs = wheelsInOnePlace(train, placement, stop);
+  std::vector<std::pair<int, int>> pairs = overlappingWheels(train, placement, stop);
   for (auto& [a, b] : pairs) {
     if (rank(b) < rank(a)) std::swap(a, b);
   }

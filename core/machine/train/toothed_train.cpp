@@ -74,7 +74,7 @@ Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placem
 Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement,
                              const TrainWheels& wheels, const GearTrain& train, const std::stop_token& stop) {
   Diagnostics found;
-  for (const auto& [a, b] : wheelsInOnePlace(wheels, placement, stop)) {
+  for (const auto& [a, b] : overlappingWheels(wheels, placement, stop)) {
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;

@@ -20,7 +20,7 @@ namespace geargraph::inline train {
 [[nodiscard]] Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                            const GearTrain& train, const std::stop_token& stop = {});
 
-/// `interference` for wheels that overlap and do not mesh (wheelsInOnePlace()). Incomplete if `stop` was
+/// `interference` for wheels that overlap and do not mesh (overlappingWheels()). Incomplete if `stop` was
 /// requested meanwhile.
 [[nodiscard]] Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                            const TrainWheels& wheels, const GearTrain& train,

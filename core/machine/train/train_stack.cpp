@@ -8,7 +8,7 @@
 
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/train/stack_order.h"
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 
 namespace geargraph::inline train {
 namespace {
@@ -67,7 +67,7 @@ Vector3d middleOf(const TrainWheel& wheel) {
 /// The planes as numbers, without what meets, their heights counted from where they are drawn; none where
 /// they are not parallel.
 std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<Plane>& planes,
-                                   const Placement& placement, const WheelRooms& rooms) {
+                                   const Placement& placement, const WheelEnvelopes& envelopes) {
   constexpr std::size_t kMostPlanes = 40;
   if (planes.size() < 2 || planes.size() > kMostPlanes || !planes.back().movable) return std::nullopt;
   const Vector3d axis = train.wheels[static_cast<std::size_t>(planes.back().wheels.front())].axis;
@@ -85,7 +85,7 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
       stack.gap = std::max(stack.gap, kPlaneGap * wheel.spec.module);
       stack.wheels.push_back({static_cast<int>(p), wheel.link, wheel.axisClass, middleOf(wheel).dot(axis)});
       for (std::size_t c = 0; c < classes.classes.size(); ++c) {
-        if (rooms.covers(w, static_cast<int>(c)))
+        if (envelopes.covers(w, static_cast<int>(c)))
           stack.covers.push_back({static_cast<int>(p), static_cast<int>(c), middleOf(wheel).dot(axis)});
       }
       const int top = classes.classes[static_cast<std::size_t>(wheel.axisClass)].top;
@@ -111,13 +111,13 @@ struct Moves {
 
 /// Plane by plane, in this order, to the nearest place where it is clear of those before it.
 Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
-                   const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms, double gap,
+                   const std::vector<std::size_t>& order, Sides sides, WheelEnvelopes envelopes, double gap,
                    const std::stop_token& stop) {
   std::vector<int> standing;
   std::vector<std::pair<int, int>> near;  // wheels of the plane, and those that stand where they may come to
   const auto blocked = [&] {
     return std::any_of(near.begin(), near.end(),
-                       [&](const auto& pair) { return rooms.collide(pair.first, pair.second); });
+                       [&](const auto& pair) { return envelopes.collide(pair.first, pair.second); });
   };
   Moves moves{std::vector<Vector3d>(planes.size())};
   for (const std::size_t p : order) {
@@ -125,7 +125,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
     const Plane& plane = planes[p];
     const Vector3d axis = train.wheels[static_cast<std::size_t>(plane.wheels.front())].axis;
     double side = 0;
-    for (const int w : plane.wheels) side += rooms.freeSide(w).dot(axis);
+    for (const int w : plane.wheels) side += envelopes.freeSide(w).dot(axis);
     const Vector3d direction = side < 0 ? Vector3d(-axis) : axis;
     double step = 0;
     for (const int w : plane.wheels) {
@@ -135,7 +135,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
     near.clear();
     for (const int w : plane.wheels) {
       for (std::size_t s = 0; plane.movable && s < standing.size(); ++s)
-        if (rooms.mayMeet(w, standing[s])) near.emplace_back(w, standing[s]);
+        if (envelopes.mayIntersect(w, standing[s])) near.emplace_back(w, standing[s]);
     }
     double at = 0, far = 0;
     for (int attempt = 1; attempt < kMostTries && blocked(); ++attempt) {
@@ -143,7 +143,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
       const bool isFirst = attempt % 2 == 1 || sides != Sides::both;
       if (isFirst) far += attempt < kNearTries ? step : std::max(step, kStride * far);
       const double goal = isFirst == (sides != Sides::other) ? far : -far;
-      for (const int w : plane.wheels) rooms.move(w, (goal - at) * direction);
+      for (const int w : plane.wheels) envelopes.move(w, (goal - at) * direction);
       at = goal;
     }
     moves.by[p] = at * direction;
@@ -154,12 +154,12 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
 }
 
 /// Where wheels of a train stand in one level, which of them meet there.
-void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const WheelRooms& rooms,
+void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const WheelEnvelopes& envelopes,
                  const std::stop_token& stop) {
   const auto meet = [&](const Plane& a, const Plane& b) {
     return std::any_of(a.wheels.begin(), a.wheels.end(), [&](int w) {
       return std::any_of(b.wheels.begin(), b.wheels.end(),
-                         [&](int other) { return !stop.stop_requested() && rooms.collide(w, other); });
+                         [&](int other) { return !stop.stop_requested() && envelopes.collide(w, other); });
     });
   };
   for (const Plane& plane : planes) {
@@ -177,19 +177,19 @@ class PlaneStacker {
         m_planes(planes),
         m_placement(placement),
         m_gap(gap),
-        m_rooms(train, placement),
+        m_envelopes(train, placement),
         m_stop(stop) {}
 
   [[nodiscard]] std::vector<Vector3d> nearest() const {
     std::vector<std::size_t> order(m_planes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    return nearestMoves(m_train, m_planes, order, Sides::both, m_rooms, m_gap, m_stop).by;
+    return nearestMoves(m_train, m_planes, order, Sides::both, m_envelopes, m_gap, m_stop).by;
   }
 
   /// Other moves, where these enclose some and others fewer.
   [[nodiscard]] std::vector<Vector3d> improved(std::vector<Vector3d> moves) const {
     if (m_stop.stop_requested()) return moves;
-    std::optional<StackPlanes> stack = stackOf(m_train, m_planes, m_placement, m_rooms);
+    std::optional<StackPlanes> stack = stackOf(m_train, m_planes, m_placement, m_envelopes);
     if (!stack) return moves;
     const Vector3d axis = m_train.wheels[static_cast<std::size_t>(m_planes.back().wheels.front())].axis;
     const auto enclosed = [&](const std::vector<Vector3d>& some) {
@@ -206,7 +206,7 @@ class PlaneStacker {
     };
     if (fewest == 0) return moves;
     if (isOneLevel(*stack)) {
-      addMeetings(*stack, m_planes, m_rooms, m_stop);
+      addMeetings(*stack, m_planes, m_envelopes, m_stop);
       const std::vector<double> heights = stackedHeights(*stack, m_stop);
       std::vector<Vector3d> stacked;
       for (const double height : heights) stacked.push_back((height - heights.front()) * axis);
@@ -237,7 +237,7 @@ class PlaneStacker {
     if (static_cast<std::size_t>(order.end() - first) > kMost) return;
     do {
       for (const Sides sides : {Sides::both, Sides::thisOne, Sides::other}) {
-        Moves moves = nearestMoves(m_train, m_planes, order, sides, m_rooms, m_gap, m_stop);
+        Moves moves = nearestMoves(m_train, m_planes, order, sides, m_envelopes, m_gap, m_stop);
         if (m_stop.stop_requested()) return;
         if (moves.isClear) consider(std::move(moves.by));
       }
@@ -248,7 +248,7 @@ class PlaneStacker {
   const std::vector<Plane>& m_planes;
   const Placement& m_placement;
   double m_gap;
-  WheelRooms m_rooms;
+  WheelEnvelopes m_envelopes;
   const std::stop_token& m_stop;
 };
 
@@ -275,9 +275,9 @@ void stackWheels(TrainWheels& train, const Placement& placement, const std::stop
   for (TrainPair& pair : train.pairs) pair.pitchPoint += moved[static_cast<std::size_t>(pair.tail)];
 }
 
-std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, const Placement& placement,
-                                                  const std::stop_token& stop) {
-  const WheelRooms rooms(train, placement);
+std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train, const Placement& placement,
+                                                   const std::stop_token& stop) {
+  const WheelEnvelopes envelopes(train, placement);
   std::vector<std::set<int>> near;  // the wheel itself and those it meshes with
   for (std::size_t w = 0; w < train.wheels.size(); ++w) near.push_back({static_cast<int>(w)});
   for (const TrainPair& pair : train.pairs) {
@@ -285,13 +285,14 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, cons
     near[static_cast<std::size_t>(pair.head)].insert(pair.tail);
   }
   std::vector<std::pair<int, int>> found;
-  for (const auto& [one, other] : rooms.nearPairs(stop)) {
+  for (const auto& [one, other] : envelopes.nearPairs(stop)) {
     if (stop.stop_requested()) return found;
     const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
     if (train.wheels[a].link == train.wheels[b].link || near[a].contains(other)) continue;
     const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
     const auto isNeighbour = [&](int w) { return near[b].contains(w); };
-    if (rooms.collide(one, other) && (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
+    if (envelopes.collide(one, other) &&
+        (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
       found.emplace_back(one, other);
   }
   return found;

@@ -62,9 +62,9 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
 
 /// Pairs of wheels of different links that still overlap and do not mesh, without neighbours around a common
 /// wheel, which neighbourDiagnostics() reports. Incomplete if `stop` was requested meanwhile.
-[[nodiscard]] std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train,
-                                                                const Placement& placement,
-                                                                const std::stop_token& stop = {});
+[[nodiscard]] std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train,
+                                                                 const Placement& placement,
+                                                                 const std::stop_token& stop = {});
 
 [[nodiscard]] inline Eigen::Vector3d wide(const Vector3& v) {
   return {v[0], v[1], v[2]};

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 
 namespace geargraph::inline train {
 

@@ -165,8 +165,8 @@ class TestPlannerParts : public QObject {
     QVERIFY(cut > 20);
   }
 
-  /// Room is kept where a carrier found none, and given back.
-  void reservedRoomIsGivenBack() {
+  /// Slots are reserved where a carrier found none, and released.
+  void reservedSlotsAreReleased() {
     const Mechanism mechanism = test::example("planetary-ring-held");
     const Drafted free(mechanism);
     int carrier = -1;
@@ -174,7 +174,7 @@ class TestPlannerParts : public QObject {
       if (!free.draft.heldBy[link].empty()) carrier = static_cast<int>(link);
     QVERIFY(carrier > 0);
     PlanTries tries;
-    tries.roomFor.insert(carrier);
+    tries.slotsFor.insert(carrier);
     Drafted drafted(mechanism, tries);
     const int home = homeOf(drafted.draft, carrier);
     QCOMPARE(home, drafted.placement.classes->classOfLink(carrier));
@@ -182,9 +182,9 @@ class TestPlannerParts : public QObject {
     const double outer = axis.outerSlot();
     const std::size_t before = axis.occupied.size();
     QVERIFY(axis.slotIsFree(outer));
-    reserveRoom(drafted.draft);
+    reserveSlots(drafted.draft);
     QVERIFY(!axis.slotIsFree(outer));
-    releaseRoom(drafted.draft);
+    releaseSlots(drafted.draft);
     QVERIFY(axis.slotIsFree(outer));
     QCOMPARE(axis.occupied.size(), before);
   }

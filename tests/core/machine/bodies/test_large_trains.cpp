@@ -5,7 +5,7 @@
 
 #include "core/machine/arrangement/arrangement.h"
 #include "core/machine/bodies/complete_train.h"
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 #include "tests/core/machine/solids/topology.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/train_sketch.h"
@@ -44,25 +44,25 @@ class TestLargeTrains : public QObject {
     for (const Mechanism& mechanism : crowdedTrains()) {
       const Placement placement = placementOf(mechanism);
       const TrainWheels wheels = stackedWheels(mechanism, placement);
-      const WheelRooms rooms(wheels, placement);
-      const auto near = rooms.nearPairs();
+      const WheelEnvelopes envelopes(wheels, placement);
+      const auto near = envelopes.nearPairs();
       QVERIFY(std::is_sorted(near.begin(), near.end()));
       QVERIFY(std::adjacent_find(near.begin(), near.end()) == near.end());
       const int count = static_cast<int>(wheels.wheels.size());
       for (int a = 0; a < count; ++a) {
         for (int b = a + 1; b < count; ++b) {
-          if (!rooms.collide(a, b)) continue;
+          if (!envelopes.collide(a, b)) continue;
           ++collisions;
           QVERIFY(std::binary_search(near.begin(), near.end(), std::pair(a, b)));
-          QVERIFY(rooms.mayMeet(a, b));
-          QVERIFY(rooms.mayMeet(b, a));
+          QVERIFY(envelopes.mayIntersect(a, b));
+          QVERIFY(envelopes.mayIntersect(b, a));
         }
       }
     }
     QVERIFY2(collisions > 100, qPrintable(QString::number(collisions)));
   }
 
-  void aWheelThatIsMovedMeetsOnlyThoseThatItMayMeet() {
+  void aMovedWheelIntersectsOnlyWhatItMayIntersect() {
     int collisions = 0;
     for (const Mechanism& mechanism : crowdedTrains()) {
       const Placement placement = placementOf(mechanism);
@@ -72,12 +72,12 @@ class TestLargeTrains : public QObject {
         const TrainWheel& wheel = wheels.wheels[static_cast<std::size_t>(a)];
         if (wheel.spec.kind == GearKind::bevel) continue;
         for (const double steps : {-9.0, 2.0, 5.0}) {
-          WheelRooms rooms(wheels, placement);
-          rooms.move(a, steps * wheel.spec.faceWidth * wheel.axis);
+          WheelEnvelopes envelopes(wheels, placement);
+          envelopes.move(a, steps * wheel.spec.faceWidth * wheel.axis);
           for (int b = 0; b < count; ++b) {
-            if (a == b || !rooms.collide(a, b)) continue;
+            if (a == b || !envelopes.collide(a, b)) continue;
             ++collisions;
-            QVERIFY(rooms.mayMeet(a, b));
+            QVERIFY(envelopes.mayIntersect(a, b));
           }
         }
       }
@@ -85,17 +85,17 @@ class TestLargeTrains : public QObject {
     QVERIFY2(collisions > 100, qPrintable(QString::number(collisions)));
   }
 
-  void aNewFaceWidthIsThatOfNewRooms() {
+  void aNewFaceWidthIsThatOfNewEnvelopes() {
     const Mechanism mechanism = test::deepTrain(1, 120);
     const Placement placement = placementOf(mechanism);
     TrainWheels wheels = stackedWheels(mechanism, placement);
-    WheelRooms kept(wheels, placement);
+    WheelEnvelopes kept(wheels, placement);
     const int count = static_cast<int>(wheels.wheels.size());
     for (int w = 0; w < count; w += 3) {
       wheels.wheels[static_cast<std::size_t>(w)].spec.faceWidth *= 0.5;
       kept.update(w);
     }
-    const WheelRooms renewed(wheels, placement);
+    const WheelEnvelopes renewed(wheels, placement);
     QVERIFY(kept.nearPairs() == renewed.nearPairs());
     for (const auto& [a, b] : renewed.nearPairs()) QCOMPARE(kept.collide(a, b), renewed.collide(a, b));
   }
@@ -107,7 +107,7 @@ class TestLargeTrains : public QObject {
       const Placement placement = placementOf(mechanism);
       TrainWheels wheels = wheelsOf(mechanism, placement);
       shapeWheels(mechanism, wheels);
-      return WheelRooms(wheels, placement).nearPairs().size();
+      return WheelEnvelopes(wheels, placement).nearPairs().size();
     };
     const std::size_t few = pairsOf(500), many = pairsOf(2000);
     QVERIFY2(many < 8 * few, qPrintable(QStringLiteral("%1 and %2").arg(few).arg(many)));

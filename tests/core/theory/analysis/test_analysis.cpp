@@ -56,7 +56,7 @@ class AnalysisTest : public QObject {
   }
 
   /// Where wheels and bodies have no room is planned after the live part, which waits for none of it.
-  void wheelsInOnePlaceAreSaidWithTheSecondStep() {
+  void overlappingWheelsAreReportedWithTheSecondStep() {
     test::TrainSketch sketch(4);
     sketch.axis("a", {"0", "0", "0"}).axis("b", {"40", "0", "0"}).axis("c", {"0", "40", "0"});
     sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "b").joint(0, 4, "c");

@@ -1,4 +1,4 @@
-#include "core/machine/train/bevel_room.h"
+#include "core/machine/train/bevel_collision.h"
 
 #include <algorithm>
 #include <cmath>

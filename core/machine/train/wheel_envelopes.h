@@ -26,9 +26,9 @@ struct WheelOrbit {
 [[nodiscard]] double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Eigen::Vector3d& direction);
 
 /// The swept envelopes of the wheels of a train: discs and rings, bevels by the hull of their tips and body.
-class WheelRooms {
+class WheelEnvelopes {
  public:
-  WheelRooms(const TrainWheels& train, const Placement& placement);
+  WheelEnvelopes(const TrainWheels& train, const Placement& placement);
 
   /// Moves a wheel; `by` is along its axis.
   void move(int wheel, const Eigen::Vector3d& by);
@@ -40,7 +40,7 @@ class WheelRooms {
   /// of those on one axis.
   [[nodiscard]] std::vector<std::pair<int, int>> nearPairs(const std::stop_token& stop = {}) const;
   /// Can the wheels collide() for some position of the first one along its axis?
-  [[nodiscard]] bool mayMeet(int moving, int other) const;
+  [[nodiscard]] bool mayIntersect(int moving, int other) const;
   /// Do two wheels overlap in the reference pose, or on parallel axes in any pose?
   [[nodiscard]] bool collide(int a, int b) const;
   /// Does another parallel axis pass through the wheel in any pose?
@@ -48,11 +48,11 @@ class WheelRooms {
   /// The preferred direction for moving a wheel along its axis: the side from which the bevels on it come; 0
   /// if there are none.
   [[nodiscard]] const Eigen::Vector3d& freeSide(int wheel) const {
-    return m_freeSide[static_cast<std::size_t>(room(wheel).axisClass)];
+    return m_freeSide[static_cast<std::size_t>(envelope(wheel).axisClass)];
   }
 
  private:
-  struct Room {
+  struct Envelope {
     Eigen::Vector3d origin, axis;
     int axisClass = 0;
     double low = 0, high = 0;  ///< along the axis from the origin
@@ -65,17 +65,17 @@ class WheelRooms {
 
     [[nodiscard]] Eigen::Vector3d centre() const { return origin + middle * axis; }
   };
-  [[nodiscard]] Room roomOf(const TrainWheel& wheel, bool hasArms) const;
+  [[nodiscard]] Envelope envelopeOf(const TrainWheel& wheel, bool hasArms) const;
   /// Do both revolve about the same axis on different carriers, so that the reference pose is not decisive?
-  [[nodiscard]] static bool shareOrbit(const Room& a, const Room& b) {
+  [[nodiscard]] static bool shareOrbit(const Envelope& a, const Envelope& b) {
     return a.orbit.about >= 0 && a.orbit.about == b.orbit.about && a.orbit.carrier != b.orbit.carrier;
   }
-  [[nodiscard]] const Room& room(int w) const { return m_rooms[static_cast<std::size_t>(w)]; }
-  [[nodiscard]] static bool discsCollide(const Room& a, const Room& b);
-  [[nodiscard]] static bool hullsCollide(const Room& a, const Room& b);
+  [[nodiscard]] const Envelope& envelope(int w) const { return m_envelopes[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] static bool discsCollide(const Envelope& a, const Envelope& b);
+  [[nodiscard]] static bool hullsCollide(const Envelope& a, const Envelope& b);
 
   const TrainWheels& m_train;
-  std::vector<Room> m_rooms;
+  std::vector<Envelope> m_envelopes;
   std::vector<WheelOrbit> m_orbits;         ///< by axis class
   std::vector<Eigen::Vector3d> m_lines;     ///< their directions
   std::vector<Eigen::Vector3d> m_freeSide;  ///< by axis class

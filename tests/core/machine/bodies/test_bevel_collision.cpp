@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/machine/train/bevel_room.h"
+#include "core/machine/train/bevel_collision.h"
 
 using namespace geargraph;
 using Eigen::Vector3d;
@@ -32,7 +32,7 @@ Eigen::Isometry3d turned(double angle, const Vector3d& about) {
 
 }  // namespace
 
-class BevelRoomTest : public QObject {
+class BevelCollisionTest : public QObject {
   Q_OBJECT
  private slots:
   /// Points of the large wheel are farther from each other than the small one is wide.
@@ -75,5 +75,5 @@ class BevelRoomTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BevelRoomTest)
-#include "test_bevel_room.moc"
+QTEST_APPLESS_MAIN(BevelCollisionTest)
+#include "test_bevel_collision.moc"

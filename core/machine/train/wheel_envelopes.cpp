@@ -1,4 +1,4 @@
-#include "core/machine/train/wheel_rooms.h"
+#include "core/machine/train/wheel_envelopes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/machine/solids/gear_body.h"
-#include "core/machine/train/bevel_room.h"
+#include "core/machine/train/bevel_collision.h"
 #include "core/mechanism/placement/tolerance.h"
 
 namespace geargraph::inline train {
@@ -20,7 +20,7 @@ Vector3 narrow(const Vector3d& v) {
 
 /// Beside wheels that go round, in modules: a carrier's arm or a ring's plate, which what lies across leaves
 /// free.
-constexpr double kArmRoom = 4;
+constexpr double kArmAllowance = 4;
 
 /// Flatter than a crown the body of a bevel is hollow, and no hull says where it is.
 constexpr double kFlattest = 1.7;  // rad
@@ -70,7 +70,7 @@ double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Vector3d& dir
   return acrossPart(b.at - a.at, direction).norm();
 }
 
-WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m_train(train) {
+WheelEnvelopes::WheelEnvelopes(const TrainWheels& train, const Placement& placement) : m_train(train) {
   const std::size_t classes = placement.classes->classes.size();
   for (std::size_t c = 0; c < classes; ++c) {
     m_orbits.push_back(orbitOf(static_cast<int>(c), placement));
@@ -79,69 +79,69 @@ WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m
   const bool hasArms =
       std::any_of(m_orbits.begin(), m_orbits.end(), [](const WheelOrbit& orbit) { return orbit.about >= 0; });
   m_freeSide.assign(classes, Vector3d::Zero());
-  m_rooms.reserve(train.wheels.size());
+  m_envelopes.reserve(train.wheels.size());
   for (const TrainWheel& wheel : train.wheels) {
-    const Room& room = m_rooms.emplace_back(roomOf(wheel, hasArms));
-    if (room.bevel) m_freeSide[static_cast<std::size_t>(wheel.axisClass)] += wheel.axis;
+    const Envelope& envelope = m_envelopes.emplace_back(envelopeOf(wheel, hasArms));
+    if (envelope.bevel) m_freeSide[static_cast<std::size_t>(wheel.axisClass)] += wheel.axis;
   }
 }
 
-WheelRooms::Room WheelRooms::roomOf(const TrainWheel& wheel, bool hasArms) const {
+WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, bool hasArms) const {
   const AxialSpan span = axialSpan(wheel.spec);
-  Room room;
-  room.origin = wheel.origin;
-  room.axis = wheel.axis;
-  room.axisClass = wheel.axisClass;
-  room.low = span.low;
-  room.high = span.high;
-  room.bevel = wheel.spec.kind == GearKind::bevel;
+  Envelope envelope;
+  envelope.origin = wheel.origin;
+  envelope.axis = wheel.axis;
+  envelope.axisClass = wheel.axisClass;
+  envelope.low = span.low;
+  envelope.high = span.high;
+  envelope.bevel = wheel.spec.kind == GearKind::bevel;
   const bool ring = wheel.spec.kind == GearKind::internal;
-  if (ring) room.inner = nominalTipRadius(wheel.spec);
-  room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
-  room.orbit = m_orbits[static_cast<std::size_t>(wheel.axisClass)];
-  room.hasArm = hasArms && !room.bevel;
-  const double arm = room.hasArm ? kArmRoom * wheel.spec.module : 0;
-  room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
-  double low = room.low - arm, high = room.high + arm, outer = room.outer;
-  if (room.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
+  if (ring) envelope.inner = nominalTipRadius(wheel.spec);
+  envelope.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+  envelope.orbit = m_orbits[static_cast<std::size_t>(wheel.axisClass)];
+  envelope.hasArm = hasArms && !envelope.bevel;
+  const double arm = envelope.hasArm ? kArmAllowance * wheel.spec.module : 0;
+  envelope.hull = hullOf(wheel, envelope.low - arm, envelope.high + arm, envelope.outer);
+  double low = envelope.low - arm, high = envelope.high + arm, outer = envelope.outer;
+  if (envelope.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
     for (const ProfileVertex& c : bevelOutline(wheel.spec)) {
       low = std::min(low, c.height);
       high = std::max(high, c.height);
       outer = std::max(outer, c.radius);
     }
   }
-  room.middle = (low + high) / 2;
-  room.reach = std::hypot((high - low) / 2, outer);
-  return room;
+  envelope.middle = (low + high) / 2;
+  envelope.reach = std::hypot((high - low) / 2, outer);
+  return envelope;
 }
 
-void WheelRooms::update(int wheel) {
-  Room& known = m_rooms[static_cast<std::size_t>(wheel)];
-  known = roomOf(m_train.wheels[static_cast<std::size_t>(wheel)], known.hasArm);
+void WheelEnvelopes::update(int wheel) {
+  Envelope& known = m_envelopes[static_cast<std::size_t>(wheel)];
+  known = envelopeOf(m_train.wheels[static_cast<std::size_t>(wheel)], known.hasArm);
 }
 
-std::vector<std::pair<int, int>> WheelRooms::nearPairs(const std::stop_token& stop) const {
+std::vector<std::pair<int, int>> WheelEnvelopes::nearPairs(const std::stop_token& stop) const {
   std::vector<std::pair<int, int>> pairs;
   std::vector<std::pair<double, int>> starts;  // of the spheres along x, which sweeps over them
   std::map<int, std::vector<int>> orbiting;    // by the axis that the carriers go round
   std::size_t along = 0;
   Vector3d low = Vector3d::Constant(1e300), high = -low;
-  for (const Room& each : m_rooms) {
+  for (const Envelope& each : m_envelopes) {
     low = low.cwiseMin(each.centre());
     high = high.cwiseMax(each.centre());
   }
-  if (!m_rooms.empty()) (high - low).maxCoeff(&along);
-  for (std::size_t w = 0; w < m_rooms.size(); ++w) {
-    const Room& each = m_rooms[w];
+  if (!m_envelopes.empty()) (high - low).maxCoeff(&along);
+  for (std::size_t w = 0; w < m_envelopes.size(); ++w) {
+    const Envelope& each = m_envelopes[w];
     starts.emplace_back(each.centre()[static_cast<Eigen::Index>(along)] - each.reach, static_cast<int>(w));
     if (each.orbit.about >= 0) orbiting[each.orbit.about].push_back(static_cast<int>(w));
   }
   std::sort(starts.begin(), starts.end());
   for (auto first = starts.begin(); first != starts.end() && !stop.stop_requested(); ++first) {
-    const Room& a = room(first->second);
+    const Envelope& a = envelope(first->second);
     const Vector3d centre = a.centre();
     for (auto next = first + 1; next != starts.end() && next->first <= first->first + 2 * a.reach; ++next) {
-      const Room& b = room(next->second);
+      const Envelope& b = envelope(next->second);
       const double reach = a.reach + b.reach;
       if ((b.centre() - centre).squaredNorm() <= reach * reach)
         pairs.push_back(std::minmax(first->second, next->second));
@@ -150,7 +150,7 @@ std::vector<std::pair<int, int>> WheelRooms::nearPairs(const std::stop_token& st
   for (const auto& [about, wheels] : orbiting) {
     for (auto one = wheels.begin(); one != wheels.end() && !stop.stop_requested(); ++one) {
       for (auto other = one + 1; other != wheels.end(); ++other) {
-        if (shareOrbit(room(*one), room(*other))) pairs.emplace_back(*one, *other);
+        if (shareOrbit(envelope(*one), envelope(*other))) pairs.emplace_back(*one, *other);
       }
     }
   }
@@ -159,16 +159,16 @@ std::vector<std::pair<int, int>> WheelRooms::nearPairs(const std::stop_token& st
   return pairs;
 }
 
-bool WheelRooms::mayMeet(int moving, int other) const {
-  const Room& a = room(moving);
-  const Room& b = room(other);
+bool WheelEnvelopes::mayIntersect(int moving, int other) const {
+  const Envelope& a = envelope(moving);
+  const Envelope& b = envelope(other);
   if (shareOrbit(a, b)) return true;
   const double reach = a.reach + b.reach;
   return acrossPart(b.centre() - a.centre(), a.axis).squaredNorm() <= reach * reach;
 }
 
-bool WheelRooms::covers(int wheel, int axisClass) const {
-  const Room& covering = room(wheel);
+bool WheelEnvelopes::covers(int wheel, int axisClass) const {
+  const Envelope& covering = envelope(wheel);
   const auto c = static_cast<std::size_t>(axisClass);
   if (covering.bevel || covering.axisClass == axisClass || !areParallel(covering.axis, m_lines[c]))
     return false;
@@ -179,13 +179,13 @@ bool WheelRooms::covers(int wheel, int axisClass) const {
   return std::max(nearest, now) + shaft > covering.inner + touch && nearest < covering.outer + shaft - touch;
 }
 
-void WheelRooms::move(int wheel, const Vector3d& by) {
-  Room& moved = m_rooms[static_cast<std::size_t>(wheel)];
+void WheelEnvelopes::move(int wheel, const Vector3d& by) {
+  Envelope& moved = m_envelopes[static_cast<std::size_t>(wheel)];
   moved.origin += by;
   for (Disc& disc : moved.hull) disc.centre = disc.centre + narrow(by);
 }
 
-bool WheelRooms::discsCollide(const Room& a, const Room& b) {
+bool WheelEnvelopes::discsCollide(const Envelope& a, const Envelope& b) {
   const double along = (b.origin - a.origin).dot(a.axis);
   const double sense = a.axis.dot(b.axis);
   const double low = sense < 0 ? -b.high : b.low;
@@ -201,13 +201,13 @@ bool WheelRooms::discsCollide(const Room& a, const Room& b) {
   return !inside && distance < a.outer + b.outer - touch;
 }
 
-bool WheelRooms::hullsCollide(const Room& a, const Room& b) {
+bool WheelEnvelopes::hullsCollide(const Envelope& a, const Envelope& b) {
   return !a.hull.empty() && !b.hull.empty() && areNear(a.hull, b.hull);
 }
 
-bool WheelRooms::collide(int one, int other) const {
-  const Room& a = room(one);
-  const Room& b = room(other);
+bool WheelEnvelopes::collide(int one, int other) const {
+  const Envelope& a = envelope(one);
+  const Envelope& b = envelope(other);
   if (a.bevel && b.bevel && a.axisClass == b.axisClass)
     return bevelsCollide(m_train.wheels[static_cast<std::size_t>(one)],
                          m_train.wheels[static_cast<std::size_t>(other)]);
