@@ -30,14 +30,14 @@ constexpr std::size_t kLargestRequest = 2 * kLargestFile;
 constexpr std::size_t kMostDocuments = 1'000;
 
 /// Why a request was not answered.
-struct Refusal {
+struct Rejection {
   std::string_view code;  ///< "request", "unknown-document", "limit", or that of the first diagnostic
   std::string message;
   Diagnostics diagnostics = {};
 };
 
-/// A result as JSON, or a refusal.
-using Answer = std::variant<std::string, Refusal>;
+/// A result as JSON, or a rejection.
+using Answer = std::variant<std::string, Rejection>;
 
 /// In one line, as the answers are.
 std::string oneLine(const std::string& json) {
@@ -71,10 +71,10 @@ class Server {
   /// The line of the answer, without its end.
   std::string answerTo(const std::string& line) {
     const auto parsed = JsonDocument::parse(line);
-    if (!parsed) return lineOf("null", refused(parsed.error()));
+    if (!parsed) return lineOf("null", rejected(parsed.error()));
     const JsonValue request = parsed->root();
     if (!request.is(JsonKind::object))
-      return lineOf("null", Refusal{"request", "A request is a JSON object."});
+      return lineOf("null", Rejection{"request", "A request is a JSON object."});
     const auto id = request.member("id");
     return lineOf(id ? id->compact() : "null", answerTo(request));
   }
@@ -84,13 +84,13 @@ class Server {
     const auto method = request.member("method");
     const auto params = request.member("params");
     if (!method || !method->is(JsonKind::string) || (params && !params->is(JsonKind::object)))
-      return Refusal{"request", "A request has a \"method\", a text, and \"params\", an object."};
-    if (!params) return Refusal{"request", "The member \"params\" is missing."};
+      return Rejection{"request", "A request has a \"method\", a text, and \"params\", an object."};
+    if (!params) return Rejection{"request", "The member \"params\" is missing."};
     const std::string name = method->string();
     if (name == "open") return open(*params);
     const auto document = documentOf(*params);
     if (!document) {
-      return Refusal{"unknown-document", "The member \"document\" is the number that \"open\" has given."};
+      return Rejection{"unknown-document", "The member \"document\" is the number that \"open\" has given."};
     }
     if (name == "edit") return edit(*document, *params);
     if (name == "text") return text(*document);
@@ -101,7 +101,7 @@ class Server {
     for (const Command* command : commands()) {
       if (command->name == name && command->isServed) return run(*command, *document, *params);
     }
-    return Refusal{"request", "There is no method \"" + name + "\"."};
+    return Rejection{"request", "There is no method \"" + name + "\"."};
   }
 
   [[nodiscard]] std::optional<std::string> documentOf(const JsonValue& params) const {
@@ -112,15 +112,15 @@ class Server {
   }
 
   Answer open(const JsonValue& params) {
-    if (m_documents.size() >= kMostDocuments) return Refusal{"limit", "Over 1,000 documents are open."};
+    if (m_documents.size() >= kMostDocuments) return Rejection{"limit", "Over 1,000 documents are open."};
     const auto given = params.member("text");
     if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
-      return Refusal{
+      return Rejection{
           "request",
           "\"open\" takes \"text\": a document, as a text or as an object; a table (CSV); or a graph (DOT, "
           "GraphML, node-link JSON)."};
     auto read = readAnyMechanism(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
-    if (!read) return refused(read.error());
+    if (!read) return rejected(read.error());
     const std::string name = std::to_string(++m_opened);
     m_documents.emplace(name, std::make_shared<const Mechanism>(read->mechanism));
     return objectOf([&](JsonWriter& json) {
@@ -138,10 +138,10 @@ class Server {
   Answer edit(const std::string& name, const JsonValue& params) {
     const auto edits = params.member("edits");
     if (!edits || !edits->is(JsonKind::array))
-      return Refusal{"request", "\"edit\" takes \"edits\", a list of objects."};
+      return Rejection{"request", "\"edit\" takes \"edits\", a list of objects."};
     const MechanismPtr before = m_documents.at(name);
     auto next = withServedEdits(*before, *edits);
-    if (!next) return refused(next.error());
+    if (!next) return rejected(next.error());
     const auto after = std::make_shared<const Mechanism>(std::move(next).value());
     m_documents[name] = after;
     return objectOf([&](JsonWriter& json) {
@@ -176,16 +176,16 @@ class Server {
   }
 
   /// Words of a command that would reach beyond standard input and output are rejected.
-  static std::optional<Refusal> wrongWord(const std::vector<std::string>& words) {
+  static std::optional<Rejection> wrongWord(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
       const std::string& word = words[i];
       const bool isOutput = word == "-o" && i + 1 < words.size() && words[i + 1] == "-";
       if (word.starts_with("-o") && !isOutput)
-        return Refusal{"request", "A served command writes nothing but its answer: -o takes \"-\"."};
+        return Rejection{"request", "A served command writes nothing but its answer: -o takes \"-\"."};
       if (word == "--" || word == "--force" || word == "--all" || word.starts_with("--limit-seconds"))
-        return Refusal{"request", "A served command does not take " + word + "."};
+        return Rejection{"request", "A served command does not take " + word + "."};
       if (!word.empty() && word.front() != '-' && (i == 0 || !words[i - 1].starts_with('-')))
-        return Refusal{"request", "A served command takes options only, not \"" + word + "\"."};
+        return Rejection{"request", "A served command takes options only, not \"" + word + "\"."};
     }
     return std::nullopt;
   }
@@ -200,12 +200,12 @@ class Server {
           if (isFine) words.push_back(word.string());
         });
       }
-      if (!isFine) return Refusal{"request", "\"arguments\" is a list of texts."};
+      if (!isFine) return Rejection{"request", "\"arguments\" is a list of texts."};
     }
-    if (auto refusal = wrongWord(words)) return *std::move(refusal);
+    if (auto rejection = wrongWord(words)) return *std::move(rejection);
     words.emplace_back("-");
     const ServedOutcome outcome = runServed(command, words, writeMechanism(*m_documents.at(name)), m_limits);
-    if (!outcome.status) return Refusal{"limit", outcome.failure};
+    if (!outcome.status) return Rejection{"limit", outcome.failure};
     return objectOf([&](JsonWriter& json) {
       json.member("status", *outcome.status);
       const auto parsed = JsonDocument::parse(outcome.output);
@@ -221,7 +221,7 @@ class Server {
     });
   }
 
-  static Refusal refused(const Diagnostics& diagnostics) {
+  static Rejection rejected(const Diagnostics& diagnostics) {
     return {codeName(diagnostics.front().code), diagnostics.front().message, diagnostics};
   }
 
@@ -234,13 +234,13 @@ class Server {
         json.json(*result);
         return;
       }
-      const auto& refusal = std::get<Refusal>(answer);
+      const auto& rejection = std::get<Rejection>(answer);
       json.key("error");
       json.beginObject();
-      json.member("code", refusal.code);
-      json.member("message", refusal.message);
+      json.member("code", rejection.code);
+      json.member("message", rejection.message);
       json.key("diagnostics");
-      writeDiagnostics(json, refusal.diagnostics);
+      writeDiagnostics(json, rejection.diagnostics);
       json.endObject();
     }));
   }

@@ -284,10 +284,10 @@ class TestCli : public QObject {
     const json radians = json::parse(run({"pose", kRobot, "--json", "--angle=8=1e22rad"}).output);
     QVERIFY(isNear(std::sin(radians["jointAngles"]["8"].get<double>()), -0.8522008497671888));
     for (const char* angle : {"--angle=8=1e400rad", "--angle=8=-1e400deg"}) {
-      const auto refused = run({"pose", kRobot, "--json", angle});
-      QCOMPARE(refused.status, 2);
-      QVERIFY(refused.output.empty());
-      QVERIFY(refused.errors.find("too large") != std::string::npos);
+      const auto rejected = run({"pose", kRobot, "--json", angle});
+      QCOMPARE(rejected.status, 2);
+      QVERIFY(rejected.output.empty());
+      QVERIFY(rejected.errors.find("too large") != std::string::npos);
     }
     QCOMPARE(run({"pose", kRobot, "--json", "--angle=8=0.5rad", "--inputs=8,9"}).status, 1);
   }
@@ -339,9 +339,9 @@ class TestCli : public QObject {
     QCOMPARE(QDir(path("out")).entryList(QDir::Files | QDir::Hidden).size(), 13);
     QVERIFY(!writeFile(path("out/path.csv").toStdString(), "mine"));
     QDir(path("out")).remove("incidence.csv");
-    const Run refused = run(words);
-    QCOMPARE(refused.status, 2);
-    QVERIFY(refused.errors.find("--force") != std::string::npos);
+    const Run rejected = run(words);
+    QCOMPARE(rejected.status, 2);
+    QVERIFY(rejected.errors.find("--force") != std::string::npos);
     QCOMPARE(contents("out/path.csv"), std::string("mine"));
     QVERIFY(!QFile::exists(path("out/incidence.csv")));  // all or nothing
     QCOMPARE(run(words + QStringList{"--force"}).status, 0);

@@ -61,13 +61,13 @@ class CliExercisesTest : public QObject {
     const QString text = QString::fromStdString(contents("page.html"));
     QCOMPARE(text.count("<article class=\"question\""), qsizetype{3});
     QVERIFY(text.contains("Week 3, variant 9"));
-    const std::vector<QStringList> refused{{"--kinds", "freedom"},
-                                           {"--exercises", "--kinds", "nothing"},
-                                           {"--exercises", "--variant", "2"},
-                                           {"--exercises", "--variants", "0"},
-                                           {"--exercises", "--seed", "-1"},
-                                           {"--exercises", "--inputs", "8,9,11"}};
-    for (const QStringList& words : refused) {
+    const std::vector<QStringList> rejected{{"--kinds", "freedom"},
+                                            {"--exercises", "--kinds", "nothing"},
+                                            {"--exercises", "--variant", "2"},
+                                            {"--exercises", "--variants", "0"},
+                                            {"--exercises", "--seed", "-1"},
+                                            {"--exercises", "--inputs", "8,9,11"}};
+    for (const QStringList& words : rejected) {
       const Run run = exported(words);
       QVERIFY2(run.status == 2 && !run.errors.empty(), qPrintable(words.join(' ')));
     }
@@ -135,9 +135,9 @@ class CliExercisesTest : public QObject {
     QCOMPARE(make("kept", {"--to", "html"}).status, 0);
     save("kept/sheet-1.html", "mine");
     QFile::remove(path("kept/sheet.json"));
-    const Run refused = make("kept", {"--to", "html"});
-    QCOMPARE(refused.status, 2);
-    QVERIFY(refused.errors.find("--force") != std::string::npos);
+    const Run rejected = make("kept", {"--to", "html"});
+    QCOMPARE(rejected.status, 2);
+    QVERIFY(rejected.errors.find("--force") != std::string::npos);
     QCOMPARE(contents("kept/sheet-1.html"), std::string("mine"));
     QVERIFY(!QFile::exists(path("kept/sheet.json")));
     QCOMPARE(make("kept", {"--to", "html", "--force"}).status, 0);

@@ -51,7 +51,7 @@ class TestCliSimulators : public QObject {
     QVERIFY(xml.contains("2700 kg/m3") && xml.contains("<motor "));
   }
 
-  void whatCannotBeIsRefused() {
+  void whatCannotBeIsRejected() {
     const Run urdf = run({"export", example("robot"), "--to", "urdf", "-o", folder("urdf")});
     QCOMPARE(urdf.status, 1);
     QVERIFY(says(urdf, "A joint of URDF can follow one other joint.") && !QFile::exists(folder("urdf")));

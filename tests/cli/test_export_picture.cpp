@@ -166,7 +166,7 @@ class TestExportPicture : public QObject {
     }
   }
 
-  void drawingsThatCannotBeAreRefused() {
+  void drawingsThatCannotBeAreRejected() {
     const QStringList words = {"export", kRobot, "-o", "-", "--to"};
     for (const QStringList& wrong : {QStringList{"svg"},
                                      {"svg", "--view", "3d"},

@@ -180,9 +180,9 @@ class TestExportSolids : public QObject {
     QByteArray loose = rowOfWheels({20, 30});
     loose.replace(R"("tail":"0")", R"("tail":"1")");  // link 1 on itself, link 2 on link 1
     for (const char* form : {"stl", "glb", "assembly"}) {
-      const Run refused = run({"export", "-", "--to", form, "-o", folder.filePath("out")}, loose);
-      QCOMPARE(refused.status, 1);
-      QVERIFY(refused.errors.find("error") != std::string::npos);
+      const Run rejected = run({"export", "-", "--to", form, "-o", folder.filePath("out")}, loose);
+      QCOMPARE(rejected.status, 1);
+      QVERIFY(rejected.errors.find("error") != std::string::npos);
     }
     QVERIFY(QDir(folder.path()).isEmpty());
   }
@@ -204,12 +204,12 @@ class TestExportSolids : public QObject {
     QVERIFY(whole.status == 0 && whole.errors.find("The file shows") == std::string::npos);
   }
 
-  void moreTrianglesThanTheLimitAreRefusedBeforeTheyAreMade() {
-    const Run refused =
+  void moreTrianglesThanTheLimitAreRejectedBeforeTheyAreMade() {
+    const Run rejected =
         run({"export", "-", "--to", "stl", "--tolerance", "0.002", "-o", "-"}, rowOfWheels({20, 100'000}));
-    QCOMPARE(refused.status, 3);
-    QVERIFY(refused.output.empty());
-    QVERIFY(refused.errors.find("coarser --tolerance") != std::string::npos);
+    QCOMPARE(rejected.status, 3);
+    QVERIFY(rejected.output.empty());
+    QVERIFY(rejected.errors.find("coarser --tolerance") != std::string::npos);
   }
 
   void aSmallGearOfATrainBeyondTheLimitIsExported() {

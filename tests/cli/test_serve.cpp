@@ -132,12 +132,12 @@ class TestServe : public QObject {
            {{"edit", "addGearMesh"}, {"tail", "1"}, {"head", "2"}, {"tailTeeth", 18}, {"headTeeth", 36}}}}});
     QVERIFY(made.at("result").at("added").at("links") == json({"1", "2"}));
     const json before = served.ask("text", {{"document", document}});
-    const json refused = served.ask(
+    const json rejected = served.ask(
         "edit",
         {{"document", document},
          {"edits", {{{"edit", "addLink"}}, {{"edit", "addTurningJoint"}, {"tail", "1"}, {"head", "1"}}}}});
-    QCOMPARE(refused.at("error").at("code").get<std::string>(), std::string("self-joint"));
-    QCOMPARE(refused.at("error").at("diagnostics").at(0).at("pointer").get<std::string>(),
+    QCOMPARE(rejected.at("error").at("code").get<std::string>(), std::string("self-joint"));
+    QCOMPARE(rejected.at("error").at("diagnostics").at(0).at("pointer").get<std::string>(),
              std::string("/params/edits/1"));
     QVERIFY(served.ask("text", {{"document", document}}).at("result") == before.at("result"));
     const json speeds = served.ask("analyze", {{"document", document}, {"arguments", {"--json"}}});
@@ -145,7 +145,7 @@ class TestServe : public QObject {
              std::string("-1/2"));
   }
 
-  void everyEditCanBeMadeAndRefused_data() {
+  void everyEditCanBeMadeAndRejected_data() {
     QTest::addColumn<QString>("edit");
     QTest::addColumn<QString>("code");
     const auto row = [](const char* name, const char* edit, const char* code = "") {
@@ -168,7 +168,7 @@ class TestServe : public QObject {
     row("no edit", R"({"edit": "paint"})", "schema");
     row("a number", "7", "schema");
   }
-  void everyEditCanBeMadeAndRefused() {
+  void everyEditCanBeMadeAndRejected() {
     QFETCH(QString, edit);
     QFETCH(QString, code);
     Served served;

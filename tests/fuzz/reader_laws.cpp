@@ -12,7 +12,7 @@ void checkJsonAgainstOther(const std::string& text) {
   if (text.find('\0') != std::string::npos) return;  // for nlohmann's reader a text ends there
   const auto ours = JsonDocument::parse(text);
   if (!ours && ours.error().front().code == Code::schema) return;  // nested too deeply
-  // nlohmann refuses numbers beyond a double as a parse error; for us they are JSON, refused later.
+  // nlohmann rejects numbers beyond a double as a parse error; for us they are JSON, rejected later.
   bool outOfRange = false;
   bool theirs = true;
   try {

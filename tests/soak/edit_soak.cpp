@@ -110,7 +110,7 @@ int EditSoak::run() {
       "soak_edits: seed %llu, %ld edits, %ld refused, %ld undos, %ld redos, %ld saves, %ld reloads, "
       "%ld recoveries, history of %.1f MB at most, %ld steps dropped, %.0f MB of memory, %.0f s, %d "
       "findings\n",
-      static_cast<unsigned long long>(m_options.seed), m_edits, m_refused, m_undos, m_redos, m_saves,
+      static_cast<unsigned long long>(m_options.seed), m_edits, m_rejected, m_undos, m_redos, m_saves,
       m_reloads, m_recoveries, static_cast<double>(m_largestHistory) / 1e6, m_shortened, peakMemory(),
       seconds(), m_findings);
   return m_findings;
@@ -154,7 +154,7 @@ void EditSoak::edit() {
   if (below(8) == 0) m_gesture = below(3) == 0 ? m_document->newGesture() : 0;
   if (!m_document->apply({QString::fromStdString(kind.function), reduce, m_gesture})) {
     expect(m_document->mechanism() == before, "a refused edit changed the document");
-    ++m_refused;
+    ++m_rejected;
     return;
   }
   ++m_edits;

@@ -64,7 +64,7 @@ class EditSoak {
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 
   long m_edits = 0;
-  long m_refused = 0;
+  long m_rejected = 0;
   long m_undos = 0;
   long m_redos = 0;
   long m_saves = 0;

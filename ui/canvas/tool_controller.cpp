@@ -258,7 +258,7 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
     preview->valid = true;  // known already; the check is not free
     return hint;
   }
-  // Guesses, which need the places of all axes, refuse nothing.
+  // Guesses, which need the places of all axes, reject nothing.
   const Mechanism& now = *m_document.mechanism();
   const Expected<PlacedMechanism> next =
       isDrawingJoint() ? unplaced(withTurningJoint(now, draft->tail, draft->head)) : withDraft(now, *draft);

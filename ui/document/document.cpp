@@ -96,11 +96,11 @@ const ElementIndex& Document::elements() const {
 bool Document::apply(const Edit& edit) {
   const Expected<PlacedMechanism> next = edit.reduce(m_placed);
   if (!next) {
-    emit refused(next.error());
+    emit rejected(next.error());
     return false;
   }
   if (const Diagnostics beyond = limitDiagnostics(*next); !beyond.empty()) {
-    emit refused(beyond);
+    emit rejected(beyond);
     return false;
   }
   const MechanismPtr before = mechanism();

@@ -85,7 +85,7 @@ class Document : public QObject {
   [[nodiscard]] std::size_t historyBytes() const { return m_historyBytes; }
   void setHistoryLimit(std::size_t bytes) { m_historyLimit = bytes; }
 
-  /// Applies an edit. A rejected edit changes nothing: the result is false, and refused() has the reason. An
+  /// Applies an edit. A rejected edit changes nothing: the result is false, and rejected() has the reason. An
   /// edit without a change makes no undo step. Documents that could be saved but not opened again are
   /// rejected too (core/mechanism/model/limits.h).
   bool apply(const Edit& edit);
@@ -108,9 +108,9 @@ class Document : public QObject {
   [[nodiscard]] bool isModified() const { return !m_undoStack.isClean(); }
 
  signals:
-  void changed();                        ///< another mechanism: read mechanism() and revision()
-  void replaced();                       ///< after changed(): the document was replaced by New or Open
-  void refused(const Diagnostics& why);  ///< an edit was rejected; nothing changed
+  void changed();                         ///< another mechanism: read mechanism() and revision()
+  void replaced();                        ///< after changed(): the document was replaced by New or Open
+  void rejected(const Diagnostics& why);  ///< an edit was rejected; nothing changed
   void modifiedChanged(bool modified);
   void filePathChanged(const QString& filePath);
   void historyShortened(int steps);  ///< the number of oldest steps that were dropped

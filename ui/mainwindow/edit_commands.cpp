@@ -69,7 +69,7 @@ EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard,
 bool EditCommands::copy() {
   const Mechanism fragment = fragmentOf(*m_document->mechanism(), m_selection->selected());
   if (isEmptyFragment(fragment)) {
-    emit refused(tr("Select links or notes to copy; the ground stays where it is."));
+    emit rejected(tr("Select links or notes to copy; the ground stays where it is."));
     return false;
   }
   CopiedContent content;
@@ -94,16 +94,16 @@ void EditCommands::cut() {
 
 void EditCommands::paste() {
   const QMimeData* content = QApplication::clipboard()->mimeData();
-  if (content == nullptr) return emit refused(tr("The clipboard is empty."));
+  if (content == nullptr) return emit rejected(tr("The clipboard is empty."));
   const QByteArray json = content->hasFormat(PictureClipboard::mimeType())
                               ? content->data(PictureClipboard::mimeType())
                               : content->text().toUtf8();
-  if (json.trimmed().isEmpty()) return emit refused(tr("The clipboard holds no links."));
+  if (json.trimmed().isEmpty()) return emit rejected(tr("The clipboard holds no links."));
   if (static_cast<std::size_t>(json.size()) > kLargestFile) {
-    return emit refused(tr("What the clipboard holds is too large to be a mechanism."));
+    return emit rejected(tr("What the clipboard holds is too large to be a mechanism."));
   }
   const Expected<Mechanism> fragment = readMechanism(std::string_view(json.constData(), json.size()));
-  if (!fragment) return emit refused(whyUnreadable(fragment.error()));
+  if (!fragment) return emit rejected(whyUnreadable(fragment.error()));
   insert(*fragment, tr("Paste"));
 }
 
@@ -128,7 +128,7 @@ void EditCommands::insert(const Mechanism& fragment, const QString& text) {
                      return made;
                    });
   connect(edit, &LongEdit::ended, this, [this, added, unit = fragment.unit](const QString& why) {
-    if (!why.isEmpty()) return emit refused(why);
+    if (!why.isEmpty()) return emit rejected(why);
     const bool wasCancelled = added->empty() || !m_document->elements().contains(*added->begin());
     if (!wasCancelled) inserted(*added, unit);
   });

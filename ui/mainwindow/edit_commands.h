@@ -42,7 +42,7 @@ class EditCommands : public QObject {
   void insertSet(const Mechanism& set);
 
  signals:
-  void refused(const QString& why);
+  void rejected(const QString& why);
   void noted(const QString& note);
 
  private:

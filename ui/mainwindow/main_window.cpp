@@ -205,14 +205,14 @@ void MainWindow::onDrawingChosen() {
 
 void MainWindow::makeCommands() {
   auto* clipboard = new PictureClipboard(this);
-  connect(clipboard, &PictureClipboard::refused, m_status, &StatusLine::showRefusal);
+  connect(clipboard, &PictureClipboard::rejected, m_status, &StatusLine::showRejection);
   m_commands = new EditCommands(
       *m_workbench, clipboard, [this] { return drawing().picture(); }, this);
-  connect(m_commands, &EditCommands::refused, m_status, &StatusLine::showRefusal);
+  connect(m_commands, &EditCommands::rejected, m_status, &StatusLine::showRejection);
   connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
   m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},
                                 m_exportJobs, clipboard, this);
-  connect(m_exports, &WindowExports::refused, m_status, &StatusLine::showRefusal);
+  connect(m_exports, &WindowExports::rejected, m_status, &StatusLine::showRejection);
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
   connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);
 }
@@ -236,21 +236,21 @@ void MainWindow::makeHelp() {
   };
   m_help = new WindowHelp(this, std::move(stage));
   connect(m_help, &WindowHelp::lessonWanted, this, &MainWindow::playLessonNamed);
-  connect(m_help, &WindowHelp::refused, m_status, &StatusLine::showRefusal);
+  connect(m_help, &WindowHelp::rejected, m_status, &StatusLine::showRejection);
 }
 
 void MainWindow::wireViews() {
   connect(m_document, &Document::changed, this, &MainWindow::onDocumentChanged);
   connect(m_document, &Document::modifiedChanged, this, &MainWindow::renewTitle);
   connect(m_document, &Document::filePathChanged, this, &MainWindow::renewTitle);
-  connect(m_document, &Document::refused, this, [this](const Diagnostics& why) {
-    m_status->showRefusal(shownText(why.front().message));
+  connect(m_document, &Document::rejected, this, [this](const Diagnostics& why) {
+    m_status->showRejection(shownText(why.front().message));
     m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
   });
   m_workbench->analysis().onAnswer(this, [this](const SnapshotPtr& snapshot) { onSnapshot(snapshot); });
   for (ServiceSignals* service : findChildren<ServiceSignals*>()) {  // those of the views, too
     connect(service, &ServiceSignals::failed, this, [this](const QString& why) {
-      m_status->showRefusal(tr("The views could not be updated: %1.").arg(why));
+      m_status->showRejection(tr("The views could not be updated: %1.").arg(why));
       tellWhenSettled();
     });
   }
@@ -278,8 +278,8 @@ void MainWindow::wireViews() {
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
-  connect(m_matrices, &MatricesPanel::refused, this,
-          [this](const QString& why) { m_status->showRefusal(why); });
+  connect(m_matrices, &MatricesPanel::rejected, this,
+          [this](const QString& why) { m_status->showRejection(why); });
   connect(m_matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
   for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
     connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
@@ -379,7 +379,7 @@ void MainWindow::onDocumentChanged() {
   }
   m_results->setNames(m_document->mechanism());
   m_motion->setNames(m_document->mechanism());
-  m_status->clearRefusal();
+  m_status->clearRejection();
   renewActions();
 }
 

@@ -46,7 +46,7 @@ PictureClipboard::PictureClipboard(QObject* parent)
   });
   m_painter->onAnswer(this, [this](const Picture& picture) {
     if (!m_isOurs) return;  // something else has been copied meanwhile
-    if (!picture.why.isEmpty()) return emit refused(picture.why);
+    if (!picture.why.isEmpty()) return emit rejected(picture.why);
     put(picture);
     emit pictured();
   });

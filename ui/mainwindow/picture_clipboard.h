@@ -48,7 +48,7 @@ class PictureClipboard : public QObject {
   /// The picture of the newest content is on the clipboard.
   void pictured();
   /// Why there is no picture.
-  void refused(const QString& why);
+  void rejected(const QString& why);
 
  private:
   struct Picture {

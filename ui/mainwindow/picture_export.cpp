@@ -97,7 +97,7 @@ void WindowExports::exportPicture(const PictureWish& wish, const QString& path) 
     picture.title = m_workbench.document().mechanism()->name;
     const DisplayList list = each->picture();
     const QString why = each->whyNoPicture();
-    if (!why.isEmpty()) return emit refused(why);
+    if (!why.isEmpty()) return emit rejected(why);
     writePicture(pictureOf(list, picture), path);
   }
 }
@@ -106,7 +106,7 @@ void WindowExports::exportPicture(const PictureWish& wish, const QString& path) 
 void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
   const StagePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty()) {
-    emit refused(tr("The 3D view is empty: there is nothing to export."));
+    emit rejected(tr("The 3D view is empty: there is nothing to export."));
     return;
   }
   if (wish.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
@@ -130,7 +130,7 @@ void WindowExports::copyPicture(const QString& view) {
     CopiedContent content;
     content.drawing = each->picture();
     const QString why = each->whyNoPicture();
-    if (!why.isEmpty()) return emit refused(why);
+    if (!why.isEmpty()) return emit rejected(why);
     content.json = QByteArray::fromStdString(writeMechanism(*m_workbench.document().mechanism()));
     m_clipboard->copy(std::move(content));
     emit noted(tr("Copied the drawing as a picture"));
@@ -141,7 +141,7 @@ void WindowExports::copyPicture(const QString& view) {
 void WindowExports::copyView3D() {
   const StagePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty())
-    return emit refused(tr("The 3D view is empty: there is nothing to copy."));
+    return emit rejected(tr("The 3D view is empty: there is nothing to copy."));
   const ViewOptions options = m_views.view3d->options();
   CopiedContent::Seen seen{{},
                            options,
@@ -160,9 +160,9 @@ void WindowExports::copyView3D() {
 
 void WindowExports::writePicture(const Expected<std::string>& bytes, const QString& path) {
   if (!bytes) {
-    emit refused(QString::fromStdString(bytes.error().front().message));
+    emit rejected(QString::fromStdString(bytes.error().front().message));
   } else if (const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes)) {
-    emit refused(QString::fromStdString(error->message));
+    emit rejected(QString::fromStdString(error->message));
   } else {
     onWritten(path);
   }

@@ -72,10 +72,10 @@ void WindowExports::chooseAndExportDerivation() {
   exportDerivation(path);
 }
 
-/// The drawings as the window shows them; what keeps them from being exported is told by refused().
+/// The drawings as the window shows them; what keeps them from being exported is told by rejected().
 std::optional<ReportLists> WindowExports::shownLists() {
   if (!m_workbench.analysis().isComplete()) {
-    emit refused(tr("The solution is still being worked out. Try again in a moment."));
+    emit rejected(tr("The solution is still being worked out. Try again in a moment."));
     return std::nullopt;
   }
   ReportLists lists;
@@ -85,7 +85,7 @@ std::optional<ReportLists> WindowExports::shownLists() {
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
     const QString why = each->whyNoPicture();
     if (why.isEmpty()) continue;
-    emit refused(why);
+    emit rejected(why);
     return std::nullopt;
   }
   return lists;
@@ -185,7 +185,7 @@ void WindowExports::chooseAndExportSheets(const SheetWish& wish) {
 
 void WindowExports::exportSheets(const QString& folder, const SheetWish& wish) {
   if (QFileInfo::exists(folder)) {
-    emit refused(tr("\"%1\" is there already: no sheet was written.").arg(QFileInfo(folder).fileName()));
+    emit rejected(tr("\"%1\" is there already: no sheet was written.").arg(QFileInfo(folder).fileName()));
     return;
   }
   const auto mechanism = m_workbench.document().mechanism();

@@ -132,7 +132,7 @@ void ShapesDialog::chooseAndAdd() {
   if (!path.isEmpty()) add(path);
 }
 
-// Without a file of its own, a document has no place that a path could lead from: the edit refuses what is
+// Without a file of its own, a document has no place that a path could lead from: the edit rejects what is
 // left.
 bool ShapesDialog::add(const QString& path) {
   QString relative = path;

@@ -67,48 +67,48 @@ void StatusLine::setHint(const QString& hint) {
   renewMessage();
 }
 
-void StatusLine::showRefusal(const QString& why) {
-  m_refusal = why;
+void StatusLine::showRejection(const QString& why) {
+  m_rejection = why;
   renewMessage();
 }
 
-void StatusLine::clearRefusal() {
-  m_refusal.clear();
+void StatusLine::clearRejection() {
+  m_rejection.clear();
   m_note.clear();
   renewMessage();
 }
 
 void StatusLine::showNote(const QString& note) {
-  m_refusal.clear();
+  m_rejection.clear();
   m_note = note;
   renewMessage();
 }
 
 QString StatusLine::text() const {
-  if (!m_refusal.isEmpty()) return m_refusal;
+  if (!m_rejection.isEmpty()) return m_rejection;
   return m_note.isEmpty() ? m_hint : m_note;
 }
 
 void StatusLine::renewMessage() {
-  const bool refused = !m_refusal.isEmpty();
+  const bool rejected = !m_rejection.isEmpty();
   const Theme theme = themeOf(palette());
-  const std::tuple message(text(), refused, theme);
+  const std::tuple message(text(), rejected, theme);
   if (m_shown == message) return;
   m_shown = message;
   m_message->setText(text());
-  announce(refused || !m_note.isEmpty());
-  m_message->setToolTip(refused ? text() : QString());
-  const QString look = refused ? QStringLiteral("problem") : QStringLiteral("hint");
+  announce(rejected || !m_note.isEmpty());
+  m_message->setToolTip(rejected ? text() : QString());
+  const QString look = rejected ? QStringLiteral("problem") : QStringLiteral("hint");
   if (m_message->property("look") != look) {
     m_message->setProperty("look", look);
     m_message->style()->polish(m_message);  // which a changed property alone does not
   }
-  m_icon->setVisible(refused);
+  m_icon->setVisible(rejected);
   m_icon->setPixmap(
       iconPixmap(severityIconName(Severity::error), ColorRole::error, theme, 16, devicePixelRatioF()));
 }
 
-/// For screen readers: what was refused or done is read out; what the tool expects waits until it is asked.
+/// For screen readers: what was rejected or done is read out; what the tool expects waits until it is asked.
 void StatusLine::announce(bool isUrgent) {
   if (!QAccessible::isActive() || m_message->text().isEmpty()) return;
   QAccessibleEvent changed(m_message, QAccessible::NameChanged);

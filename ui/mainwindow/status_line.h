@@ -23,8 +23,8 @@ class StatusLine : public QStatusBar {
 
   void setHint(const QString& hint);
   /// Shows a message until the next edit, or until another hint is set.
-  void showRefusal(const QString& why);
-  void clearRefusal();
+  void showRejection(const QString& why);
+  void clearRejection();
   void showNote(const QString& note);
   void setSnapshot(const SnapshotPtr& snapshot);
   /// Shows or hides the chips, whose counts a lesson may ask for.
@@ -48,7 +48,7 @@ class StatusLine : public QStatusBar {
   QLabel* m_icon;
   QLabel* m_message;
   QString m_hint;
-  QString m_refusal;
+  QString m_rejection;
   QString m_note;
   std::optional<std::tuple<QString, bool, Theme>> m_shown;  ///< message, is it a rejection, colours
   QToolButton* m_links;

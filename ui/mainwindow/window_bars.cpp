@@ -52,7 +52,7 @@ void MainWindow::makeToolBar() {
   m_search = new SearchField(m_document, m_selection, menuBar(), bar);
   bar->addWidget(m_search);
   connect(m_search, &SearchField::elementChosen, this, &MainWindow::showElement);
-  connect(m_search, &SearchField::refused, m_status, &StatusLine::showRefusal);
+  connect(m_search, &SearchField::rejected, m_status, &StatusLine::showRejection);
   connect(m_search, &SearchField::pageChosen, m_help, &WindowHelp::showPage);
 }
 

@@ -212,7 +212,7 @@ void MainWindow::wireFiles() {
   WindowFiles* files = m_files.get();
   connect(files, &WindowFiles::titleChanged, this, &MainWindow::renewTitle);
   connect(files, &WindowFiles::joined, this, &MainWindow::renewActions);
-  connect(files, &WindowFiles::refused, m_status, &StatusLine::showRefusal);
+  connect(files, &WindowFiles::rejected, m_status, &StatusLine::showRejection);
   connect(files, &WindowFiles::noted, m_status, &StatusLine::showNote);
   connect(files, &WindowFiles::read, m_problems, &ProblemsPanel::clearFileProblems);
   connect(files, &WindowFiles::broken, this, [this](const QString& name, const Diagnostics& why) {

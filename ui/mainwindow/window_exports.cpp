@@ -56,7 +56,7 @@ WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Vie
       m_clipboard(clipboard),
       m_window(window) {
   connect(m_jobs, &ExportJobs::finished, this, &WindowExports::onWritten);
-  connect(m_jobs, &ExportJobs::failed, this, &WindowExports::refused);
+  connect(m_jobs, &ExportJobs::failed, this, &WindowExports::rejected);
 }
 
 void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path,
@@ -122,7 +122,7 @@ void WindowExports::chooseAndSaveTrace() {
 bool WindowExports::saveTrace(const QString& path) {
   const std::string csv = pathCsv(m_views.view3d->traces().back().path, m_views.view3d->stage()->unit);
   if (const auto error = writeFile(path.toStdString(), csv)) {
-    emit refused(QString::fromStdString(error->message));
+    emit rejected(QString::fromStdString(error->message));
     return false;
   }
   emit noted(tr("Saved %1").arg(QFileInfo(path).fileName()));
@@ -145,7 +145,7 @@ bool WindowExports::saveSpeeds(const QString& path) {
             : file.path() +
                   QStringLiteral("/%1-%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix());
     if (const auto error = writeFile(QFile::encodeName(next).toStdString(), curvesCsv(sheet))) {
-      emit refused(QString::fromStdString(error->message));
+      emit rejected(QString::fromStdString(error->message));
       return false;
     }
   }

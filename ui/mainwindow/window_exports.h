@@ -45,7 +45,7 @@ class PictureClipboard;
 class WindowFiles;
 
 /// The exports of a window: matrices and tables as CSV, drawings, 3D pictures and animations, the derivation,
-/// traced paths and speeds. Files are written atomically; refused() and noted() report.
+/// traced paths and speeds. Files are written atomically; rejected() and noted() report.
 class WindowExports : public QObject {
   Q_OBJECT
 
@@ -104,7 +104,7 @@ class WindowExports : public QObject {
   [[nodiscard]] QString whyNoDerivation() const;
 
  signals:
-  void refused(const QString& why);
+  void rejected(const QString& why);
   void noted(const QString& note);
   /// A table, a picture or a derivation.
   void written(const QString& path);

@@ -64,7 +64,7 @@ bool WindowFiles::open(const QString& path) {
 void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
   const QString name = QFileInfo(path).fileName();
   emit broken(name, why);
-  emit refused(tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
+  emit rejected(tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
   offerInterrupted(path);
 }
 
@@ -216,7 +216,7 @@ void WindowFiles::join(Windows* windows, const QString& recoveryFolder) {
   m_windows = windows;
   m_recoveryFolder = recoveryFolder;
   m_autosave = std::make_unique<Autosave>(m_document, recoveryFolder);
-  connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::refused);
+  connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::rejected);
   emit joined();
 }
 
@@ -227,7 +227,7 @@ void WindowFiles::takeOver(WindowFiles& former) {
   m_onDisk = former.m_onDisk;
   m_lessonTitle = former.m_lessonTitle;
   m_autosave = std::move(former.m_autosave);
-  if (m_autosave) connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::refused);
+  if (m_autosave) connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::rejected);
   const bool isForeign = former.m_watch.isForeign();
   former.m_watch.watch({});
   m_watch.watch(m_document->filePath());

@@ -130,7 +130,7 @@ class WindowFiles : public QObject {
   /// renewActions() is to be called: after join(), takeOver() and keepNothing().
   void joined();
   /// Messages for the status bar: why a command was rejected, and what was done.
-  void refused(const QString& why);
+  void rejected(const QString& why);
   void noted(const QString& note);
   /// A file could not be opened, with the diagnostics.
   void broken(const QString& name, const geargraph::Diagnostics& why);
@@ -152,7 +152,7 @@ class WindowFiles : public QObject {
   [[nodiscard]] bool isOwnFile(const QString& path) const;
   void claim(const QString& path);
   void postReadOnly(const QString& problem);
-  bool refusesOpenElsewhere(const QString& path);
+  bool rejectIfOpenElsewhere(const QString& path);
   void showElsewhere(const QString& path);
   void leaveToOther(const QString& path);
   void offerInterrupted(const QString& path);

@@ -56,8 +56,8 @@ void WindowHelp::showPageForFocus() {
 
 void WindowHelp::runCommand(const QString& menuPath) {
   QAction* command = commandAt(*m_window->menuBar(), menuPath);
-  if (command == nullptr) return emit refused(tr("There is no command %1 in this window.").arg(menuPath));
-  if (!command->isEnabled()) return emit refused(command->toolTip());
+  if (command == nullptr) return emit rejected(tr("There is no command %1 in this window.").arg(menuPath));
+  if (!command->isEnabled()) return emit rejected(command->toolTip());
   m_window->activateWindow();
   m_window->raise();
   if (command->menu() != nullptr) return command->menu()->popup(QCursor::pos());
@@ -168,7 +168,7 @@ std::vector<TourStep> WindowHelp::tourSteps() {
 
 void WindowHelp::startTour() {
   if (m_tour != nullptr) return;
-  if (const QString why = m_stage.whyNone(); !why.isEmpty()) return emit refused(why);
+  if (const QString why = m_stage.whyNone(); !why.isEmpty()) return emit rejected(why);
   m_tour = new Tour(tourSteps(), m_window);
   connect(m_tour, &Tour::ended, this, [this] { m_stage.end(); });
 }

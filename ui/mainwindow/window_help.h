@@ -34,10 +34,10 @@ class WindowHelp : public QObject {
   void showPage(const QString& pageAndAnchor);
   /// Shows the page about the widget with the keyboard focus, also in a dialog of this window.
   void showPageForFocus();
-  /// Runs a command by its menu path, "File > Print". If it is disabled, refused() gives the reason.
+  /// Runs a command by its menu path, "File > Print". If it is disabled, rejected() gives the reason.
   void runCommand(const QString& menuPath);
 
-  /// Starts the tour; refused() if TourStage::whyNone() gives a reason.
+  /// Starts the tour; rejected() if TourStage::whyNone() gives a reason.
   void startTour();
   /// startTour() at this user's first start of the program only.
   void offerTour();
@@ -49,7 +49,7 @@ class WindowHelp : public QObject {
 
  signals:
   void lessonWanted(const QString& id);
-  void refused(const QString& why);
+  void rejected(const QString& why);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

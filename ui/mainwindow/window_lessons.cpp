@@ -116,7 +116,7 @@ void MainWindow::chooseLessonFile() {
 
 void MainWindow::openLessonFile(const QString& path) {
   const auto lesson = lessonOf(path);
-  if (const QString* fault = std::get_if<QString>(&lesson)) return m_status->showRefusal(*fault);
+  if (const QString* fault = std::get_if<QString>(&lesson)) return m_status->showRejection(*fault);
   wantLesson(std::get<0>(lesson), tr("Preview"), path);
 }
 

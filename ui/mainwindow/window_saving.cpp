@@ -20,12 +20,12 @@ const QString kNotSavedKey = QStringLiteral("not saved");
 }  // namespace
 
 bool WindowFiles::save(const QString& path) {
-  if (refusesOpenElsewhere(path)) return false;
+  if (rejectIfOpenElsewhere(path)) return false;
   if (path == m_document->filePath() && m_watch.isForeign()) {
     const Expected<Mechanism> now = readDocument(path);
     if (!now || *now != *m_onDisk) {
       postForeignChange(now, true);
-      emit refused(tr("%1 was not saved: another program has changed it.").arg(title()));
+      emit rejected(tr("%1 was not saved: another program has changed it.").arg(title()));
       return false;
     }
     m_watch.accept();
@@ -34,7 +34,7 @@ bool WindowFiles::save(const QString& path) {
 }
 
 bool WindowFiles::saveAnyway(const QString& path) {
-  if (refusesOpenElsewhere(path)) return false;
+  if (rejectIfOpenElsewhere(path)) return false;
   const auto saved = std::make_shared<const Mechanism>(m_saved());
   if (const auto why = writeDocument(*saved, path)) {
     postNotSaved(path, *why);
@@ -48,7 +48,7 @@ bool WindowFiles::saveAnyway(const QString& path) {
 }
 
 void WindowFiles::postNotSaved(const QString& path, const QString& why) {
-  emit refused(why);
+  emit rejected(why);
   m_notices->post({kNotSavedKey,
                    Severity::error,
                    tr("%1 was not saved. %2").arg(title(), why),

@@ -100,7 +100,8 @@ void WindowSet::connectTo(MainWindow& window) {
 void WindowSet::chooseLanguage(const QString& code) {
   for (const auto& window : m_windows) {
     if (window->exportJobs().isBusy())
-      return window->statusLine().showRefusal(tr("The language can be changed when the export is finished."));
+      return window->statusLine().showRejection(
+          tr("The language can be changed when the export is finished."));
   }
   saveLanguage(code);
   const QString wanted = code.isEmpty() ? systemLanguage() : code;

@@ -66,11 +66,11 @@ void WindowFiles::postReadOnly(const QString& problem) {
 }
 
 /// True, with a notice, if another window writes this file.
-bool WindowFiles::refusesOpenElsewhere(const QString& path) {
+bool WindowFiles::rejectIfOpenElsewhere(const QString& path) {
   if (!openElsewhere(path)) return false;
   const QString name = QFileInfo(path).fileName();
   const QString why = tr("%1 was not saved: %2 is open in another window of GearGraph.").arg(title(), name);
-  emit refused(why);
+  emit rejected(why);
   m_notices->post({kOpenElsewhereKey,
                    Severity::warning,
                    why,

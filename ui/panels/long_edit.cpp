@@ -14,10 +14,10 @@ constexpr int kTelling = 100;  // ms
 
 }  // namespace
 
-QString refusalOf(Document& document, const Edit& edit) {
+QString rejectionOf(Document& document, const Edit& edit) {
   QString why;
   const auto heard =
-      QObject::connect(&document, &Document::refused, &document,
+      QObject::connect(&document, &Document::rejected, &document,
                        [&why](const Diagnostics& found) { why = shownText(found.front().message); });
   document.apply(edit);
   QObject::disconnect(heard);
@@ -58,7 +58,7 @@ void LongEdit::begin() {
 void LongEdit::take(const Result& result) {
   if (m_document->mechanism() != m_before) return begin();
   m_dialog.reset();
-  end(refusalOf(*m_document, {m_text, [result](const PlacedMechanism&) { return *result; }, m_gesture}));
+  end(rejectionOf(*m_document, {m_text, [result](const PlacedMechanism&) { return *result; }, m_gesture}));
 }
 
 void LongEdit::tell() {

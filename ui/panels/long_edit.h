@@ -19,7 +19,7 @@ class QWidget;
 namespace geargraph::inline panels {
 
 /// Applies an edit. Returns why the document rejected it, as a sentence; empty on success.
-[[nodiscard]] QString refusalOf(Document& document, const Edit& edit);
+[[nodiscard]] QString rejectionOf(Document& document, const Edit& edit);
 
 /// An edit of many elements, computed on a background thread while the window stays responsive. After a short
 /// delay a dialog shows the progress and offers to cancel. The result is applied to the document as one edit;

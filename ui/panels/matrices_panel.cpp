@@ -181,7 +181,7 @@ void MatricesPanel::copy(std::function<std::string()> write) {
   constexpr qint64 kMostEntries = 4'000'000;  // some 0.1 s and 16 MB
   const qint64 entries = qint64{m_model->rowCount()} * m_model->columnCount();
   if (entries > kMostEntries) {
-    return emit refused(
+    return emit rejected(
         tr("A matrix of %1 entries is too large to be copied. Export it as CSV.").arg(entries));
   }
   m_writer.request(std::move(write));

@@ -48,7 +48,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
   void quantityExportWanted(const geargraph::QuantityTablePtr& table);
   void copied();
-  void refused(const QString& why);  ///< copying failed: why, as a sentence
+  void rejected(const QString& why);  ///< copying failed: why, as a sentence
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -155,7 +155,7 @@ void PropertyForm::applyToEach(const QString& text, const LongEdit::Work& work) 
 }
 
 void PropertyForm::applyAtOnce(const QString& text, const Reduce& reduce) {
-  const QString why = refusalOf(*m_document, {text, reduce, m_gesture});
+  const QString why = rejectionOf(*m_document, {text, reduce, m_gesture});
   if (!why.isEmpty()) {
     for (NumberField* field : findChildren<NumberField*>()) {
       if (field->isCommitting()) field->reject(why);

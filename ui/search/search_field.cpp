@@ -109,7 +109,7 @@ void SearchField::choose(int row) {
   if (entry.element) return emit elementChosen(*entry.element);
   if (!entry.page.isEmpty()) return emit pageChosen(entry.page);
   if (entry.action == nullptr) return;
-  if (!entry.action->isEnabled()) return emit refused(entry.action->toolTip());
+  if (!entry.action->isEnabled()) return emit rejected(entry.action->toolTip());
   const bool isShown = entry.action->property(kRevealsPanel).toBool() && entry.action->isChecked();
   if (!isShown) entry.action->trigger();
 }

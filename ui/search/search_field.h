@@ -37,7 +37,7 @@ class SearchField : public QLineEdit {
   /// A heading of the manual: "drawing#tools".
   void pageChosen(const QString& page);
   /// A disabled command was chosen; `why` is the reason.
-  void refused(const QString& why);
+  void rejected(const QString& why);
 
  protected:
   bool event(QEvent* event) override;

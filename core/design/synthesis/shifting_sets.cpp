@@ -28,7 +28,7 @@ Number coordinate(double value) {
   return Number::fromDouble(rounded == 0 ? 0 : rounded);
 }
 
-Diagnostic refusal(Code code, std::string message) {
+Diagnostic rejection(Code code, std::string message) {
   return {code, std::move(message), {}, {}, 0, 0};
 }
 
@@ -75,24 +75,24 @@ NumberTriple touching(const Point& a, int teethOfA, const Point& b, int teethOfB
 Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
   const auto places = pairPlaces(teeth);
   if (!places) {
-    return refusal(
+    return rejection(
         Code::teethGeometry,
         translated(
             "Short and long planet cannot touch each other: small sun + short planet and large sun + long "
             "planet differ by more than short + long planet. What fits: sums that are nearer."));
   }
   if (teeth.largeSun - teeth.smallSun < 4) {
-    return refusal(
+    return rejection(
         Code::teethGeometry,
         translated("The long planets, which extend through both planes, interfere with the small sun. "
                    "What fits: a large sun with at least 4 teeth more than the small one."));
   }
   if (!pairsClear(teeth, *places, pairs))
-    return refusal(
+    return rejection(
         Code::teethGeometry,
         translated("The planets collide. What fits: fewer pairs, smaller planets, or a larger ring."));
   if ((teeth.ring() + teeth.largeSun) % pairs != 0 || (teeth.ring() - teeth.smallSun) % pairs != 0) {
-    return refusal(
+    return rejection(
         Code::assembly,
         translated(
             "The pairs do not go in evenly: ring + large sun = %1 and ring - small sun = %2 have to be "
@@ -151,13 +151,15 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
 
 Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   if (!assembles(teeth, planets)) {
-    return refusal(Code::assembly,
-                   translated("The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.",
-                              {std::to_string(teeth.sun + teeth.ring()), std::to_string(planets)}));
+    return rejection(
+        Code::assembly,
+        translated("The planets do not go in evenly: sun + ring = %1 has to be a multiple of %2.",
+                   {std::to_string(teeth.sun + teeth.ring()), std::to_string(planets)}));
   }
   if (!neighboursClear(teeth, planets))
-    return refusal(Code::teethGeometry,
-                   translated("The planets collide. What fits: fewer or smaller planets, or a larger sun."));
+    return rejection(
+        Code::teethGeometry,
+        translated("The planets collide. What fits: fewer or smaller planets, or a larger sun."));
   SetSketch set("Simpson set");
   const int suns = set.link(0, "a", "suns");
   const int ring = set.link(0, "a", "first ring");

@@ -19,7 +19,7 @@ std::string oneDecimal(double value) {
          std::to_string(std::abs(tenths) % 10);
 }
 
-Diagnostic refused(std::string message) {
+Diagnostic rejected(std::string message) {
   return {Code::teethGeometry, std::move(message), {}, {}, 0, 0};
 }
 
@@ -37,7 +37,7 @@ bool numbersAreSane(const GearSpec& s) {
 void checkBody(const GearSpec& s, Diagnostics& found) {
   if (s.kind == GearKind::internal) {
     if (s.rim > 0 && s.rim / 2 < nominalRootRadius(s) + 0.1 * s.module) {
-      found.push_back(refused(translated(
+      found.push_back(rejected(translated(
           "The rim of %1 does not reach past the roots of the ring's %2 teeth: make it larger than %3.",
           {oneDecimal(s.rim), std::to_string(s.teeth),
            oneDecimal(2 * (nominalRootRadius(s) + 0.5 * s.module))})));
@@ -45,7 +45,7 @@ void checkBody(const GearSpec& s, Diagnostics& found) {
     return;
   }
   if (s.bore > largestBore(s)) {
-    found.push_back(refused(
+    found.push_back(rejected(
         translated("The bore of %1 leaves no body below the roots of %2 teeth: make it smaller than %3.",
                    {oneDecimal(s.bore), std::to_string(s.teeth), oneDecimal(largestBore(s))})));
   }
@@ -55,7 +55,7 @@ void checkBody(const GearSpec& s, Diagnostics& found) {
 
 Diagnostics specDiagnostics(const GearSpec& spec) {
   if (!numbersAreSane(spec)) {
-    return {refused(
+    return {rejected(
         translated("A gear of %1 teeth has a measure that no tooth can have; module and face width must be "
                    "positive, the pressure angle between 5 and 35 degrees, shift and heights at most 3 "
                    "modules.",
@@ -65,24 +65,24 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
   const bool ring = spec.kind == GearKind::internal;
   const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
   if (spec.teeth < fewest) {
-    found.push_back(refused(
+    found.push_back(rejected(
         ring ? translated("%1 teeth are too few for a ring that a rack can generate; use at least %2.",
                           {std::to_string(spec.teeth), std::to_string(fewest)})
              : translated("%1 teeth are too few for a gear that a rack can generate; use at least %2.",
                           {std::to_string(spec.teeth), std::to_string(fewest)})));
   } else if (spec.kind == GearKind::bevel) {
     if (!(spec.coneAngle > 0.01 && spec.coneAngle < pi - 0.3)) {
-      found.push_back(refused(translated("The pitch cone of a bevel gear must be between %1 and 163 degrees.",
-                                         {oneDecimal(0.6)})));
+      found.push_back(rejected(translated(
+          "The pitch cone of a bevel gear must be between %1 and 163 degrees.", {oneDecimal(0.6)})));
     } else if (spec.faceWidth > 0.7 * coneDistance(spec)) {
-      found.push_back(refused(translated(
+      found.push_back(rejected(translated(
           "The face of %1 runs into the apex: make it shorter than %2, a third of the cone distance.",
           {oneDecimal(spec.faceWidth), oneDecimal(coneDistance(spec) / 3)})));
     }
   } else if (spec.kind == GearKind::external && nominalRootRadius(spec) < 0.2 * spec.module) {
     found.push_back(
-        refused(translated("%1 teeth leave no body below the roots; use more, or a larger profile shift.",
-                           {std::to_string(spec.teeth)})));
+        rejected(translated("%1 teeth leave no body below the roots; use more, or a larger profile shift.",
+                            {std::to_string(spec.teeth)})));
   }
   if (found.empty()) checkBody(spec, found);
   return found;

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
@@ -166,10 +166,10 @@ Expected<PlacedMechanism> withAxisChosen(const PlacedMechanism& before, AxisId a
   const bool needsOther = choice.way >= AxisChoice::Way::squareTo;
   for (const AxisId each : {axis, needsOther ? choice.other : axis}) {
     if (mechanism.find(each) == nullptr) {
-      return unplaced(withAxisPlaced(mechanism, each, std::nullopt, std::nullopt));  // refuses unknown-id
+      return unplaced(withAxisPlaced(mechanism, each, std::nullopt, std::nullopt));  // rejects unknown-id
     }
   }
-  if (isPinned(*mechanism.find(axis))) return pinRefusal(*mechanism.find(axis));
+  if (isPinned(*mechanism.find(axis))) return pinRejection(*mechanism.find(axis));
   if (choice.way == AxisChoice::Way::throughIntersection)
     return withIntersectionPoint(before, axis, choice.other);
   return withDirection(before, axis, directionOf(before, axis, choice));

@@ -11,7 +11,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
 #include "core/mechanism/fitting/module_pairs.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
@@ -86,7 +86,7 @@ Expected<PlacedMechanism> withAxisMoved(const PlacedMechanism& before, AxisId ax
   Expected<Mechanism> plain =
       withAxisPlaced(mechanism, axis, point, found == nullptr ? std::nullopt : found->direction);
   if (!plain) return plain.error();
-  if (isPinned(*found)) return pinRefusal(*found);
+  if (isPinned(*found)) return pinRejection(*found);
   const Placement& placement = before.placement();
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const MovedAxis moved = movedAxis(mechanism, placement, axis);

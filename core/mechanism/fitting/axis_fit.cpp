@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/mechanism/fitting/module_fit.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
 
@@ -70,10 +70,10 @@ class AxisFitter {
     for (int placed = 0; placed < count(); ++placed) {
       const int next = nextClass();
       m_shift[static_cast<std::size_t>(next)] = shiftOf(next);
-      if (!m_refusals.empty()) return std::move(m_refusals);
+      if (!m_rejections.empty()) return std::move(m_rejections);
     }
     if (m_hasPins || !m_pinned.empty()) checkHeld();
-    if (!m_refusals.empty()) return std::move(m_refusals);
+    if (!m_rejections.empty()) return std::move(m_rejections);
     std::vector<ExactVector3> shifts;
     for (auto& shift : m_shift) shifts.push_back(std::move(*shift));
     return shifts;
@@ -145,7 +145,7 @@ class AxisFitter {
 
   /// Axes that are held may not have the distances that their wheels ask for.
   void checkHeld() {
-    for (std::size_t m = 0; m < m_placement.meshes.size() && m_refusals.empty(); ++m) {
+    for (std::size_t m = 0; m < m_placement.meshes.size() && m_rejections.empty(); ++m) {
       const MeshGeometry& mesh = *m_placement.meshes[m];
       if (mesh.kind == MeshKind::bevel) continue;
       const ExactVector3 was = radial(mesh.tailClass, mesh.headClass);
@@ -156,9 +156,9 @@ class AxisFitter {
       const double wanted = length(toDoubles(was)) * scaleOf(mesh.tailClass, mesh.headClass).toDouble();
       if (std::abs(now - wanted) <= kGeometryFits * wanted) continue;
       if (m_hasPins) {
-        m_refusals.push_back(pinRefusal(m_before, m_placement, static_cast<int>(m)));
+        m_rejections.push_back(pinRejection(m_before, m_placement, static_cast<int>(m)));
       } else {
-        refuse(mesh.headClass, {mesh.tailClass});
+        reject(mesh.headClass, {mesh.tailClass});
       }
     }
   }
@@ -189,7 +189,7 @@ class AxisFitter {
     const double distance = length(between);
     const double a = circles[0].radius, b = circles[1].radius;
     if (distance < 1e-9 * (a + b) || distance > (a + b) * (1 + 1e-12) || distance < std::abs(a - b)) {
-      refuse(axisClass, neighbours);
+      reject(axisClass, neighbours);
       return {};
     }
     const Vector3 forward = unit(between);
@@ -203,15 +203,15 @@ class AxisFitter {
     for (const Circle& circle : circles) {
       const Vector3 off = point - circle.centre;
       if (std::abs(length(off) - circle.radius) > kGeometryFits * circle.radius)
-        refuse(axisClass, neighbours);
+        reject(axisClass, neighbours);
     }
     ExactVector3 shift;
     for (std::size_t i = 0; i < 3; ++i) shift[i] = Rational::fromDouble(point[i] - old[i]);
     return shift;
   }
 
-  void refuse(int axisClass, const std::vector<int>& neighbours) {
-    if (!m_refusals.empty()) return;
+  void reject(int axisClass, const std::vector<int>& neighbours) {
+    if (!m_rejections.empty()) return;
     Diagnostic why;
     why.code = Code::teethGeometry;
     std::string names;
@@ -229,7 +229,7 @@ class AxisFitter {
         "There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. "
         "What fits: a smaller change, or other teeth first.",
         {axis.text(), names});
-    m_refusals.push_back(std::move(why));
+    m_rejections.push_back(std::move(why));
   }
 
   const Mechanism& m_before;
@@ -241,7 +241,7 @@ class AxisFitter {
   std::vector<std::vector<int>> m_neighbours;  ///< by class: parallel ones it meshes with
   std::vector<std::vector<int>> m_along;       ///< by class: those it goes along with
   std::vector<std::optional<ExactVector3>> m_shift;
-  Diagnostics m_refusals;
+  Diagnostics m_rejections;
 };
 
 /// The pitch point of a mesh in the edited document, where `was` was its pitch point before.

@@ -34,18 +34,18 @@ NumberTriple mirroredPoint(const Mechanism& mechanism, const Placement& placemen
 Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, MeshId mesh, bool ofTail) {
   const Mechanism& mechanism = before.mechanism();
   const GearMesh* found = mechanism.find(mesh);
-  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // refuses unknown-id
+  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // rejects unknown-id
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Placement& placement = before.placement();
   const auto& geometry = placement.meshes[static_cast<std::size_t>(position)];
   if (!geometry || geometry->kind != MeshKind::bevel) {
-    Diagnostic refusal;
-    refusal.code = Code::pitchGeometry;
-    refusal.detail = Detail::noBevelPair;
-    refusal.message = translated("Mesh %1 is no bevel pair: only bevels have an apex with two sides.",
-                                 {std::to_string(mechanism.meshLabel(position))});
-    refusal.elements.emplace_back(mesh);
-    return refusal;
+    Diagnostic rejection;
+    rejection.code = Code::pitchGeometry;
+    rejection.detail = Detail::noBevelPair;
+    rejection.message = translated("Mesh %1 is no bevel pair: only bevels have an apex with two sides.",
+                                   {std::to_string(mechanism.meshLabel(position))});
+    rejection.elements.emplace_back(mesh);
+    return rejection;
   }
   std::vector<int> ends{2 * position + (ofTail ? 0 : 1)};
   if (canBeFitted(placement)) {

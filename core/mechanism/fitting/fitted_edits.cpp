@@ -7,7 +7,7 @@
 
 #include "core/mechanism/fitting/axis_fit.h"
 #include "core/mechanism/fitting/fitting_guards.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/fitting/teeth_fit.h"
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/model/edits.h"

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/module_fit.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
@@ -24,7 +24,7 @@ Diagnostics brokenPins(const PlacedMechanism& placedBefore, const PlacedMechanis
     const auto was = moduleOf(before, placedBefore.placement(), mesh);
     const auto is = moduleOf(edited, placedAfter.placement(), mesh);
     if (was && is && std::abs(*is - *was) > kGeometryFits * *was)
-      broken.push_back(modulePinRefusal(before, mesh));
+      broken.push_back(modulePinRejection(before, mesh));
   }
   return broken;
 }

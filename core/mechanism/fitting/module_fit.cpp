@@ -9,7 +9,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/fitting_guards.h"
 #include "core/mechanism/fitting/module_pairs.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/pitch_point.h"
@@ -48,7 +48,7 @@ void stateAxes(Mechanism& edited, const Placement& placement, const MeshGeometry
   }
 }
 
-Diagnostic refusal(MeshId mesh, std::string why) {
+Diagnostic rejection(MeshId mesh, std::string why) {
   return {Code::teethGeometry, std::move(why), {mesh}, {}, 0, 0};
 }
 
@@ -63,15 +63,15 @@ std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& plac
 Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh, const Rational& module) {
   const Mechanism& mechanism = before.mechanism();
   const GearMesh* found = mechanism.find(mesh);
-  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // refuses unknown-id
+  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // rejects unknown-id
   if (module <= 0)
-    return refusal(mesh, translated("A module is more than 0: the pitch diameter over the teeth."));
+    return rejection(mesh, translated("A module is more than 0: the pitch diameter over the teeth."));
   const Placement& placement = before.placement();
   if (!canBeFitted(placement))
-    return refusal(mesh,
-                   translated("Modules can be set where every mesh has its place, in trains of up to %1 "
-                              "meshes. Resolve the reported problems first.",
-                              {std::to_string(kMostFittedMeshes)}));
+    return rejection(mesh,
+                     translated("Modules can be set where every mesh has its place, in trains of up to %1 "
+                                "meshes. Resolve the reported problems first.",
+                                {std::to_string(kMostFittedMeshes)}));
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
   const std::vector<int> along =

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/foundations/base/words.h"
-#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/model/pins.h"
 
 namespace geargraph::inline fitting {
@@ -34,16 +34,16 @@ class TeethFitter {
       type(m_wheels.wheelOf(tail + 1), m_change.headTeeth);
     if (m_change.kind != geometry(m_change.mesh).kind)
       settle(axisPairOf(geometry(m_change.mesh)), m_change.mesh);
-    while (m_refusals.empty()) {
+    while (m_rejections.empty()) {
       const auto next = nextPair();
       if (!next) break;
       settle(next->first, next->second);
     }
     // Also of meshes that no pair was settled by: their gears may have been given equal teeth.
-    for (int mesh = 0; m_refusals.empty() && mesh < m_mechanism.c(); ++mesh) {
-      if (newReach(mesh) == 0) refuseEqual(mesh);
+    for (int mesh = 0; m_rejections.empty() && mesh < m_mechanism.c(); ++mesh) {
+      if (newReach(mesh) == 0) rejectEqual(mesh);
     }
-    if (!m_refusals.empty()) return std::move(m_refusals);
+    if (!m_rejections.empty()) return std::move(m_rejections);
     return std::move(m_fit);
   }
 
@@ -80,7 +80,7 @@ class TeethFitter {
     std::vector<int> all = m_wheels.identicalPlanets(wheel);
     all.push_back(wheel);
     for (const int each : all) {
-      if (m_pinned.contains(each)) refusePinned(m_wheels.ends(each).front() / 2);
+      if (m_pinned.contains(each)) rejectPinned(m_wheels.ends(each).front() / 2);
       m_changed.insert(each);
       for (const int end : m_wheels.ends(each)) m_fit.teeth[static_cast<std::size_t>(end)] = teeth;
     }
@@ -112,7 +112,7 @@ class TeethFitter {
   }
 
   void settle(const AxisPair& pair, int base) {
-    if (newReach(base) == 0) return refuseEqual(base);
+    if (newReach(base) == 0) return rejectEqual(base);
     const bool stays = areBothPinned(pair);
     for (const int mesh : m_pairs.at(pair)) {
       if (mesh != base && !stays) bend(base, mesh);
@@ -147,7 +147,7 @@ class TeethFitter {
         const int slope = signB * oldReach(mesh) - signM * oldReach(base);
         const int rest = restM * oldReach(base) - restB * oldReach(mesh);
         const bool whole = slope != 0 && rest % slope == 0 && rest / slope >= kFewestFollowing;
-        return whole ? setTeeth(wheel, rest / slope) : refusePinned(mesh);
+        return whole ? setTeeth(wheel, rest / slope) : rejectPinned(mesh);
       }
     }
   }
@@ -169,14 +169,14 @@ class TeethFitter {
     if (end < 0) {
       if (strict || m_pinned.contains(m_wheels.wheelOf(2 * mesh)) ||
           m_pinned.contains(m_wheels.wheelOf(2 * mesh + 1)))
-        refusePinned(mesh);
+        rejectPinned(mesh);
       return;
     }
     const auto [sign, rest] = reachOver(end);
     const int teeth = sign * (reachWanted - rest);
     if (teeth < kFewestFollowing || teeth > kMostTeeth) {
       const int link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;
-      return refuse(mesh,
+      return reject(mesh,
                     translated("gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.",
                                {std::to_string(m_mechanism.linkLabel(link)), std::to_string(teeth)}));
     }
@@ -204,23 +204,23 @@ class TeethFitter {
     return best;
   }
 
-  void refusePinned(int mesh) {
-    if (m_refusals.empty()) m_refusals.push_back(pinRefusal(m_mechanism, m_placement, mesh));
+  void rejectPinned(int mesh) {
+    if (m_rejections.empty()) m_rejections.push_back(pinRejection(m_mechanism, m_placement, mesh));
   }
 
-  void refuseEqual(int mesh) {
-    refuse(mesh, translated("an internal pair needs different tooth counts, the ring the larger one."));
+  void rejectEqual(int mesh) {
+    reject(mesh, translated("an internal pair needs different tooth counts, the ring the larger one."));
   }
 
-  void refuse(int mesh, const std::string& why) {
+  void reject(int mesh, const std::string& why) {
     const GearMesh& element = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
     const GearMesh& edited = m_mechanism.gearMeshes[static_cast<std::size_t>(m_change.mesh)];
-    m_refusals.push_back({Code::teethGeometry,
-                          translated("Mesh %1: %2", {std::to_string(m_mechanism.meshLabel(mesh)), why}),
-                          {element.id, element.tail, element.head, edited.id},
-                          {},
-                          0,
-                          0});
+    m_rejections.push_back({Code::teethGeometry,
+                            translated("Mesh %1: %2", {std::to_string(m_mechanism.meshLabel(mesh)), why}),
+                            {element.id, element.tail, element.head, edited.id},
+                            {},
+                            0,
+                            0});
   }
 
   const Mechanism& m_mechanism;
@@ -233,7 +233,7 @@ class TeethFitter {
   std::set<int> m_typed;    ///< wheels whose teeth the change names
   std::set<int> m_changed;  ///< wheels with new teeth
   std::set<int> m_given;    ///< wheels whose teeth a settled pair stands on
-  Diagnostics m_refusals;
+  Diagnostics m_rejections;
 };
 
 }  // namespace

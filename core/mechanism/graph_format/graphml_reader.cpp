@@ -1,4 +1,4 @@
-// GraphML, by expat. Document types are refused, so that there are no entities and no other files.
+// GraphML, by expat. Document types are rejected, so that there are no entities and no other files.
 
 #include <expat.h>
 

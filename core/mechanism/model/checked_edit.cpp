@@ -13,9 +13,9 @@ Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
         diagnostics.begin(), diagnostics.end(),
         [pointer](const Diagnostic& diagnostic) { return diagnostic.pointer.starts_with(pointer); });
     if (found == diagnostics.end()) continue;
-    Diagnostic refusal = *found;
-    refusal.pointer.clear();
-    return refusal;
+    Diagnostic rejection = *found;
+    rejection.pointer.clear();
+    return rejection;
   }
   return mechanism;
 }

@@ -28,7 +28,7 @@ Diagnostic unknown(const ElementId& element) {
           0};
 }
 
-Diagnostic refusal(Code code, std::string message, std::vector<ElementId> elements = {}) {
+Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
   return {code, std::move(message), std::move(elements), {}, 0, 0};
 }
 
@@ -92,8 +92,9 @@ Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint>
   return mechanism;
 }
 
-/// Why a joint is refused, in the labels of the document as it is: the one it would have had may be a mesh's.
-std::string loopRefusal(const Mechanism& edited, JointId added, const std::vector<ElementId>& loop) {
+/// Why a joint is rejected, in the labels of the document as it is: the one it would have had may be a
+/// mesh's.
+std::string loopRejection(const Mechanism& edited, JointId added, const std::vector<ElementId>& loop) {
   const TurningJoint& joint = *edited.find(added);
   std::vector<std::string> with;
   for (std::size_t j = 0; j < edited.turningJoints.size(); ++j) {
@@ -120,13 +121,14 @@ std::string loopRefusal(const Mechanism& edited, JointId added, const std::vecto
                    {tail, head, others});
 }
 
-/// The first diagnostic that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
+/// The first diagnostic that the edited mechanism has and `before` had not, as a rejection; else the
+/// mechanism.
 Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
   for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
     if (diagnostic.code != Code::turningLoop) continue;
     const auto& blamed = diagnostic.elements;
     if (std::find(blamed.begin(), blamed.end(), ElementId(added)) == blamed.end()) continue;
-    diagnostic.message = loopRefusal(edited, added, blamed);
+    diagnostic.message = loopRejection(edited, added, blamed);
     return std::move(diagnostic);
   }
   return edited;
@@ -145,7 +147,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
   if (mechanism.find(tail) == nullptr) return unknown(tail);
   if (mechanism.find(head) == nullptr) return unknown(head);
   if (tail == head) {
-    return refusal(Code::selfJoint, translated("A turning joint needs two different links."), {tail});
+    return rejection(Code::selfJoint, translated("A turning joint needs two different links."), {tail});
   }
   if (axis.empty()) {
     axis = freshAxisIds(mechanism, 1).front();
@@ -163,7 +165,7 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
   if (mechanism.find(tail) == nullptr) return unknown(tail);
   if (mechanism.find(head) == nullptr) return unknown(head);
   if (tail == head) {
-    return refusal(Code::selfJoint, translated("A gear mesh needs two different links."), {tail});
+    return rejection(Code::selfJoint, translated("A gear mesh needs two different links."), {tail});
   }
   GearMesh mesh;
   mesh.id = MeshId(freshId(mechanism));
@@ -189,8 +191,9 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   const std::unordered_set<ElementId> gone(elements.begin(), elements.end());
   const LinkId ground = mechanism.links.front().id;
   if (gone.contains(ground)) {
-    return refusal(Code::schema,
-                   translated("The ground cannot be deleted; make another link the ground first."), {ground});
+    return rejection(Code::schema,
+                     translated("The ground cannot be deleted; make another link the ground first."),
+                     {ground});
   }
   const auto linkGone = [&](LinkId link) { return gone.contains(link); };
   std::set<AxisId> freed;
@@ -265,18 +268,18 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
     return mechanism;
   }
   if (element.kind != ElementKind::axis) {
-    return refusal(Code::schema,
-                   translated("Only links and axes bear names; the others bear the paper's labels."),
-                   {element});
+    return rejection(Code::schema,
+                     translated("Only links and axes bear names; the others bear the paper's labels."),
+                     {element});
   }
   const AxisId from(element.id);
   const AxisId to{name};
   Axis* axis = findIn(mechanism.axes, from);
   if (axis == nullptr) return unknown(element);
   if (to == from) return mechanism;
-  if (to.empty()) return refusal(Code::schema, translated("An axis needs a name."), {element});
+  if (to.empty()) return rejection(Code::schema, translated("An axis needs a name."), {element});
   if (mechanism.find(to) != nullptr) {
-    return refusal(Code::duplicateId, translated("There is an axis \"%1\" already.", {name}), {to});
+    return rejection(Code::duplicateId, translated("There is an axis \"%1\" already.", {name}), {to});
   }
   axis->id = to;
   for (TurningJoint& joint : mechanism.turningJoints) {
@@ -305,8 +308,8 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
   found->headTeeth = headTeeth;
   for (const int teeth : {tailTeeth, headTeeth}) {
     if (teeth < kFewestTeeth || teeth > kMostTeeth) {
-      return refusal(Code::schema,
-                     translated("A gear has 1 to 100,000 teeth, not %1.", {std::to_string(teeth)}), {mesh});
+      return rejection(Code::schema,
+                       translated("A gear has 1 to 100,000 teeth, not %1.", {std::to_string(teeth)}), {mesh});
     }
   }
   return mechanism;
@@ -331,7 +334,8 @@ Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::option
   Axis* found = findIn(mechanism.axes, axis);
   if (found == nullptr) return unknown(axis);
   if (direction && isZero(*direction)) {
-    return refusal(Code::schema, translated("The direction of axis %1 has length 0.", {axis.text()}), {axis});
+    return rejection(Code::schema, translated("The direction of axis %1 has length 0.", {axis.text()}),
+                     {axis});
   }
   found->point = std::move(point);
   found->direction = std::move(direction);
@@ -374,7 +378,7 @@ Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number&
 Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint, const JointLimits& limits) {
   TurningJoint* found = findIn(mechanism.turningJoints, joint);
   if (found == nullptr) return unknown(joint);
-  if (const auto problem = limitsProblem(limits)) return refusal(Code::schema, *problem, {joint});
+  if (const auto problem = limitsProblem(limits)) return rejection(Code::schema, *problem, {joint});
   found->limits = limits;
   return mechanism;
 }
@@ -386,7 +390,7 @@ Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<In
     for (const Input& input : *inputs) {
       if (joints.positionOf(input.joint) < 0) return unknown(input.joint);
       if (!seen.insert(input.joint).second) {
-        return refusal(Code::duplicateId, translated("The joint is an input already."), {input.joint});
+        return rejection(Code::duplicateId, translated("The joint is an input already."), {input.joint});
       }
     }
   }
@@ -399,7 +403,7 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
                                   [link](const Link& candidate) { return candidate.id == link; });
   if (found == mechanism.links.end()) return unknown(link);
   if (bearsLoad(mechanism, link)) {
-    return refusal(
+    return rejection(
         Code::schema,
         translated("Loads or balances act on this link, and the ground can have none: remove them first."),
         {link});

@@ -8,7 +8,7 @@
 namespace geargraph::inline model {
 namespace {
 
-Diagnostic rejection(Code code, std::string message, LinkId link) {
+Diagnostic shapeRejection(Code code, std::string message, LinkId link) {
   return {code, std::move(message), {link}, {}, 0, 0};
 }
 
@@ -18,10 +18,11 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<Lin
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [&](const Link& each) { return each.id == link; });
   if (found == mechanism.links.end())
-    return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}), link);
+    return shapeRejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
+                          link);
   for (const LinkShape& shape : shapes) {
     if (!staysInFolder(shape.file)) {
-      return rejection(
+      return shapeRejection(
           Code::schema,
           translated("\"%1\" is not in the folder of the document: save the document first, then copy the 3D "
                      "file into its folder.",
@@ -29,7 +30,7 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<Lin
           link);
     }
     if (shape.scale && shape.scale->exact().sign() <= 0)
-      return rejection(Code::schema, translated("The scale of a 3D file has to be above 0."), link);
+      return shapeRejection(Code::schema, translated("The scale of a 3D file has to be above 0."), link);
   }
   found->shapes = std::move(shapes);
   return mechanism;

@@ -8,7 +8,7 @@
 namespace geargraph::inline model {
 namespace {
 
-Diagnostic refusal(Code code, std::string message, std::vector<ElementId> elements = {}) {
+Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
   return {code, std::move(message), std::move(elements), {}, 0, 0};
 }
 
@@ -26,19 +26,19 @@ Expected<Mechanism> withCoupling(Mechanism mechanism, CouplingKind kind, std::ve
                                  const std::string& id) {
   for (const LinkId link : links) {
     if (mechanism.find(link) == nullptr)
-      return refusal(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
-                     {link});
+      return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
+                       {link});
   }
   const CouplingId name = id.empty() ? freshCouplingId(mechanism) : CouplingId(id);
   if (mechanism.find(name) != nullptr)
-    return refusal(Code::duplicateId, translated("There is a coupling \"%1\" already.", {id}), {name});
+    return rejection(Code::duplicateId, translated("There is a coupling \"%1\" already.", {id}), {name});
   mechanism.couplings.push_back({name, kind, std::move(links), {}});
   return mechanism;
 }
 
 Diagnostic noSuchCoupling(CouplingId coupling) {
-  return refusal(Code::unknownId, translated("There is no \"%1\" in %2.", {coupling.text(), "couplings"}),
-                 {coupling});
+  return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {coupling.text(), "couplings"}),
+                   {coupling});
 }
 
 bool contains(const std::vector<CouplingId>& list, CouplingId coupling) {
@@ -58,7 +58,8 @@ bool isStateName(const Mechanism& mechanism, const std::string& name) {
 Expected<Mechanism> withEnd(Mechanism mechanism, int state, LinkId link,
                             std::optional<LinkId> ShiftState::*end) {
   if (mechanism.find(link) == nullptr)
-    return refusal(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}), {link});
+    return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
+                     {link});
   if (state >= 0) {
     stateAt(mechanism, state).*end = link;
   } else {
@@ -71,13 +72,14 @@ Expected<Mechanism> withEnd(Mechanism mechanism, int state, LinkId link,
 
 Expected<Mechanism> withBrake(Mechanism mechanism, LinkId link, const std::string& id) {
   if (link == mechanism.links.front().id)
-    return refusal(Code::schema, translated("The ground does not move: a brake is for a moving link."),
-                   {link});
+    return rejection(Code::schema, translated("The ground does not move: a brake is for a moving link."),
+                     {link});
   return withCoupling(std::move(mechanism), CouplingKind::brake, {link}, id);
 }
 
 Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other, const std::string& id) {
-  if (one == other) return refusal(Code::selfJoint, translated("A clutch needs two different links."), {one});
+  if (one == other)
+    return rejection(Code::selfJoint, translated("A clutch needs two different links."), {one});
   return withCoupling(std::move(mechanism), CouplingKind::clutch, {one, other}, id);
 }
 
@@ -87,9 +89,9 @@ Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling
   if (found == mechanism.couplings.end()) return noSuchCoupling(coupling);
   const CouplingId id(name);
   if (id == coupling) return mechanism;
-  if (id.empty()) return refusal(Code::schema, translated("A coupling needs a name."), {coupling});
+  if (id.empty()) return rejection(Code::schema, translated("A coupling needs a name."), {coupling});
   if (mechanism.find(id) != nullptr)
-    return refusal(Code::duplicateId, translated("There is a coupling \"%1\" already.", {name}), {id});
+    return rejection(Code::duplicateId, translated("There is a coupling \"%1\" already.", {name}), {id});
   found->id = id;
   for (ShiftState& state : mechanism.states)
     std::replace(state.engaged.begin(), state.engaged.end(), coupling, id);
@@ -119,10 +121,10 @@ Expected<Mechanism> withoutState(Mechanism mechanism, int state) {
 Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name) {
   ShiftState& found = stateAt(mechanism, state);
   if (found.name == name) return mechanism;
-  if (name.empty()) return refusal(Code::schema, translated("A state needs a name."));
+  if (name.empty()) return rejection(Code::schema, translated("A state needs a name."));
   if (isStateName(mechanism, name))
-    return refusal(Code::duplicateId, translated("There is a state \"%1\" already.", {name}),
-                   {ElementId(ElementKind::state, Atom(name))});
+    return rejection(Code::duplicateId, translated("There is a state \"%1\" already.", {name}),
+                     {ElementId(ElementKind::state, Atom(name))});
   found.name = name;
   return mechanism;
 }
@@ -150,8 +152,8 @@ Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<Coupli
   for (auto coupling = engaged.begin(); coupling != engaged.end(); ++coupling) {
     if (mechanism.find(*coupling) == nullptr) return noSuchCoupling(*coupling);
     if (std::find(engaged.begin(), coupling, *coupling) != coupling)
-      return refusal(Code::duplicateId, translated("Coupling \"%1\" is listed twice.", {coupling->text()}),
-                     {*coupling});
+      return rejection(Code::duplicateId, translated("Coupling \"%1\" is listed twice.", {coupling->text()}),
+                       {*coupling});
   }
   std::vector<CouplingId> ordered;
   for (const Coupling& each : mechanism.couplings) {

@@ -203,7 +203,7 @@ Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
 
 bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
                    MeshGeometry& geometry, Diagnostics& diagnostics) {
-  const auto refuse = [&](Diagnostic why) {
+  const auto reject = [&](Diagnostic why) {
     diagnostics.push_back(std::move(why));
     return false;
   };
@@ -213,12 +213,12 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
   const double headLength = length(head);
   const double larger = std::max(tailLength, headLength);
   if (std::min(tailLength, headLength) <= kSameLine * larger) {
-    return refuse(onAxis(mechanism, mesh, geometry, tailLength <= headLength));
+    return reject(onAxis(mechanism, mesh, geometry, tailLength <= headLength));
   }
   const Vector3 off = cross(tail, head);
   const double slack = kGeometryFits * tailLength * headLength;
   if (dot(off, off) > slack * slack) {
-    return refuse(offPlane(mechanism, mesh, pair, position, geometry));
+    return reject(offPlane(mechanism, mesh, pair, position, geometry));
   }
 
   geometry.normal = oriented((1 / tailLength) * tail);
@@ -230,16 +230,16 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
                                                                                     : MeshKind::internal;
   const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind;
   if (said && (*said == MeshKind::bevel) != (geometry.kind == MeshKind::bevel)) {
-    return refuse(wrongKind(mechanism, mesh, *said, position));
+    return reject(wrongKind(mechanism, mesh, *said, position));
   }
-  if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, position, geometry));
+  if (said && *said != geometry.kind) return reject(wrongSign(mechanism, mesh, pair, position, geometry));
   // Radii of nearly coincident axes fit equal teeth, but no such gears lie in each other.
   if (geometry.kind == MeshKind::internal && pair.tailTeeth == pair.headTeeth)
-    return refuse(equalInternalTeeth(mechanism, mesh));
+    return reject(equalInternalTeeth(mechanism, mesh));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;
   if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;
-  return refuse(wrongTeeth(mechanism, mesh, pair, position, geometry));
+  return reject(wrongTeeth(mechanism, mesh, pair, position, geometry));
 }
 
 }  // namespace geargraph::inline placement

@@ -92,17 +92,17 @@ class MeshLocator {
     geometry.tailTeeth = element.tailTeeth;
     geometry.headTeeth = element.headTeeth;
     const LinePosition position = positionOf(pair, m_train);
-    if (position == LinePosition::skew) return refuse(skewAxes(m_mechanism, mesh, pair));
+    if (position == LinePosition::skew) return reject(skewAxes(m_mechanism, mesh, pair));
     if (!element.pitchPoint) {
       if (!derivePitchPoint(mesh, pair, word, position, geometry))
-        return refuse(equalInternalTeeth(m_mechanism, mesh));
+        return reject(equalInternalTeeth(m_mechanism, mesh));
       geometry.pitchPoint = tail.point + geometry.tailToPitch;
     }
     return checkGeometry(m_mechanism, mesh, pair, position, geometry, m_placement.diagnostics);
   }
 
  private:
-  bool refuse(Diagnostic why) {
+  bool reject(Diagnostic why) {
     m_placement.diagnostics.push_back(std::move(why));
     return false;
   }

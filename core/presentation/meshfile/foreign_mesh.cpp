@@ -20,12 +20,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kLongestReport = 4096;   // bytes that the reader writes about what went wrong
 constexpr std::size_t kLongestSentence = 300;  // characters of it that are shown
 
-MeshFileError refused(const std::string& why, MeshFileError::Kind kind = MeshFileError::Kind::file) {
+MeshFileError rejected(const std::string& why, MeshFileError::Kind kind = MeshFileError::Kind::file) {
   return {kind, why};
 }
 
 MeshFileError tooSlow(const ForeignLimits& limits) {
-  return refused(
+  return rejected(
       translated("Reading it took longer than %1 s.", {std::to_string(static_cast<int>(limits.mostSeconds))}),
       MeshFileError::Kind::limit);
 }
@@ -58,7 +58,7 @@ MeshFileError failureOf(const ChildResult& result, const ForeignLimits& limits) 
     case ChildEnd::exited:
       break;
     case ChildEnd::crashed:
-      return refused(
+      return rejected(
           confinesChildren()
               ? translated(
                     "It is damaged, or made to do harm: the program that reads it crashed, and was confined.")
@@ -68,27 +68,27 @@ MeshFileError failureOf(const ChildResult& result, const ForeignLimits& limits) 
     case ChildEnd::outOfTime:
       return tooSlow(limits);
     case ChildEnd::stopped:
-      return refused(translated("Reading it was stopped."), MeshFileError::Kind::stopped);
+      return rejected(translated("Reading it was stopped."), MeshFileError::Kind::stopped);
     case ChildEnd::notStarted:
-      return refused(translated("The program geargraph-mesh cannot be run."));
+      return rejected(translated("The program geargraph-mesh cannot be run."));
     case ChildEnd::tooManyFiles:
-      return refused(translated("There are too many open files."));
+      return rejected(translated("There are too many open files."));
     case ChildEnd::inputMissing:
-      return refused(translated("It is not there."));
+      return rejected(translated("It is not there."));
     case ChildEnd::inputUnreadable:
-      return refused(translated("It cannot be opened."));
+      return rejected(translated("It cannot be opened."));
     case ChildEnd::inputNoFile:
-      return refused(translated("It is no file."));
+      return rejected(translated("It is no file."));
     case ChildEnd::inputTooLarge:
-      return refused(translated("It has %1 bytes, more than the limit of %2.",
-                                {std::to_string(result.inputSize), std::to_string(limits.mostBytes)}),
-                     MeshFileError::Kind::limit);
+      return rejected(translated("It has %1 bytes, more than the limit of %2.",
+                                 {std::to_string(result.inputSize), std::to_string(limits.mostBytes)}),
+                      MeshFileError::Kind::limit);
   }
   if (result.status != 0 && !sentence.empty()) {
-    return refused(sentence,
-                   result.status == kBeyondLimit ? MeshFileError::Kind::limit : MeshFileError::Kind::file);
+    return rejected(sentence,
+                    result.status == kBeyondLimit ? MeshFileError::Kind::limit : MeshFileError::Kind::file);
   }
-  return refused(
+  return rejected(
       translated("It is damaged, or made to do harm: what the program that reads it answers is no solid."));
 }
 
@@ -107,9 +107,9 @@ std::optional<MeshFormat> foreignFormat(const fs::path& path) {
 std::variant<Solid, MeshFileError> readForeignMesh(const fs::path& reader, const fs::path& path,
                                                    const ForeignLimits& limits, const std::stop_token& stop) {
   const auto format = foreignFormat(path);
-  if (!format) return refused(translated("It is none of STL, OBJ, PLY and GLB."));
+  if (!format) return rejected(translated("It is none of STL, OBJ, PLY and GLB."));
   if (reader.empty())
-    return refused(translated("The program geargraph-mesh, which reads 3D files, is missing."));
+    return rejected(translated("The program geargraph-mesh, which reads 3D files, is missing."));
   ChildProgram child;
   child.program = reader;
   child.words = {std::string(meshFormatName(*format)), std::to_string(limits.mostBytes),

@@ -16,7 +16,7 @@
 namespace geargraph::inline painting {
 namespace {
 
-Diagnostic refused(const std::string& why) {
+Diagnostic rejected(const std::string& why) {
   Diagnostic diagnostic;
   diagnostic.code = Code::graphics;
   diagnostic.message =
@@ -159,9 +159,9 @@ Expected<std::unique_ptr<EglHost>> EglHost::create() {
   const Turn turn(true);
   auto context = std::make_unique<Context>();
   const std::string problem = context->open();
-  if (!problem.empty()) return refused(problem);
+  if (!problem.empty()) return rejected(problem);
   const Current current(context->display, context->context);
-  if (!current.fine()) return refused(translated("the driver cannot paint without a window"));
+  if (!current.fine()) return rejected(translated("the driver cannot paint without a window"));
   auto renderer = makeGlRenderer(
       [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });  // NOLINT
   if (!renderer) return renderer.error();

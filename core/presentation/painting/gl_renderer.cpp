@@ -408,7 +408,7 @@ bool isSoftwareRenderer(std::string_view name) {
 }
 
 Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProcAddress) {
-  const auto refused = [](const std::string& why) {
+  const auto rejected = [](const std::string& why) {
     Diagnostic diagnostic;
     diagnostic.code = Code::graphics;
     diagnostic.message = translated("No 3D pictures: %1. Install a driver with OpenGL 3.3 or newer.", {why});
@@ -416,17 +416,17 @@ Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProc
   };
   auto gl = std::make_unique<GlApi>();
   const std::string missing = gl->load(getProcAddress);
-  if (!missing.empty()) return refused(translated("the driver has no %1", {missing}));
+  if (!missing.empty()) return rejected(translated("the driver has no %1", {missing}));
   GLint major = 0, minor = 0;
   gl->GetIntegerv(GL_MAJOR_VERSION, &major);
   gl->GetIntegerv(GL_MINOR_VERSION, &minor);
   if (10 * major + minor < 33) {
-    return refused(
+    return rejected(
         translated("the driver offers OpenGL %1", {std::to_string(major) + "." + std::to_string(minor)}));
   }
   auto renderer = std::make_unique<GlRenderer>(std::move(gl));
   if (!renderer->log().empty())
-    return refused(translated("the driver rejects a shader: %1", {renderer->log()}));
+    return rejected(translated("the driver rejects a shader: %1", {renderer->log()}));
   return std::unique_ptr<Renderer>(std::move(renderer));
 }
 

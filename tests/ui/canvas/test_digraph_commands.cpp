@@ -134,7 +134,7 @@ class TestDigraphCommands : public QObject {
   void theGroundIsNotDeletedAndSaysWhy() {
     ViewDriver d(placedRobot());
     QStringList why;
-    connect(&d.document, &Document::refused, this,
+    connect(&d.document, &Document::rejected, this,
             [&](const Diagnostics& found) { why << QString::fromStdString(found.front().message); });
     d.click(d.center(0));
     d.key(Qt::Key_Delete);

@@ -203,20 +203,20 @@ class TestDigraphView : public QObject {
     QCOMPARE(d.selected(), QString("19"));
   }
 
-  void aLoopOfTurningJointsIsRefusedBeforeTheRelease() {
+  void aLoopOfTurningJointsIsRejectedBeforeTheRelease() {
     ViewDriver d(placedRobot());
     std::optional<JointPreview> last;
     connect(&d.view, &DigraphView::previewChanged, this,
             [&](const std::optional<JointPreview>& preview) { last = preview; });
-    int refusals = 0;
-    connect(&d.document, &Document::refused, this, [&](const Diagnostics&) { ++refusals; });
+    int rejections = 0;
+    connect(&d.document, &Document::rejected, this, [&](const Diagnostics&) { ++rejections; });
     d.key(Qt::Key_T);
     d.press(d.center(6));
     d.move(d.center(3));
     QVERIFY(last && !last->valid && last->head == LinkId("3"));
     QVERIFY2(d.view.hint().contains("loop"), qPrintable(d.view.hint()));
     d.release(d.center(3));
-    QCOMPARE(refusals, 1);
+    QCOMPARE(rejections, 1);
     QCOMPARE(d.steps(), 0);
     QVERIFY(!last);
   }

@@ -138,40 +138,40 @@ class DocumentTest : public QObject {
     QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 5.0);
   }
 
-  void refusedEditChangesNothing() {
+  void rejectedEditChangesNothing() {
     Document document;
-    QSignalSpy refused(&document, &Document::refused);
+    QSignalSpy rejected(&document, &Document::rejected);
     QSignalSpy changed(&document, &Document::changed);
     const MechanismPtr before = document.mechanism();
     QVERIFY(!document.apply(
         {QStringLiteral("Add joint"),
          [](const Mechanism& mechanism) { return withTurningJoint(mechanism, LinkId("0"), LinkId("0")); },
          0}));
-    QCOMPARE(refused.count(), 1);
+    QCOMPARE(rejected.count(), 1);
     QCOMPARE(changed.count(), 0);
     QCOMPARE(document.mechanism().get(), before.get());
     QCOMPARE(document.undoStack().count(), 0);
   }
 
-  void lengthsBeyondTheRangeAreRefused() {
+  void lengthsBeyondTheRangeAreRejected() {
     Document document;
     QVERIFY(document.apply(moveGround(1e15, 1)));
-    QSignalSpy refused(&document, &Document::refused);
+    QSignalSpy rejected(&document, &Document::rejected);
     QVERIFY(!document.apply(moveGround(1.1e15, 2)));
-    QCOMPARE(refused.count(), 1);
-    QCOMPARE(refused.front().front().value<Diagnostics>().front().code, Code::schema);
+    QCOMPARE(rejected.count(), 1);
+    QCOMPARE(rejected.front().front().value<Diagnostics>().front().code, Code::schema);
     QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 1e15);
   }
 
-  void whatCouldNotBeOpenedAgainIsRefused() {
+  void whatCouldNotBeOpenedAgainIsRejected() {
     Document document;
     document.apply(addLink());
-    QSignalSpy refused(&document, &Document::refused);
+    QSignalSpy rejected(&document, &Document::rejected);
     const std::string name(kLongestName + 1, 'x');
     QVERIFY(
         !document.apply({QStringLiteral("Rename link"),
                          [name](const Mechanism& m) { return withName(m, m.links.back().id, name); }, 0}));
-    QCOMPARE(refused.count(), 1);
+    QCOMPARE(rejected.count(), 1);
     QCOMPARE(document.undoStack().count(), 1);
   }
 

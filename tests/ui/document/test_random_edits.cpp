@@ -53,7 +53,7 @@ class RandomEditsTest : public QObject {
                    const Mechanism& before) { return withTurningJoint(before, a, b, axis); };
       case 2:
         return [a, b, i = below(60), j = below(60)](const Mechanism& before) {
-          return withGearMesh(before, a, b, i, j);  // sometimes with no teeth: refused
+          return withGearMesh(before, a, b, i, j);  // sometimes with no teeth: rejected
         };
       default: {
         const std::vector<ElementId> chosen = some(m, 3);
@@ -132,14 +132,14 @@ class RandomEditsTest : public QObject {
     QUndoStack& stack = document.undoStack();
     std::vector<Mechanism> states{*document.mechanism()};  // by place in the history, copied
     int accepted = 0;
-    int refused = 0;
+    int rejected = 0;
     quint64 gesture = 0;
     while (accepted < kEdits) {
       if (below(8) == 0) gesture = below(8) == 0 ? document.newGesture() : 0;
       const Mechanism before = *document.mechanism();
       if (!document.apply({QStringLiteral("edit"), anyEdit(before), gesture})) {
         QVERIFY(*document.mechanism() == before);
-        ++refused;
+        ++rejected;
         continue;
       }
       states.resize(static_cast<std::size_t>(stack.index()) + 1);
@@ -148,7 +148,7 @@ class RandomEditsTest : public QObject {
       ++accepted;
       QVERIFY(wellFormedDiagnostics(*document.mechanism()).empty());
     }
-    QVERIFY(refused > 100);  // what cannot be was tried too
+    QVERIFY(rejected > 100);  // what cannot be was tried too
     QVERIFY(stack.count() > kEdits / 2);
     QCOMPARE(stack.count(), stack.index());
 

@@ -131,7 +131,7 @@ class DrawingByHandTest : public QObject {
     QVERIFY(window->problems().visibleRegion().isEmpty());
   }
 
-  void aRefusedJointBearsNoLabelOfSomethingElse() {
+  void aRejectedJointBearsNoLabelOfSomethingElse() {
     drawLinks({{0.25, 0.2}, {0.75, 0.2}, {0.75, 0.8}});
     draw(Qt::Key_T, {{0, 1}, {0, 2}, {2, 3}});
     draw(Qt::Key_G, {{1, 3}});  // bears label 7, which the next joint would have

@@ -144,10 +144,10 @@ class DrawingsTest : public QObject {
     QCOMPARE(QDir(sheets).entryList(QDir::Files, QDir::Name), expected);
     QCOMPARE(expected.size(), qsizetype{10});
     // A folder that is there is left alone, and that is told.
-    QSignalSpy refusal(&window->exports(), &WindowExports::refused);
+    QSignalSpy rejection(&window->exports(), &WindowExports::rejected);
     window->exports().exportSheets(sheets, wish);
-    QCOMPARE(refusal.count(), qsizetype{1});
-    QVERIFY(refusal[0][0].toString().contains("sheets"));
+    QCOMPARE(rejection.count(), qsizetype{1});
+    QVERIFY(rejection[0][0].toString().contains("sheets"));
   }
 
   // One key, and both methods are there, as the document is now.
@@ -240,7 +240,7 @@ class DrawingsTest : public QObject {
   void aLargeMatrixIsExportedBesideTheWindowAndCanBeStopped() {
     const auto large = analyze(std::make_shared<const Mechanism>(test::randomTrain(7, 3000, 1200)));
     const IntegerMatrixPtr matrix = large->matrix(MatrixKind::incidence);
-    QSignalSpy failed(&window->exports(), &WindowExports::refused);
+    QSignalSpy failed(&window->exports(), &WindowExports::rejected);
     QSignalSpy done(&window->exports(), &WindowExports::written);
     window->exports().exportCsv(matrix, folder.filePath("stopped.csv"));
     QVERIFY(window->notices().current() != nullptr);

@@ -94,7 +94,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(window->windowTitle(), QStringLiteral("robot.geargraph[*] — GearGraph"));
   }
 
-  void arbitraryBytesAreRefused() {
+  void arbitraryBytesAreRejected() {
     const MechanismPtr before = now();
     QByteArray bytes;
     for (int i = 0; i < 4096; ++i) bytes += static_cast<char>((i * 2'654'435'761U) >> 24U);
@@ -104,7 +104,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(now().get(), before.get());
   }
 
-  void aRefusedEditSaysWhyAndChangesNothing() {
+  void aRejectedEditSaysWhyAndChangesNothing() {
     const MechanismPtr before = now();
     test::Hand hand(*window);
     hand.key(Qt::Key_T);
@@ -112,9 +112,9 @@ class MainWindowTest : public QObject {
     QCOMPARE(now().get(), before.get());
     QCOMPARE(window->document().undoStack().count(), 0);
     QVERIFY2(window->statusLine().text().contains("loop"), qPrintable(window->statusLine().text()));
-    const QString refusal = window->statusLine().text();
+    const QString rejection = window->statusLine().text();
     addLink();
-    QVERIFY(window->statusLine().text() != refusal);
+    QVERIFY(window->statusLine().text() != rejection);
   }
 
   void everyDisabledActionSaysWhy() {
@@ -233,9 +233,9 @@ class MainWindowTest : public QObject {
     QVERIFY(!window->saveDocument(nowhere));
     QVERIFY(window->isWindowModified());
     QVERIFY(!window->statusLine().text().isEmpty());
-    QSignalSpy refused(&window->exports(), &WindowExports::refused);
+    QSignalSpy rejected(&window->exports(), &WindowExports::rejected);
     window->exports().exportCsv(window->analysis().snapshot()->matrix(MatrixKind::incidence), nowhere);
-    QVERIFY(refused.wait());
+    QVERIFY(rejected.wait());
     QVERIFY(!QFileInfo::exists(nowhere));
   }
 };

@@ -274,7 +274,7 @@ class WindowClipboardTest : public QObject {
     QVERIFY2(said().contains(reason), qPrintable(said()));
   }
 
-  void binaryGarbageUnderOurOwnNameIsRefused() {
+  void binaryGarbageUnderOurOwnNameIsRejected() {
     auto* data = new QMimeData;
     data->setData(QStringLiteral("application/x-geargraph+json"), QByteArray("\xff\x00{]", 4));
     QApplication::clipboard()->setMimeData(data);

@@ -247,10 +247,10 @@ class WindowHelpTest : public QObject {
     QVERIFY(part<QDockWidget>("dock.gearbox")->isVisible());
     emit manual()->browser().commandWanted(QStringLiteral("View > Gearbox"));
     QVERIFY(part<QDockWidget>("dock.gearbox")->isVisible());  // shown, never hidden
-    QSignalSpy refused(&help(), &WindowHelp::refused);
+    QSignalSpy rejected(&help(), &WindowHelp::rejected);
     emit manual()->browser().commandWanted(QStringLiteral("Mechanism > Make ground"));
-    QCOMPARE(refused.size(), 1);
-    QCOMPARE(refused.front().front().toString(), window->actions().makeGround->toolTip());
+    QCOMPARE(rejected.size(), 1);
+    QCOMPARE(rejected.front().front().toString(), window->actions().makeGround->toolTip());
   }
 
   void lessonsOfThePagesAreOpened() {

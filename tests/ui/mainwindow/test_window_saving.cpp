@@ -224,7 +224,7 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     QCOMPARE(set->windows().size(), std::size_t{1});
   }
 
-  void savingOverTheFileOfAnotherWindowIsRefused() {
+  void savingOverTheFileOfAnotherWindowIsRejected() {
     const QString one = written("one.geargraph", 1);
     set->start({one, written("two.geargraph", 2)});
     addLink(last());

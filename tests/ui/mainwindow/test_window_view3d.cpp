@@ -120,9 +120,9 @@ class WindowView3DTest : public QObject {
   void aDocumentWithoutAFileHasNoPlaceForPaths() {
     ShapesDialog dialog(&window->document(), LinkId("1"), window.get());
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    QSignalSpy refused(&window->document(), &Document::refused);
+    QSignalSpy rejected(&window->document(), &Document::rejected);
     QVERIFY(!dialog.add("/tmp/part.stl"));
-    QCOMPARE(refused.size(), qsizetype{1});
+    QCOMPARE(rejected.size(), qsizetype{1});
   }
 };
 

@@ -97,7 +97,7 @@ class MatrixModelTest : public QObject {
     QCOMPARE(shown(model, 8, 7), QStringLiteral("1"));
   }
 
-  void noPreviewOfWhatWouldBeRefused() {
+  void noPreviewOfWhatWouldBeRejected() {
     const Mechanism robot = test::robotTopology();
     QVERIFY(!previewOf(robot, {ElementKind::turningJoint, LinkId("3"), LinkId("6"), true}));  // a loop
     QVERIFY(!previewOf(robot, {ElementKind::gearMesh, LinkId("3"), LinkId(), false}));

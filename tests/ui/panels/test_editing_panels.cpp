@@ -171,7 +171,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     QCOMPARE((*axis.point)[1].text(), std::string("-22/7"));
     QVERIFY((*axis.point)[0].exact().isZero());
     type(numberOf("axisDirection.z"), QStringLiteral("0"));
-    QCOMPARE(document->mechanism()->find(AxisId("a"))->direction.has_value(), false);  // length 0: refused
+    QCOMPARE(document->mechanism()->find(AxisId("a"))->direction.has_value(), false);  // length 0: rejected
   }
 
   void whyIsSaidBelowTheFields() {
@@ -368,7 +368,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     QCOMPARE(document->undoStack().count(), 2);
   }
 
-  void slidTeethThatAreRefusedStayAndSayWhy() {
+  void slidTeethThatAreRejectedStayAndSayWhy() {
     document->replace(test::planetary(24, 18, 3), {});
     const std::vector<ElementId> held{LinkId("2"), document->mechanism()->gearMeshes[0].head};
     document->apply(

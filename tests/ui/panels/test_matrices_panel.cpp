@@ -263,10 +263,10 @@ class MatricesPanelTest : public QObject {
     QApplication::clipboard()->setText(QStringLiteral("before"));
     panel->setSnapshot(snapshotOf(test::randomTrain(7, 2000, 800)));
     QTest::mouseClick(panel->findChild<QToolButton*>("chip.incidence"), Qt::LeftButton);
-    QSignalSpy refused(panel.get(), &MatricesPanel::refused);
+    QSignalSpy rejected(panel.get(), &MatricesPanel::rejected);
     panel->findChild<QToolButton*>("copyMatrix")->menu()->actions().front()->trigger();
-    QCOMPARE(refused.size(), qsizetype{1});
-    QVERIFY(refused.front().front().toString().contains("Export it as CSV"));
+    QCOMPARE(rejected.size(), qsizetype{1});
+    QVERIFY(rejected.front().front().toString().contains("Export it as CSV"));
     QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("before"));
   }
 

@@ -174,13 +174,13 @@ class TestSchematicView : public QObject {
         {"Pin", [pins](const PlacedMechanism& m) { return withAllPinned(m, pins, true); }, 0});
     driver.wait();
     const MechanismPtr pinned = driver.document.mechanism();
-    QSignalSpy refused(&driver.document, &Document::refused);
+    QSignalSpy rejected(&driver.document, &Document::rejected);
     rim = driver.rim(gear);
     QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
     QTest::mouseMove(driver.view.viewport(), rim.at + (5 * rim.perTooth).toPoint());
     QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, rim.at);
     QCOMPARE(*driver.document.mechanism(), *pinned);
-    QVERIFY(refused.count() > 0);
+    QVERIFY(rejected.count() > 0);
   }
 
   void hoveringInAnotherViewLightsItUpHere() {
@@ -380,10 +380,10 @@ class TestSchematicView : public QObject {
     driver.wait();
     const Mechanism before = *driver.document.mechanism();
     const std::string picture = textOf(driver.view.picture());
-    QSignalSpy refused(&driver.document, &Document::refused);
+    QSignalSpy rejected(&driver.document, &Document::rejected);
     driver.dragAxis();
-    QVERIFY(!refused.empty());
-    QCOMPARE(refused.front().front().value<Diagnostics>().front().elements,
+    QVERIFY(!rejected.empty());
+    QCOMPARE(rejected.front().front().value<Diagnostics>().front().elements,
              std::vector<ElementId>{driver.axis()});
     QCOMPARE(*driver.document.mechanism(), before);
     driver.drop();

@@ -38,19 +38,19 @@ class BaseTest : public QObject {
     QCOMPARE(QString::fromStdString(value->toString()), exact);
   }
 
-  void rationalRefusesWhatIsNoNumber_data() {
+  void rationalRejectsWhatIsNoNumber_data() {
     QTest::addColumn<QString>("text");
     for (const char* text : {"", "-", "1/0", "1/-2", "a", "1.", "1/2/3", "1e", "1e9999999", "0x10", " 1",
                              "1 ", "1/", "/2", "nan", "inf", "1.5/2", "--1", "1e+-2"}) {
       QTest::newRow(text) << QString(text);
     }
   }
-  void rationalRefusesWhatIsNoNumber() {
+  void rationalRejectsWhatIsNoNumber() {
     QFETCH(QString, text);
     QVERIFY(!Rational::fromText(text.toStdString()).has_value());
   }
 
-  void longNumbersAreRefusedNotComputed() {
+  void longNumbersAreRejectedNotComputed() {
     QVERIFY(!Rational::fromText(std::string(5000, '9')).has_value());
     QVERIFY(!Rational::fromText("1e5000").has_value());
     QVERIFY(Rational::fromText("1e4000").has_value());

@@ -135,8 +135,8 @@ class TestPlatform : public QObject {
     QCOMPARE(contentsOf(place("f")), std::string(300'000, 'n'));
     QVERIFY(fs::status(place("f")).permissions() == fs::perms::owner_all);
     QCOMPARE(filesInFolder(), std::size_t{1});
-    const auto refused = writeFile(place(""), "x");
-    QVERIFY(refused && refused->message.find("it is a folder") != std::string::npos);
+    const auto rejected = writeFile(place(""), "x");
+    QVERIFY(rejected && rejected->message.find("it is a folder") != std::string::npos);
   }
 
   void symbolicAndHardLinksStay() {

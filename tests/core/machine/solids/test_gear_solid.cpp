@@ -273,7 +273,7 @@ class TestGearSolid : public QObject {
     for (const auto& each : got) QCOMPARE(each.get(), later->made());
   }
 
-  void impossibleGearsAreRefusedWithASentence_data() {
+  void impossibleGearsAreRejectedWithASentence_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<int>("teeth");
     QTest::addColumn<double>("cone");
@@ -283,7 +283,7 @@ class TestGearSolid : public QObject {
     QTest::newRow("ring of three") << 1 << 3 << 0.0 << 0.0;
     QTest::newRow("no cone") << 2 << 20 << 0.0 << 0.0;
   }
-  void impossibleGearsAreRefusedWithASentence() {
+  void impossibleGearsAreRejectedWithASentence() {
     QFETCH(int, kind);
     QFETCH(int, teeth);
     QFETCH(double, cone);
@@ -296,7 +296,7 @@ class TestGearSolid : public QObject {
     QVERIFY(solid.error().front().message.size() > 20);
   }
 
-  void nonsenseNumbersAreRefused() {
+  void nonsenseNumbersAreRejected() {
     GearSpec spec = gear(0, 20, 0, 0);
     spec.module = std::nan("");
     QVERIFY(!gearSolid(spec, 0.002).has_value());

@@ -22,7 +22,7 @@ class TestMechanismReader : public QObject {
   void treeFaults_areForTheEditorToMend();
   void manyLongLoops_areAllReported();
   void listsMayBeLeftOut_whereNothingNeedsThem();
-  void limits_areRefused();
+  void limits_areRejected();
   void limits_areInclusive();
   void largeFiles_areReadInReasonableTime();
 };
@@ -175,7 +175,7 @@ void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
   QCOMPARE(diagnosticsFor("\xEF\xBB\xBF" + kEverything), std::string());
 }
 
-void TestMechanismReader::limits_areRefused() {
+void TestMechanismReader::limits_areRejected() {
   const std::string deep(65, '[');
   QCOMPARE(diagnosticsFor(deep), std::string("schema "));
   QCOMPARE(readMechanism(deep).error().at(0).column, 65);

@@ -132,7 +132,7 @@ class TestAxisChoice : public QObject {
     QCOMPARE(kindsOf(*spur), QStringList{"external"});
   }
 
-  void whatIsPinnedOrUnknownIsRefused() {
+  void whatIsPinnedOrUnknownIsRejected() {
     const PlacedMechanism before(differential());
     QVERIFY(withAxisChosen(before, AxisId("z"), {Way::alongX, {}}).error().front().code == Code::unknownId);
     QVERIFY(withAxisChosen(before, AxisId("b"), {Way::squareTo, AxisId("z")}).error().front().code ==

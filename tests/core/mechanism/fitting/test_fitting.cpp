@@ -74,9 +74,9 @@ class TestFitting : public QObject {
     const PlacedMechanism before = test::example("reverted-train");
     int moved = 0;
     for (const Axis& axis : before.mechanism().axes) {
-      const auto refused = withAxisMoved(before, axis.id, at(1e200, 0, 0));
-      QVERIFY(!refused);
-      QCOMPARE(refused.error().front().code, Code::schema);
+      const auto rejected = withAxisMoved(before, axis.id, at(1e200, 0, 0));
+      QVERIFY(!rejected);
+      QCOMPARE(rejected.error().front().code, Code::schema);
       ++moved;
     }
     QVERIFY(moved > 1);
@@ -90,12 +90,12 @@ class TestFitting : public QObject {
     QVERIFY(misfit(after) < 1e-9);
   }
 
-  void whatCannotBeIsRefusedWithTheCulprits() {
+  void whatCannotBeIsRejectedWithTheCulprits() {
     const Mechanism before = statedPlanetary(1);
-    const auto refused = withTeethFitted(before, mesh(before, 1).id, 18, 38);  // the sun would need 2
-    QVERIFY(!refused);
-    QCOMPARE(refused.error()[0].code, Code::teethGeometry);
-    const auto& blamed = refused.error()[0].elements;
+    const auto rejected = withTeethFitted(before, mesh(before, 1).id, 18, 38);  // the sun would need 2
+    QVERIFY(!rejected);
+    QCOMPARE(rejected.error()[0].code, Code::teethGeometry);
+    const auto& blamed = rejected.error()[0].elements;
     QVERIFY(std::find(blamed.begin(), blamed.end(), ElementId(mesh(before, 0).id)) != blamed.end());
     QCOMPARE(withTeethFitted(before, mesh(before, 0).id, 0, 18).error()[0].code, Code::schema);
   }
@@ -315,7 +315,7 @@ class TestFitting : public QObject {
 
   void everyEditOfRandomSequencesLeavesEverythingFitting() {
     int applied = 0;
-    int refused = 0;
+    int rejected = 0;
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
       std::mt19937_64 random(seed);
       const auto below = [&random](int limit) {
@@ -348,7 +348,7 @@ class TestFitting : public QObject {
           }
         }();
         if (!next) {
-          ++refused;
+          ++rejected;
           QVERIFY(!next.error()[0].elements.empty() || next.error()[0].code == Code::schema);
           continue;
         }
@@ -358,7 +358,8 @@ class TestFitting : public QObject {
         ++applied;
       }
     }
-    QVERIFY2(applied > 300 && refused > 5, (std::to_string(applied) + " " + std::to_string(refused)).c_str());
+    QVERIFY2(applied > 300 && rejected > 5,
+             (std::to_string(applied) + " " + std::to_string(rejected)).c_str());
   }
 };
 

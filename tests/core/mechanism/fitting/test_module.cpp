@@ -101,16 +101,16 @@ class TestModule : public QObject {
     QVERIFY(misfit(after) < 1e-9);
   }
 
-  void aPinnedModuleRefusesWhatWouldChangeIt() {
+  void aPinnedModuleRejectsWhatWouldChangeIt() {
     const Mechanism before = statedPlanetary(3);
     const ElementId pinned = mesh(before, 0).id;
     const Mechanism held = pin(before, pinned);
     QVERIFY(isPinned(mesh(held, 0)) && !isPinned(mesh(held, 1)));
-    for (const auto& refused :
+    for (const auto& rejected :
          {withAxisMoved(held, held.axes[1].id, at(50, 0, 0)), withModule(held, mesh(held, 1).id, 3)}) {
-      QVERIFY(!refused);
-      QCOMPARE(refused.error()[0].code, Code::teethGeometry);
-      QVERIFY(blames(refused.error()[0], pinned));
+      QVERIFY(!rejected);
+      QCOMPARE(rejected.error()[0].code, Code::teethGeometry);
+      QVERIFY(blames(rejected.error()[0], pinned));
     }
     QVERIFY(withAxisMoved(before, held.axes[1].id, at(50, 0, 0)));
     QVERIFY(withModule(held, mesh(held, 1).id, 2));  // as it is
@@ -167,9 +167,9 @@ class TestModule : public QObject {
     Mechanism looped = reverted();
     looped.turningJoints.push_back(looped.turningJoints.back());
     looped.turningJoints.back().id = JointId("again");
-    const auto refused = withModule(looped, mesh(looped, 0).id, 2);
-    QVERIFY(!refused);
-    QCOMPARE(refused.error()[0].code, Code::teethGeometry);
+    const auto rejected = withModule(looped, mesh(looped, 0).id, 2);
+    QVERIFY(!rejected);
+    QCOMPARE(rejected.error()[0].code, Code::teethGeometry);
     QCOMPARE(withModule(reverted(), mesh(looped, 0).id, 0).error()[0].code, Code::teethGeometry);
     QCOMPARE(withModule(looped, MeshId("none"), 2).error()[0].code, Code::unknownId);
   }

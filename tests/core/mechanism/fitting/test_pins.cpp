@@ -66,10 +66,10 @@ class TestPins : public QObject {
     QCOMPARE(placeOf(*together, 1), (ExactVector3{100, 0, 0}));
     QCOMPARE(placeOf(*together, 0), (ExactVector3{50, 0, 0}));
     const AxisId second = pairs.axes[1].id;
-    const auto refused = snapped(withPinMark(pairs, second, true).value());
-    QVERIFY(!refused);
-    QCOMPARE(refused.error().front().code, Code::teethGeometry);
-    const auto& culprits = refused.error().front().elements;
+    const auto rejected = snapped(withPinMark(pairs, second, true).value());
+    QVERIFY(!rejected);
+    QCOMPARE(rejected.error().front().code, Code::teethGeometry);
+    const auto& culprits = rejected.error().front().elements;
     QVERIFY(std::find(culprits.begin(), culprits.end(), ElementId(second)) != culprits.end());
   }
 
@@ -124,8 +124,8 @@ class TestPins : public QObject {
   void aPinnedPlanetHoldsIdenticalOnes() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism pinned = pin(before, before.links[6].id);  // the third planet
-    const auto refused = withTeethFitted(pinned, mesh(before, 0).id, 24, 20);
-    QVERIFY(!refused && blames(refused.error()[0], before.links[6].id));
+    const auto rejected = withTeethFitted(pinned, mesh(before, 0).id, 24, 20);
+    QVERIFY(!rejected && blames(rejected.error()[0], before.links[6].id));
     QVERIFY(withTeethFitted(pinned, mesh(before, 0).id, 30, 18).has_value());
   }
 
@@ -140,8 +140,8 @@ class TestPins : public QObject {
     QCOMPARE(after.axes[1].point, before.axes[1].point);
     QCOMPARE((*after.axes[0].point)[0].exact(), Rational(-10));
     QVERIFY(misfit(after) < 1e-9);
-    const auto refused = withAxisMoved(pin(before, before.axes[1].id), before.axes[1].id, at(50, 0, 0));
-    QVERIFY(!refused && blames(refused.error()[0], before.axes[1].id));
+    const auto rejected = withAxisMoved(pin(before, before.axes[1].id), before.axes[1].id, at(50, 0, 0));
+    QVERIFY(!rejected && blames(rejected.error()[0], before.axes[1].id));
   }
 
   void betweenTwoPinnedAxesThePartnerFollows() {
@@ -152,11 +152,11 @@ class TestPins : public QObject {
     QCOMPARE(mesh(after, 0).headTeeth, 20);
     QCOMPARE(mesh(after, 1).headTeeth, 62);
     QVERIFY(misfit(after) < 1e-9);
-    const auto refused = withTeethFitted(pin(held, before.links[4].id), mesh(before, 0).id, 22, 18);
-    QVERIFY(!refused);
+    const auto rejected = withTeethFitted(pin(held, before.links[4].id), mesh(before, 0).id, 22, 18);
+    QVERIFY(!rejected);
     for (const ElementId& culprit :
          {ElementId(before.axes[0].id), ElementId(before.axes[1].id), ElementId(before.links[4].id)})
-      QVERIFY(blames(refused.error()[0], culprit));
+      QVERIFY(blames(rejected.error()[0], culprit));
     // A third axis cannot be dragged away from two that are pinned.
     const Mechanism three = statedPlanetary(2);
     const auto drag =

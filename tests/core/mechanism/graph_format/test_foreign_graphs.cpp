@@ -1,4 +1,4 @@
-// Graphs of other programs and of other people: what is read, what was assumed, and what is refused with its
+// Graphs of other programs and of other people: what is read, what was assumed, and what is rejected with its
 // place; texts that are made to hurt.
 
 #include <QtTest>

@@ -133,18 +133,18 @@ class DrawnMeshTest : public QObject {
     QCOMPARE(teethOf(meshed(train, 3, 4).gearMeshes[1]), QStringLiteral("16:24 bevel"));
   }
 
-  void aRefusedJointBearsNoLabelOfSomethingElse() {
+  void aRejectedJointBearsNoLabelOfSomethingElse() {
     const Mechanism train = meshed(drawn(3, {{0, 1}, {0, 2}, {2, 3}}), 1, 3);
     QCOMPARE(labelOf(train, train.gearMeshes.front().id), std::optional<std::string>("7"));
-    const auto refused = withTurningJoint(train, train.links[3].id, train.links[1].id);  // would be 7, too
-    QVERIFY(!refused.has_value());
+    const auto rejected = withTurningJoint(train, train.links[3].id, train.links[1].id);  // would be 7, too
+    QVERIFY(!rejected.has_value());
     QCOMPARE(
-        refused.error().front().message,
+        rejected.error().front().message,
         std::string("A turning joint from link 3 to link 1 would close a loop with joints 4, 5 and 6. The "
                     "turning joints have to be a tree: draw a gear mesh instead."));
   }
 
-  void whatIsRefusedIsRefusedStill() {
+  void whatIsRejectedIsRejectedStill() {
     const Mechanism before = drawn(1, {});
     const LinkId link = before.links[1].id;
     QCOMPARE(withDrawnMesh(before, link, link).error().front().code, Code::selfJoint);

@@ -16,7 +16,7 @@ class LimitsTest : public QObject {
   const std::string longest = std::string(kLongestName, 'x');
 
   /// The diagnostic that keeps a document from being opened is known before it is saved.
-  static void checkRefused(const Mechanism& mechanism, const std::string& pointer) {
+  static void checkRejected(const Mechanism& mechanism, const std::string& pointer) {
     const Diagnostics beyond = limitDiagnostics(mechanism);
     QCOMPARE(beyond.size(), std::size_t{1});
     QCOMPARE(beyond.front().code, Code::schema);
@@ -34,36 +34,36 @@ class LimitsTest : public QObject {
     const Mechanism fine = *withName(robot, robot.links[2].id, longest);
     QVERIFY(limitDiagnostics(fine).empty());
     QVERIFY(*readMechanism(writeMechanism(fine)) == fine);
-    checkRefused(*withName(robot, robot.links[2].id, longest + "x"), "/links/2/name");
-    checkRefused(*withStateRenamed(*withState(robot), 0, longest + "x"), "/states/0/name");
+    checkRejected(*withName(robot, robot.links[2].id, longest + "x"), "/links/2/name");
+    checkRejected(*withStateRenamed(*withState(robot), 0, longest + "x"), "/states/0/name");
     Mechanism named = robot;
     named.name = longest + "x";
-    checkRefused(named, "/name");
+    checkRejected(named, "/name");
   }
 
   void charactersCountAndNotBytes() {
     std::string gears;
     for (std::size_t i = 0; i < kLongestName; ++i) gears += "齿";
     QVERIFY(limitDiagnostics(*withName(robot, robot.links[1].id, gears)).empty());
-    checkRefused(*withName(robot, robot.links[1].id, gears + "齿"), "/links/1/name");
+    checkRejected(*withName(robot, robot.links[1].id, gears + "齿"), "/links/1/name");
   }
 
-  void idsHaveALongest() { checkRefused(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
+  void idsHaveALongest() { checkRejected(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
 
   void anAxisIsNotPlacedBeyondThem() {
     const NumberTriple far{Number::fromDouble(1e200), Number(0), Number(0)};
-    for (const auto& refused : {withAxisPlaced(robot, robot.axes[0].id, far, {}),
-                                withAxisPlaced(robot, robot.axes[0].id, {}, far)}) {
-      QVERIFY(!refused);
-      QCOMPARE(refused.error().front().code, Code::schema);
-      QVERIFY(refused.error().front().pointer.empty());
+    for (const auto& rejected : {withAxisPlaced(robot, robot.axes[0].id, far, {}),
+                                 withAxisPlaced(robot, robot.axes[0].id, {}, far)}) {
+      QVERIFY(!rejected);
+      QCOMPARE(rejected.error().front().code, Code::schema);
+      QVERIFY(rejected.error().front().pointer.empty());
     }
   }
 
   void listsHaveALongest() {
     Mechanism many = emptyMechanism();
     for (std::size_t i = 1; i <= kLongestList; ++i) many.links.push_back({LinkId(std::to_string(i)), {}, {}});
-    checkRefused(many, "/links");
+    checkRejected(many, "/links");
   }
 };
 

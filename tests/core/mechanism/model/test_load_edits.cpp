@@ -54,7 +54,7 @@ class TestLoadEdits : public QObject {
     QCOMPARE(withLoad(*withoutLoad(robot, 0), inJoint("13", 1))->loads[2].id, LoadId("L1"));
   }
 
-  void loadsThatCannotBeAreRefused() {
+  void loadsThatCannotBeAreRejected() {
     const Mechanism robot = loaded();
     QCOMPARE(withLoad(robot, inJoint("77", 1)).error()[0].code, Code::unknownId);
     QCOMPARE(withLoad(robot, onLink("0", {}, 1)).error()[0].code, Code::schema);

@@ -20,7 +20,7 @@ std::vector<Code> codesOf(const Diagnostics& diagnostics) {
 }
 
 template <class Value>
-Code refusalOf(const Expected<Value>& result) {
+Code rejectionOf(const Expected<Value>& result) {
   return result.error().front().code;
 }
 
@@ -48,17 +48,18 @@ class MechanismTest : public QObject {
   }
 
   void limitsHoldTheReferencePose() {
-    const auto refused = [](const JointLimits& limits) {
+    const auto rejected = [](const JointLimits& limits) {
       return !withJointLimits(robotTopology(), JointId("8"), limits);
     };
-    QVERIFY(refused({Number(1), Number(170)}));
-    QVERIFY(refused({Number(-170), Number(-1)}));
-    QVERIFY(refused({Number(0), Number(0)}));
-    QVERIFY(refused({Number(1), std::nullopt}));
-    QVERIFY(!refused({Number(0), std::nullopt}));
-    QVERIFY(!refused({Number(-720), Number(720)}));
-    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("8"), {Number(1), Number(2)})), Code::schema);
-    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("99"), {})), Code::unknownId);
+    QVERIFY(rejected({Number(1), Number(170)}));
+    QVERIFY(rejected({Number(-170), Number(-1)}));
+    QVERIFY(rejected({Number(0), Number(0)}));
+    QVERIFY(rejected({Number(1), std::nullopt}));
+    QVERIFY(!rejected({Number(0), std::nullopt}));
+    QVERIFY(!rejected({Number(-720), Number(720)}));
+    QCOMPARE(rejectionOf(withJointLimits(robotTopology(), JointId("8"), {Number(1), Number(2)})),
+             Code::schema);
+    QCOMPARE(rejectionOf(withJointLimits(robotTopology(), JointId("99"), {})), Code::unknownId);
   }
 
   void numbersKeepTheirSpelling() {
@@ -132,20 +133,20 @@ class MechanismTest : public QObject {
     QCOMPARE(mechanism.links.back().id.text(), std::string("19"));
   }
 
-  void aJointThatClosesALoopIsRefused() {
+  void aJointThatClosesALoopIsRejected() {
     const Mechanism robot = robotTopology();
-    const auto refused = withTurningJoint(robot, LinkId("3"), LinkId("0"));
-    QCOMPARE(refusalOf(refused), Code::turningLoop);
-    QVERIFY(refused.error().front().detail == Detail::turningCycle);
+    const auto rejected = withTurningJoint(robot, LinkId("3"), LinkId("0"));
+    QCOMPARE(rejectionOf(rejected), Code::turningLoop);
+    QVERIFY(rejected.error().front().detail == Detail::turningCycle);
   }
 
   void edgesNeedTwoKnownLinks() {
     const Mechanism robot = robotTopology();
-    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
-    QCOMPARE(refusalOf(withTurningJoint(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
-    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("x"))), Code::unknownId);
-    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 0, 12)), Code::schema);
-    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 12, 100'001)), Code::schema);
+    QCOMPARE(rejectionOf(withGearMesh(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
+    QCOMPARE(rejectionOf(withTurningJoint(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
+    QCOMPARE(rejectionOf(withGearMesh(robot, LinkId("3"), LinkId("x"))), Code::unknownId);
+    QCOMPARE(rejectionOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 0, 12)), Code::schema);
+    QCOMPARE(rejectionOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 12, 100'001)), Code::schema);
   }
 
   void deletingALinkTakesWhatNeedsItAlong() {
@@ -168,7 +169,7 @@ class MechanismTest : public QObject {
   }
 
   void theGroundStays() {
-    QCOMPARE(refusalOf(withoutElements(robotTopology(), std::array{link("0")})), Code::schema);
+    QCOMPARE(rejectionOf(withoutElements(robotTopology(), std::array{link("0")})), Code::schema);
     const Mechanism turned = withGround(robotTopology(), LinkId("1")).value();
     QCOMPARE(turned.links.front().id, LinkId("1"));
     QVERIFY(treeDiagnostics(turned).empty());
@@ -181,7 +182,7 @@ class MechanismTest : public QObject {
     QCOMPARE(mesh.tailTeeth, 36);
     QCOMPARE(mesh.headTeeth, 18);
     QVERIFY(withFlipped(flipped, MeshId("15")).value() == robotTopology());
-    QCOMPARE(refusalOf(withFlipped(flipped, LinkId("1"))), Code::unknownId);
+    QCOMPARE(rejectionOf(withFlipped(flipped, LinkId("1"))), Code::unknownId);
   }
 
   void manyArrowsAreFlippedAsOneByOne() {
@@ -197,28 +198,28 @@ class MechanismTest : public QObject {
     QCOMPARE(std::get<JointTorque>(flipped.loads[0].action).torque, Number(-5));
     QCOMPARE(std::get<JointTorque>(flipped.loads[1].action).torque, Number(5));  // on a joint left as it was
     const std::array<ElementId, 2> unknown{JointId("9"), MeshId("99")};
-    QCOMPARE(refusalOf(withAllFlipped(robot, unknown)), Code::unknownId);
+    QCOMPARE(rejectionOf(withAllFlipped(robot, unknown)), Code::unknownId);
   }
 
   void axesAreRenamedWithTheirJoints() {
     const Mechanism renamed = withName(robotTopology(), AxisId("b"), "main").value();
     QCOMPARE(renamed.find(JointId("9"))->axis, AxisId("main"));
     QVERIFY(wellFormedDiagnostics(renamed).empty());
-    QCOMPARE(refusalOf(withName(robotTopology(), AxisId("b"), "c")), Code::duplicateId);
-    QCOMPARE(refusalOf(withName(robotTopology(), AxisId("b"), "")), Code::schema);
-    QCOMPARE(refusalOf(withName(robotTopology(), JointId("8"), "x")), Code::schema);
+    QCOMPARE(rejectionOf(withName(robotTopology(), AxisId("b"), "c")), Code::duplicateId);
+    QCOMPARE(rejectionOf(withName(robotTopology(), AxisId("b"), "")), Code::schema);
+    QCOMPARE(rejectionOf(withName(robotTopology(), JointId("8"), "x")), Code::schema);
   }
 
   void anAxisHasADirection() {
     const NumberTriple zero{};
-    QCOMPARE(refusalOf(withAxisPlaced(robotTopology(), AxisId("a"), {}, zero)), Code::schema);
+    QCOMPARE(rejectionOf(withAxisPlaced(robotTopology(), AxisId("a"), {}, zero)), Code::schema);
   }
 
   void inputsAreDistinctJoints() {
     const std::vector<Input> twice{{JointId("8"), Number(1), {}}, {JointId("8"), Number(2), {}}};
-    QCOMPARE(refusalOf(withInputs(robotTopology(), twice)), Code::duplicateId);
+    QCOMPARE(rejectionOf(withInputs(robotTopology(), twice)), Code::duplicateId);
     const std::vector<Input> nowhere{{JointId("15"), Number(1), {}}};
-    QCOMPARE(refusalOf(withInputs(robotTopology(), nowhere)), Code::unknownId);
+    QCOMPARE(rejectionOf(withInputs(robotTopology(), nowhere)), Code::unknownId);
   }
 
   void looseLinksAreAllNamed() {

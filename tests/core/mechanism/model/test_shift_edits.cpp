@@ -20,7 +20,7 @@ class TestShiftEdits : public QObject {
     QVERIFY(wellFormedDiagnostics(more).empty());
   }
 
-  void couplingsThatMakeNoSenseAreRefused() {
+  void couplingsThatMakeNoSenseAreRejected() {
     QCOMPARE(withBrake(eightSpeed(), LinkId("0")).error()[0].code, Code::schema);
     QCOMPARE(withBrake(eightSpeed(), LinkId("77")).error()[0].code, Code::unknownId);
     QCOMPARE(withBrake(eightSpeed(), LinkId("1"), "A").error()[0].code, Code::duplicateId);

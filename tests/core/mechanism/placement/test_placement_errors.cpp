@@ -46,7 +46,7 @@ class TestPlacementErrors : public QObject {
     QVERIFY(placementOf(pair({}, {})).diagnostics.empty());
   }
 
-  void aPitchPointOnAnAxisIsRefused() {
+  void aPitchPointOnAnAxisIsRejected() {
     const Diagnostic diagnostic = only(pair({}, {"0", "60", "3"}));
     QCOMPARE(diagnostic.code, Code::pitchPointOnAxis);
     QCOMPARE(diagnostic.elements, kMesh);
@@ -54,7 +54,7 @@ class TestPlacementErrors : public QObject {
     QCOMPARE(only(pair({}, {"0", "0", "3"})).code, Code::pitchPointOnAxis);
   }
 
-  void aPitchPointOffThePlaneOfTheAxesIsRefusedWithTheDistanceAndThePointThatFits() {
+  void aPitchPointOffThePlaneOfTheAxesIsRejectedWithTheDistanceAndThePointThatFits() {
     const Diagnostic diagnostic = only(pair(MeshKind::external, {"1/2", "20", "0"}));
     QCOMPARE(diagnostic.detail, Detail::pitchPointOffPlane);
     QCOMPARE(diagnostic.code, Code::pitchGeometry);
@@ -63,7 +63,7 @@ class TestPlacementErrors : public QObject {
     QVERIFY(states(diagnostic, "(0, 20, 0)"));
   }
 
-  void skewAxesAreRefusedWithTheirDistance() {
+  void skewAxesAreRejectedWithTheirDistance() {
     for (const auto& point : {std::vector<std::string>{}, std::vector<std::string>{"0", "20", "0"}}) {
       const Diagnostic diagnostic = only(pair({}, point, {"1", "0", "0"}));
       QCOMPARE(diagnostic.detail, Detail::skewAxes);
@@ -72,7 +72,7 @@ class TestPlacementErrors : public QObject {
     }
   }
 
-  void aKindThatTheAxesContradictIsRefused() {
+  void aKindThatTheAxesContradictIsRejected() {
     const Diagnostic bevel = only(pair(MeshKind::bevel, {}));
     QCOMPARE(bevel.detail, Detail::kindAgainstAxes);
     QCOMPARE(bevel.code, Code::pitchGeometry);
@@ -81,7 +81,7 @@ class TestPlacementErrors : public QObject {
     QVERIFY(states(external, "bevel"));
   }
 
-  void teethThatContradictTheRadiiAreRefusedWithBothAndWhatFits() {
+  void teethThatContradictTheRadiiAreRejectedWithBothAndWhatFits() {
     const Diagnostic diagnostic = only(pair(MeshKind::external, {"0", "24", "0"}));
     QCOMPARE(diagnostic.detail, Detail::teethAgainstRadii);
     QCOMPARE(diagnostic.code, Code::teethGeometry);
@@ -90,7 +90,7 @@ class TestPlacementErrors : public QObject {
       QVERIFY(states(diagnostic, value));
   }
 
-  void aKindThatTheSignContradictsIsRefused() {
+  void aKindThatTheSignContradictsIsRejected() {
     const Diagnostic internal = only(pair(MeshKind::internal, {"0", "20", "0"}));
     QCOMPARE(internal.detail, Detail::kindAgainstSides);
     QCOMPARE(internal.code, Code::teethGeometry);
@@ -98,7 +98,7 @@ class TestPlacementErrors : public QObject {
     QCOMPARE(only(pair(MeshKind::external, {"0", "-60", "0"})).detail, Detail::kindAgainstSides);
   }
 
-  void anInternalPairOfEqualTeethIsRefused() {
+  void anInternalPairOfEqualTeethIsRejected() {
     Mechanism near = pair(MeshKind::internal, {});
     near.axes[1].point = NumberTriple{*Number::fromText("1e-3"), 0, 0};
     near.gearMeshes[0].headTeeth = 20;
@@ -110,7 +110,7 @@ class TestPlacementErrors : public QObject {
     QCOMPARE(only(equal).detail, Detail::equalInternalTeeth);
   }
 
-  void coaxialGearsAreRefused() {
+  void coaxialGearsAreRejected() {
     const Diagnostic diagnostic =
         only(TrainSketch(2).joint(0, 1, "a").joint(1, 2, "a").mesh(1, 2, 20, 20).build());
     QCOMPARE(diagnostic.code, Code::coaxialMesh);
@@ -118,7 +118,7 @@ class TestPlacementErrors : public QObject {
     QCOMPARE(only(TrainSketch(1).joint(0, 1, "a").mesh(0, 1, 20, 20).build()).code, Code::coaxialMesh);
   }
 
-  void aPathOverThreeAxesIsRefusedWithItsWord() {
+  void aPathOverThreeAxesIsRejectedWithItsWord() {
     const Diagnostic diagnostic =
         only(TrainSketch(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "c").mesh(0, 3, 20, 20).build());
     QCOMPARE(diagnostic.code, Code::noTransferVertex);

@@ -112,8 +112,8 @@ class TestAssembly : public QObject {
     const QByteArray before = contents(folder.filePath("assembly.json"));
     Assembly other = twoGears();
     other.unit = "cm";
-    const auto refused = writeAssembly(other, path, false);
-    QVERIFY(refused.has_value() && refused->kind == MeshFileError::Kind::file);
+    const auto rejected = writeAssembly(other, path, false);
+    QVERIFY(rejected.has_value() && rejected->kind == MeshFileError::Kind::file);
     QCOMPARE(contents(folder.filePath("assembly.json")), before);
     QVERIFY(!writeAssembly(other, path, true));
     QVERIFY(contents(folder.filePath("assembly.json")) != before);

@@ -61,7 +61,7 @@ class TestForeignMesh : public QObject {
     QFile file(folder.filePath(QLatin1String(name)));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  static MeshFileError refusal(const std::filesystem::path& path, ForeignLimits limits = {}) {
+  static MeshFileError rejection(const std::filesystem::path& path, ForeignLimits limits = {}) {
     limits.mostSeconds = 2;
     const auto read = readForeignMesh(kReader, path, limits);
     const auto* error = std::get_if<MeshFileError>(&read);
@@ -93,7 +93,7 @@ class TestForeignMesh : public QObject {
     }
   }
 
-  void truncatedFilesAreRefused() {
+  void truncatedFilesAreRejected() {
     for (const MeshFormat form : {MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
       const std::string name = "whole." + std::string(meshFormatName(form));
       QVERIFY(!writeMesh(cubeScene(), form, folder.filePath(QString::fromStdString(name)).toStdString()));
@@ -102,7 +102,7 @@ class TestForeignMesh : public QObject {
         const std::string cut = "cut." + std::string(meshFormatName(form));
         const auto path = written(
             cut.c_str(), whole.left(static_cast<qsizetype>(part * static_cast<double>(whole.size()))));
-        const auto read = readForeignMesh(kReader, path);  // refused, or less: never a crash here
+        const auto read = readForeignMesh(kReader, path);  // rejected, or less: never a crash here
         if (const auto* solid = std::get_if<Solid>(&read)) QVERIFY(solid->triangles.size() < 12);
       }
     }
@@ -111,12 +111,12 @@ class TestForeignMesh : public QObject {
   void hugeCountsCostAnErrorAndNothingElse() {
     QByteArray stl(80, ' ');
     stl += QByteArray("\xff\xff\xff\xff", 4) + QByteArray(50, '\0');
-    QVERIFY(!refusal(written("huge.stl", stl)).message.empty());
+    QVERIFY(!rejection(written("huge.stl", stl)).message.empty());
     const QByteArray ply =
         "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
         "property float y\nproperty float z\nelement face 4000000000\n"
         "property list uchar int vertex_indices\nend_header\n";
-    QVERIFY(refusal(written("huge.ply", ply)).message != "it was read");
+    QVERIFY(rejection(written("huge.ply", ply)).message != "it was read");
     ForeignLimits narrow;
     narrow.mostMemory = std::size_t{64} << 20U;
     QByteArray many = "solid\n";
@@ -124,24 +124,24 @@ class TestForeignMesh : public QObject {
       many += "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     const auto path = written("many.stl", many + "endsolid\n");
     if (confinesChildren())
-      QCOMPARE(static_cast<int>(refusal(path, narrow).kind), static_cast<int>(MeshFileError::Kind::limit));
+      QCOMPARE(static_cast<int>(rejection(path, narrow).kind), static_cast<int>(MeshFileError::Kind::limit));
     ForeignLimits few;
     few.mostTriangles = 1000;
-    QCOMPARE(static_cast<int>(refusal(path, few).kind), static_cast<int>(MeshFileError::Kind::limit));
+    QCOMPARE(static_cast<int>(rejection(path, few).kind), static_cast<int>(MeshFileError::Kind::limit));
     few.mostBytes = 1000;
-    QVERIFY(refusal(path, few).message.find("bytes") != std::string::npos);
+    QVERIFY(rejection(path, few).message.find("bytes") != std::string::npos);
   }
 
   void whatIsNoFileIsNotWaitedFor() {
     const std::string pipe = folder.filePath("endless.stl").toStdString();
     QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
-    QCOMPARE(refusal(pipe).message, std::string("It is no file."));
-    QCOMPARE(refusal(folder.filePath("none.stl").toStdString()).message, std::string("It is not there."));
+    QCOMPARE(rejection(pipe).message, std::string("It is no file."));
+    QCOMPARE(rejection(folder.filePath("none.stl").toStdString()).message, std::string("It is not there."));
     QVERIFY(QDir(folder.path()).mkdir("folder.stl"));
-    QCOMPARE(refusal(folder.filePath("folder.stl").toStdString()).message, std::string("It is no file."));
-    QCOMPARE(refusal("/dev/zero").message, std::string("It is none of STL, OBJ, PLY and GLB."));
+    QCOMPARE(rejection(folder.filePath("folder.stl").toStdString()).message, std::string("It is no file."));
+    QCOMPARE(rejection("/dev/zero").message, std::string("It is none of STL, OBJ, PLY and GLB."));
     QFile::link("/dev/zero", folder.filePath("zero.stl"));
-    QCOMPARE(refusal(folder.filePath("zero.stl").toStdString()).message, std::string("It is no file."));
+    QCOMPARE(rejection(folder.filePath("zero.stl").toStdString()).message, std::string("It is no file."));
   }
 
   void aReaderThatHangsOrLiesIsGivenUp() {
@@ -209,7 +209,7 @@ class TestForeignMesh : public QObject {
     const QByteArray text = json + QByteArray((4 - json.size() % 4) % 4, ' ');
     const auto size = static_cast<quint32>(text.size());
     const QByteArray glb = "glTF" + word(2) + word(20 + size) + word(size) + "JSON" + text;
-    QCOMPARE(static_cast<int>(refusal(written("other.glb", glb)).kind),
+    QCOMPARE(static_cast<int>(rejection(written("other.glb", glb)).kind),
              static_cast<int>(MeshFileError::Kind::file));
   }
 
@@ -219,7 +219,7 @@ class TestForeignMesh : public QObject {
         "ply\nformat binary_little_endian 1.0\nelement vertex 24\nproperty float x\nproperty float y\n"
         "property float z\nelement face 12\nproperty list uchar uint vertex_indices\nend_header\n";
     for (const int length : {0, 1, 3, 100}) {
-      const MeshFileError why = refusal(written("dies.ply", ply + QByteArray(length, '\x01')));
+      const MeshFileError why = rejection(written("dies.ply", ply + QByteArray(length, '\x01')));
       QVERIFY2(why.message.rfind("It is damaged", 0) == 0, why.message.c_str());
     }
   }
@@ -228,7 +228,7 @@ class TestForeignMesh : public QObject {
     const QByteArray ply =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 77\n";
-    QCOMPARE(refusal(written("far.ply", ply)).message,
+    QCOMPARE(rejection(written("far.ply", ply)).message,
              std::string("It is damaged: a face names a vertex that is not there."));
   }
 

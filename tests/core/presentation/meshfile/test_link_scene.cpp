@@ -169,7 +169,7 @@ class TestLinkScene : public QObject {
     QVERIFY(std::get<MeshFileError>(tooFast).kind == MeshFileError::Kind::limit);
   }
 
-  void aPeriodBeyondTheLimitIsRefusedWithItsLength() {
+  void aPeriodBeyondTheLimitIsRejectedWithItsLength() {
     Robot robot = paperRobot();
     robot.rates[0] = Rational(1, 1'000'003);
     const auto made = linkScene(robot.source(), UniformMotion{robot.rates, 5.0});

@@ -248,7 +248,7 @@ class TestMeshFiles : public QObject {
     QCOMPARE(colour, std::string("\x40\x80\xBF"));
   }
 
-  void aFaceWithoutItsVertexIsRefused() {
+  void aFaceWithoutItsVertexIsRejected() {
     std::string bytes = encoded(movingScene(), MeshFormat::ply)[0].bytes;
     bytes.replace(bytes.size() - 4, 4, "\xFF\xFF\xFF\x7F");
     QVERIFY(std::holds_alternative<MeshFileError>(readMesh(bytes, MeshFormat::ply)));

@@ -99,7 +99,7 @@ class TestMeshWriting : public QObject {
              QStringList("folder"));  // no part of several files either
   }
 
-  void tooManyTrianglesAreRefusedWithTheNumber() {
+  void tooManyTrianglesAreRejectedWithTheNumber() {
     MeshWriteOptions options;
     options.mostTriangles = 100;
     const auto result = encodedMesh(movingScene(), MeshFormat::stl, "wheels", options);

@@ -99,14 +99,14 @@ class TestDrawingPicture : public QObject {
     QVERIFY(!isInk(17, 120) && !isInk(223, 120) && !isInk(120, 97) && !isInk(120, 143));
   }
 
-  void hugePngIsRefusedAndHugePdfFits() {
+  void hugePngIsRejectedAndHugePdfFits() {
     DisplayList list;
     for (const double x : {0.0, 1e6}) {
       list.marks.push_back({{}, MarkRole::line, 0, Fill{Circle{{x, 0}, 5}, ColorRole::ink}});
     }
-    const Expected<std::string> refused = pictureOf(list, {.form = PictureForm::png});
-    QVERIFY(!refused.has_value());
-    QCOMPARE(refused.error().front().code, Code::graphics);
+    const Expected<std::string> rejected = pictureOf(list, {.form = PictureForm::png});
+    QVERIFY(!rejected.has_value());
+    QCOMPARE(rejected.error().front().code, Code::graphics);
     QVERIFY(pictureOf(list, {.form = PictureForm::pdf}).has_value());
   }
 

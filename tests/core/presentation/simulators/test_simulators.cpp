@@ -153,7 +153,7 @@ class TestSimulators : public QObject {
     QCOMPARE(model.notes.size(), std::size_t{1});
   }
 
-  void whatIsTooLightIsRefused() {
+  void whatIsTooLightIsRejected() {
     Mechanism tiny = test::robot();
     tiny.unit = "um";
     const Made result = made(std::move(tiny));

@@ -212,8 +212,8 @@ class TestShots : public QObject {
     QCOMPARE(QDir(folder.filePath("pictures")).entryList(QDir::Files),
              (QStringList{"0001.png", "0002.png", "0003.png", "0004.png"}));
     QCOMPARE(QImage(folder.filePath("pictures/0003.png")).size(), QSize(160, 120));
-    const auto refused = writePictures(shot, path("pictures"));
-    QVERIFY(refused && refused->kind == ShotFailure::Kind::file);
+    const auto rejected = writePictures(shot, path("pictures"));
+    QVERIFY(rejected && rejected->kind == ShotFailure::Kind::file);
     QVERIFY(!writePictures(shot, path("pictures"), ShotRun{{}, {}, {}, true}));
 
     std::stop_source stop;

@@ -280,7 +280,7 @@ class AgreementTest : public QObject {
     QVERIFY(!agreementWith(locked.graph, ratesOnly, good.speeds())->equal);
   }
 
-  void inputsThatOneMethodRefusesDoNotAgree() {
+  void inputsThatOneMethodRejectsDoNotAgree() {
     const Both both(test::robot());
     ExactSolution wrong = both.exact();
     wrong.inputs = {0, 2, 3};  // 10 follows from 8

@@ -220,7 +220,7 @@ class TestDynamics : public QObject {
     }
   }
 
-  void anUnknownUnitIsRefused() {
+  void anUnknownUnitIsRejected() {
     Mechanism robot = test::robot();
     robot.unit = "cubits";
     const test::Worked worked(robot);
@@ -230,22 +230,22 @@ class TestDynamics : public QObject {
     QCOMPARE(result->error()[0].code, Code::unknownUnit);
   }
 
-  void theDocumentRefusesMassesThatNoBodyHas() {
+  void theDocumentRejectsMassesThatNoBodyHas() {
     const Mechanism robot = test::robot();
     const LinkId link("3");
-    const auto refused = [&](const LinkMass& mass) {
+    const auto rejected = [&](const LinkMass& mass) {
       const auto edited = withLinkMass(robot, link, mass);
       return !edited && edited.error()[0].code == Code::schema;
     };
-    QVERIFY(refused({number(-1)}));
-    QVERIFY(refused(massOf(1, triple(0, 0, 0), 1, 1, 3)));   // a disc has at most the sum
-    QVERIFY(!refused(massOf(1, triple(0, 0, 0), 1, 1, 2)));  // a disc
-    QVERIFY(refused(massOf(1, triple(0, 0, 0), -1, 1, 1)));
+    QVERIFY(rejected({number(-1)}));
+    QVERIFY(rejected(massOf(1, triple(0, 0, 0), 1, 1, 3)));   // a disc has at most the sum
+    QVERIFY(!rejected(massOf(1, triple(0, 0, 0), 1, 1, 2)));  // a disc
+    QVERIFY(rejected(massOf(1, triple(0, 0, 0), -1, 1, 1)));
     LinkMass twisted = massOf(1, triple(0, 0, 0), 1, 1, 1);
     (*twisted.inertia)[3] = number(0.6);
-    QVERIFY(refused(twisted));
+    QVERIFY(rejected(twisted));
     (*twisted.inertia)[3] = number(0.5);
-    QVERIFY(!refused(twisted));
+    QVERIFY(!rejected(twisted));
     QVERIFY(!withLinkMass(robot, LinkId("none"), LinkMass{1}));
     QVERIFY(!withDensity(robot, Number(0)));
     QVERIFY(!withGravity(robot, triple(0, 0, 1e16)));

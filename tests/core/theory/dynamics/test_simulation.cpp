@@ -139,7 +139,7 @@ class TestSimulation : public QObject {
     QCOMPARE(none.samples.size(), 1u);
   }
 
-  void aMotionWithoutMassIsRefused() {
+  void aMotionWithoutMassIsRejected() {
     Mechanism massless = *withLinkMass(pendulum(), LinkId("1"), LinkMass{number(0)});
     const DynamicsCase worked(std::move(massless));
     TrainDynamics dynamics(worked.dynamics.train);

@@ -205,7 +205,7 @@ class TestMatroidDiagnostics : public QObject {
     QVERIFY(worked.analysis.choice.joints == (std::vector<int>{0, 1, 2}));
   }
 
-  void dependentInputsAreRefusedWithTheirRelation() {
+  void dependentInputsAreRejectedWithTheirRelation() {
     const Worked worked(withInputs(robot(), {8, 10, 11}));
     QVERIFY(!worked.analysis.solution.has_value());
     const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
@@ -221,14 +221,14 @@ class TestMatroidDiagnostics : public QObject {
     QVERIFY(states(find(worked.analysis, Code::invalidInputs), "q14 = i18 q13"));
   }
 
-  void tooFewInputsAreRefusedWithWhatIsStillFree() {
+  void tooFewInputsAreRejectedWithWhatIsStillFree() {
     const Worked worked(withInputs(robot(), {8, 11}));
     const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
     QCOMPARE(diagnostic.elements.front(), ElementId(JointId("9")));
     QCOMPARE(worked.analysis.dof, 3);
   }
 
-  void tooManyInputsAreRefusedWithTheOneThatFollows() {
+  void tooManyInputsAreRejectedWithTheOneThatFollows() {
     const Worked worked(withInputs(robot(), {8, 9, 11, 12}));
     QVERIFY(states(find(worked.analysis, Code::invalidInputs), "q12 = -i16*i15 q8 - i16 q9"));
   }
@@ -239,7 +239,7 @@ class TestMatroidDiagnostics : public QObject {
     QVERIFY(worked.analysis.choice.rejected == std::vector<int>{0});
   }
 
-  void aDeadInputIsRefused() {
+  void aDeadInputIsRejected() {
     const Worked worked(withInputs(ringOfWheels({20, 30, 40}), {4}));
     const Diagnostic diagnostic = find(worked.analysis, Code::invalidInputs);
     QVERIFY(states(diagnostic, "q4 = 0"));

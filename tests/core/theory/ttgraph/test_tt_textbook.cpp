@@ -101,7 +101,7 @@ class TtTextbookTest : public QObject {
     QVERIFY(determination.contradictory);
   }
 
-  void dependentInputsOfTheRightNumberAreRefused() {
+  void dependentInputsOfTheRightNumberAreRejected() {
     const test::TtCase found(test::robot());  // q10 = -i15 q8 whatever the rest
     const TtDetermination determination =
         ttDetermination(found.graph, substitutionPlan(found.graph, std::vector<int>{0, 2, 3})).value();

@@ -9,10 +9,10 @@ namespace geargraph::inline fitting {
 
 /// teeth-geometry: a mesh cannot be fitted, because the gears or axes that would have to change are pinned.
 /// Names them.
-[[nodiscard]] Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, int mesh);
+[[nodiscard]] Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement, int mesh);
 /// teeth-geometry: the mesh's module is pinned and would change.
-[[nodiscard]] Diagnostic modulePinRefusal(const Mechanism& mechanism, int mesh);
+[[nodiscard]] Diagnostic modulePinRejection(const Mechanism& mechanism, int mesh);
 /// teeth-geometry: the axis is pinned and would move.
-[[nodiscard]] Diagnostic pinRefusal(const Axis& axis);
+[[nodiscard]] Diagnostic pinRejection(const Axis& axis);
 
 }  // namespace geargraph::inline fitting
