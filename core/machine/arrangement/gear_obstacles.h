@@ -22,13 +22,14 @@ class GearObstacles {
                              const Eigen::Vector3d& b, double margin) const;
   /// The number of collisions: of sample points along the bar from a to b, without the first, those inside or
   /// within `margin` of gears of other links.
-  [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin) const {
-    return hits(link, a, b, margin, nullptr);
+  [[nodiscard]] int collisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                               double margin) const {
+    return collisions(link, a, b, margin, nullptr);
   }
   /// The same for gears on axes that are not parallel to `axis` only.
-  [[nodiscard]] int crossingHits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
-                                 const Eigen::Vector3d& axis) const {
-    return hits(link, a, b, margin, &axis);
+  [[nodiscard]] int nonParallelCollisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                          double margin, const Eigen::Vector3d& axis) const {
+    return collisions(link, a, b, margin, &axis);
   }
 
  private:
@@ -42,8 +43,8 @@ class GearObstacles {
     Eigen::Vector3d middle;
     double reach = 0;  ///< of the sphere about `middle` that holds it
   };
-  [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
-                         const Eigen::Vector3d* across) const;
+  [[nodiscard]] int collisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
+                               const Eigen::Vector3d* across) const;
   [[nodiscard]] static bool isNear(const Gear& gear, const Eigen::Vector3d& p, double margin);
 
   std::vector<Gear> m_gears;

@@ -15,7 +15,7 @@ namespace {
 
 struct TriedArm {
   ArmPlan arm;
-  int hits = 1 << 20;  ///< places that do not pass
+  int collisions = 1 << 20;  ///< places that do not pass
 };
 
 /// How far the link's shaft reaches along its own axis with this arm.
@@ -55,7 +55,7 @@ ArmLines linesOf(const AxisLayout& from, const AxisLayout& to, const ArmPlan& ar
 
 /// How many places of an arm with its standoff lie in the shaft that its bearing holds, outside of the
 /// bearing, or in what stands on the axis that the standoff runs along.
-int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
+int shaftCollisions(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const AxisLayout& to = draft.axis(arm.to);
   const auto [start, foot, end] = linesOf(from, to, arm);
@@ -101,12 +101,12 @@ int shaftHits(const PlanDraft& draft, const ArmPlan& arm) {
 }
 
 /// How many places of an arm with its standoff lie in gears of other links.
-int armHits(const PlanDraft& draft, const ArmPlan& arm) {
+int armCollisions(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const auto [start, foot, end] = linesOf(from, draft.axis(arm.to), arm);
   const double margin = 0.5 * from.width() + 0.3 * from.module;
-  return draft.obstacles.hits(arm.link, start, foot, margin) +
-         draft.obstacles.hits(arm.link, end, foot, margin) + shaftHits(draft, arm);
+  return draft.obstacles.collisions(arm.link, start, foot, margin) +
+         draft.obstacles.collisions(arm.link, end, foot, margin) + shaftCollisions(draft, arm);
 }
 
 /// Levels beside the link's own wheel and arms, or outside of everything.
@@ -149,11 +149,11 @@ TriedArm bestArm(const PlanDraft& draft, int link, int home, const Bearing& bear
   const auto consider = [&](double at, double level, double extra) {
     const ArmPlan arm{link, home, level, c, at, bearing.child};
     constexpr int kInside = 20;  // an arm that cannot come out weighs as much as so many places in gears
-    const int hits = armHits(draft, arm) + (own.emerges(link, level) ? 0 : kInside);
-    const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
+    const int collisions = armCollisions(draft, arm) + (own.emerges(link, level) ? 0 : kInside);
+    const double cost = 100 * own.module * collisions + std::abs(at - bearing.at) +
                         std::abs(level - own.coordinate(target.at(at))) + extra;
     if (cost >= bestCost - 1e-9 * own.module) return;
-    best = {arm, hits};
+    best = {arm, collisions};
     bestCost = cost;
   };
   for (const double at : places) {
@@ -201,21 +201,21 @@ void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing) {
   if (draft.tries.onPedestals.contains(bearing.child) && link == 0)
     return putOnPedestalOrReport(draft, bearing);
   TriedArm best = bestArm(draft, link, home, bearing, levelsBeside(draft, link, home));
-  if (const auto place = best.hits > 0 && link == 0 ? pedestalPlace(draft, bearing) : std::nullopt)
+  if (const auto place = best.collisions > 0 && link == 0 ? pedestalPlace(draft, bearing) : std::nullopt)
     return putOnPedestal(draft, bearing, *place);
   bearing.placed = true;
-  if (const auto pin = best.hits > 0 ? pinFor(draft, link, home, bearing) : std::nullopt) {
+  if (const auto pin = best.collisions > 0 ? pinFor(draft, link, home, bearing) : std::nullopt) {
     bearing.form = BearingForm::pin;
     bearing.at = pin->to;
     draft.plan.pins.push_back(*pin);
     return;
   }
   const int c = draft.classOf(bearing);
-  if (best.hits > 0) {
+  if (best.collisions > 0) {
     const TriedArm other = bestArm(draft, link, home, bearing, levelsBeyond(draft, home, c));
-    if (other.hits < best.hits) best = other;
+    if (other.collisions < best.collisions) best = other;
   }
-  if (best.hits > 0) draft.plan.blocked.push_back({link, bearing.child});
+  if (best.collisions > 0) draft.plan.blocked.push_back({link, bearing.child});
   bearing.at = best.arm.at;
   draft.axis(c).occupy(best.arm.at, link);
   const auto& arms = draft.armsOf[static_cast<std::size_t>(link)];

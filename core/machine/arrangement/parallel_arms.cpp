@@ -51,7 +51,7 @@ bool fits(const PlanDraft& draft, int link, int home, const std::vector<Bearing*
     const Vector3d start = draft.axis(bar.from).at(draft.carried(home, level, bar.from));
     const Vector3d end = draft.axis(bar.to).at(draft.carried(home, level, bar.to));
     return draft.obstacles.isClear(gears, start, end, 2.5 * own.module) &&
-           draft.obstacles.crossingHits(link, start, end, margin, own.direction) == 0;
+           draft.obstacles.nonParallelCollisions(link, start, end, margin, own.direction) == 0;
   });
 }
 

@@ -125,8 +125,9 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
                     return now < rimDiameter(ring.spec) / 2 + radius;
                   });
   if (isThroughRingCarrier) return false;
-  return bearing.parent != 0 || draft.obstacles.crossingHits(bearing.child, layout.at(from), layout.at(to),
-                                                             radius, layout.direction) == 0;
+  return bearing.parent != 0 ||
+         draft.obstacles.nonParallelCollisions(bearing.child, layout.at(from), layout.at(to), radius,
+                                               layout.direction) == 0;
 }
 
 std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double level) {
