@@ -21,51 +21,51 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything but the kinds, which depend on the mechanism.
-std::variant<SheetWish, UsageError, FileError> wishFrom(const Arguments& arguments) {
-  SheetWish wish;
+std::variant<SheetRequest, UsageError, FileError> requestFrom(const Arguments& arguments) {
+  SheetRequest request;
   if (arguments.has("--variants") && arguments.has("--names"))
     return UsageError{translated("Give --variants or --names: a name is a variant.")};
   auto plan = planFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&plan)) return *error;
-  wish.plan = std::get<SheetPlan>(std::move(plan));
+  request.plan = std::get<SheetPlan>(std::move(plan));
   if (const auto path = arguments.value("--names")) {
     const auto bytes = readFile(*path, kLargestFile);
     if (const auto* error = std::get_if<FileError>(&bytes)) return *error;
-    wish.students = wordsOf(std::get<std::string>(bytes), '\n');
-    if (wish.students.empty() || wish.students.size() > kMostVariants)
+    request.students = wordsOf(std::get<std::string>(bytes), '\n');
+    if (request.students.empty() || request.students.size() > kMostVariants)
       return UsageError{translated("--names is a text file of 1 to 1000 lines.")};
-    wish.plan.variants = static_cast<int>(wish.students.size());
+    request.plan.variants = static_cast<int>(request.students.size());
   }
   for (const std::string& name : wordsOf(arguments.value("--to").value_or("html,latex,pdf"), ',')) {
     const auto form = sheetFileForm(name);
     if (!form)
       return UsageError{translated("--to lists forms out of html, latex, pdf and json, not \"%1\".", {name})};
-    wish.forms.push_back(*form);
+    request.forms.push_back(*form);
   }
-  return wish;
+  return request;
 }
 
 /// A file of the sheet that is there already: told before the long work of making them.
-std::optional<fs::path> fileInTheWay(const fs::path& folder, const SheetWish& wish) {
-  for (const std::string& name : sheetFileNames(wish)) {
+std::optional<fs::path> fileInTheWay(const fs::path& folder, const SheetRequest& request) {
+  for (const std::string& name : sheetFileNames(request)) {
     if (fs::exists(folder / name)) return folder / name;
   }
   return std::nullopt;
 }
 
-int writeSheets(const Arguments& arguments, const ExerciseSource& source, const SheetWish& wish) {
+int writeSheets(const Arguments& arguments, const ExerciseSource& source, const SheetRequest& request) {
   const fs::path folder = *arguments.value("-o");
   const bool overwrites = arguments.has("--force");
-  if (const auto taken = overwrites ? std::nullopt : fileInTheWay(folder, wish)) {
+  if (const auto taken = overwrites ? std::nullopt : fileInTheWay(folder, request)) {
     return fileFailure(
         translated("\"%1\" is there already; nothing was written (--force overwrites).", {taken->string()}));
   }
   int made = 0;
   const auto files = sheetFiles(
-      source, wish, [&](int variants) { made = variants; }, arguments.stop);
+      source, request, [&](int variants) { made = variants; }, arguments.stop);
   if (arguments.stop.stop_requested())
     return outOfTime(arguments,
-                     translated("variant %1", {std::to_string(std::min(made + 1, wish.plan.variants))}));
+                     translated("variant %1", {std::to_string(std::min(made + 1, request.plan.variants))}));
   if (!files) return fileFailure(files.error().front().message);
   const auto failure = writeFolder(folder, *files, {overwrites, {}, {}});
   return failure ? fileFailure(failure->message) : kFine;
@@ -76,10 +76,10 @@ int writeSheets(const Arguments& arguments, const ExerciseSource& source, const 
 int makeExercises(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExercises, translated("make needs one file."));
   if (!arguments.has("-o")) return wrongUsage(kExercises, translated("make needs a folder: -o FOLDER."));
-  auto read = wishFrom(arguments);
+  auto read = requestFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&read)) return wrongUsage(kExercises, error->message);
   if (const auto* error = std::get_if<FileError>(&read)) return fileFailure(error->message);
-  auto& wish = std::get<SheetWish>(read);
+  auto& request = std::get<SheetRequest>(read);
   auto loaded = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const auto& mechanism = std::get<Mechanism>(loaded);
@@ -89,14 +89,14 @@ int makeExercises(const Arguments& arguments) {
   std::cerr << diagnosticLines(arguments.files.front(), diagnostics);
   auto kinds = kindsFrom(arguments, source);
   if (const auto* error = std::get_if<UsageError>(&kinds)) return wrongUsage(kExercises, error->message);
-  wish.plan.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
+  request.plan.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
-  if (wish.plan.kinds.empty()) {
+  if (request.plan.kinds.empty()) {
     std::cerr << "geargraph-cli: "
               << translated("Nothing can be asked about this mechanism; no sheet was written.") << '\n';
     return status == kFine ? kUsageOrFile : status;
   }
-  const int written = writeSheets(arguments, source, wish);
+  const int written = writeSheets(arguments, source, request);
   return written == kFine ? status : written;
 }
 

@@ -175,9 +175,9 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   const auto made = stageOf(arguments);
   if (const int* status = std::get_if<int>(&made)) return *status;
   const auto& [snapshot, stage] = std::get<0>(made);
-  const auto wish = shotOf(arguments, stage, *snapshot);
-  if (const auto* error = std::get_if<UsageError>(&wish)) return wrongUsage(kExport, error->message);
-  auto shot = std::get<StageShot>(wish);
+  const auto parsed = shotOf(arguments, stage, *snapshot);
+  if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(kExport, error->message);
+  auto shot = std::get<StageShot>(parsed);
   ShownForces shown;
   if (shot.view.marks.forces) {
     auto forces = forcesOf(snapshot, arguments);

@@ -35,9 +35,9 @@ void MenuPreview::renew() {
 
 void MenuPreview::tryOut(QAction* entry) {
   const auto found = m_edits.find(entry);
-  QAction* wish = found != m_edits.end() && entry->isEnabled() ? entry : nullptr;
-  if (std::exchange(m_tried, wish) == wish) return;
-  if (wish != nullptr) {
+  QAction* entryToTry = found != m_edits.end() && entry->isEnabled() ? entry : nullptr;
+  if (std::exchange(m_tried, entryToTry) == entryToTry) return;
+  if (entryToTry != nullptr) {
     emit wanted(found->second);
   } else {
     emit ended();

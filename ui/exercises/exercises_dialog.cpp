@@ -19,7 +19,7 @@ namespace geargraph::inline ui_exercises {
 namespace {
 
 constexpr int kKindRole = Qt::UserRole + 1;
-constexpr int kWishRole = Qt::UserRole + 2;  ///< chosen, also while the mechanism does not give the kind
+constexpr int kRequestedRole = Qt::UserRole + 2;  ///< chosen, also while the mechanism does not give the kind
 constexpr int kMostOfEach = 5;
 
 QString shown(std::string_view text) {
@@ -95,7 +95,7 @@ ExercisesDialog::ExercisesDialog(QWidget* parent)
   });
   connect(m_service, &ExerciseService::failed, m_difficulty, &QLabel::setText);
   connect(m_kinds, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    item->setData(kWishRole, item->checkState() == Qt::Checked);
+    item->setData(kRequestedRole, item->checkState() == Qt::Checked);
     renewButtons();
   });
   connect(m_each, &QSpinBox::valueChanged, this, &ExercisesDialog::renewButtons);
@@ -103,11 +103,11 @@ ExercisesDialog::ExercisesDialog(QWidget* parent)
     connect(form.second, &QCheckBox::toggled, this, &ExercisesDialog::renewButtons);
   connect(m_practise, &QPushButton::clicked, this, &ExercisesDialog::practise);
   connect(m_sheets, &QPushButton::clicked, this, [this] {
-    SheetWish wish{plan(), {}, {}};
+    SheetRequest request{plan(), {}, {}};
     for (const auto& [form, box] : m_forms) {
-      if (box->isChecked()) wish.forms.push_back(form);
+      if (box->isChecked()) request.forms.push_back(form);
     }
-    emit sheetsWanted(wish);
+    emit sheetsWanted(request);
   });
   connect(m_handout, &QPushButton::clicked, this, [this] { emit handoutWanted(plan()); });
   renewButtons();
@@ -187,7 +187,7 @@ void ExercisesDialog::showOffers(const std::vector<KindOffer>& offers) {
     const auto row = static_cast<int>(i);
     if (isNew) m_kinds->addItem(new QListWidgetItem);
     QListWidgetItem* item = m_kinds->item(row);
-    if (isNew) item->setData(kWishRole, true);
+    if (isNew) item->setData(kRequestedRole, true);
     const KindOffer& offer = offers[i];
     const bool isOffered = offer.reason.empty();
     item->setText(isOffered ? shown(kindTitle(offer.kind))
@@ -197,7 +197,7 @@ void ExercisesDialog::showOffers(const std::vector<KindOffer>& offers) {
     item->setData(kKindRole, static_cast<int>(offer.kind));
     item->setFlags(isOffered ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
                              : Qt::ItemFlags());
-    item->setCheckState(isOffered && item->data(kWishRole).toBool() ? Qt::Checked : Qt::Unchecked);
+    item->setCheckState(isOffered && item->data(kRequestedRole).toBool() ? Qt::Checked : Qt::Unchecked);
   }
   if (isNew) m_kinds->setCurrentRow(0);
 }

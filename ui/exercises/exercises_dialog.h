@@ -31,7 +31,7 @@ class ExercisesDialog : public QDialog {
 
  signals:
   void practiceWanted(const geargraph::LessonPtr& lesson);
-  void sheetsWanted(const geargraph::SheetWish& wish);
+  void sheetsWanted(const geargraph::SheetRequest& request);
   void handoutWanted(const geargraph::SheetPlan& plan);
 
  private:

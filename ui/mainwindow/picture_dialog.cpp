@@ -75,7 +75,7 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    emit wanted(wish());
+    emit wanted(options());
     accept();
   });
   connect(m_view, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
@@ -136,21 +136,23 @@ void PictureDialog::renew() {
   m_height->setEnabled(m_sized->isChecked() && pixels);
 }
 
-PictureWish PictureDialog::wish() const {
-  PictureWish wish;
-  wish.view = m_view->currentData().toString();
+PictureOptions PictureDialog::options() const {
+  PictureOptions options;
+  options.view = m_view->currentData().toString();
   const int row = m_form->currentIndex();
-  wish.picture.form = kForms[qMin(row, kPngRow)];
-  wish.solid = row == kGlbRow ? SolidForm::glb : row == kPicturesRow ? SolidForm::pictures : SolidForm::png;
-  wish.isFitted = m_fitted->isChecked();
+  options.picture.form = kForms[qMin(row, kPngRow)];
+  options.solid = row == kGlbRow        ? SolidForm::glb
+                  : row == kPicturesRow ? SolidForm::pictures
+                                        : SolidForm::png;
+  options.isFitted = m_fitted->isChecked();
   if (m_frames->isEnabled()) {
-    wish.film = Film{m_film->currentIndex() == 1 ? FilmKind::turntable : FilmKind::motion, m_frames->value(),
-                     m_rate->value(), 0};
+    options.film = Film{m_film->currentIndex() == 1 ? FilmKind::turntable : FilmKind::motion,
+                        m_frames->value(), m_rate->value(), 0};
   }
-  wish.picture.look.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
-  wish.picture.look.transparent = m_transparent->isChecked();
-  if (m_sized->isChecked()) wish.picture.look.size = SheetLook::Size{m_width->value(), m_height->value()};
-  return wish;
+  options.picture.look.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
+  options.picture.look.transparent = m_transparent->isChecked();
+  if (m_sized->isChecked()) options.picture.look.size = SheetLook::Size{m_width->value(), m_height->value()};
+  return options;
 }
 
 }  // namespace geargraph::inline mainwindow

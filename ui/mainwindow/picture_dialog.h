@@ -16,7 +16,7 @@ namespace geargraph::inline mainwindow {
 enum class SolidForm { png, pictures, glb };
 
 /// The options of a picture export.
-struct PictureWish {
+struct PictureOptions {
   QString view;            ///< a drawing's name, or "3d"
   DrawingPicture picture;  ///< for the 3D view: theme, background and size
   SolidForm solid = SolidForm::png;
@@ -33,10 +33,10 @@ class PictureDialog final : public QDialog {
   PictureDialog(const std::vector<std::pair<QString, QString>>& views, const QString& inFront, bool dark,
                 QWidget* parent = nullptr);
 
-  [[nodiscard]] PictureWish wish() const;
+  [[nodiscard]] PictureOptions options() const;
 
  signals:
-  void wanted(const geargraph::PictureWish& wish);
+  void wanted(const geargraph::PictureOptions& options);
 
  private:
   void renew();

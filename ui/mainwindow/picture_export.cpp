@@ -62,23 +62,23 @@ PaintOver paintingOver(const View3D& view) {
   return layer != nullptr ? layer->painting() : PaintOver();
 }
 
-QString suffixOf(const PictureWish& wish) {
-  if (wish.view == QLatin1String("3d") && wish.solid == SolidForm::glb) return QStringLiteral("glb");
-  if (wish.view == QLatin1String("3d") && wish.solid == SolidForm::pictures) return {};
-  const std::string_view form = pictureFormName(wish.picture.form);
+QString suffixOf(const PictureOptions& options) {
+  if (options.view == QLatin1String("3d") && options.solid == SolidForm::glb) return QStringLiteral("glb");
+  if (options.view == QLatin1String("3d") && options.solid == SolidForm::pictures) return {};
+  const std::string_view form = pictureFormName(options.picture.form);
   return QString::fromLatin1(form.data(), static_cast<qsizetype>(form.size()));
 }
 
 }  // namespace
 
-void WindowExports::chooseAndExportPicture(const PictureWish& wish) {
-  const QString suffix = suffixOf(wish);
+void WindowExports::chooseAndExportPicture(const PictureOptions& options) {
+  const QString suffix = suffixOf(options);
   const QString name = QFileInfo(m_files.title()).completeBaseName();
-  const QString proposed = QStringLiteral("%1-%2").arg(name, wish.view);
+  const QString proposed = QStringLiteral("%1-%2").arg(name, options.view);
   if (suffix.isEmpty()) {
     const QString folder = QFileDialog::getSaveFileName(m_window, tr("Export pictures into the new folder"),
                                                         proposed, tr("Folders (*)"));
-    if (!folder.isEmpty()) exportPicture(wish, folder);
+    if (!folder.isEmpty()) exportPicture(options, folder);
     return;
   }
   QString path = QFileDialog::getSaveFileName(
@@ -86,14 +86,14 @@ void WindowExports::chooseAndExportPicture(const PictureWish& wish) {
       QStringLiteral("%1 (*.%2);;%3 (*)").arg(suffix.toUpper(), suffix, tr("All files")));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
-  exportPicture(wish, path);
+  exportPicture(options, path);
 }
 
-void WindowExports::exportPicture(const PictureWish& wish, const QString& path) {
-  if (wish.view == QLatin1String("3d")) return exportView3D(wish, path);
+void WindowExports::exportPicture(const PictureOptions& options, const QString& path) {
+  if (options.view == QLatin1String("3d")) return exportView3D(options, path);
   for (DrawingView* each : m_views.drawings) {
-    if (each->objectName() != wish.view) continue;
-    DrawingPicture picture = wish.picture;
+    if (each->objectName() != options.view) continue;
+    DrawingPicture picture = options.picture;
     picture.title = m_workbench.document().mechanism()->name;
     const DisplayList list = each->picture();
     const QString why = each->whyNoPicture();
@@ -103,24 +103,24 @@ void WindowExports::exportPicture(const PictureWish& wish, const QString& path) 
 }
 
 // What the view shows at this moment, whatever happens to it while the pictures are painted.
-void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
+void WindowExports::exportView3D(const PictureOptions& options, const QString& path) {
   const StagePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty()) {
     emit rejected(tr("The 3D view is empty: there is nothing to export."));
     return;
   }
-  if (wish.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
-  const SheetLook& look = wish.picture.look;
+  if (options.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
+  const SheetLook& look = options.picture.look;
   StageShot shot;
   shot.stage = stage;
   shot.view = m_views.view3d->view();
   shot.view.look = pictureLook(look.theme, look.transparent);
   shot.view.look.faces = m_views.view3d->options().faces;
   if (look.size) shot.size = {look.size->width, look.size->height};
-  shot.fits = wish.isFitted;
-  shot.film = wish.film;
+  shot.fits = options.isFitted;
+  shot.film = options.film;
   m_jobs->add(shotJob(shot, m_views.view3d->options(), m_views.view3d->forcesCaption(),
-                      paintingOver(*m_views.view3d), look.theme == Theme::dark, wish.solid, path));
+                      paintingOver(*m_views.view3d), look.theme == Theme::dark, options.solid, path));
 }
 
 void WindowExports::copyPicture(const QString& view) {

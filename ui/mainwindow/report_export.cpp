@@ -175,15 +175,15 @@ void WindowExports::writeHandout(const QString& path, const std::optional<SheetP
   m_jobs->add({path, false, run});
 }
 
-void WindowExports::chooseAndExportSheets(const SheetWish& wish) {
+void WindowExports::chooseAndExportSheets(const SheetRequest& request) {
   const QString name = QFileInfo(m_files.title()).completeBaseName();
   const QString where =
       QFileDialog::getExistingDirectory(m_window, tr("Folder in which the sheets' folder is made"));
   if (where.isEmpty()) return;
-  exportSheets(QDir(where).filePath(tr("%1 exercises %2").arg(name).arg(wish.plan.seed)), wish);
+  exportSheets(QDir(where).filePath(tr("%1 exercises %2").arg(name).arg(request.plan.seed)), request);
 }
 
-void WindowExports::exportSheets(const QString& folder, const SheetWish& wish) {
+void WindowExports::exportSheets(const QString& folder, const SheetRequest& request) {
   if (QFileInfo::exists(folder)) {
     emit rejected(tr("\"%1\" is there already: no sheet was written.").arg(QFileInfo(folder).fileName()));
     return;
@@ -192,7 +192,7 @@ void WindowExports::exportSheets(const QString& folder, const SheetWish& wish) {
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
     const ExerciseSource source(*mechanism);
     const auto files = sheetFiles(
-        source, wish, [&](int variants) { progress(variants, wish.plan.variants); }, stop);
+        source, request, [&](int variants) { progress(variants, request.plan.variants); }, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (!files) return QString::fromStdString(files.error().front().message);
     const auto error = writeFolder(QFile::encodeName(folder).toStdString(), *files, {false, stop, {}});

@@ -39,7 +39,7 @@ class Workbench;
 
 namespace geargraph::inline mainwindow {
 
-struct PictureWish;
+struct PictureOptions;
 class ExportJobs;
 class PictureClipboard;
 class WindowFiles;
@@ -67,7 +67,7 @@ class WindowExports : public QObject {
   void exportCsv(const IntegerMatrixPtr& matrix, const QString& path, const CsvOptions& options = {});
   void exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options = {});
   /// Exports a picture of a view; written() follows, immediately for a drawing, later for the 3D view.
-  void exportPicture(const PictureWish& wish, const QString& path);
+  void exportPicture(const PictureOptions& options, const QString& path);
   /// Copies a view as a picture to the clipboard, by the name of its drawing, or "3d": asynchronously, and
   /// for a drawing together with the document.
   void copyPicture(const QString& view);
@@ -79,7 +79,7 @@ class WindowExports : public QObject {
   /// kind.
   void exportHandoutAsking(const QString& path, const SheetPlan& plan);
   /// Exports sheets, solutions and files for answers into a new folder; written() follows.
-  void exportSheets(const QString& folder, const SheetWish& wish);
+  void exportSheets(const QString& folder, const SheetRequest& request);
   /// Prints pages on a background thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// Saves the newest traced path of the 3D view as CSV. @pre there is one
@@ -92,11 +92,11 @@ class WindowExports : public QObject {
   void chooseAndExportQuantity(const QuantityTablePtr& table);
   /// A table that is CSV already; `name`: default file name.
   void chooseAndExportTable(const QString& name, const QString& csv);
-  void chooseAndExportPicture(const PictureWish& wish);
+  void chooseAndExportPicture(const PictureOptions& options);
   void chooseAndExportDerivation();
   void chooseAndExportHandout();
   void chooseAndExportHandoutAsking(const geargraph::SheetPlan& plan);
-  void chooseAndExportSheets(const geargraph::SheetWish& wish);
+  void chooseAndExportSheets(const geargraph::SheetRequest& request);
   void chooseAndSaveTrace();
   void chooseAndSaveSpeeds();
 
@@ -111,7 +111,7 @@ class WindowExports : public QObject {
 
  private:
   void chooseCsv(const QString& name, const std::function<void(const QString&, const CsvOptions&)>& write);
-  void exportView3D(const PictureWish& wish, const QString& path);
+  void exportView3D(const PictureOptions& options, const QString& path);
   void copyView3D();
   [[nodiscard]] std::optional<ReportLists> shownLists();
   [[nodiscard]] QString handoutPath(const QStringList& forms, QString& chosen) const;

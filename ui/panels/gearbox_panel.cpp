@@ -126,7 +126,7 @@ void GearboxPanel::setSnapshot(const SnapshotPtr& snapshot) {
 
 void GearboxPanel::setAwake(bool awake) {
   m_isAwake = awake;
-  renewWish();
+  renewTorqueRequest();
 }
 
 void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
@@ -136,7 +136,7 @@ void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
 }
 
 /// Nothing is solved for a document without states, or out of sight.
-void GearboxPanel::renewWish() {
+void GearboxPanel::renewTorqueRequest() {
   const Mechanism& mechanism = *m_document->mechanism();
   const bool wants = m_isAwake && !mechanism.states.empty() && !mechanism.couplings.empty();
   if (wants == m_wantsTorques) return;
@@ -147,7 +147,7 @@ void GearboxPanel::renewWish() {
 void GearboxPanel::renew() {
   const MechanismPtr& mechanism = m_document->mechanism();
   m_model->setMechanism(mechanism);
-  renewWish();
+  renewTorqueRequest();
   const int states = static_cast<int>(mechanism->states.size());
   if (m_shownState >= states) m_shownState = -1;
   m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);

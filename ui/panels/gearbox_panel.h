@@ -62,7 +62,7 @@ class GearboxPanel : public QWidget {
   void wireTable();
   void apply(const QString& text, Reduce reduce);
   void renew();
-  void renewWish();
+  void renewTorqueRequest();
   void addTableActions(QMenu& menu);
   void paintRemark();
   void toggleDot(int state, int coupling, bool engaged);

@@ -168,17 +168,18 @@ PlanetaryForm::PlanetaryForm(QWidget* parent)
 
 std::vector<ChoiceForm::Choice> PlanetaryForm::choices(const Rational& ratio) const {
   const Use& use = kUses[m_use->currentIndex()];
-  PlanetaryWish wish{ratio, use.drive, use.driven, wholeOf(m_planets), wholeOf(m_fewest), wholeOf(m_most)};
+  PlanetaryRequirements requirements{
+      ratio, use.drive, use.driven, wholeOf(m_planets), wholeOf(m_fewest), wholeOf(m_most)};
   const PlanetaryUse made{use.drive, use.driven,
                           m_held->currentIndex() == 0 ? PlanetaryHolding::brake : PlanetaryHolding::ground};
   std::vector<Choice> choices;
-  for (const PlanetaryChoice& choice : planetaryChoices(wish)) {
+  for (const PlanetaryChoice& choice : planetaryChoices(requirements)) {
     const PlanetaryTeeth teeth = choice.teeth;
     choices.push_back(
         {{QString::number(teeth.sun), QString::number(teeth.planet), QString::number(teeth.ring())},
          choice.ratio,
          choice.error,
-         [teeth, planets = wish.planets, made] { return planetarySet(teeth, planets, made); }});
+         [teeth, planets = requirements.planets, made] { return planetarySet(teeth, planets, made); }});
   }
   return choices;
 }

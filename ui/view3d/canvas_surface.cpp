@@ -43,10 +43,10 @@ CanvasSurface bestSurface() {
 
 const CanvasSurface& canvasSurface() {
   static const CanvasSurface chosen = [] {
-    const QByteArray wish = qgetenv("GEARGRAPH_3D");
-    if (wish == "image") return CanvasSurface{false, {}};
+    const QByteArray setting = qgetenv("GEARGRAPH_3D");
+    if (setting == "image") return CanvasSurface{false, {}};
     CanvasSurface best = bestSurface();
-    if (wish == "window" && best.why.isEmpty()) best.isWindow = true;
+    if (setting == "window" && best.why.isEmpty()) best.isWindow = true;
     return best;
   }();
   return chosen;

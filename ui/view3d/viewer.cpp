@@ -344,7 +344,7 @@ void Viewer::setLook(const Look& look) {
 }
 
 // In motion a train stands elsewhere than when it was fitted: a bar that comes or goes above the view would
-// make it jump. Another width is somebody's wish.
+// make it jump. Another width is the user's choice.
 void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
   const bool sameWidth = viewport.width == m_viewport.width;
   m_viewport = viewport;

@@ -48,7 +48,7 @@ py::bytes drawing(const Snapshot& self, const std::string& name, const std::stri
 }
 
 /// What a 3D picture shows, as Python gives it.
-struct Wish {
+struct RequestedPicture {
   Size size;
   bool dark = false;
   bool transparent = false;
@@ -64,59 +64,60 @@ struct Wish {
   std::string folder;
   std::string reader;
 
-  explicit Wish(const py::dict& wish)
-      : size(wish["size"].cast<Size>()),
-        dark(wish["dark"].cast<bool>()),
-        transparent(wish["transparent"].cast<bool>()),
-        from(wish["view"].cast<std::optional<std::string>>()),
-        camera(wish["camera"].cast<std::optional<std::pair<double, double>>>()),
-        time(wish["time"].cast<double>()),
-        section(wish["section"].cast<std::optional<std::pair<int, double>>>()),
-        explode(wish["explode"].cast<double>()),
-        faces(wish["faces"].cast<std::string>()),
-        show(wish["show"].cast<std::vector<std::string>>()),
-        hide(wish["hide"].cast<std::vector<std::string>>()),
-        ride(wish["ride"].cast<std::optional<std::string>>()),
-        folder(wish["folder"].cast<std::string>()),
-        reader(wish["reader"].cast<std::string>()) {}
+  explicit RequestedPicture(const py::dict& requested)
+      : size(requested["size"].cast<Size>()),
+        dark(requested["dark"].cast<bool>()),
+        transparent(requested["transparent"].cast<bool>()),
+        from(requested["view"].cast<std::optional<std::string>>()),
+        camera(requested["camera"].cast<std::optional<std::pair<double, double>>>()),
+        time(requested["time"].cast<double>()),
+        section(requested["section"].cast<std::optional<std::pair<int, double>>>()),
+        explode(requested["explode"].cast<double>()),
+        faces(requested["faces"].cast<std::string>()),
+        show(requested["show"].cast<std::vector<std::string>>()),
+        hide(requested["hide"].cast<std::vector<std::string>>()),
+        ride(requested["ride"].cast<std::optional<std::string>>()),
+        folder(requested["folder"].cast<std::string>()),
+        reader(requested["reader"].cast<std::string>()) {}
 };
 
-std::pair<StageShot, OverlayChoice> shotOf(const Wish& wish) {
+std::pair<StageShot, OverlayChoice> shotOf(const RequestedPicture& requested) {
   StageShot shot;
   OverlayChoice overlay;
-  checkSize(wish.size, kMostPictureSide);
-  if (wish.size) shot.size = {wish.size->first, wish.size->second};
-  if (wish.from) {
-    const auto view = standardViewNamed(*wish.from);
-    if (!view) throw py::value_error("There is no view \"" + *wish.from + "\".");
+  checkSize(requested.size, kMostPictureSide);
+  if (requested.size) shot.size = {requested.size->first, requested.size->second};
+  if (requested.from) {
+    const auto view = standardViewNamed(*requested.from);
+    if (!view) throw py::value_error("There is no view \"" + *requested.from + "\".");
     shot.view.camera = Camera::looking(*view);
   }
-  if (wish.camera)
-    shot.view.camera = Camera::from(wish.camera->first * kDegree, wish.camera->second * kDegree);
-  shot.view.time = wish.time;
-  if (wish.section) shot.view.section = SectionChoice{wish.section->first, wish.section->second, false};
-  shot.view.pulledApart = wish.explode;
-  shot.view.look = pictureLook(wish.dark ? Theme::dark : Theme::light, wish.transparent);
-  const auto faces = facesNamed(wish.faces);
-  if (!faces) throw py::value_error("There are no faces \"" + wish.faces + "\".");
+  if (requested.camera)
+    shot.view.camera = Camera::from(requested.camera->first * kDegree, requested.camera->second * kDegree);
+  shot.view.time = requested.time;
+  if (requested.section)
+    shot.view.section = SectionChoice{requested.section->first, requested.section->second, false};
+  shot.view.pulledApart = requested.explode;
+  shot.view.look = pictureLook(requested.dark ? Theme::dark : Theme::light, requested.transparent);
+  const auto faces = facesNamed(requested.faces);
+  if (!faces) throw py::value_error("There are no faces \"" + requested.faces + "\".");
   shot.view.look.faces = *faces;
-  for (const std::string& name : wish.show) {
+  for (const std::string& name : requested.show) {
     if (!showMark(shot.view.marks, name) && !showOverlay(overlay, name))
       throw py::value_error("A 3D picture shows no \"" + name + "\".");
   }
-  for (const std::string& id : wish.hide) shot.view.hidden.insert(LinkId(id));
-  if (wish.ride) shot.view.ridden = LinkId(*wish.ride);
+  for (const std::string& id : requested.hide) shot.view.hidden.insert(LinkId(id));
+  if (requested.ride) shot.view.ridden = LinkId(*requested.ride);
   return {std::move(shot), overlay};
 }
 
 /// The stage, or raises geargraph.Error where there is nothing to show.
-StagePtr stageOf(const Snapshot& self, const Wish& wish) {
+StagePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
   if (self.mechanism().n() > kMostStageLinks)
     raise("limit", "3D is made of up to " + std::to_string(kMostStageLinks) + " links.");
   StagePtr stage = interruptible([&](const std::stop_token& stop) {
     GearCache cache;
-    ShapeCache read(wish.reader.empty() ? foreignMeshReader() : std::filesystem::path(wish.reader));
-    const ShapeSource shapes{read, wish.folder, stop};
+    ShapeCache read(requested.reader.empty() ? foreignMeshReader() : std::filesystem::path(requested.reader));
+    const ShapeSource shapes{read, requested.folder, stop};
     return trainStage(*self.live(), cache, &shapes, nullptr, stop);
   });
   if (stage->scene.instances.empty()) self.raiseUndefined("There is nothing to show.");
@@ -136,11 +137,11 @@ ShotRun runWith(const OverlayChoice& overlay, bool dark) {
 
 /// The PNG, and what is not shown or simplified, with the reasons.
 py::tuple picture(const Snapshot& self, const py::dict& options) {
-  const Wish wish(options);
-  auto [made, overlay] = shotOf(wish);
+  const RequestedPicture requested(options);
+  auto [made, overlay] = shotOf(requested);
   StageShot shot = std::move(made);
-  const StagePtr stage = shot.stage = stageOf(self, wish);
-  ShotRun run = runWith(overlay, wish.dark);
+  const StagePtr stage = shot.stage = stageOf(self, requested);
+  ShotRun run = runWith(overlay, requested.dark);
   using Bytes = std::vector<std::uint8_t>;
   const auto png = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<Bytes> {
     auto created = StagePainter::create(std::move(shot), stop);
@@ -167,14 +168,14 @@ struct FilmPlace {
 /// `kind`: "turntable" or "motion".
 void film(const Snapshot& self, const py::dict& options, const FilmPlace& place, const std::string& kind,
           int frames, double framesPerSecond) {
-  const Wish wish(options);
-  auto [made, overlay] = shotOf(wish);
+  const RequestedPicture requested(options);
+  auto [made, overlay] = shotOf(requested);
   StageShot shot = std::move(made);
   if (frames < 2 || frames > kMostFilmFrames)
     throw py::value_error("A film has 2 to " + std::to_string(kMostFilmFrames) + " frames.");
   shot.film = Film{kind == "motion" ? FilmKind::motion : FilmKind::turntable, frames, framesPerSecond, 0};
-  shot.stage = stageOf(self, wish);
-  ShotRun run = runWith(overlay, wish.dark);
+  shot.stage = stageOf(self, requested);
+  ShotRun run = runWith(overlay, requested.dark);
   const auto failure = interruptible([&](const std::stop_token& stop) {
     run.stop = stop;
     run.mayOverwrite = place.mayOverwrite;
@@ -186,9 +187,9 @@ void film(const Snapshot& self, const py::dict& options, const FilmPlace& place,
 
 /// GLB: the solids as the view shows them.
 void writeView(const Snapshot& self, const py::dict& options, const std::string& path) {
-  const Wish wish(options);
-  auto [shot, overlay] = shotOf(wish);
-  const StagePtr stage = stageOf(self, wish);
+  const RequestedPicture requested(options);
+  auto [shot, overlay] = shotOf(requested);
+  const StagePtr stage = stageOf(self, requested);
   const StageView& view = shot.view;
   const auto error = interruptible([&](const std::stop_token& stop) {
     MeshWriteOptions writing;

@@ -1,4 +1,4 @@
-// Whole gear sets from tooth counts, and tooth counts from wishes.
+// Whole gear sets from tooth counts, and tooth counts from requirements.
 
 #include "app/python/bindings/document.h"
 #include "app/python/bindings/interruptible.h"
@@ -38,29 +38,29 @@ void checkPlanets(int planets) {
   if (planets < 1 || planets > kMostPlanets) throw py::value_error("A set has 1 to 100 planets.");
 }
 
-py::list planetaryWished(const NumberText& ratio, const std::string& drive, const std::string& driven,
-                         int planets, int fewest, int most, std::size_t count) {
+py::list planetaryOfRatio(const NumberText& ratio, const std::string& drive, const std::string& driven,
+                          int planets, int fewest, int most, std::size_t count) {
   checkLimits(fewest, most);
   checkPlanets(planets);
-  const PlanetaryWish wish{
+  const PlanetaryRequirements requirements{
       rationalFrom(ratio), memberNamed(drive), memberNamed(driven), planets, fewest, most};
-  if (wish.drive == wish.driven) throw py::value_error("Drive and driven are one member.");
+  if (requirements.drive == requirements.driven) throw py::value_error("Drive and driven are one member.");
   py::list choices;
-  for (const PlanetaryChoice& choice :
-       interruptible([&](const std::stop_token& /*stop*/) { return planetaryChoices(wish, count); })) {
+  for (const PlanetaryChoice& choice : interruptible(
+           [&](const std::stop_token& /*stop*/) { return planetaryChoices(requirements, count); })) {
     choices.append(py::make_tuple(choice.teeth.sun, choice.teeth.planet, choice.teeth.ring(),
                                   choice.ratio.toString(), choice.error));
   }
   return choices;
 }
 
-py::list revertedWished(const NumberText& ratio, int fewest, int most, std::size_t count) {
+py::list revertedOfRatio(const NumberText& ratio, int fewest, int most, std::size_t count) {
   checkLimits(fewest, most);
-  const RevertedWish wish{rationalFrom(ratio), fewest, most};
-  if (wish.ratio.sign() <= 0) throw py::value_error("The ratio of a reverted train is above 0.");
+  const RevertedRequirements requirements{rationalFrom(ratio), fewest, most};
+  if (requirements.ratio.sign() <= 0) throw py::value_error("The ratio of a reverted train is above 0.");
   py::list choices;
   for (const RevertedChoice& choice :
-       interruptible([&](const std::stop_token& /*stop*/) { return revertedChoices(wish, count); })) {
+       interruptible([&](const std::stop_token& /*stop*/) { return revertedChoices(requirements, count); })) {
     const RevertedTeeth& teeth = choice.teeth;
     choices.append(py::make_tuple(teeth.first, teeth.second, teeth.third, teeth.fourth,
                                   choice.ratio.toString(), choice.error));
@@ -71,8 +71,8 @@ py::list revertedWished(const NumberText& ratio, int fewest, int most, std::size
 }  // namespace
 
 void addSets(py::module_& module) {
-  module.def("planetary_choices", planetaryWished);
-  module.def("reverted_choices", revertedWished);
+  module.def("planetary_choices", planetaryOfRatio);
+  module.def("reverted_choices", revertedOfRatio);
   module.def("planetary_set", [](int sun, int planet, int planets) {
     checkTeeth({sun, planet});
     checkPlanets(planets);

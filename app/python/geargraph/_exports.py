@@ -60,34 +60,34 @@ class Exports:
         """
         return Drawing(self._snapshot, name, dark, transparent, size)
 
-    def _wish(self, options: Dict[str, Any]) -> Dict[str, Any]:
-        wish: Dict[str, Any] = {
+    def _chosen(self, options: Dict[str, Any]) -> Dict[str, Any]:
+        chosen: Dict[str, Any] = {
             "size": None, "dark": False, "transparent": False, "view": None, "camera": None,
             "time": 0.0, "section": None, "explode": 0.0, "faces": "shaded", "show": (),
             "hide": (), "ride": None,
         }
-        unknown = sorted(set(options) - set(wish))
+        unknown = sorted(set(options) - set(chosen))
         if unknown:
             raise TypeError(f"a picture has no option {unknown[0]!r}")
-        wish.update(options)
-        wish["show"] = list(wish["show"])
-        wish["hide"] = [self.mechanism.link(link).id for link in wish["hide"]]
-        if wish["ride"] is not None:
-            wish["ride"] = self.mechanism.link(wish["ride"]).id
-        if wish["section"] is not None:
-            axis, place = wish["section"]
-            wish["section"] = ("xyz".index(axis), _between("section", place, 0, 1))
-        wish["time"] = _between("time", wish["time"], -1e9, 1e9)
-        wish["explode"] = _between("explode", wish["explode"], 0, 1)
-        if wish["camera"] is not None:
-            azimuth, elevation = wish["camera"]
-            wish["camera"] = (
+        chosen.update(options)
+        chosen["show"] = list(chosen["show"])
+        chosen["hide"] = [self.mechanism.link(link).id for link in chosen["hide"]]
+        if chosen["ride"] is not None:
+            chosen["ride"] = self.mechanism.link(chosen["ride"]).id
+        if chosen["section"] is not None:
+            axis, place = chosen["section"]
+            chosen["section"] = ("xyz".index(axis), _between("section", place, 0, 1))
+        chosen["time"] = _between("time", chosen["time"], -1e9, 1e9)
+        chosen["explode"] = _between("explode", chosen["explode"], 0, 1)
+        if chosen["camera"] is not None:
+            azimuth, elevation = chosen["camera"]
+            chosen["camera"] = (
                 _between("azimuth", azimuth, -360, 360), _between("elevation", elevation, -90, 90),
             )
-        wish["folder"] = self.mechanism._folder or os.getcwd()
+        chosen["folder"] = self.mechanism._folder or os.getcwd()
         reader = os.path.join(os.path.dirname(__file__), "geargraph-mesh")
-        wish["reader"] = reader if os.path.exists(reader) else ""
-        return wish
+        chosen["reader"] = reader if os.path.exists(reader) else ""
+        return chosen
 
     def picture(
         self,
@@ -150,7 +150,7 @@ class Exports:
             size=size, dark=dark, transparent=transparent, view=view, camera=camera, time=time,
             section=section, explode=explode, faces=faces, show=show, hide=hide, ride=ride,
         )
-        png, notes = self._snapshot.picture(self._wish(options))
+        png, notes = self._snapshot.picture(self._chosen(options))
         return Picture(png, tuple(notes))
 
     def film(
@@ -192,7 +192,7 @@ class Exports:
             raise ValueError(f"a film is of the motion or a turntable, not {kind!r}")
         rate = _between("fps", fps, 0.1, 100)
         self._snapshot.film(
-            self._wish(options), os.fspath(path), folder, overwrite, kind, frames, rate
+            self._chosen(options), os.fspath(path), folder, overwrite, kind, frames, rate
         )
 
     # --- gears -----------------------------------------------------------------------------------
@@ -276,7 +276,7 @@ class Exports:
             _none(options)
             _geargraph.write_file(name, self.graph(graph, ending[1:]).encode())
         elif ending == ".glb" and options.pop("as_seen", False):
-            self._snapshot.write_view(self._wish(options), name)
+            self._snapshot.write_view(self._chosen(options), name)
         elif ending in _SOLIDS:
             self._write_solids(name, ending[1:], **options)
         else:

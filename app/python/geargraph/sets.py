@@ -1,4 +1,4 @@
-"""Whole gear sets: mechanisms from tooth counts, and tooth counts from wishes."""
+"""Whole gear sets: mechanisms from tooth counts, and tooth counts from requirements."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class PlanetaryChoice(NamedTuple):
     ratio : Fraction
         Speed of the drive over speed of the driven member, by Willis.
     error : float
-        Relative to the wish.
+        Relative to the required ratio.
     """
 
     sun: int
@@ -45,7 +45,7 @@ class RevertedChoice(NamedTuple):
     ratio : Fraction
         Speed of the drive over speed of the driven gear.
     error : float
-        Relative to the wish.
+        Relative to the required ratio.
     """
 
     first: int
@@ -108,7 +108,7 @@ def planetary_choices(
     Returns
     -------
     tuple of PlanetaryChoice
-        Nearest to the wished ratio first, of equals the smallest first; empty where the signs can
+        Nearest to the required ratio first, of equals the smallest first; empty where the signs can
         never agree.
 
     Raises
@@ -160,7 +160,7 @@ def reverted_choices(
     Returns
     -------
     tuple of RevertedChoice
-        Nearest to the wished ratio first, one for each ratio.
+        Nearest to the required ratio first, one for each ratio.
 
     Raises
     ------

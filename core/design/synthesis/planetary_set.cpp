@@ -67,14 +67,15 @@ bool neighboursClear(const PlanetaryTeeth& teeth, int planets) {
   return planets < 2 || (teeth.sun + teeth.planet) * std::sin(std::numbers::pi / planets) > teeth.planet + 2;
 }
 
-std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryWish& wish, std::size_t most) {
+std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryRequirements& requirements, std::size_t most) {
   std::vector<PlanetaryChoice> choices;
-  const double wanted = wish.ratio.toDouble();
-  for (int sun = wish.fewestTeeth; sun <= wish.mostTeeth; ++sun) {
-    for (int planet = wish.fewestTeeth; sun + 2 * planet <= wish.mostTeeth; ++planet) {
+  const double wanted = requirements.ratio.toDouble();
+  for (int sun = requirements.fewestTeeth; sun <= requirements.mostTeeth; ++sun) {
+    for (int planet = requirements.fewestTeeth; sun + 2 * planet <= requirements.mostTeeth; ++planet) {
       const PlanetaryTeeth teeth{sun, planet};
-      if (!assembles(teeth, wish.planets) || !neighboursClear(teeth, wish.planets)) continue;
-      const double ratio = static_cast<double>(-weightOf(teeth, wish.driven)) / weightOf(teeth, wish.drive);
+      if (!assembles(teeth, requirements.planets) || !neighboursClear(teeth, requirements.planets)) continue;
+      const double ratio =
+          static_cast<double>(-weightOf(teeth, requirements.driven)) / weightOf(teeth, requirements.drive);
       if (ratio * wanted <= 0) continue;
       choices.push_back({teeth, Rational(), std::abs(ratio - wanted) / std::abs(wanted)});
     }
@@ -87,7 +88,7 @@ std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryWish& wish, std::si
   std::partial_sort(choices.begin(), end, choices.end(), nearer);
   choices.erase(end, choices.end());
   for (PlanetaryChoice& choice : choices)
-    choice.ratio = planetaryRatio(choice.teeth, wish.drive, wish.driven);
+    choice.ratio = planetaryRatio(choice.teeth, requirements.drive, requirements.driven);
   return choices;
 }
 

@@ -17,7 +17,7 @@ struct PlanetaryTeeth {
 enum class PlanetaryMember { sun, ring, carrier };
 
 /// The requirements on a planetary set; the third member is held.
-struct PlanetaryWish {
+struct PlanetaryRequirements {
   Rational ratio = Rational(7, 2);  ///< speed of drive over speed of driven
   PlanetaryMember drive = PlanetaryMember::sun;
   PlanetaryMember driven = PlanetaryMember::carrier;
@@ -46,7 +46,8 @@ struct PlanetaryChoice {
 /// Tooth counts within the limits that satisfy the assembly and clearance conditions, nearest to the required
 /// ratio first, among equals the smallest first; at most `most`. Empty if the sign of the ratio is
 /// impossible. Cost: O(teeth^2).
-[[nodiscard]] std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryWish& wish, std::size_t most = 20);
+[[nodiscard]] std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryRequirements& requirements,
+                                                            std::size_t most = 20);
 
 /// A planetary set: sun 1, ring 2, carrier 3, planets 4..; places are left open. Inputs: the sun at 1 rad/s,
 /// the ring at 0.

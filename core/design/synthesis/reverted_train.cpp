@@ -12,15 +12,17 @@ double ratioOf(const RevertedTeeth& t) {
   return (static_cast<double>(t.second) / t.first) * (static_cast<double>(t.fourth) / t.third);
 }
 
-/// The nearest to the wish for one sum and one first wheel: the third wheels on either side of the exact one.
-void addNearest(int sum, int first, const RevertedWish& wish, std::vector<RevertedChoice>& choices) {
-  const double wanted = wish.ratio.toDouble();
+/// The nearest to the requirements for one sum and one first wheel: the third wheels on either side of the
+/// exact one.
+void addNearest(int sum, int first, const RevertedRequirements& requirements,
+                std::vector<RevertedChoice>& choices) {
+  const double wanted = requirements.ratio.toDouble();
   const double second = wanted * first / (sum - first);  // what the second pair should make
   const int near = static_cast<int>(std::floor(sum / (1 + second)));
   for (const int third : {near, near + 1}) {
     const RevertedTeeth teeth{first, sum - first, third, sum - third};
-    if (std::min({teeth.second, third, teeth.fourth}) < wish.fewestTeeth) continue;
-    if (std::max({teeth.second, third, teeth.fourth}) > wish.mostTeeth) continue;
+    if (std::min({teeth.second, third, teeth.fourth}) < requirements.fewestTeeth) continue;
+    if (std::max({teeth.second, third, teeth.fourth}) > requirements.mostTeeth) continue;
     if (teeth.third > teeth.first) continue;  // the pairs exchanged
     choices.push_back({teeth, Rational(), std::abs(ratioOf(teeth) - wanted) / wanted});
   }
@@ -28,13 +30,13 @@ void addNearest(int sum, int first, const RevertedWish& wish, std::vector<Revert
 
 }  // namespace
 
-std::vector<RevertedChoice> revertedChoices(const RevertedWish& wish, std::size_t most) {
+std::vector<RevertedChoice> revertedChoices(const RevertedRequirements& requirements, std::size_t most) {
   std::vector<RevertedChoice> choices;
-  if (wish.ratio.sign() <= 0) return choices;
-  for (int sum = 2 * wish.fewestTeeth; sum <= 2 * wish.mostTeeth; ++sum) {
-    const int last = std::min(wish.mostTeeth, sum - wish.fewestTeeth);
-    for (int first = std::max(wish.fewestTeeth, sum - wish.mostTeeth); first <= last; ++first)
-      addNearest(sum, first, wish, choices);
+  if (requirements.ratio.sign() <= 0) return choices;
+  for (int sum = 2 * requirements.fewestTeeth; sum <= 2 * requirements.mostTeeth; ++sum) {
+    const int last = std::min(requirements.mostTeeth, sum - requirements.fewestTeeth);
+    for (int first = std::max(requirements.fewestTeeth, sum - requirements.mostTeeth); first <= last; ++first)
+      addNearest(sum, first, requirements, choices);
   }
   for (RevertedChoice& choice : choices) choice.ratio = choice.teeth.ratio();
   std::sort(choices.begin(), choices.end(), [](const RevertedChoice& a, const RevertedChoice& b) {

@@ -17,7 +17,7 @@ struct RevertedTeeth {
   friend bool operator==(const RevertedTeeth&, const RevertedTeeth&) = default;
 };
 
-struct RevertedWish {
+struct RevertedRequirements {
   Rational ratio = 4;  ///< speed of drive over speed of driven, above 0
   int fewestTeeth = 17;
   int mostTeeth = 100;
@@ -32,7 +32,8 @@ struct RevertedChoice {
 /// Tooth counts within the limits, nearest to the required ratio first, among equals the smallest first, one
 /// for each ratio; at most `most`. Of two choices that differ only by exchanging the pairs, the one with the
 /// smaller first ratio is returned. Cost: O(teeth^2 log teeth).
-[[nodiscard]] std::vector<RevertedChoice> revertedChoices(const RevertedWish& wish, std::size_t most = 20);
+[[nodiscard]] std::vector<RevertedChoice> revertedChoices(const RevertedRequirements& requirements,
+                                                          std::size_t most = 20);
 
 /// A reverted train: input 1 and output 3 on one axis, countershaft 2; places are left open. The input turns
 /// at 1 rad/s.

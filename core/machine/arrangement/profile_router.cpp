@@ -12,8 +12,8 @@
 namespace geargraph::inline arrangement {
 namespace {
 
-constexpr double kOfOthers = 20;  // shared by the terminals of a group: what their cells cost other nets
-constexpr double kWished = 10;    // the same of a cell that stood in a net's way, for every time it did
+constexpr double kOfOthers = 20;   // shared by the terminals of a group: what their cells cost other nets
+constexpr double kContested = 10;  // the same of a cell that stood in a net's way, for every time it did
 constexpr double kOccupied = 50;  // a cell that another net lies in, where a net looks for what is in its way
 
 using Places = ProfileSearch::Places;
@@ -43,9 +43,9 @@ class Extras {
 };
 
 /// What nets want others to leave free: where wheels and pins can be reached, and what stood in their way.
-class Wishes {
+class Preferences {
  public:
-  Wishes(const ProfileGrid& grid, const std::vector<ProfileNet>& nets)
+  Preferences(const ProfileGrid& grid, const std::vector<ProfileNet>& nets)
       : m_grid(grid), m_extras(nets.size(), Extras(grid.owner.size())) {
     for (std::size_t net = 0; net < nets.size(); ++net) {
       for (const auto& terminals : nets[net].groups) {
@@ -58,7 +58,7 @@ class Wishes {
 
   [[nodiscard]] const std::vector<Extras>& ofOthers() const { return m_extras; }
   void add(int net, const std::vector<int>& inTheWay) {
-    add(at(net), inTheWay, kWished);
+    add(at(net), inTheWay, kContested);
     sumUp();
   }
 
@@ -306,9 +306,9 @@ Routes routeProfiles(const ProfileGrid& grid, const std::vector<ProfileNet>& net
   for (std::size_t cell = 0; cell < grid.owner.size(); ++cell) {
     if (grid.owner[cell] >= 0) wheels[at(grid.owner[cell])].push_back(static_cast<int>(cell));
   }
-  Wishes wishes(grid, nets);
+  Preferences preferences(grid, nets);
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets, owners, wheels, search, wishes.ofOthers(), stop);
+    Round round(grid, nets, owners, wheels, search, preferences.ofOthers(), stop);
     const int failed = round.lay(order);
     if (stop.stop_requested()) return std::nullopt;
     if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take(), stop);
@@ -325,7 +325,7 @@ Routes routeProfiles(const ProfileGrid& grid, const std::vector<ProfileNet>& net
     for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
       if (round.isOccupied(c) && alone.isOccupied(c)) inTheWay.push_back(c);
     }
-    wishes.add(failed, inTheWay);
+    preferences.add(failed, inTheWay);
     const auto place = std::find(order.begin(), order.end(), failed);
     std::rotate(order.begin(), place, place + 1);
   }

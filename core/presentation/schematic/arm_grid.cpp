@@ -27,7 +27,7 @@ void arrange(std::vector<double>& values, std::size_t first) {
 }
 
 /// The lanes that are wanted, ascending: exact ones stay where they are, others give way to them.
-std::vector<double> merged(std::vector<double> exact, const std::vector<double>& wished, double apart) {
+std::vector<double> merged(std::vector<double> exact, const std::vector<double>& preferred, double apart) {
   constexpr double kSame = 1e-6;
   std::size_t count = 0;
   for (const double v : exact) {
@@ -35,9 +35,9 @@ std::vector<double> merged(std::vector<double> exact, const std::vector<double>&
   }
   exact.resize(count);
   std::vector<double> lanes;
-  std::size_t near = 0;  // the first exact one that a wished one might be too near to
+  std::size_t near = 0;  // the first exact one that a preferred one might be too near to
   std::size_t next = 0;
-  for (const double v : wished) {
+  for (const double v : preferred) {
     while (near < count && exact[near] < v - apart) ++near;
     if (near < count && exact[near] <= v + apart) continue;
     while (next < count && exact[next] < v) lanes.push_back(exact[next++]);
@@ -249,29 +249,29 @@ std::vector<std::size_t> ArmGrid::nodesOn(const LinkLine& line) const {
 
 void ArmLanes::follow(const std::vector<LinkLine>& lines) {
   const std::size_t exactX = m_x.exact.size(), exactY = m_y.exact.size();
-  const std::size_t wishedX = m_x.wished.size(), wishedY = m_y.wished.size();
-  const auto ask = [](std::vector<double>& wished, double from, double to) {
+  const std::size_t preferredX = m_x.preferred.size(), preferredY = m_y.preferred.size();
+  const auto ask = [](std::vector<double>& preferred, double from, double to) {
     for (const double step : {kLaneStep, 2 * kLaneStep}) {
-      wished.push_back(std::min(from, to) - step);
-      wished.push_back(std::max(from, to) + step);
+      preferred.push_back(std::min(from, to) - step);
+      preferred.push_back(std::max(from, to) + step);
     }
   };
   for (; m_known < lines.size(); ++m_known) {
     const LinkLine& line = lines[m_known];
-    ask(m_x.wished, line.from.x, line.to.x);
-    ask(m_y.wished, line.from.y, line.to.y);
+    ask(m_x.preferred, line.from.x, line.to.x);
+    ask(m_y.preferred, line.from.y, line.to.y);
     if (line.hold < 0) continue;  // arms may begin on the others
     const bool upright = std::abs(line.from.x - line.to.x) < 1e-6;
     const bool level = std::abs(line.from.y - line.to.y) < 1e-6;
     for (const SheetPoint p : {line.from, line.to}) {
-      (level ? m_x.wished : m_x.exact).push_back(p.x);
-      (upright ? m_y.wished : m_y.exact).push_back(p.y);
+      (level ? m_x.preferred : m_x.exact).push_back(p.x);
+      (upright ? m_y.preferred : m_y.exact).push_back(p.y);
     }
   }
   arrange(m_x.exact, exactX);
-  arrange(m_x.wished, wishedX);
+  arrange(m_x.preferred, preferredX);
   arrange(m_y.exact, exactY);
-  arrange(m_y.wished, wishedY);
+  arrange(m_y.preferred, preferredY);
 }
 
 ArmGrid ArmLanes::gridWith(const std::vector<SheetPoint>& ends) const {
@@ -283,7 +283,7 @@ ArmGrid ArmLanes::gridWith(const std::vector<SheetPoint>& ends) const {
   }
   arrange(exactX, m_x.exact.size());
   arrange(exactY, m_y.exact.size());
-  return {merged(std::move(exactX), m_x.wished, apart), merged(std::move(exactY), m_y.wished, apart)};
+  return {merged(std::move(exactX), m_x.preferred, apart), merged(std::move(exactY), m_y.preferred, apart)};
 }
 
 void ArmTolls::charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {

@@ -46,8 +46,8 @@ class ArmLanes {
  private:
   /// All ascending.
   struct Asked {
-    std::vector<double> exact;   ///< lanes stay where these are
-    std::vector<double> wished;  ///< kept where no exact lane is too near
+    std::vector<double> exact;      ///< lanes stay where these are
+    std::vector<double> preferred;  ///< kept where no exact lane is too near
   };
   std::size_t m_known = 0;  ///< lines
   Asked m_x;

@@ -80,33 +80,33 @@ std::optional<SheetFileForm> sheetFileForm(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<std::string> sheetFileNames(const SheetWish& wish) {
+std::vector<std::string> sheetFileNames(const SheetRequest& request) {
   std::vector<std::string> names{"sheet.json"};
-  for (int variant = 1; variant <= wish.plan.variants; ++variant) {
-    const std::string number = numbered(variant, wish.plan.variants);
+  for (int variant = 1; variant <= request.plan.variants; ++variant) {
+    const std::string number = numbered(variant, request.plan.variants);
     names.push_back(answersName(number));
     for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
-      for (const SheetFileForm form : wish.forms) names.push_back(fileName(part, number, form));
+      for (const SheetFileForm form : request.forms) names.push_back(fileName(part, number, form));
     }
   }
   return names;
 }
 
-Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetWish& wish,
+Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetRequest& request,
                                  const std::function<void(int)>& progress, const std::stop_token& stop) {
-  const SheetFile file{wish.plan, source.mechanism()};
+  const SheetFile file{request.plan, source.mechanism()};
   const std::string mark = sheetMark(file);
   const SheetWriter writer(source, stop);
   FolderFiles files{{"sheet.json", sheetJson(file)}};
-  for (int variant = 1; variant <= wish.plan.variants && !stop.stop_requested(); ++variant) {
-    const SheetVariant sheet = makeVariant(source, wish.plan, variant);
-    const std::string number = numbered(variant, wish.plan.variants);
+  for (int variant = 1; variant <= request.plan.variants && !stop.stop_requested(); ++variant) {
+    const SheetVariant sheet = makeVariant(source, request.plan, variant);
+    const std::string number = numbered(variant, request.plan.variants);
     const std::string student =
-        wish.students.empty() ? "" : wish.students[static_cast<std::size_t>(variant) - 1];
+        request.students.empty() ? "" : request.students[static_cast<std::size_t>(variant) - 1];
     files.emplace_back(answersName(number), answersFor(sheet, mark, student));
     for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
-      const Report report = sheetReport(source, wish.plan, sheet, student, part);
-      for (const SheetFileForm form : wish.forms) {
+      const Report report = sheetReport(source, request.plan, sheet, student, part);
+      for (const SheetFileForm form : request.forms) {
         auto bytes = writer.bytesOf(report, sheet, part, form);
         if (!bytes) return bytes.error();
         files.emplace_back(fileName(part, number, form), std::move(bytes).value());

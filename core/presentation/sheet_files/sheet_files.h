@@ -19,7 +19,7 @@ enum class SheetFileForm : std::uint8_t { html, latex, pdf, json };
 [[nodiscard]] std::optional<SheetFileForm> sheetFileForm(std::string_view name);  ///< "latex"
 
 /// The options of an exercise sheet's files.
-struct SheetWish {
+struct SheetRequest {
   SheetPlan plan;
   std::vector<std::string> students;  ///< by variant, printed on the sheets; may be empty
   std::vector<SheetFileForm> forms;
@@ -27,14 +27,14 @@ struct SheetWish {
 
 /// The names of all files of a sheet, relative to its folder: "sheet.json", and by variant "answers-07.json",
 /// "sheet-07.pdf", "solution-07.pdf".
-[[nodiscard]] std::vector<std::string> sheetFileNames(const SheetWish& wish);
+[[nodiscard]] std::vector<std::string> sheetFileNames(const SheetRequest& request);
 
 /// The files of a sheet: the sheet itself, from which the program can reproduce everything, and for each
 /// variant the questions and the solution in every form and a file for the answers. `progress` is called with
 /// the number of finished variants. The result is meaningless if `stop` was requested meanwhile. Cost:
 /// variants · forms documents.
 /// @pre the source supports every kind of the plan; students.size() is 0 or plan.variants
-[[nodiscard]] Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetWish& wish,
+[[nodiscard]] Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetRequest& request,
                                                const std::function<void(int variants)>& progress = {},
                                                const std::stop_token& stop = {});
 

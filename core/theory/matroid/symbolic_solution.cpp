@@ -205,7 +205,7 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   solution.inputs.assign(inputs.begin(), inputs.end());
   solution.outputs = ratios.outputs();
 
-  std::stop_source enough;  // the caller's wish, or the core's size
+  std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   const RationalFunctionField bounded(solution.ring, kMostTermsOfTheCore, enough);
   const RationalFunctionField field(solution.ring);

@@ -170,7 +170,7 @@ class Solver {
   const EfficiencyProblem& m_problem;
   const LossySolution& m_solution;
   const Motion& m_motion;
-  std::stop_source m_enough;  ///< the caller's wish, or the size of what is met
+  std::stop_source m_enough;  ///< the caller's request, or the size of what is met
   std::stop_callback<std::function<void()>> m_forward;
   std::vector<int> m_etaOf;  ///< by mesh, the variable; -1: it loses nothing
   RatioRingPtr m_ring;

@@ -136,7 +136,7 @@ std::optional<SymbolicStatics> solveStaticsSymbolic(const Mechanism& mechanism,
                        ? 1
                        : 0;
   }
-  std::stop_source enough;  // the caller's wish, or the core's size
+  std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   const RationalFunctionField bounded(result.ring, kMostTermsOfTheCore, enough);
   const RationalFunctionField field(result.ring);

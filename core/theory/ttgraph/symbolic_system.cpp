@@ -88,7 +88,7 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
   if (!vanishing) return std::nullopt;
   left.columns = alwaysVanishing(*vanishing, plan.jointAt.size());
 
-  std::stop_source enough;  // the caller's wish, or the core's size
+  std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   auto field = std::make_unique<const RationalFunctionField>(ring);
   const RationalFunctionField bounded(ring, kMostTermsOfTheCore, enough);

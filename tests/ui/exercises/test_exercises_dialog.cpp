@@ -80,7 +80,7 @@ class ExercisesDialogTest : public QObject {
     QCOMPARE(wanted.count(), qsizetype{1});
   }
 
-  /// A wish stays while the mechanism does not give the kind.
+  /// A requested kind stays while the mechanism does not give the kind.
   void theChoiceOutlivesAnotherMechanism() {
     row(ExerciseKind::freedom).setCheckState(Qt::Unchecked);
     setExample("eight-speed-gearbox");
@@ -127,10 +127,10 @@ class ExercisesDialogTest : public QObject {
     part<QSpinBox>("exerciseVariants").setValue(30);
     QTest::mouseClick(&part<QPushButton>("exerciseSheets"), Qt::LeftButton);
     QCOMPARE(wanted.count(), qsizetype{1});
-    const auto wish = wanted[0][0].value<SheetWish>();
-    QCOMPARE(wish.plan.variants, 30);
-    QCOMPARE(wish.plan.kinds, m_dialog->plan().kinds);
-    QCOMPARE(wish.forms, std::vector{SheetFileForm::pdf});
+    const auto request = wanted[0][0].value<SheetRequest>();
+    QCOMPARE(request.plan.variants, 30);
+    QCOMPARE(request.plan.kinds, m_dialog->plan().kinds);
+    QCOMPARE(request.forms, std::vector{SheetFileForm::pdf});
   }
 };
 

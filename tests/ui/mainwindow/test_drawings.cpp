@@ -29,10 +29,10 @@ class DrawingsTest : public QObject {
   std::unique_ptr<MainWindow> window;
   const QTemporaryDir folder;
 
-  QByteArray exported(const PictureWish& wish, const QString& name) {
+  QByteArray exported(const PictureOptions& options, const QString& name) {
     const QString path = folder.filePath(name);
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    window->exports().exportPicture(wish, path);
+    window->exports().exportPicture(options, path);
     if (done.empty()) done.wait(60'000);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -51,7 +51,7 @@ class DrawingsTest : public QObject {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  static PictureWish wish(const QString& view, PictureForm form) {
+  static PictureOptions optionsFor(const QString& view, PictureForm form) {
     return {view, DrawingPicture{.form = form}};
   }
 
@@ -75,7 +75,7 @@ class DrawingsTest : public QObject {
   // A drawing in a tab behind waits, but nobody's file has an old one.
   void anExportedSchematicIsThatOfTheDocument() {
     const auto schematic = [this](const QString& name) {
-      return exported(wish("schematic", PictureForm::svg), name);
+      return exported(optionsFor("schematic", PictureForm::svg), name);
     };
     const QByteArray before = schematic("before.svg");
     window->selection().select({LinkId("3")});
@@ -132,20 +132,20 @@ class DrawingsTest : public QObject {
   }
 
   void sheetsAreWrittenIntoAFolderOfTheirOwn() {
-    const SheetWish wish{
+    const SheetRequest request{
         {"Home", {ExerciseKind::cycle, ExerciseKind::freedom}, 7, 3}, {}, {SheetFileForm::html}};
     const QString sheets = folder.filePath("sheets");
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    window->exports().exportSheets(sheets, wish);
+    window->exports().exportSheets(sheets, request);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), qsizetype{1}, 60'000);
     QStringList expected;
-    for (const std::string& name : sheetFileNames(wish)) expected += QString::fromStdString(name);
+    for (const std::string& name : sheetFileNames(request)) expected += QString::fromStdString(name);
     expected.sort();
     QCOMPARE(QDir(sheets).entryList(QDir::Files, QDir::Name), expected);
     QCOMPARE(expected.size(), qsizetype{10});
     // A folder that is there is left alone, and that is told.
     QSignalSpy rejection(&window->exports(), &WindowExports::rejected);
-    window->exports().exportSheets(sheets, wish);
+    window->exports().exportSheets(sheets, request);
     QCOMPARE(rejection.count(), qsizetype{1});
     QVERIFY(rejection[0][0].toString().contains("sheets"));
   }
@@ -184,31 +184,31 @@ class DrawingsTest : public QObject {
   }
 
   void everyDrawingIsExportedInEveryForm() {
-    QVERIFY(exported(wish("digraph", PictureForm::svg), "a.svg").contains(">motor<"));
-    QVERIFY(exported(wish("ttgraph", PictureForm::svg), "b.svg").contains("16′′"));
-    QVERIFY(exported(wish("ttgraph", PictureForm::pdf), "c.pdf").startsWith("%PDF-"));
-    PictureWish sized = wish("digraph", PictureForm::png);
+    QVERIFY(exported(optionsFor("digraph", PictureForm::svg), "a.svg").contains(">motor<"));
+    QVERIFY(exported(optionsFor("ttgraph", PictureForm::svg), "b.svg").contains("16′′"));
+    QVERIFY(exported(optionsFor("ttgraph", PictureForm::pdf), "c.pdf").startsWith("%PDF-"));
+    PictureOptions sized = optionsFor("digraph", PictureForm::png);
     sized.picture.look.size = SheetLook::Size{300, 200};
     QCOMPARE(QImage::fromData(exported(sized, "d.png")).size(), QSize(300, 200));
   }
 
   void pictureHasNoTraceOfTheSelection() {
-    const QByteArray plain = exported(wish("digraph", PictureForm::svg), "e.svg");
+    const QByteArray plain = exported(optionsFor("digraph", PictureForm::svg), "e.svg");
     window->selection().select({LinkId("3")});
-    QCOMPARE(exported(wish("digraph", PictureForm::svg), "f.svg"), plain);
+    QCOMPARE(exported(optionsFor("digraph", PictureForm::svg), "f.svg"), plain);
   }
 
   void solidViewIsExportedAsPixels() {
-    PictureWish solid = wish("3d", PictureForm::png);
+    PictureOptions solid = optionsFor("3d", PictureForm::png);
     solid.picture.look.size = SheetLook::Size{160, 100};
     QCOMPARE(QImage::fromData(exported(solid, "g.png")).size(), QSize(160, 100));
   }
 
   void exportsOfTheSolidViewWaitForEachOtherAndNotTheWindow() {
-    PictureWish film = wish("3d", PictureForm::png);
+    PictureOptions film = optionsFor("3d", PictureForm::png);
     film.picture.look.size = SheetLook::Size{64, 48};
     film.film = Film{FilmKind::turntable, 4, 24, 0};
-    PictureWish pictures = film, solids = film;
+    PictureOptions pictures = film, solids = film;
     pictures.solid = SolidForm::pictures;
     solids.solid = SolidForm::glb;
     QSignalSpy done(&window->exports(), &WindowExports::written);
@@ -224,7 +224,7 @@ class DrawingsTest : public QObject {
   }
 
   void anExportThatIsStoppedWritesNothing() {
-    PictureWish film = wish("3d", PictureForm::png);
+    PictureOptions film = optionsFor("3d", PictureForm::png);
     film.picture.look.size = SheetLook::Size{64, 48};
     film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
     QSignalSpy failed(&window->exportJobs(), &ExportJobs::failed);
@@ -255,7 +255,7 @@ class DrawingsTest : public QObject {
   }
 
   void anExportShowsWhatTheWindowShows() {
-    PictureWish solid = wish("3d", PictureForm::png);
+    PictureOptions solid = optionsFor("3d", PictureForm::png);
     solid.picture.look.size = SheetLook::Size{160, 100};
     const QByteArray before = exported(solid, "h.png");
     window->view3d().setCamera(Camera::looking(StandardView::top).placedAt({0, 0, 0}, 600));
@@ -275,24 +275,24 @@ class DrawingsTest : public QObject {
 
   void whatCannotBeWrittenIsSaid() {
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    window->exports().exportPicture(wish("digraph", PictureForm::svg), "/nowhere/at/all.svg");
+    window->exports().exportPicture(optionsFor("digraph", PictureForm::svg), "/nowhere/at/all.svg");
     QVERIFY(done.empty());
   }
 
   void dialogOffersPixelsOnlyForTheSolidView() {
     PictureDialog dialog({{"digraph", "Digraph"}, {"3d", "3D"}}, "digraph", true);
-    QCOMPARE(dialog.wish().view, QString("digraph"));
-    QCOMPARE(dialog.wish().picture.form, PictureForm::svg);
-    QCOMPARE(dialog.wish().picture.look.theme, Theme::dark);
-    QVERIFY(!dialog.wish().picture.look.size);
+    QCOMPARE(dialog.options().view, QString("digraph"));
+    QCOMPARE(dialog.options().picture.form, PictureForm::svg);
+    QCOMPARE(dialog.options().picture.look.theme, Theme::dark);
+    QVERIFY(!dialog.options().picture.look.size);
     dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1);
-    QCOMPARE(dialog.wish().picture.form, PictureForm::png);
-    QVERIFY(dialog.wish().picture.look.size.has_value());
-    QVERIFY(!dialog.wish().film);
+    QCOMPARE(dialog.options().picture.form, PictureForm::png);
+    QVERIFY(dialog.options().picture.look.size.has_value());
+    QVERIFY(!dialog.options().film);
     dialog.findChild<QComboBox*>("film")->setCurrentIndex(2);
-    QVERIFY(dialog.wish().film->kind == FilmKind::motion);
+    QVERIFY(dialog.options().film->kind == FilmKind::motion);
     dialog.findChildren<QComboBox*>()[1]->setCurrentIndex(4);
-    QVERIFY(dialog.wish().solid == SolidForm::glb && !dialog.wish().film);
+    QVERIFY(dialog.options().solid == SolidForm::glb && !dialog.options().film);
   }
 };
 

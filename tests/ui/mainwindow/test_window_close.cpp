@@ -91,19 +91,19 @@ class WindowCloseTest : public QObject {
   }
 
   void closingEndsAnExport_data() {
-    QTest::addColumn<PictureWish>("wish");
+    QTest::addColumn<PictureOptions>("wish");
     QTest::addColumn<int>("links");
     QTest::addRow("solids") << pictureIn3d(SolidForm::glb) << 180;
     QTest::addRow("picture") << pictureIn3d(SolidForm::png) << 1000;
-    PictureWish film = pictureIn3d(SolidForm::png);
+    PictureOptions film = pictureIn3d(SolidForm::png);
     film.film = Film{FilmKind::motion, 72, 24, 0};
     QTest::addRow("film") << film << 1000;
     film.solid = SolidForm::pictures;
     QTest::addRow("pictures of a film") << film << 1000;
   }
-  /// No part of a file is left, and at once after the wish none is written at all.
+  /// No part of a file is left, and right after the request none is written at all.
   void closingEndsAnExport() {
-    QFETCH(PictureWish, wish);
+    QFETCH(PictureOptions, wish);
     QFETCH(int, links);
     const Mechanism mechanism = test::deepTrain(links == 180 ? 2 : 1, links);
     for (const int after : {0, 60, 400}) {
@@ -143,8 +143,8 @@ class WindowCloseTest : public QObject {
     return QTest::qWaitForWindowExposed(window.get()) ? std::move(window) : nullptr;
   }
 
-  static PictureWish pictureIn3d(SolidForm form) {
-    PictureWish wish;
+  static PictureOptions pictureIn3d(SolidForm form) {
+    PictureOptions wish;
     wish.view = QStringLiteral("3d");
     wish.solid = form;
     return wish;

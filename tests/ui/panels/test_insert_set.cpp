@@ -46,7 +46,7 @@ class InsertSetTest : public QObject {
   }
   void cleanup() { dialog.reset(); }
 
-  void thePlanetarySetOfAWishedRatioIsTwoClicksAway() {
+  void thePlanetarySetOfARequiredRatioIsTwoClicksAway() {
     type("wishedRatio", QStringLiteral("4"));
     auto* choices = visible<QTableWidget>("choices");
     QCOMPARE(choices->item(0, 3)->text(), QStringLiteral("4"));

@@ -117,10 +117,10 @@ class TestSynthesis : public QObject {
   }
 
   void planetaryChoicesAssembleAndClearAndComeNear() {
-    PlanetaryWish wish;
-    wish.ratio = Rational(4);
-    wish.planets = 4;
-    const auto choices = planetaryChoices(wish);
+    PlanetaryRequirements requirements;
+    requirements.ratio = Rational(4);
+    requirements.planets = 4;
+    const auto choices = planetaryChoices(requirements);
     QVERIFY(!choices.empty());
     QCOMPARE(choices[0].ratio, Rational(4));
     for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -128,19 +128,19 @@ class TestSynthesis : public QObject {
       QVERIFY(assembles(teeth, 4) && neighboursClear(teeth, 4));
       QVERIFY(teeth.sun >= 17 && teeth.planet >= 17 && teeth.ring() <= 120);
       QVERIFY(i == 0 || choices[i - 1].error <= choices[i].error);
-      QCOMPARE(choices[i].ratio, planetaryRatio(teeth, wish.drive, wish.driven));
+      QCOMPARE(choices[i].ratio, planetaryRatio(teeth, requirements.drive, requirements.driven));
     }
-    wish.ratio = Rational(-4);  // sun to carrier never reverses
-    QVERIFY(planetaryChoices(wish).empty());
-    wish.driven = PlanetaryMember::ring;
-    QVERIFY(!planetaryChoices(wish).empty());
+    requirements.ratio = Rational(-4);  // sun to carrier never reverses
+    QVERIFY(planetaryChoices(requirements).empty());
+    requirements.driven = PlanetaryMember::ring;
+    QVERIFY(!planetaryChoices(requirements).empty());
   }
 
   void everyPlanetarySetIsInPhase() {
     for (int planets = 1; planets <= 5; ++planets) {
-      PlanetaryWish wish;
-      wish.planets = planets;
-      const auto choices = planetaryChoices(wish, 3);
+      PlanetaryRequirements requirements;
+      requirements.planets = planets;
+      const auto choices = planetaryChoices(requirements, 3);
       QVERIFY(!choices.empty());
       for (const PlanetaryChoice& choice : choices)
         QVERIFY(isSound(planetarySet(choice.teeth, planets), planets + 1));
@@ -149,11 +149,11 @@ class TestSynthesis : public QObject {
     QVERIFY(!assembles({20, 17}, 3));
   }
 
-  void revertedTrainsComeNearestToTheWish() {
-    RevertedWish wish;
-    wish.ratio = Rational(355, 113);  // pi
-    wish.mostTeeth = 60;
-    const auto choices = revertedChoices(wish);
+  void revertedTrainsComeNearestToTheRequirements() {
+    RevertedRequirements requirements;
+    requirements.ratio = Rational(355, 113);  // pi
+    requirements.mostTeeth = 60;
+    const auto choices = revertedChoices(requirements);
     // Against all there are.
     double best = 1;
     for (int sum = 34; sum <= 120; ++sum) {
@@ -162,7 +162,8 @@ class TestSynthesis : public QObject {
           const int second = sum - first, fourth = sum - third;
           if (std::min(second, fourth) < 17 || std::max(second, fourth) > 60) continue;
           const double ratio = static_cast<double>(second) * fourth / (first * third);
-          best = std::min(best, std::abs(ratio - wish.ratio.toDouble()) / wish.ratio.toDouble());
+          best =
+              std::min(best, std::abs(ratio - requirements.ratio.toDouble()) / requirements.ratio.toDouble());
         }
       }
     }
@@ -175,8 +176,8 @@ class TestSynthesis : public QObject {
     const Mechanism train = revertedTrain(choices[0].teeth);
     QVERIFY(isSound(train, 2));
     QCOMPARE(ratesOf(train)[2].inverse(), choices[0].ratio);
-    wish.ratio = Rational(-2);
-    QVERIFY(revertedChoices(wish).empty());
+    requirements.ratio = Rational(-2);
+    QVERIFY(revertedChoices(requirements).empty());
   }
 
   void theBevelDifferentialSharesTheCasesSpeed() {
