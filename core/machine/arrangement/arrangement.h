@@ -34,7 +34,7 @@ struct Arrangement {
   std::vector<ShaftSegment> shafts;
   std::vector<RingCarrierPlan> ringCarriers;
   std::vector<PinPlan> pins;
-  std::vector<TeePlan> tees;
+  std::vector<CrossShaftBossPlan> crossShaftBosses;
   std::vector<RevolvedPlan> revolvedBodies;
   std::vector<WallPlan>
       walls;  ///< the discs and walls of `revolvedBodies` and `cages`, by their middle surfaces

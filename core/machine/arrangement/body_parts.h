@@ -54,7 +54,7 @@ struct PinPlan {
 };
 
 /// A cross-shaft boss: a link's shaft that ends in a boss around a shaft on an axis across its own.
-struct TeePlan {
+struct CrossShaftBossPlan {
   int link = 0;
   int home = 0;      ///< the link's axis class
   double level = 0;  ///< coordinate of the intersection along it

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "core/machine/arrangement/coaxial_plan.h"
+#include "core/machine/arrangement/cross_shaft_bosses.h"
 #include "core/machine/arrangement/intersecting_arms.h"
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/parallel_arms.h"
 #include "core/machine/arrangement/ring_carriers.h"
 #include "core/machine/arrangement/shaft_extents.h"
-#include "core/machine/arrangement/tees.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -56,7 +56,8 @@ void placeLink(PlanDraft& draft, int link) {
   }
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int c = held[i].first;
-    if (!draft.parallel(home, c) && (i == 0 || held[i - 1].first != c)) placeTee(draft, link, home, c);
+    if (!draft.parallel(home, c) && (i == 0 || held[i - 1].first != c))
+      placeCrossShaftBoss(draft, link, home, c);
   }
   for (const auto& [c, b] : held) {
     if (draft.isStopped()) return;
@@ -88,7 +89,7 @@ void planBodies(PlanDraft& draft) {
   for (int c = 0; c < axes; ++c) {
     if (!draft.isCoaxial(c)) nestShafts(draft, c);
   }
-  trimTees(draft);
+  trimCrossShaftBosses(draft);
 }
 
 }  // namespace geargraph::inline arrangement

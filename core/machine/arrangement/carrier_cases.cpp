@@ -57,7 +57,7 @@ std::vector<PinionBoss> bossesOf(const Arrangement& plan, const std::vector<cons
     const auto isHeld = [&](const auto& each) { return each.link == arm->child; };
     if (std::any_of(plan.arms.begin(), plan.arms.end(), isHeld) ||
         std::any_of(plan.pins.begin(), plan.pins.end(), isHeld) ||
-        std::any_of(plan.tees.begin(), plan.tees.end(), isHeld))
+        std::any_of(plan.crossShaftBosses.begin(), plan.crossShaftBosses.end(), isHeld))
       return {};
     level = along;
     bosses.push_back({arm, intersection, arm->at < intersection ? -1.0 : 1.0});

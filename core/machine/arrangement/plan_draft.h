@@ -25,9 +25,9 @@ struct PlanTries {
   std::map<int, double> roundBearings;
 };
 
-/// An arrangement under construction. The parts of the planner (ring_carriers.h, parallel_arms.h, tees.h,
-/// intersecting_arms.h, shaft_extents.h, nested_shafts.h) read it and add to it; each can be tested by
-/// itself. The arguments of the constructor outlive it.
+/// An arrangement under construction. The parts of the planner (ring_carriers.h, parallel_arms.h,
+/// cross_shaft_bosses.h, intersecting_arms.h, shaft_extents.h, nested_shafts.h) read it and add to it; each
+/// can be tested by itself. The arguments of the constructor outlive it.
 struct PlanDraft {
   /// The axes with their wheels, nothing placed. Cost: that of axisLayouts().
   PlanDraft(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,

@@ -59,7 +59,7 @@ bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment
   return true;
 }
 
-/// Arms, ring carriers, tees and pins of the link that stand on the axis.
+/// Arms, ring carriers, cross-shaft bosses and pins of the link that stand on the axis.
 void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
   const double half = draft.axis(axisClass).width() / 2;
   for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
@@ -72,9 +72,9 @@ void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment
     if (gear.link == link && gear.axisClass == axisClass)
       shaft.include(ringCarrier.plate - half, ringCarrier.plate + half);
   }
-  for (const TeePlan& tee : draft.plan.tees) {
-    if (tee.link == link && tee.home == axisClass) shaft.include(tee.level, tee.level);
-    if (tee.child == link && tee.axisClass == axisClass) shaft.include(tee.low, tee.high);
+  for (const CrossShaftBossPlan& boss : draft.plan.crossShaftBosses) {
+    if (boss.link == link && boss.home == axisClass) shaft.include(boss.level, boss.level);
+    if (boss.child == link && boss.axisClass == axisClass) shaft.include(boss.low, boss.high);
   }
   for (const PinPlan& pin : draft.plan.pins) {
     if (pin.link == link && pin.home == axisClass) shaft.include(pin.level, pin.level);

@@ -124,10 +124,10 @@ class TrainFilter {
       if (pin.home >= 0 && !take(m_classes, pin.home)) continue;
       if (take(m_links, pin.link) && take(m_classes, pin.axisClass)) drawn.pins.push_back(pin);
     }
-    for (TeePlan tee : whole.tees) {
-      if (take(m_links, tee.link) && take(m_links, tee.child) && take(m_classes, tee.home) &&
-          take(m_classes, tee.axisClass))
-        drawn.tees.push_back(tee);
+    for (CrossShaftBossPlan boss : whole.crossShaftBosses) {
+      if (take(m_links, boss.link) && take(m_links, boss.child) && take(m_classes, boss.home) &&
+          take(m_classes, boss.axisClass))
+        drawn.crossShaftBosses.push_back(boss);
     }
   }
 

@@ -208,8 +208,9 @@ void ShaftPlanner::addBearing(int joint) {
   const auto shown =
       std::find_if(bearings.begin(), bearings.end(), [&](const Bearing& b) { return b.joint == joint; });
   const auto pin = std::find_if(arrangement.pins.begin(), arrangement.pins.end(), onAxis);
-  const auto tee = std::find_if(arrangement.tees.begin(), arrangement.tees.end(),
-                                [&](const TeePlan& t) { return onAxis(t) && t.child == bearing.child; });
+  const auto boss =
+      std::find_if(arrangement.crossShaftBosses.begin(), arrangement.crossShaftBosses.end(),
+                   [&](const CrossShaftBossPlan& t) { return onAxis(t) && t.child == bearing.child; });
   std::size_t& spot = m_bearingSpots[at(joint)];
   spot = addSpot(bearing.axis, shown->at);
   bearing.isHeld = bearing.parent == 0;
@@ -227,8 +228,8 @@ void ShaftPlanner::addBearing(int joint) {
     addPin(*pin, bearing);
     bearing.isHeld = true;
     bearing.onPin = bearing.height > 0;
-  } else if (tee != arrangement.tees.end()) {
-    addTee(*tee, bearing);
+  } else if (boss != arrangement.crossShaftBosses.end()) {
+    addCrossShaftBoss(*boss, bearing);
     bearing.isHeld = true;
   } else if (bearing.parent != 0 && axisOfLink(m_train.placement, bearing.parent) == bearing.axis) {
     m_held.push_back({bearing.axis, bearing.parent, spot, 0, 0});
@@ -250,12 +251,12 @@ void ShaftPlanner::addPin(const PinPlan& pin, const SheetBearing& bearing) {
 }
 
 /// The link's shaft comes as near to the intersection as the bars of the bearing.
-void ShaftPlanner::addTee(const TeePlan& tee, const SheetBearing& bearing) {
-  m_spots[m_bearingSpots[at(bearing.joint)]].fixed = intersection(tee.axisClass, tee.home);
-  const std::size_t home = addSpot(tee.home, tee.level);
-  m_spots[home].fixed = intersection(tee.home, tee.axisClass);
+void ShaftPlanner::addCrossShaftBoss(const CrossShaftBossPlan& boss, const SheetBearing& bearing) {
+  m_spots[m_bearingSpots[at(bearing.joint)]].fixed = intersection(boss.axisClass, boss.home);
+  const std::size_t home = addSpot(boss.home, boss.level);
+  m_spots[home].fixed = intersection(boss.home, boss.axisClass);
   const double reach = bearing.height + kBearingGap;
-  m_held.push_back({tee.home, tee.link, home, -reach, -reach});
+  m_held.push_back({boss.home, boss.link, home, -reach, -reach});
 }
 
 void ShaftPlanner::addArm(const SheetBearing& bearing) {

@@ -45,7 +45,7 @@ class ShaftPlanner {
   void addBearing(int joint);
   void addArm(const SheetBearing& bearing);
   void addPin(const PinPlan& pin, const SheetBearing& bearing);
-  void addTee(const TeePlan& tee, const SheetBearing& bearing);
+  void addCrossShaftBoss(const CrossShaftBossPlan& boss, const SheetBearing& bearing);
   void separateArms();
   void spanBearings();
   void sortByPlace(std::vector<std::size_t>& spots, double tolerance);

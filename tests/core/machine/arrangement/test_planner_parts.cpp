@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/machine/arrangement/body_planner.h"
+#include "core/machine/arrangement/cross_shaft_bosses.h"
 #include "core/machine/arrangement/intersecting_arms.h"
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/parallel_arms.h"
@@ -12,7 +13,6 @@
 #include "core/machine/arrangement/shaft_extents.h"
 #include "core/machine/arrangement/shaft_ways.h"
 #include "core/machine/arrangement/simple_plan.h"
-#include "core/machine/arrangement/tees.h"
 #include "core/machine/bodies/complete_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
@@ -264,9 +264,9 @@ class TestPlannerParts : public QObject {
     QVERIFY(pins > 5);
   }
 
-  /// The boss of a tee holds all that turns there on the link; the ground has none.
-  void teesHoldAllOfTheirAxis() {
-    int tees = 0;
+  /// A cross-shaft boss holds all that turns there on the link; the ground has none.
+  void crossShaftBossesHoldAllOfTheirAxis() {
+    int crossShaftBosses = 0;
     for (const auto& [name, mechanism] : someTrains()) {
       Drafted drafted(mechanism);
       PlanDraft& draft = drafted.draft;
@@ -277,22 +277,22 @@ class TestPlannerParts : public QObject {
               std::any_of(held.begin(), held.end(), [c](const auto& h) { return h.first == c; });
           if (!holds) continue;
           const int home = homeOf(draft, static_cast<int>(link));
-          const bool isPlaced = placeTee(draft, static_cast<int>(link), home, c);
+          const bool isPlaced = placeCrossShaftBoss(draft, static_cast<int>(link), home, c);
           QVERIFY2(!isPlaced || link != 0, name.c_str());
           if (!isPlaced) continue;
-          ++tees;
-          const TeePlan& tee = draft.plan.tees.back();
+          ++crossShaftBosses;
+          const CrossShaftBossPlan& boss = draft.plan.crossShaftBosses.back();
           int bosses = 0;
           for (const Bearing& bearing : draft.axis(c).bearings) {
             if (bearing.parent != static_cast<int>(link)) continue;
-            QVERIFY2(bearing.placed && bearing.at == tee.at, name.c_str());
+            QVERIFY2(bearing.placed && bearing.at == boss.at, name.c_str());
             bosses += bearing.isBoss();
           }
           QCOMPARE(bosses, 1);
         }
       }
     }
-    QVERIFY(tees >= 2);
+    QVERIFY(crossShaftBosses >= 2);
   }
 
   /// A shaft about its wheel and its bearing.

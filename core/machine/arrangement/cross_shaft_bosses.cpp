@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/tees.h"
+#include "core/machine/arrangement/cross_shaft_bosses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool isAround(const PlanDraft& draft, int home, int link, double level) {
 
 /// The bearing of the one shaft that a boss at the intersection holds: the one with wheels on both sides of
 /// it; where several have theirs on one side, the nearest, on which the others run. The end: there is none.
-std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisClass, double at) {
+std::vector<Bearing>::iterator heldByCrossShaftBoss(PlanDraft& draft, int link, int axisClass, double at) {
   AxisLayout& target = draft.axis(axisClass);
   std::vector<std::vector<Bearing>::iterator> passing, below, above;
   const auto none = target.bearings.end();
@@ -47,7 +47,7 @@ std::vector<Bearing>::iterator heldByTee(PlanDraft& draft, int link, int axisCla
 
 }  // namespace
 
-bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
+bool placeCrossShaftBoss(PlanDraft& draft, int link, int home, int axisClass) {
   AxisLayout& own = draft.axis(home);
   AxisLayout& target = draft.axis(axisClass);
   const auto intersection = draft.intersectionOf(home, axisClass);
@@ -66,16 +66,16 @@ bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
     if (s.link == link && own.isBelow(s.low, level) && own.isBelow(level, s.high)) return false;
   }
   if (isAround(draft, home, link, level)) return false;
-  const auto through = heldByTee(draft, link, axisClass, at);
+  const auto through = heldByCrossShaftBoss(draft, link, axisClass, at);
   if (through == target.bearings.end()) return false;
-  TeePlan tee{link, home, level, axisClass, at, through->child, at, at};
+  CrossShaftBossPlan boss{link, home, level, axisClass, at, through->child, at, at};
   for (const Bearing& b : target.bearings) {  // what runs on the shaft stands on one side
     const auto wheels = target.wheelsOf(b.child);
     if (&b == &*through || b.parent != link) continue;
     if (!wheels || b.placed) return false;
     if (target.isBelow(wheels->low, at) && target.isBelow(at, wheels->high)) return false;
-    tee.low = std::min(tee.low, wheels->low);
-    tee.high = std::max(tee.high, wheels->high);
+    boss.low = std::min(boss.low, wheels->low);
+    boss.high = std::max(boss.high, wheels->high);
   }
   for (Bearing& b : target.bearings) {
     if (b.parent != link) continue;
@@ -86,24 +86,24 @@ bool placeTee(PlanDraft& draft, int link, int home, int axisClass) {
   const double cosine = std::abs(own.direction.dot(target.direction));
   through->wall = 1 + kShaftRadius * cosine;
   target.occupy(at, link);
-  draft.plan.tees.push_back(tee);
+  draft.plan.crossShaftBosses.push_back(boss);
   return true;
 }
 
-void trimTees(PlanDraft& draft) {
-  for (const TeePlan& tee : draft.plan.tees) {
+void trimCrossShaftBosses(PlanDraft& draft) {
+  for (const CrossShaftBossPlan& boss : draft.plan.crossShaftBosses) {
     const double hole =
-        draft.plan.shaftAt(tee.axisClass, tee.at, tee.link) + 0.08 * draft.axis(tee.axisClass).module;
-    const double sine = draft.axis(tee.home).direction.cross(draft.axis(tee.axisClass).direction).norm();
-    const double cosine = std::abs(draft.axis(tee.home).direction.dot(draft.axis(tee.axisClass).direction));
-    for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(tee.home)]) {
+        draft.plan.shaftAt(boss.axisClass, boss.at, boss.link) + 0.08 * draft.axis(boss.axisClass).module;
+    const double sine = draft.axis(boss.home).direction.cross(draft.axis(boss.axisClass).direction).norm();
+    const double cosine = std::abs(draft.axis(boss.home).direction.dot(draft.axis(boss.axisClass).direction));
+    for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(boss.home)]) {
       ShaftSegment& shaft = draft.plan.shafts[s];
-      if (shaft.link != tee.link) continue;
-      const double off = (hole + 0.4 * draft.axis(tee.home).module + shaft.outer * cosine) / sine;
-      if (std::abs(shaft.high - tee.level) < std::abs(shaft.low - tee.level)) {
-        shaft.high = tee.level - off;
+      if (shaft.link != boss.link) continue;
+      const double off = (hole + 0.4 * draft.axis(boss.home).module + shaft.outer * cosine) / sine;
+      if (std::abs(shaft.high - boss.level) < std::abs(shaft.low - boss.level)) {
+        shaft.high = boss.level - off;
       } else {
-        shaft.low = tee.level + off;
+        shaft.low = boss.level + off;
       }
     }
   }
