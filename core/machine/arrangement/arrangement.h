@@ -39,7 +39,7 @@ struct Arrangement {
   std::vector<WallPlan>
       walls;  ///< the discs and walls of `revolvedBodies` and `cages`, by their middle surfaces
   std::vector<CagePlan> cages;
-  std::vector<StubPlan> stubs;
+  std::vector<PedestalPlan> pedestals;
   FramePlan frame;
   /// Links whose arms, shafts or discs cannot be routed past each other: carrier and carried, or the links of
   /// one axis.

@@ -65,7 +65,7 @@ struct CrossShaftBossPlan {
 };
 
 /// A pedestal for a wheel of the ground that none of the ground's bearings supports.
-struct StubPlan {
+struct PedestalPlan {
   int axisClass = 0;
   double at = 0;
 };

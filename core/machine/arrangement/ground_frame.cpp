@@ -146,12 +146,12 @@ void FrameMaker::findPieces() {
   for (const ShaftSegment& s : m_plan.shafts) {
     if (s.link == 0) m_pieces.push_back({s.axisClass, s.low, s.high, s.outer, false});
   }
-  for (const StubPlan& stub : m_plan.stubs) {
-    const ShaftSegment* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
-    const double half = 0.45 * axis(stub.axisClass).width();
+  for (const PedestalPlan& pedestal : m_plan.pedestals) {
+    const ShaftSegment* shaft = m_plan.shaftOf(pedestal.axisClass, 0, pedestal.at);
+    const double half = 0.45 * axis(pedestal.axisClass).width();
     if (shaft != nullptr)
-      m_pieces.push_back({stub.axisClass, stub.at - half, stub.at + half,
-                          shaft->outer + bossWall(axis(stub.axisClass)), true});
+      m_pieces.push_back({pedestal.axisClass, pedestal.at - half, pedestal.at + half,
+                          shaft->outer + bossWall(axis(pedestal.axisClass)), true});
   }
   for (const RevolvedPlan& revolved : m_plan.revolvedBodies) {
     if (revolved.link != 0) continue;

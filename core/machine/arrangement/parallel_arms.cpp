@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/machine/arrangement/pedestals.h"
-#include "core/machine/arrangement/shaft_ways.h"
+#include "core/machine/arrangement/shaft_clearance.h"
 
 namespace geargraph::inline arrangement {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/machine/arrangement/shaft_ways.h"
+#include "core/machine/arrangement/shaft_clearance.h"
 
 namespace geargraph::inline arrangement {
 

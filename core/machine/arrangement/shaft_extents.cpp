@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/machine/arrangement/shaft_ways.h"
+#include "core/machine/arrangement/shaft_clearance.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -39,7 +39,7 @@ std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link)
 
 /// A wheel of the frame that none of its bearings reaches is on a pedestal of its own, on the side where
 /// nothing crosses its axis.
-void addStub(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
+void addPedestal(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
   AxisLayout& layout = draft.axis(axisClass);
   const double reach = layout.gap() + layout.width() / 2;
   double place = shaft.low - reach;
@@ -48,7 +48,7 @@ void addStub(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
   if (!isBetter(place) && isBetter(other)) place = other;
   shaft.include(place - layout.width() / 2, place + layout.width() / 2);
   layout.occupy(place, 0);
-  draft.plan.stubs.push_back({axisClass, place});
+  draft.plan.pedestals.push_back({axisClass, place});
 }
 
 /// True where the link has wheels here.
@@ -104,7 +104,7 @@ void addShaft(PlanDraft& draft, int axisClass, int link) {
   if (!turns && nearest != nullptr && !isAcross(layout, shaft, nearest->at)) {
     shaft.include(nearest->at - half, nearest->at + half);
   } else if (link == 0 && holdsWheel) {
-    addStub(draft, axisClass, shaft);
+    addPedestal(draft, axisClass, shaft);
   }
   if (shaft.low < shaft.high) {
     shaft.low -= 0.4 * layout.gap();  // neighbours do not touch

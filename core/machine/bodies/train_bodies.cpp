@@ -45,7 +45,7 @@ class BodyBuilder {
     for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) addRingCarrier(ringCarrier);
     for (const RevolvedPlan& plan : m_plan.revolvedBodies) addRevolved(plan);
     for (const CagePlan& plan : m_plan.cages) addCage(plan);
-    for (const StubPlan& stub : m_plan.stubs) addStub(stub);
+    for (const PedestalPlan& pedestal : m_plan.pedestals) addPedestal(pedestal);
     addFrame(m_plan.frame);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
@@ -114,7 +114,7 @@ class BodyBuilder {
   }
 
   void addFlange(int c, double at, double hole, double outer);
-  void addStub(const StubPlan& stub);
+  void addPedestal(const PedestalPlan& pedestal);
   [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
   void addArms();
   void addSpider(std::span<const ArmPlan* const> arms);
@@ -163,15 +163,15 @@ void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
 }
 
 /// A collar about the shaft, with feet.
-void BodyBuilder::addStub(const StubPlan& stub) {
-  const AxisLayout& layout = axis(stub.axisClass);
-  const ShaftSegment* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
+void BodyBuilder::addPedestal(const PedestalPlan& pedestal) {
+  const AxisLayout& layout = axis(pedestal.axisClass);
+  const ShaftSegment* shaft = m_plan.shaftOf(pedestal.axisClass, 0, pedestal.at);
   if (shaft == nullptr) return;
   const double half = 0.45 * layout.width();
   const double hole = 0.5 * (shaft->inner + shaft->outer);
   const double outer = shaft->outer + bossWall(layout);
-  add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
-  if (isOnPedestal(stub.axisClass, stub.at)) addFlange(stub.axisClass, stub.at, hole, outer);
+  add(0, TubePart{outer, hole, pedestal.at - half, pedestal.at + half}, layout, line(layout));
+  if (isOnPedestal(pedestal.axisClass, pedestal.at)) addFlange(pedestal.axisClass, pedestal.at, hole, outer);
 }
 
 /// Does no gear of another axis come nearer to this one, beside the coordinate?

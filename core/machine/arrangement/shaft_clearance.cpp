@@ -1,4 +1,4 @@
-#include "core/machine/arrangement/shaft_ways.h"
+#include "core/machine/arrangement/shaft_clearance.h"
 
 #include <algorithm>
 #include <cmath>
