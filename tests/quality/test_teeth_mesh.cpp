@@ -98,7 +98,7 @@ GearTrain bevelPair(int a, int b, double degrees) {
 /// cone.
 Solid bevelOfPlainTeeth(const GearSpec& spec) {
   GearSpec flat = standardGear(GearKind::external, spec.teeth, 1, 1);
-  flat.thinning = spec.thinning;
+  flat.backlashAllowance = spec.backlashAllowance;
   const HalfTooth tooth = externalTooth(flat, kExportTolerance);
   const double mu = spec.module / coneDistance(spec);
   GearBlank blank;
@@ -247,7 +247,7 @@ class TestTeethMesh : public QObject {
     for (GearTrain train :
          {spurPair(20, 40, MeshKind::external), spurPair(20, 60, MeshKind::internal),
           spurPair(52, 60, MeshKind::internal), bevelPair(20, 40, 90), bevelPair(20, 30, 60)}) {
-      for (TrainGear& gear : train.gears) gear.spec.thinning = 0;
+      for (TrainGear& gear : train.gears) gear.spec.backlashAllowance = 0;
       const test::MeshReport r = Measured(std::move(train)).report(0);
       QVERIFY2(r.interpenetration <= 0.002, qPrintable(words(r)));
       QVERIFY2(r.mostBacklash <= 0.01, qPrintable(words(r)));
@@ -303,7 +303,7 @@ class TestTeethMesh : public QObject {
     const Mechanism mechanism = isRobot ? test::example("robot") : test::planetary(12, 18, 3);
     const Placement placement = placementOf(mechanism);
     GearTrain train = geargraph::trainOf(mechanism, placement);
-    for (TrainGear& gear : train.gears) gear.spec.thinning = 0;
+    for (TrainGear& gear : train.gears) gear.spec.backlashAllowance = 0;
     const Eigen::VectorXd rates = test::rollingRates(mechanism, placement, train, {1, 0.3, -0.4, 0.7, 0.2});
     QVERIFY(rates.cwiseAbs().minCoeff() > 0.01);
     const Measured measured(train);
@@ -376,7 +376,7 @@ class TestTeethMesh : public QObject {
 
   void theWrongVirtualToothNumberShows() {
     GearTrain train = bevelPair(20, 40, 90);
-    for (TrainGear& gear : train.gears) gear.spec.thinning = 0;
+    for (TrainGear& gear : train.gears) gear.spec.backlashAllowance = 0;
     const TrainMesh& m = train.meshes.front();
     const GearSpec& spec = train.gears.front().spec;
     const double radius = coneDistance(spec) - spec.faceWidth / 2;

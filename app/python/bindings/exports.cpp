@@ -118,7 +118,7 @@ py::list gears(const Snapshot& self) {
     values["module"] = spec.module;
     values["pressure_angle"] = spec.pressureAngle;
     values["profile_shift"] = spec.profileShift;
-    values["thinning"] = spec.thinning;
+    values["thinning"] = spec.backlashAllowance;
     values["cone_angle"] = spec.coneAngle;
     values["face_width"] = spec.faceWidth;
     values["bore"] = spec.bore;

@@ -92,7 +92,7 @@ std::size_t GearCache::KeyHash::operator()(const Key& key) const {
   std::size_t seed = static_cast<std::size_t>(s.teeth) * 8 + static_cast<std::size_t>(s.kind) * 2 +
                      static_cast<std::size_t>(s.body);
   for (const double v :
-       {s.module, s.pressureAngle, s.profileShift, s.thinning, s.addendum, s.dedendum, s.rootRadius,
+       {s.module, s.pressureAngle, s.profileShift, s.backlashAllowance, s.addendum, s.dedendum, s.rootRadius,
         s.tipRadius, s.coneAngle, s.faceWidth, s.bore, s.rim, s.hub, key.tolerance}) {
     seed = seed * 1000003 + std::hash<double>{}(v);
   }

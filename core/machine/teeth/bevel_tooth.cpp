@@ -63,7 +63,7 @@ CrownRack::CrownRack(const GearSpec& spec) {
   sinAlpha = std::sin(alpha);
   psiB = std::atan2(sinAlpha * sinDelta, cosDelta);
   amplitude = std::hypot(sinAlpha * sinDelta, cosDelta);
-  lam0 = (pi / 4 + spec.profileShift * std::tan(alpha) - spec.thinning / 2) * mu;
+  lam0 = (pi / 4 + spec.profileShift * std::tan(alpha) - spec.backlashAllowance / 2) * mu;
   tip = delta + std::atan((spec.addendum + spec.profileShift) * mu);
   halfPitch = pi / spec.teeth;
   const double depth = std::atan((spec.dedendum - spec.profileShift) * mu);

@@ -36,7 +36,7 @@ Generation::Generation(const GearSpec& spec) {
   alpha = spec.pressureAngle;
   rp = teeth / 2.0;
   rb = rp * std::cos(alpha);
-  const double s = pi / 2 + 2 * spec.profileShift * std::tan(alpha) - spec.thinning;
+  const double s = pi / 2 + 2 * spec.profileShift * std::tan(alpha) - spec.backlashAllowance;
   psiB = s / teeth + involute(alpha);
   ra = spec.tipRadius > 0 ? spec.tipRadius : rp + spec.addendum + spec.profileShift;
   rho = spec.rootRadius;

@@ -23,7 +23,7 @@ struct GearSpec {
   double module = 1;                                   ///< at the reference circle; bevel: at the large end
   double pressureAngle = 20 * std::numbers::pi / 180;  ///< rad
   double profileShift = 0;  ///< positive: external teeth thicker and taller, ring spaces wider and deeper
-  double thinning =
+  double backlashAllowance =
       0;  ///< backlash allowance of this gear: reduction of the tooth thickness at the pitch circle, modules
   double addendum = 1;
   double dedendum = 1.25;

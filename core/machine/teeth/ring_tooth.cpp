@@ -36,7 +36,7 @@ struct RingSpace {
 RingSpace::RingSpace(const GearSpec& spec) {
   const double rp = spec.teeth / 2.0;
   rb = rp * std::cos(spec.pressureAngle);
-  const double space = pi / 2 + 2 * spec.profileShift * std::tan(spec.pressureAngle) + spec.thinning;
+  const double space = pi / 2 + 2 * spec.profileShift * std::tan(spec.pressureAngle) + spec.backlashAllowance;
   psiB = space / spec.teeth + involute(spec.pressureAngle);
   rf = rp + spec.dedendum + spec.profileShift;
   // A space that would close before the root circle is cut less deep.

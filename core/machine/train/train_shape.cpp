@@ -199,7 +199,7 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
     }
     double backlash = defaults && defaults->backlash ? defaults->backlash->value() : kDefaultBacklash;
     if (drawn != nullptr && drawn->backlash) backlash = drawn->backlash->value();
-    wheel.spec.thinning = backlash / 2;
+    wheel.spec.backlashAllowance = backlash / 2;
     if (drawn != nullptr && drawn->bore) wheel.spec.bore = drawn->bore->value();
     fixed.push_back(drawn != nullptr && drawn->profileShift.has_value());
     if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();

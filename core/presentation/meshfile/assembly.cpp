@@ -47,7 +47,7 @@ void writeGear(JsonWriter& out, const AssemblyGear& gear, const std::string& fil
     out.member("width", gear.width);
   }
   out.member("bore", gear.bore);
-  out.member("thinning", gear.thinning);
+  out.member("thinning", gear.backlashAllowance);
   writeOptional(out, "ha", gear.addendum);
   writeOptional(out, "hf", gear.dedendum);
   writeOptional(out, "rho", gear.rootRadius);

@@ -20,10 +20,10 @@ struct AssemblyGear {
   double module = 0;  ///< at the reference circle
   double pressureAngle = 0;
   double profileShift = 0;
-  double width = 0;      ///< face width; bevel: along the cone
-  double bore = 0;       ///< diameter, 0: none
-  double coneAngle = 0;  ///< bevel: between axis and pitch cone
-  double thinning = 0;   ///< backlash allowance on the reference circle: reduction of the tooth thickness
+  double width = 0;                ///< face width; bevel: along the cone
+  double bore = 0;                 ///< diameter, 0: none
+  double coneAngle = 0;            ///< bevel: between axis and pitch cone
+  double backlashAllowance = 0;    ///< on the reference circle: reduction of the tooth thickness
   std::optional<double> addendum;  ///< this and the following, if different from the standard rack
   std::optional<double> dedendum;
   std::optional<double> rootRadius;

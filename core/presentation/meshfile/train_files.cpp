@@ -58,7 +58,7 @@ AssemblyGear assemblyGear(const TrainGear& source, const GearSpec& spec, std::sh
   gear.width = spec.faceWidth;
   gear.bore = spec.bore;
   gear.coneAngle = spec.coneAngle;
-  gear.thinning = spec.thinning * spec.module;
+  gear.backlashAllowance = spec.backlashAllowance * spec.module;
   gear.addendum = spec.addendum;
   gear.dedendum = spec.dedendum;
   gear.rootRadius = spec.rootRadius;

@@ -118,7 +118,7 @@ class TestGearSolid : public QObject {
                                                   : 3;
            teeth <= 45; ++teeth) {
         GearSpec spec = gear(static_cast<int>(kind), teeth, 40, 0);
-        spec.thinning = 0.02;
+        spec.backlashAllowance = 0.02;
         const test::Topology topology = test::topologyOf(*gearSolid(spec, kScreenTolerance));
         QVERIFY2(topology.closed && topology.manifold && topology.degenerate == 0,
                  qPrintable(QString("kind %1, %2 teeth").arg(static_cast<int>(kind)).arg(teeth)));

@@ -13,10 +13,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kAlpha = 20 * kPi / 180;
 
-GearSpec gear(GearKind kind, int teeth, double shift = 0, double thinning = 0) {
+GearSpec gear(GearKind kind, int teeth, double shift = 0, double backlashAllowance = 0) {
   GearSpec spec = standardGear(kind, teeth, 1, 5);
   spec.profileShift = shift;
-  spec.thinning = thinning;
+  spec.backlashAllowance = backlashAllowance;
   return spec;
 }
 

@@ -18,7 +18,7 @@ Assembly twoGears() {
   pinion.module = 1;
   pinion.pressureAngle = 20 * M_PI / 180;
   pinion.width = 5;
-  pinion.thinning = 0.02;
+  pinion.backlashAllowance = 0.02;
   pinion.solid = std::make_shared<const Solid>(cog(12, 6, 5));
   AssemblyGear& bevel = assembly.gears.emplace_back(pinion);
   bevel.name = "15:head";

@@ -13,7 +13,7 @@ namespace {
 constexpr double kModule = 2;
 
 void addGear(Assembly& assembly, const std::string& name, GearSpec spec, const Eigen::Isometry3d& pose) {
-  spec.thinning = 0.02;
+  spec.backlashAllowance = 0.02;
   AssemblyGear& gear = assembly.gears.emplace_back();
   gear.name = name;
   gear.kind = spec.kind == GearKind::bevel      ? MeshKind::bevel
