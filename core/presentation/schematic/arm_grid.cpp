@@ -47,7 +47,7 @@ std::vector<double> merged(std::vector<double> exact, const std::vector<double>&
   return lanes;
 }
 
-// --- tolls ---
+// --- weights ---
 
 double squareToSegment(SheetPoint p, SheetPoint from, SheetPoint to) {
   const SheetPoint along = to - from;
@@ -111,26 +111,28 @@ struct Bounds {
   }
 };
 
-struct Toll {
+struct EdgeWeight {
   double touch = kCrossing;  ///< on the line
   double near = kCrowded;    ///< beside it
-  static Toll along(double stretch) { return {kCrossing + kOnLine * stretch, kCrowded + kBeside * stretch}; }
+  static EdgeWeight along(double stretch) {
+    return {kCrossing + kOnLine * stretch, kCrowded + kBeside * stretch};
+  }
   [[nodiscard]] double at(double square) const {
     return square < kTouch * kTouch ? touch : (square < kNear * kNear ? near : 0);
   }
 };
 
-/// Charges the edges near lines, one line after the other.
-class Charger {
+/// Adds to the weights of edges near lines, one line after the other.
+class EdgeWeigher {
  public:
-  Charger(const ArmGrid& grid, ArmTolls& tolls)
+  EdgeWeigher(const ArmGrid& grid, ArmEdgeWeights& weights)
       : m_grid(grid),
-        m_tolls(tolls),
+        m_weights(weights),
         m_square(grid.columns()),
         m_touch(grid.columns()),
         m_near(grid.columns()) {}
 
-  void charge(const LinkLine& line) {
+  void add(const LinkLine& line) {
     const Extent box = Extent::spanning(line.from, line.to).grown(kNear);
     const auto before = [](std::size_t i) { return i > 0 ? i - 1 : 0; };
     const std::size_t left = firstFrom(m_grid.xs, box.left()), top = firstFrom(m_grid.ys, box.top());
@@ -139,11 +141,11 @@ class Charger {
     const Range level{before(left), std::min(right + 1, columns - 1), top, std::min(bottom + 1, rows)};
     const Range upright{left, std::min(right + 1, columns), before(top), std::min(bottom + 1, rows - 1)};
     if (line.from.x == line.to.x || line.from.y == line.to.y) {
-      chargeLevel(line, level);
-      chargeUpright(line, upright);
+      addLevel(line, level);
+      addUpright(line, upright);
     } else {
-      chargeSlanting(line, level, true);
-      chargeSlanting(line, upright, false);
+      addSlanting(line, level, true);
+      addSlanting(line, upright, false);
     }
   }
 
@@ -156,25 +158,25 @@ class Charger {
 
   // A straight line's distance from an edge is made of one number for the row and one for the column.
 
-  void chargeLevel(const LinkLine& line, const Range& range) {
+  void addLevel(const LinkLine& line, const Range& range) {
     const auto& [xs, ys] = m_grid;
     const bool isLevel = line.from.y == line.to.y;
     for (std::size_t c = range.left; c < range.right; ++c) {
       const double gap = gapBetween(xs[c], xs[c + 1], line.from.x, line.to.x);
       m_square[c] = gap * gap;
       const double stretch = isLevel ? stretchBeside(xs[c], xs[c + 1], line.from.x, line.to.x) : 0;
-      m_touch[c] = Toll::along(stretch).touch;
-      m_near[c] = Toll::along(stretch).near;
+      m_touch[c] = EdgeWeight::along(stretch).touch;
+      m_near[c] = EdgeWeight::along(stretch).near;
     }
     for (std::size_t r = range.top; r < range.bottom; ++r) {
       const double gap = gapBetween(ys[r], ys[r], line.from.y, line.to.y);
-      double* const tolls = m_tolls.level.data() + r * m_grid.columns();
+      double* const weights = m_weights.level.data() + r * m_grid.columns();
       for (std::size_t c = range.left; c < range.right; ++c)
-        tolls[c] += Toll{m_touch[c], m_near[c]}.at(m_square[c] + gap * gap);
+        weights[c] += EdgeWeight{m_touch[c], m_near[c]}.at(m_square[c] + gap * gap);
     }
   }
 
-  void chargeUpright(const LinkLine& line, const Range& range) {
+  void addUpright(const LinkLine& line, const Range& range) {
     const auto& [xs, ys] = m_grid;
     const bool isLevel = line.from.y == line.to.y;
     for (std::size_t c = range.left; c < range.right; ++c) {
@@ -183,14 +185,14 @@ class Charger {
     }
     for (std::size_t r = range.top; r < range.bottom; ++r) {
       const double gap = gapBetween(ys[r], ys[r + 1], line.from.y, line.to.y);
-      const Toll toll =
-          isLevel ? Toll{} : Toll::along(stretchBeside(ys[r], ys[r + 1], line.from.y, line.to.y));
-      double* const tolls = m_tolls.upright.data() + r * m_grid.columns();
-      for (std::size_t c = range.left; c < range.right; ++c) tolls[c] += toll.at(m_square[c] + gap * gap);
+      const EdgeWeight weight =
+          isLevel ? EdgeWeight{} : EdgeWeight::along(stretchBeside(ys[r], ys[r + 1], line.from.y, line.to.y));
+      double* const weights = m_weights.upright.data() + r * m_grid.columns();
+      for (std::size_t c = range.left; c < range.right; ++c) weights[c] += weight.at(m_square[c] + gap * gap);
     }
   }
 
-  void chargeSlanting(const LinkLine& line, const Range& range, bool level) {
+  void addSlanting(const LinkLine& line, const Range& range, bool level) {
     const auto& [xs, ys] = m_grid;
     const SheetPoint along = unit(line.to - line.from);
     const bool runsAlong = std::abs(level ? along.y : along.x) < 0.3;
@@ -200,22 +202,22 @@ class Charger {
       m_bounds[c] = Bounds(xs[c], xs[c + right], line.from.x, line.to.x);
     for (std::size_t r = range.top; r < range.bottom; ++r) {
       const Bounds ofRow(ys[r], ys[r + down], line.from.y, line.to.y);
-      double* const tolls = (level ? m_tolls.level : m_tolls.upright).data() + r * m_grid.columns();
+      double* const weights = (level ? m_weights.level : m_weights.upright).data() + r * m_grid.columns();
       for (std::size_t c = range.left; c < range.right; ++c) {
         const SheetPoint from{xs[c], ys[r]}, to{xs[c + right], ys[r + down]};
         const double stretch = !runsAlong ? 0
                                : level    ? stretchBeside(from.x, to.x, line.from.x, line.to.x)
                                           : stretchBeside(from.y, to.y, line.from.y, line.to.y);
         const std::optional<double> clear = (m_bounds[c] + ofRow).ifClear();
-        tolls[c] += Toll::along(stretch).at(clear ? *clear : squareApart(line, from, to));
+        weights[c] += EdgeWeight::along(stretch).at(clear ? *clear : squareApart(line, from, to));
       }
     }
   }
 
   const ArmGrid& m_grid;
-  ArmTolls& m_tolls;
+  ArmEdgeWeights& m_weights;
   std::vector<double> m_square;  ///< by column: of the distance along the rows
-  std::vector<double> m_touch;   ///< by column: the tolls on a line and beside it
+  std::vector<double> m_touch;   ///< by column: the weights on a line and beside it
   std::vector<double> m_near;
   std::vector<Bounds> m_bounds;  ///< by column: along the rows
 };
@@ -286,13 +288,13 @@ ArmGrid ArmLanes::gridWith(const std::vector<SheetPoint>& ends) const {
   return {merged(std::move(exactX), m_x.preferred, apart), merged(std::move(exactY), m_y.preferred, apart)};
 }
 
-void ArmTolls::charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
+void ArmEdgeWeights::add(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
   level.assign(grid.nodes(), 0);
   upright.assign(grid.nodes(), 0);
   if (grid.nodes() == 0) return;
-  Charger charger(grid, *this);
+  EdgeWeigher weigher(grid, *this);
   for (const LinkLine& line : lines) {
-    if (line.link != link) charger.charge(line);
+    if (line.link != link) weigher.add(line);
   }
 }
 

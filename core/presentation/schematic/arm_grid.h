@@ -56,13 +56,13 @@ class ArmLanes {
 
 /// The edge weights of a grid for the arms of a link, in addition to length: for crossing lines of other
 /// links, and for running beside them.
-struct ArmTolls {
+struct ArmEdgeWeights {
   std::vector<double> level;    ///< by node: the edge to the right
   std::vector<double> upright;  ///< by node: the edge down
 
   /// Computes the weights for a link; contributions are added in the order of the lines. Cost: O(lines +
   /// pairs of a line and a near edge).
-  void charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
+  void add(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
 };
 
 }  // namespace geargraph::inline schematic

@@ -56,8 +56,8 @@ std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<Li
                                                   const std::vector<SheetPoint>& targets,
                                                   const std::vector<double>& prices,
                                                   const std::stop_token& stop) {
-  m_tolls.charge(m_grid, m_lines, link);
-  m_search.begin(m_grid, m_tolls);
+  m_weights.add(m_grid, m_lines, link);
+  m_search.begin(m_grid, m_weights);
   const auto begin = [&](const LinkLine& line) {
     for (const std::size_t node : m_grid.nodesOn(line)) m_search.addStart(node, line.hold);
   };

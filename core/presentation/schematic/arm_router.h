@@ -37,7 +37,7 @@ class ArmRouter {
 
   ArmGrid m_grid;
   std::vector<LinkLine> m_lines;
-  ArmTolls m_tolls;
+  ArmEdgeWeights m_weights;
   ArmSearch m_search;
 };
 

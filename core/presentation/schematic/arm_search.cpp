@@ -16,9 +16,9 @@ constexpr std::size_t kAbreast = 4;  ///< rows at a time, since each waits for i
 
 }  // namespace
 
-void ArmSearch::begin(const ArmGrid& grid, const ArmTolls& tolls) {
+void ArmSearch::begin(const ArmGrid& grid, const ArmEdgeWeights& weights) {
   m_grid = &grid;
-  m_tolls = &tolls;
+  m_weights = &weights;
   m_level.assign(grid.nodes(), kFar);
   m_upright.assign(grid.nodes(), kFar);
   m_start.assign(grid.nodes(), kFar);
@@ -78,7 +78,7 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
   struct Row {
     double* level;
     const double* upright;
-    const double* tolls;
+    const double* weights;
     double most;
     bool isNew;
   };
@@ -86,12 +86,12 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
   for (std::size_t k = 0; k < kAbreast; ++k) {
     const std::size_t r = rows[std::min(k, count - 1)];  // the last one again does no harm
     const std::size_t first = r * columns;
-    each[k] = {m_level.data() + first, m_upright.data() + first, m_tolls->level.data() + first,
+    each[k] = {m_level.data() + first, m_upright.data() + first, m_weights->level.data() + first,
                m_most - m_rowAhead[r], false};
   }
-  const auto step = [&](Row& row, std::size_t from, std::size_t to, double length, double toll) {
-    const double straight = row.level[from] + length + toll;
-    const double bent = row.upright[from] + length + kBend + toll;
+  const auto step = [&](Row& row, std::size_t from, std::size_t to, double length, double weight) {
+    const double straight = row.level[from] + length + weight;
+    const double bent = row.upright[from] + length + kBend + weight;
     const double cost = std::min(straight, bent);
     const double known = row.level[to];
     const double worth = std::min({known, row.most - m_columnAhead[to], row.upright[to] + kOther});
@@ -100,11 +100,11 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
   };
   for (std::size_t c = 0; c + 1 < columns; ++c) {
     const double length = m_grid->xs[c + 1] - m_grid->xs[c];
-    for (Row& row : each) step(row, c, c + 1, length, row.tolls[c]);
+    for (Row& row : each) step(row, c, c + 1, length, row.weights[c]);
   }
   for (std::size_t c = columns - 1; c > 0; --c) {
     const double length = m_grid->xs[c] - m_grid->xs[c - 1];
-    for (Row& row : each) step(row, c, c - 1, length, row.tolls[c - 1]);
+    for (Row& row : each) step(row, c, c - 1, length, row.weights[c - 1]);
   }
   for (std::size_t k = 0; k < count; ++k) {
     Pending& pending = m_pending[rows[k]];
@@ -116,7 +116,7 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
 
 /// From a row to the next one. What gets cheaper there goes on the same way, and along the row; back again
 /// would be a detour.
-void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, const double* tolls,
+void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, const double* weights,
                            bool Pending::*onward) {
   const std::size_t columns = m_grid->columns();
   const double* const level = m_level.data() + from * columns;
@@ -127,8 +127,8 @@ void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, cons
   const double most = m_most - m_rowAhead[to];
   std::int64_t signs = 0;  // of all differences: so several columns are done at a time
   for (std::size_t c = 0; c < columns; ++c) {
-    const double bent = level[c] + length + kBend + tolls[c];
-    const double straight = upright[c] + length + tolls[c];
+    const double bent = level[c] + length + kBend + weights[c];
+    const double straight = upright[c] + length + weights[c];
     const double cost = bent < straight ? bent : straight;
     const double known = next[c], within = most - ahead[c], useful = other[c] + kOther;
     const double least = within < useful ? within : useful;
@@ -150,24 +150,25 @@ std::optional<std::size_t> ArmSearch::before(std::size_t state) const {
   if (m_start[node] == costOf(state)) return std::nullopt;
   std::optional<std::size_t> best;
   double least = kFar;
-  const auto consider = [&](std::size_t neighbour, double length, double toll) {
+  const auto consider = [&](std::size_t neighbour, double length, double weight) {
     for (const std::size_t way : {0, 1}) {
       const std::size_t from = 2 * neighbour + way;
-      const double cost = costOf(from) + length + (way == state % 2 ? 0 : kBend) + toll;
+      const double cost = costOf(from) + length + (way == state % 2 ? 0 : kBend) + weight;
       if (cost == kFar || cost > least || (cost == least && costOf(from) >= costOf(*best))) continue;
       least = cost;
       best = from;
     }
   };
   if (state % 2 == 0) {
-    if (column > 0) consider(node - 1, m_grid->xs[column] - m_grid->xs[column - 1], m_tolls->level[node - 1]);
+    if (column > 0)
+      consider(node - 1, m_grid->xs[column] - m_grid->xs[column - 1], m_weights->level[node - 1]);
     if (column + 1 < columns)
-      consider(node + 1, m_grid->xs[column + 1] - m_grid->xs[column], m_tolls->level[node]);
+      consider(node + 1, m_grid->xs[column + 1] - m_grid->xs[column], m_weights->level[node]);
   } else {
     if (row > 0)
-      consider(node - columns, m_grid->ys[row] - m_grid->ys[row - 1], m_tolls->upright[node - columns]);
+      consider(node - columns, m_grid->ys[row] - m_grid->ys[row - 1], m_weights->upright[node - columns]);
     if (row + 1 < m_grid->rows())
-      consider(node + columns, m_grid->ys[row + 1] - m_grid->ys[row], m_tolls->upright[node]);
+      consider(node + columns, m_grid->ys[row + 1] - m_grid->ys[row], m_weights->upright[node]);
   }
   return best;
 }
@@ -175,12 +176,12 @@ std::optional<std::size_t> ArmSearch::before(std::size_t state) const {
 void ArmSearch::goAcross() {
   const std::size_t last = m_grid->rows() - 1, columns = m_grid->columns();
   const auto length = [&](std::size_t row) { return m_grid->ys[row + 1] - m_grid->ys[row]; };
-  const auto tolls = [&](std::size_t row) { return m_tolls->upright.data() + row * columns; };
+  const auto weights = [&](std::size_t row) { return m_weights->upright.data() + row * columns; };
   for (std::size_t r = 0; r < last; ++r) {
-    if (m_pending[r].down) acrossRows(r, r + 1, length(r), tolls(r), &Pending::down);
+    if (m_pending[r].down) acrossRows(r, r + 1, length(r), weights(r), &Pending::down);
   }
   for (std::size_t r = last; r > 0; --r) {
-    if (m_pending[r].up) acrossRows(r, r - 1, length(r - 1), tolls(r - 1), &Pending::up);
+    if (m_pending[r].up) acrossRows(r, r - 1, length(r - 1), weights(r - 1), &Pending::up);
   }
   m_pending[last].down = m_pending[0].up = false;
 }

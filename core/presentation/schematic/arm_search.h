@@ -15,7 +15,7 @@ namespace geargraph::inline schematic {
 class ArmSearch {
  public:
   /// Begins a new search, reusing the memory. Both arguments outlive the search.
-  void begin(const ArmGrid& grid, const ArmTolls& tolls);
+  void begin(const ArmGrid& grid, const ArmEdgeWeights& weights);
 
   /// Adds a start node with its cost.
   void addStart(std::size_t node, double hold);
@@ -59,7 +59,7 @@ class ArmSearch {
   void goAcross();
   [[nodiscard]] std::optional<End> cheapestEnd() const;
   void alongRows(const std::size_t* rows, std::size_t count);
-  void acrossRows(std::size_t from, std::size_t to, double length, const double* tolls,
+  void acrossRows(std::size_t from, std::size_t to, double length, const double* weights,
                   bool Pending::*onward);
   [[nodiscard]] double costOf(std::size_t state) const {
     return (state % 2 == 0 ? m_level : m_upright)[state / 2];
@@ -67,7 +67,7 @@ class ArmSearch {
   [[nodiscard]] std::optional<std::size_t> before(std::size_t state) const;
 
   const ArmGrid* m_grid = nullptr;
-  const ArmTolls* m_tolls = nullptr;
+  const ArmEdgeWeights* m_weights = nullptr;
   std::vector<double> m_level;    ///< by node: cost of the cheapest path that reaches it horizontally
   std::vector<double> m_upright;  ///< and vertically
   std::vector<double> m_start;    ///< by node

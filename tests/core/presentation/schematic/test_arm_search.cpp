@@ -16,7 +16,7 @@ struct End {
 
 /// The textbook's search: settles states one by one, the cheapest first, then the first. A state is a node
 /// and how it was reached; behind them come the targets that have a price.
-std::optional<ArmSearch::Way> dijkstra(const ArmGrid& grid, const ArmTolls& tolls,
+std::optional<ArmSearch::Way> dijkstra(const ArmGrid& grid, const ArmEdgeWeights& weights,
                                        const std::vector<End>& starts, const std::vector<End>& ends) {
   const std::size_t columns = grid.columns(), states = 2 * grid.nodes();
   std::vector<double> best(states + ends.size(), std::numeric_limits<double>::infinity());
@@ -50,21 +50,22 @@ std::optional<ArmSearch::Way> dijkstra(const ArmGrid& grid, const ArmTolls& toll
       reach(states + t, cost + ends[t].price, state);
     }
     const auto step = [&, cost = cost, state = state](std::size_t next, std::size_t way, double length,
-                                                      double toll) {
-      reach(2 * next + way, cost + length + (way == state % 2 ? 0 : 30) + toll, state);
+                                                      double weight) {
+      reach(2 * next + way, cost + length + (way == state % 2 ? 0 : 30) + weight, state);
     };
-    if (column + 1 < columns) step(node + 1, 0, grid.xs[column + 1] - grid.xs[column], tolls.level[node]);
-    if (column > 0) step(node - 1, 0, grid.xs[column] - grid.xs[column - 1], tolls.level[node - 1]);
-    if (row + 1 < grid.rows()) step(node + columns, 1, grid.ys[row + 1] - grid.ys[row], tolls.upright[node]);
-    if (row > 0) step(node - columns, 1, grid.ys[row] - grid.ys[row - 1], tolls.upright[node - columns]);
+    if (column + 1 < columns) step(node + 1, 0, grid.xs[column + 1] - grid.xs[column], weights.level[node]);
+    if (column > 0) step(node - 1, 0, grid.xs[column] - grid.xs[column - 1], weights.level[node - 1]);
+    if (row + 1 < grid.rows())
+      step(node + columns, 1, grid.ys[row + 1] - grid.ys[row], weights.upright[node]);
+    if (row > 0) step(node - columns, 1, grid.ys[row] - grid.ys[row - 1], weights.upright[node - columns]);
   }
   return std::nullopt;
 }
 
-ArmTolls tollsOf(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
-  ArmTolls tolls;
-  tolls.charge(grid, lines, link);
-  return tolls;
+ArmEdgeWeights weightsOf(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
+  ArmEdgeWeights weights;
+  weights.add(grid, lines, link);
+  return weights;
 }
 
 /// Lines of some links, most of them level or upright; on whole places many ways cost the same.
@@ -88,7 +89,7 @@ std::vector<LinkLine> randomLines(std::mt19937& random, bool whole) {
 /// A grid, what its edges cost, where ways may begin and end.
 struct Roads {
   ArmGrid grid;
-  ArmTolls tolls;
+  ArmEdgeWeights weights;
   std::vector<End> starts;
   std::vector<End> ends;
 
@@ -98,7 +99,7 @@ struct Roads {
       ArmLanes lanes;
       lanes.follow(lines);
       grid = lanes.gridWith({});
-      tolls = tollsOf(grid, lines, 1);
+      weights = weightsOf(grid, lines, 1);
     } else {
       const bool whole = random() % 2 == 0;
       for (auto* lanes : {&grid.xs, &grid.ys}) {
@@ -110,7 +111,7 @@ struct Roads {
         }
       }
       const std::vector<double> prices{0, 0, 0, whole ? 20 : 17.3, whole ? 10 : 9.7, 400};
-      for (auto* edges : {&tolls.level, &tolls.upright}) {
+      for (auto* edges : {&weights.level, &weights.upright}) {
         for (std::size_t i = 0; i < grid.nodes(); ++i) edges->push_back(prices[random() % prices.size()]);
       }
     }
@@ -155,9 +156,9 @@ class TestArmSearch : public QObject {
   void anArmPaysForCrossingAndForRunningBesideOthers() {
     const ArmGrid grid{{0, 50, 100}, {0, 8, 30}};
     const std::vector<LinkLine> lines{{{-20, 0}, {120, 0}, 1, 0}, {{75, 20}, {75, 60}, 2, 0}};
-    const ArmTolls others = tollsOf(grid, lines, 1);
+    const ArmEdgeWeights others = weightsOf(grid, lines, 1);
     QCOMPARE(others.level, (std::vector<double>{0, 0, 0, 0, 0, 0, 0, 400, 0}));  // across the second
-    const ArmTolls both = tollsOf(grid, lines, 3);
+    const ArmEdgeWeights both = weightsOf(grid, lines, 3);
     QCOMPARE(both.level[0], 400 + 40 * 50.0);  // on the first line
     QCOMPARE(both.level[3], 20 + 4 * 50.0);    // 8 px beside it
     QCOMPARE(both.level[6], 0.0);
@@ -166,7 +167,7 @@ class TestArmSearch : public QObject {
   }
 
   /// A line that slants by next to nothing costs what a straight one does.
-  void tollsOfStraightAndOfSlantingLinesAreOfOneKind() {
+  void weightsOfStraightAndOfSlantingLinesAreOfOneKind() {
     std::mt19937 random(9);
     for (int trial = 0; trial < 30; ++trial) {
       std::vector<LinkLine> lines = randomLines(random, false);
@@ -179,7 +180,7 @@ class TestArmSearch : public QObject {
         line.to.x += 1e-11;
         line.to.y += 1e-11;
       }
-      const ArmTolls straight = tollsOf(grid, lines, 0), slanting = tollsOf(grid, turned, 0);
+      const ArmEdgeWeights straight = weightsOf(grid, lines, 0), slanting = weightsOf(grid, turned, 0);
       for (std::size_t node = 0; node < grid.nodes(); ++node) {
         QVERIFY(std::abs(straight.level[node] - slanting.level[node]) < 1e-6);
         QVERIFY(std::abs(straight.upright[node] - slanting.upright[node]) < 1e-6);
@@ -193,11 +194,11 @@ class TestArmSearch : public QObject {
     ArmSearch search;  // for all of them, so that nothing of one may stay for the next
     for (int trial = 0; trial < 4000; ++trial) {
       const Roads roads(random);
-      search.begin(roads.grid, roads.tolls);
+      search.begin(roads.grid, roads.weights);
       for (const End& start : roads.starts) search.addStart(start.node, start.price);
       for (std::size_t t = 0; t < roads.ends.size(); ++t)
         search.addTarget(roads.ends[t].node, roads.ends[t].price, t);
-      const auto expected = dijkstra(roads.grid, roads.tolls, roads.starts, roads.ends);
+      const auto expected = dijkstra(roads.grid, roads.weights, roads.starts, roads.ends);
       const auto way = search.cheapest();
       QCOMPARE(way.has_value(), expected.has_value());
       if (!way) continue;
@@ -210,9 +211,9 @@ class TestArmSearch : public QObject {
 
   void ofWaysThatCostTheSameItIsTheFirst() {
     const ArmGrid grid{{0, 10, 20}, {0}};
-    const ArmTolls tolls{{0, 0, 0}, {0, 0, 0}};
+    const ArmEdgeWeights weights{{0, 0, 0}, {0, 0, 0}};
     ArmSearch search;
-    search.begin(grid, tolls);
+    search.begin(grid, weights);
     search.addStart(2, 0);
     search.addStart(0, 0);
     search.addTarget(1, 0, 0);
