@@ -196,7 +196,7 @@ int Round::reach(int net, const std::vector<RouteTerminal>& terminals, Places& s
   while (!m_search.isDone() || !ways.empty()) {
     if (m_stop.stop_requested()) return -1;
     if (ways.empty() || (!m_search.isDone() && !m_search.isBeyond(ways.top().first))) {
-      for (const int cell : m_search.settleLot()) {
+      for (const int cell : m_search.settleBucket()) {
         for (int e = m_endAt[at(cell)]; e >= 0; e = m_ends[at(e)].next)
           ways.push({m_search.cost(cell) + m_places[at(e)].second, e});
       }

@@ -7,7 +7,7 @@ namespace geargraph::inline arrangement {
 namespace {
 
 constexpr double kFar = ProfileOwners::kFar;
-constexpr double kMostLots = 4096;
+constexpr double kMostBuckets = 4096;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -85,10 +85,10 @@ void ProfileSearch::lookAhead(const Places& ends) {
   spread(m_rowAhead, [&](std::size_t r) { return m_grid.rowCost[r]; });
 }
 
-/// As many lots as lie between the first front and one that was reached from it: a step costs its price, and
-/// as much again where it leads away from the ends. A lot may span more than the cheapest step: its cells are
-/// then settled again as cheaper ways to them are found.
-void ProfileSearch::makeLots(const Places& sources) {
+/// As many buckets as lie between the first front and one that was reached from it: a step costs its price,
+/// and as much again where it leads away from the ends. A bucket may span more than the cheapest step: its
+/// cells are then settled again as cheaper ways to them are found.
+void ProfileSearch::makeBuckets(const Places& sources) {
   double low = kFar, high = 0, dearest = 0;
   for (const auto& [cell, cost] : sources) {
     const double rank =
@@ -100,11 +100,11 @@ void ProfileSearch::makeLots(const Places& sources) {
     dearest = std::max({dearest, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
   dearest += *std::max_element(m_extra.begin(), m_extra.end());
   const double span = std::max(2 * dearest, high - low);
-  m_perStep = std::min(1 / m_cheapest, kMostLots / span);
-  m_lots.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
+  m_perStep = std::min(1 / m_cheapest, kMostBuckets / span);
+  m_buckets.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
   m_fronts.clear();
   m_waiting = 0;
-  m_lot = sources.empty() ? 0 : lotOf(low);
+  m_bucket = sources.empty() ? 0 : bucketOf(low);
 }
 
 namespace {
@@ -198,7 +198,7 @@ bool ProfileSearch::begin(const ProfileOwners& owners, std::initializer_list<std
   }
   m_extra = extra;
   lookAhead(ends);
-  makeLots(sources);
+  makeBuckets(sources);
   m_from.resize(m_cost.size());
   for (const auto& [cell, cost] : sources) {
     if (cost >= m_cost[at(cell)]) continue;
@@ -209,10 +209,10 @@ bool ProfileSearch::begin(const ProfileOwners& owners, std::initializer_list<std
   return true;
 }
 
-const std::vector<int>& ProfileSearch::settleLot() {
+const std::vector<int>& ProfileSearch::settleBucket() {
   m_settled.clear();
-  while (lot(m_lot) < 0) ++m_lot;
-  int& first = lot(m_lot);
+  while (bucket(m_bucket) < 0) ++m_bucket;
+  int& first = bucket(m_bucket);
   while (first >= 0) {  // more may come
     const Front front = m_fronts[at(first)];
     first = front.next;
@@ -221,7 +221,7 @@ const std::vector<int>& ProfileSearch::settleLot() {
     m_settled.push_back(front.cell);
     relax(front);
   }
-  ++m_lot;
+  ++m_bucket;
   return m_settled;
 }
 

@@ -73,7 +73,7 @@ class ProfileOwners {
 /// to.
 ///
 /// Cells are settled in the order of their rank (A*): the cost of the path to the cell plus a lower bound of
-/// the remaining cost. They are settled bucket by bucket (lots): a bucket has the cells whose ranks are
+/// the remaining cost. They are settled bucket by bucket: a bucket has the cells whose ranks are
 /// within the cost of one step, so no heap is needed. Of paths with equal cost the one over the cheaper cell,
 /// then over the cell with the smaller number is kept: paths do not depend on the order of settling.
 ///
@@ -94,10 +94,10 @@ class ProfileSearch {
   [[nodiscard]] bool isDone() const { return m_waiting == 0; }
   /// Are all cells settled that are on a path of at most this cost, its end included? (And one bucket more,
   /// because ranks along a path may decrease by rounding.)
-  [[nodiscard]] bool isBeyond(double cost) const { return lotOf(cost) + 1 < m_lot; }
+  [[nodiscard]] bool isBeyond(double cost) const { return bucketOf(cost) + 1 < m_bucket; }
   /// Settles the next bucket and returns its cells, valid until the next call; a cell may occur twice.
   /// @pre !isDone()
-  [[nodiscard]] const std::vector<int>& settleLot();
+  [[nodiscard]] const std::vector<int>& settleBucket();
 
   [[nodiscard]] double cost(int cell) const { return m_cost[static_cast<std::size_t>(cell)]; }
   /// The previous cell on the path; -1: the path begins here.
@@ -111,19 +111,19 @@ class ProfileSearch {
     int column = 0;
     int next = -1;  ///< next of the same bucket: position in m_fronts; -1: none
   };
-  [[nodiscard]] long lotOf(double cost) const { return static_cast<long>(cost * m_perStep); }
-  [[nodiscard]] int& lot(long number) {
-    return m_lots[static_cast<std::size_t>(number) & (m_lots.size() - 1)];
+  [[nodiscard]] long bucketOf(double cost) const { return static_cast<long>(cost * m_perStep); }
+  [[nodiscard]] int& bucket(long number) {
+    return m_buckets[static_cast<std::size_t>(number) & (m_buckets.size() - 1)];
   }
   [[nodiscard]] bool isJoined(const ProfileBits& bits, const Places& sources, const Places& ends);
   void fill(std::size_t column);
   bool spread(std::size_t column);
   void lookAhead(const Places& ends);
-  void makeLots(const Places& sources);
+  void makeBuckets(const Places& sources);
   void push(double cost, int cell, int column) {
     const double rank = cost + (m_columnAhead[static_cast<std::size_t>(column)] +
                                 m_rowAhead[static_cast<std::size_t>(cell - column * m_grid.rows)]);
-    int& first = lot(std::max(lotOf(rank), m_lot));
+    int& first = bucket(std::max(bucketOf(rank), m_bucket));
     m_fronts.push_back({cost, cell, column, first});
     first = static_cast<int>(m_fronts.size()) - 1;
     ++m_waiting;
@@ -143,15 +143,15 @@ class ProfileSearch {
   std::vector<char> m_plates;         ///< by column
   std::span<const double> m_extra;    ///< by cell
   std::vector<Front> m_fronts;        ///< of the whole search
-  std::vector<int> m_lots;  ///< buckets: the last front of each, -1: none; as many as the most expensive step
-                            ///< spans, in a ring; a power of two
+  std::vector<int> m_buckets;  ///< the last front of each, -1: none; as many as the most expensive step
+                               ///< spans, in a ring; a power of two
   std::vector<int> m_settled;
   std::size_t m_perColumn = 0;          ///< words
   std::vector<std::uint64_t> m_open;    ///< by column and word: cells that are open
   std::vector<std::uint64_t> m_joined;  ///< of these: connected to a source
   std::vector<char> m_isSpread;         ///< by column: nothing was joined since it was processed
   std::size_t m_waiting = 0;            ///< fronts in all buckets
-  long m_lot = 0;                       ///< the next bucket
+  long m_bucket = 0;                    ///< the next bucket
 };
 
 }  // namespace geargraph::inline arrangement

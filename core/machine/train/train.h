@@ -45,9 +45,9 @@ struct TrainMesh {
 /// it.
 struct LinkBody {
   int link = 0;
-  double module = 1;                           ///< the smallest of its parts
-  std::shared_ptr<const DeferredSolid> fine;   ///< chordal error at most kBodyTolerance, made on first use
-  std::shared_ptr<const DeferredSolid> rough;  ///< coarse: at most kFarthestTolerance
+  double module = 1;                            ///< the smallest of its parts
+  std::shared_ptr<const DeferredSolid> fine;    ///< chordal error at most kBodyTolerance, made on first use
+  std::shared_ptr<const DeferredSolid> coarse;  ///< at most kFarthestTolerance
   std::shared_ptr<const std::vector<BodyPart>> recipe = {};  ///< what the solids are made of (BodyRecipe)
 
   [[nodiscard]] const Solid& solid() const { return *fine->solid(); }

@@ -262,7 +262,7 @@ void ArmLanes::follow(const std::vector<LinkLine>& lines) {
     const LinkLine& line = lines[m_known];
     ask(m_x.preferred, line.from.x, line.to.x);
     ask(m_y.preferred, line.from.y, line.to.y);
-    if (line.hold < 0) continue;  // arms may begin on the others
+    if (line.penalty < 0) continue;  // arms may begin on the others
     const bool upright = std::abs(line.from.x - line.to.x) < 1e-6;
     const bool level = std::abs(line.from.y - line.to.y) < 1e-6;
     for (const SheetPoint p : {line.from, line.to}) {

@@ -13,7 +13,7 @@ struct LinkLine {
   SheetPoint to;
   int link = 0;
   /// The cost of connecting an arm of the link here; below 0: no arm begins here.
-  double hold = 0;
+  double penalty = 0;
 };
 
 /// The lanes on which arms run, ascending. Nodes are their intersections, row by row.

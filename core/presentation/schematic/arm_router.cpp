@@ -59,11 +59,11 @@ std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<Li
   m_weights.add(m_grid, m_lines, link);
   m_search.begin(m_grid, m_weights);
   const auto begin = [&](const LinkLine& line) {
-    for (const std::size_t node : m_grid.nodesOn(line)) m_search.addStart(node, line.hold);
+    for (const std::size_t node : m_grid.nodesOn(line)) m_search.addStart(node, line.penalty);
   };
   for (const LinkLine& line : starts) begin(line);
   for (const LinkLine& line : m_lines) {
-    if (starts.empty() && line.link == link && line.hold >= 0) begin(line);
+    if (starts.empty() && line.link == link && line.penalty >= 0) begin(line);
   }
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto node = m_grid.nodeAt(targets[t]);

@@ -27,9 +27,9 @@ void ArmSearch::begin(const ArmGrid& grid, const ArmEdgeWeights& weights) {
   m_most = kFar;
 }
 
-void ArmSearch::addStart(std::size_t node, double hold) {
-  if (hold >= m_start[node]) return;
-  m_start[node] = m_level[node] = m_upright[node] = hold;
+void ArmSearch::addStart(std::size_t node, double penalty) {
+  if (penalty >= m_start[node]) return;
+  m_start[node] = m_level[node] = m_upright[node] = penalty;
   m_pending[node / m_grid->columns()] = {true, true, true};
 }
 

@@ -18,7 +18,7 @@ class ArmSearch {
   void begin(const ArmGrid& grid, const ArmEdgeWeights& weights);
 
   /// Adds a start node with its cost.
-  void addStart(std::size_t node, double hold);
+  void addStart(std::size_t node, double penalty);
   /// Adds a target node with its cost. Of several at one node the cheapest counts, then the first.
   void addTarget(std::size_t node, double price, std::size_t number);
 

@@ -82,7 +82,7 @@ class CouplingPlacer {
     std::vector<Plates> places;
     for (const double stem : kStems) {
       for (const LinkLine& line : m_section.lines) {
-        if (line.link != link || line.hold < 0 || distance(line.from, line.to) < 2 * kSample) continue;
+        if (line.link != link || line.penalty < 0 || distance(line.from, line.to) < 2 * kSample) continue;
         const SheetPoint along = unit(line.to - line.from);
         const double whole = distance(line.from, line.to);
         for (double at = kSample; at <= whole - kSample / 2; at += kSample) {

@@ -138,10 +138,10 @@ void StageBuilder::noteToothless(const TrainGear& gear) {
 
 void StageBuilder::addBody(const LinkBody& body) {
   const bool keeps = m_memory != nullptr;
-  const auto rough = keeps ? m_memory->bodies().deferred(*body.recipe, kFarthestTolerance) : body.rough;
+  const auto coarse = keeps ? m_memory->bodies().deferred(*body.recipe, kFarthestTolerance) : body.coarse;
   const auto fine = keeps ? m_memory->bodies().deferred(*body.recipe, kBodyTolerance) : body.fine;
-  const Solid& solid = *rough->solid();
-  Instance& instance = add(body.link, rough->solid(), Pose::Identity());
+  const Solid& solid = *coarse->solid();
+  Instance& instance = add(body.link, coarse->solid(), Pose::Identity());
   levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, fine}}};
   const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
   if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);

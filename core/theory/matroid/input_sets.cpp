@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/foundations/exact/sparse_expansion.h"
-#include "core/theory/matroid/base_counter.h"
-#include "core/theory/matroid/base_lister.h"
+#include "core/theory/matroid/basis_count.h"
+#include "core/theory/matroid/basis_enumeration.h"
 #include "core/theory/matroid/live_solution.h"
 
 namespace geargraph::inline matroid {
@@ -71,7 +71,7 @@ std::optional<Rational> InputSets::count(const std::stop_token& stop) const {
 std::vector<std::vector<int>> InputSets::list(std::size_t limit, const std::stop_token& stop) const {
   if (limit == 0) return {};
   if (m_rates.size() * m_inputs.size() > kMostListed) return neighbours(limit);
-  auto sets = listBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
+  auto sets = enumerateBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
   return sets ? std::move(*sets) : neighbours(limit);
 }
 

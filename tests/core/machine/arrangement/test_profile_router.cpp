@@ -197,7 +197,7 @@ class ProfileRouterTest : public QObject {
       });
       QCOMPARE(search.begin(ProfileOwners(grid, bits), {}, extra, sources, ends), isReached);
       if (!isReached) continue;
-      while (!search.isDone() && !search.isBeyond(total(nearest))) (void)search.settleLot();
+      while (!search.isDone() && !search.isBeyond(total(nearest))) (void)search.settleBucket();
       if (costs[static_cast<std::size_t>(nearest.first)] == kUnreached) continue;
       ++found;
       for (int c = nearest.first; c >= 0; c = search.from(c)) {

@@ -123,7 +123,7 @@ class TestLargeTrains : public QObject {
     std::set<int> links;
     for (const LinkBody& body : train.bodies) {
       links.insert(body.link);
-      const Solid& solid = *body.rough->solid();
+      const Solid& solid = *body.coarse->solid();
       QVERIFY(!solid.triangles.empty());
       for (const Float3& p : solid.positions)
         QVERIFY(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));

@@ -80,8 +80,8 @@ std::vector<LinkLine> randomLines(std::mt19937& random, bool whole) {
     const SheetPoint from{number(400), number(250)};
     const unsigned way = static_cast<unsigned>(random() % 7);
     const SheetPoint to{way < 3 ? from.x : number(400), way > 0 && way < 5 ? number(250) : from.y};
-    const double hold = std::array<double, 3>{0, 60, -1}[random() % 3];
-    lines.push_back({from, to, static_cast<int>(random() % 4) - 1, hold});
+    const double penalty = std::array<double, 3>{0, 60, -1}[random() % 3];
+    lines.push_back({from, to, static_cast<int>(random() % 4) - 1, penalty});
   }
   return lines;
 }

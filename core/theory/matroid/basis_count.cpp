@@ -1,11 +1,11 @@
-#include "core/theory/matroid/base_counter.h"
+#include "core/theory/matroid/basis_count.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>
 
-#include "core/theory/matroid/base_sweep.h"
+#include "core/theory/matroid/basis_sweep.h"
 
 namespace geargraph::inline matroid {
 namespace {
@@ -182,7 +182,7 @@ class Counter {
     for (long patience = kFirstPatience; patience < m_steps; patience *= 4) {
       for (const Representation& elements : orders) {
         long steps = patience;
-        auto value = BaseSweep(m_field, elements).count(steps, m_stop);
+        auto value = BasisSweep(m_field, elements).count(steps, m_stop);
         m_steps -= patience - steps;
         if (value) return value;
         if (m_stop.stop_requested()) return std::nullopt;

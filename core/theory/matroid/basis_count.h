@@ -19,7 +19,7 @@ namespace geargraph::inline matroid {
 ///    Columns likewise are series elements: weights w1 w2 / (w1 + w2), and the count is (w1 + w2) times the
 ///    rest's.
 /// 2. The counts of independent components are multiplied.
-/// 3. The rest is decided element by element (base_sweep.h).
+/// 3. The rest is decided element by element (basis_sweep.h).
 [[nodiscard]] std::optional<Rational> countBases(
     const PrimeField& field, const std::vector<int>& unitOrder,
     const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows,

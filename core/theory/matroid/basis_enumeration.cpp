@@ -1,4 +1,4 @@
-#include "core/theory/matroid/base_lister.h"
+#include "core/theory/matroid/basis_enumeration.h"
 
 #include <algorithm>
 
@@ -104,7 +104,7 @@ class Lister {
 
 }  // namespace
 
-std::optional<std::vector<std::vector<int>>> listBases(
+std::optional<std::vector<std::vector<int>>> enumerateBases(
     const PrimeField& field, int rank, const std::vector<std::vector<std::pair<int, Residue>>>& rows,
     std::size_t limit, const std::stop_token& stop) {
   Rest all{0, rank, {}};

@@ -25,10 +25,10 @@ struct Representation {
 /// over the undecided elements, kept in reduced echelon form; equal spaces are one state, so a train with
 /// loosely coupled parts has few states at a time. A state stores only the rows that decisions have changed.
 /// Rank 2 has a closed form.
-class BaseSweep {
+class BasisSweep {
  public:
   /// Both arguments outlive it.
-  BaseSweep(const PrimeField& field, const Representation& elements) : m_field(field), m_given(elements) {}
+  BasisSweep(const PrimeField& field, const Representation& elements) : m_field(field), m_given(elements) {}
 
   /// Counts `steps` down; std::nullopt once none are left, or if `stop` was requested.
   /// @pre the vectors have rank `rank`
