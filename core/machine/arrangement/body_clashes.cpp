@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Modules by which parts may lie in each other unnoticed: chamfers, chords, and what touches.
 constexpr double kUnseen = 0.15;
 
-/// A hull in a ball that holds it.
+/// A hull and its bounding sphere.
 struct Part {
   BodyHull hull;
   Vector3 middle{};

@@ -77,7 +77,7 @@ double depthIn(const Outline& outline, const Eigen::Vector2d& p) {
   return holds(outline, p) ? nearest : -nearest;
 }
 
-/// Radius of a ball that an outline's wheel fits in.
+/// The radius of the bounding sphere of the wheel of an outline.
 double sizeOf(const Outline& outline) {
   double radius = 0, low = 1e300, high = -1e300;
   for (const Eigen::Vector2d& c : outline) {

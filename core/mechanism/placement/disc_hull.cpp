@@ -37,12 +37,12 @@ Vector3 farthest(const DiscHull& hull, const Vector3& direction) {
   return best;
 }
 
-/// A ball that holds the hull.
-struct Ball {
+/// The bounding sphere of a hull.
+struct BoundingSphere {
   Vector3 centre{};
   double radius = 0;
 
-  explicit Ball(const DiscHull& hull) {
+  explicit BoundingSphere(const DiscHull& hull) {
     for (const Disc& disc : hull) centre = centre + (1.0 / static_cast<double>(hull.size())) * disc.centre;
     for (const Disc& disc : hull) radius = std::max(radius, length(disc.centre - centre) + disc.radius);
   }
@@ -119,12 +119,12 @@ class Simplex {
 
 bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
   GEARGRAPH_REQUIRE(!a.empty() && !b.empty());
-  const Ball ballA(a), ballB(b);
-  const double size = ballA.radius + ballB.radius;
+  const BoundingSphere sphereA(a), sphereB(b);
+  const double size = sphereA.radius + sphereB.radius;
   const double near = margin + kTouch * size;
-  if (length(ballA.centre - ballB.centre) > size + near) return false;
+  if (length(sphereA.centre - sphereB.centre) > size + near) return false;
   Simplex simplex;
-  Vector3 nearest = ballA.centre - ballB.centre;  // no point of the difference, but a direction
+  Vector3 nearest = sphereA.centre - sphereB.centre;  // no point of the difference, but a direction
   if (length(nearest) == 0) return true;
   simplex.add(farthest(a, -1.0 * nearest) - farthest(b, nearest));
   for (int i = 0; i < kMostSteps; ++i) {

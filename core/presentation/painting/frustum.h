@@ -7,12 +7,12 @@
 namespace geargraph::inline painting {
 
 /// The bounding sphere of a solid, in its own frame; radius 0 for an empty solid.
-struct Ball {
+struct BoundingSphere {
   Eigen::Vector3d centre{0, 0, 0};
   double radius = 0;
 
-  [[nodiscard]] static Ball about(const Eigen::AlignedBox3d& box) {
-    return box.isEmpty() ? Ball{} : Ball{box.center(), 0.5 * box.diagonal().norm()};
+  [[nodiscard]] static BoundingSphere about(const Eigen::AlignedBox3d& box) {
+    return box.isEmpty() ? BoundingSphere{} : BoundingSphere{box.center(), 0.5 * box.diagonal().norm()};
   }
 };
 

@@ -30,7 +30,7 @@ constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose ed
 const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                     GlSolid::Part part) {
   const double nearest =
-      (middle - frame.camera.eye()).dot(frame.camera.forward()) - m_solids.ballOf(shape).radius;
+      (middle - frame.camera.eye()).dot(frame.camera.forward()) - m_solids.sphereOf(shape).radius;
   const double pixelsAtTarget = m_solids.unitOf(shape) / frame.camera.millimetresPerPixel(frame.viewport);
   return m_solids.get(
       shape, pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance()),
@@ -250,10 +250,10 @@ void GlRenderer::drawCaps(const Frame& frame) {
   int count = 0;
   constexpr auto kTriangles = GlSolid::Part::triangles;
   eachInstance(frame, clip(frame), Showing::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
-    const Ball& ball = m_solids.ballOf(m_scene.instances[i].solid);
-    const Eigen::Vector3d centre = pose(frame, i) * ball.centre;
+    const BoundingSphere& sphere = m_solids.sphereOf(m_scene.instances[i].solid);
+    const Eigen::Vector3d centre = pose(frame, i) * sphere.centre;
     const double above = section.normal.dot(centre) - section.offset;
-    if (std::abs(above) > ball.radius || m_scene.instances[i].isOpen) return;
+    if (std::abs(above) > sphere.radius || m_scene.instances[i].isOpen) return;
     m_gl->Disable(GL_CULL_FACE);
     m_gl->Disable(GL_DEPTH_TEST);
     m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -268,8 +268,8 @@ void GlRenderer::drawCaps(const Frame& frame) {
     m_gl->StencilFunc(GL_NOTEQUAL, 0, 255);
     m_gl->StencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
     square.centre = centre - above * section.normal;
-    square.right = ball.radius * right;
-    square.upward = ball.radius * section.normal.cross(right);
+    square.right = sphere.radius * right;
+    square.upward = sphere.radius * section.normal.cross(right);
     m_passes.cap(view, through, square, m_scene.instances[i].colour, ++count % 2 == 0);
     m_gl->Enable(GL_CULL_FACE);
   });

@@ -137,7 +137,7 @@ class GlRenderer final : public Renderer {
 
   const Scene& m_scene = m_solids.scene();
   const Bounds& m_bounds = m_solids.bounds();
-  Ball m_depths{{0, 0, 0}, 2.5};  ///< everything between the near and far planes
+  BoundingSphere m_depths{{0, 0, 0}, 2.5};  ///< everything between the near and far planes
   struct Batch {
     const GlSolid* solid = nullptr;
     bool isOpen = false;
@@ -162,9 +162,9 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
   for (std::size_t i = 0; i < m_scene.instances.size() && !frame.stop.stop_requested(); ++i) {
     if (showing(frame, i) != wanted) continue;
     const std::size_t shape = m_scene.instances[i].solid;
-    const Ball& ball = m_solids.ballOf(shape);
-    const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
-    if (!frustum.mayShow(middle, ball.radius)) continue;
+    const BoundingSphere& sphere = m_solids.sphereOf(shape);
+    const Eigen::Vector3d middle = pose(frame, i) * sphere.centre;
+    if (!frustum.mayShow(middle, sphere.radius)) continue;
     visit(i, detailed(frame, shape, middle, part));
   }
 }

@@ -9,8 +9,8 @@ namespace geargraph::inline painting {
 void GlSolidStore::measure() {
   for (std::size_t i = m_scene.boxes.size(); i < m_scene.solids.size(); ++i)
     m_scene.boxes.push_back(m_scene.boxOf(i));
-  m_balls.clear();
-  for (const Eigen::AlignedBox3d& box : m_scene.boxes) m_balls.push_back(Ball::about(box));
+  m_spheres.clear();
+  for (const Eigen::AlignedBox3d& box : m_scene.boxes) m_spheres.push_back(BoundingSphere::about(box));
   m_bounds = boundsOf(m_scene);
 }
 

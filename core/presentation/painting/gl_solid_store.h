@@ -22,7 +22,7 @@ class GlSolidStore {
   /// The bounds of all instances in their poses, as boundsOf(), and of each solid in its own frame. Boxes
   /// that the scene lacks are computed once.
   [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
-  [[nodiscard]] const Ball& ballOf(std::size_t solid) const { return m_balls[solid]; }
+  [[nodiscard]] const BoundingSphere& sphereOf(std::size_t solid) const { return m_spheres[solid]; }
   /// The unit of the solid's levels, mm; 0 where it has no levels.
   [[nodiscard]] double unitOf(std::size_t solid) const {
     return solid < m_scene.levels.size() ? m_scene.levels[solid].unit : 0;
@@ -36,7 +36,7 @@ class GlSolidStore {
   const GlInstances& m_instances;
   Scene m_scene;  ///< keeps the solids alive, so that their addresses stay unique
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
-  std::vector<Ball> m_balls;  ///< by solid
+  std::vector<BoundingSphere> m_spheres;  ///< by solid
   Bounds m_bounds;
 };
 
