@@ -40,21 +40,21 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
 void addIntersections(const Placement& placement, std::vector<AxisLayout>& layouts,
                       const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
-  const auto topOf = [&](std::size_t c) { return classes.classes[c].top; };
-  std::vector<std::vector<std::size_t>> heldBy(placement.tree->joint.size());  // classes by their top link
-  std::vector<std::vector<std::size_t>> above(layouts.size());  // whose top turns about this one
+  const auto rootOf = [&](std::size_t c) { return classes.classes[c].rootLink; };
+  std::vector<std::vector<std::size_t>> heldBy(placement.tree->joint.size());  // classes by their root link
+  std::vector<std::vector<std::size_t>> above(layouts.size());  // whose root link turns about this one
   for (std::size_t c = 0; c < layouts.size(); ++c) {
-    heldBy[static_cast<std::size_t>(topOf(c))].push_back(c);
-    const int home = classes.classOfLink(topOf(c));
+    heldBy[static_cast<std::size_t>(rootOf(c))].push_back(c);
+    const int home = classes.classOfLink(rootOf(c));
     if (home >= 0) above[static_cast<std::size_t>(home)].push_back(c);
   }
   for (std::size_t c = 0; c < layouts.size() && !stop.stop_requested(); ++c) {
     AxisLayout& layout = layouts[c];
     double pull = 0;
     std::vector<std::size_t> related = above[c];
-    const std::vector<std::size_t>& beside = heldBy[static_cast<std::size_t>(topOf(c))];
+    const std::vector<std::size_t>& beside = heldBy[static_cast<std::size_t>(rootOf(c))];
     related.insert(related.end(), beside.begin(), beside.end());
-    const int home = classes.classOfLink(topOf(c));
+    const int home = classes.classOfLink(rootOf(c));
     if (home >= 0) related.push_back(static_cast<std::size_t>(home));
     std::sort(related.begin(), related.end());
     related.erase(std::unique(related.begin(), related.end()), related.end());

@@ -192,7 +192,7 @@ std::vector<CasePlan> carrierCases(const Arrangement& plan, const GearTrain& tra
   if (plan.isSimple) return {};
   std::map<std::pair<int, int>, std::vector<const ArmPlan*>> carriers;  // by link and its axis
   for (const ArmPlan& arm : plan.arms) {
-    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].top == 0;
+    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].rootLink == 0;
     if (arm.link != 0 && isOnGround) carriers[{arm.link, arm.from}].push_back(&arm);
   }
   std::optional<CaseMaker> maker;

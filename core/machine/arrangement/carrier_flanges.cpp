@@ -219,7 +219,7 @@ std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain&
   if (plan.isSimple) return {};
   std::map<std::pair<int, int>, std::vector<const ArmPlan*>> carriers;  // by link and its axis
   for (const ArmPlan& arm : plan.arms) {
-    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].top == 0;
+    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].rootLink == 0;
     if (arm.link != 0 && isOnGround) carriers[{arm.link, arm.from}].push_back(&arm);
   }
   std::vector<FlangePlan> flanges;

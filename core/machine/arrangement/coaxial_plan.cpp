@@ -448,25 +448,25 @@ bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain
   const AxisClasses& classes = *placement.classes;
   const JointTree& tree = *placement.tree;
   const auto isOf = [&](int link) { return classes.classOfLink(link) == axisClass; };
-  if (classes.classes[at(axisClass)].top != 0) return false;
+  if (classes.classes[at(axisClass)].rootLink != 0) return false;
   int rings = 0;
   for (const TrainGear& gear : train.gears) {
     if (gear.axisClass == axisClass && gear.spec.kind == GearKind::internal) ++rings;
     if (gear.axisClass == axisClass && gear.spec.kind == GearKind::bevel) return false;
     if (gear.axisClass == axisClass && gear.link != 0 && !isOf(gear.link)) return false;
-    const int top = classes.classes[at(gear.axisClass)].top;
-    if (gear.axisClass == axisClass || !isOf(top)) continue;
+    const int rootLink = classes.classes[at(gear.axisClass)].rootLink;
+    if (gear.axisClass == axisClass || !isOf(rootLink)) continue;
     if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(gear.link) == gear.axisClass))
       return false;
   }
   if (rings < 2) return false;
   for (std::size_t c = 0; c < classes.classes.size(); ++c) {
-    const int top = classes.classes[c].top;
-    if (isOf(top)) {  // planets: on parallel axes, and nothing on them
+    const int rootLink = classes.classes[c].rootLink;
+    if (isOf(rootLink)) {  // planets: on parallel axes, and nothing on them
       const auto own = placement.lineOfClass(axisClass).direction;
       const auto other = placement.lineOfClass(static_cast<int>(c)).direction;
       if (std::abs(std::abs(dot(own, other)) - 1) > 1e-9) return false;
-    } else if (top != 0 && isOf(tree.parent[at(top)])) {
+    } else if (rootLink != 0 && isOf(tree.parent[at(rootLink)])) {
       return false;
     }
   }

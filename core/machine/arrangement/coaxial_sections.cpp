@@ -140,13 +140,13 @@ void SectionMaker::findWheels() {
     if (other.direction.cross(m_axis.direction).norm() > 1e-6) continue;
     const Eigen::Vector3d apart = other.point - m_axis.point;
     wheel.distance = (apart - apart.dot(m_axis.direction) * m_axis.direction).norm();
-    const int top = classes.classes[at(c)].top;
-    const bool inRing = top == 0 && meshesInside(g);  // the ground is a carrier, too
-    if (classes.classOfLink(top) != m_class && !inRing) {
+    const int rootLink = classes.classes[at(c)].rootLink;
+    const bool inRing = rootLink == 0 && meshesInside(g);  // the ground is a carrier, too
+    if (classes.classOfLink(rootLink) != m_class && !inRing) {
       m_beside.push_back(wheel);
       continue;
     }
-    CoaxialPlanets& p = planets.try_emplace(c, CoaxialPlanets{c, top, wheel.distance, {}}).first->second;
+    CoaxialPlanets& p = planets.try_emplace(c, CoaxialPlanets{c, rootLink, wheel.distance, {}}).first->second;
     p.wheels.push_back(wheel.span);
     m_planetTip[c] = std::max(m_planetTip[c], nominalTipRadius(gear.spec));
   }

@@ -40,10 +40,10 @@ bool enclosesPlanets(const PlanDraft& draft, const TrainGear& ring) {
     };
     if (&gear == &ring || !std::any_of(gear.meshes.begin(), gear.meshes.end(), isMesh)) return false;
     const AxisClasses& classes = *draft.placement.classes;
-    const int top = classes.classes[static_cast<std::size_t>(gear.axisClass)].top;
-    if (top == 0 || classes.classOfLink(top) != ring.axisClass) return false;
-    const auto& held = draft.heldBy[static_cast<std::size_t>(top)];
-    return classes.classes[static_cast<std::size_t>(ring.axisClass)].top == 0 &&
+    const int rootLink = classes.classes[static_cast<std::size_t>(gear.axisClass)].rootLink;
+    if (rootLink == 0 || classes.classOfLink(rootLink) != ring.axisClass) return false;
+    const auto& held = draft.heldBy[static_cast<std::size_t>(rootLink)];
+    return classes.classes[static_cast<std::size_t>(ring.axisClass)].rootLink == 0 &&
            std::all_of(held.begin(), held.end(),
                        [&](const auto& place) { return draft.parallel(ring.axisClass, place.first); });
   });
@@ -64,7 +64,7 @@ int ringCarrierSideFor(const PlanDraft& draft, const TrainGear& ring) {
     return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
       const bool meshes = std::find(gear.meshes.begin(), gear.meshes.end(), mesh) != gear.meshes.end();
       return meshes && gear.axisClass != ring.axisClass &&
-             draft.placement.classes->classes[static_cast<std::size_t>(gear.axisClass)].top == 0;
+             draft.placement.classes->classes[static_cast<std::size_t>(gear.axisClass)].rootLink == 0;
     });
   });
   return holdsFixed ? -own.bearingSide : 0;

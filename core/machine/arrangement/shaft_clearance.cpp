@@ -187,7 +187,7 @@ bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int 
     const Vector3d apart = draft.axis(c).point - own.point;
     return (apart - apart.dot(own.direction) * own.direction).norm();
   };
-  if (axisClass == home || draft.placement.classes->classes[static_cast<std::size_t>(home)].top != 0)
+  if (axisClass == home || draft.placement.classes->classes[static_cast<std::size_t>(home)].rootLink != 0)
     return false;
   const double reach = away(axisClass) + (kShaftRadius + 1) * own.module;
   return std::any_of(draft.heldBy[0].begin(), draft.heldBy[0].end(), [&](const auto& place) {

@@ -93,7 +93,7 @@ std::vector<SweptEnvelope> sweptEnvelopes(const Arrangement& plan, const GearTra
     while (true) {
       const int c = classes.classOfLink(link);
       SweptEnvelope swept = sweptAbout(plan.axes[static_cast<std::size_t>(c)], discs);
-      link = classes.classes[static_cast<std::size_t>(c)].top;
+      link = classes.classes[static_cast<std::size_t>(c)].rootLink;
       if (link != 0) {
         discs = endsOf(swept);
         continue;

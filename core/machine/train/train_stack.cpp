@@ -88,11 +88,11 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
         if (envelopes.covers(w, static_cast<int>(c)))
           stack.covers.push_back({static_cast<int>(p), static_cast<int>(c), middleOf(wheel).dot(axis)});
       }
-      const int top = classes.classes[static_cast<std::size_t>(wheel.axisClass)].top;
-      const int home = classes.classOfLink(top);
+      const int rootLink = classes.classes[static_cast<std::size_t>(wheel.axisClass)].rootLink;
+      const int home = classes.classOfLink(rootLink);
       if (home < 0) continue;
-      StackPlanes::Carrier& carrier = carriers[top];
-      carrier.link = top;
+      StackPlanes::Carrier& carrier = carriers[rootLink];
+      carrier.link = rootLink;
       carrier.axisClass = home;
       carrier.planes.push_back(static_cast<int>(p));
     }

@@ -55,7 +55,7 @@ WheelOrbit orbitOf(int axisClass, const Placement& placement) {
   const AxisLine& line = placement.lineOfClass(axisClass);
   WheelOrbit orbit;
   orbit.at = wide(line.point);
-  orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].top;
+  orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
   const int about = classes.classOfLink(orbit.carrier);
   if (about < 0) return orbit;
   const AxisLine& centre = placement.lineOfClass(about);

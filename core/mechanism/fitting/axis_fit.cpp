@@ -47,7 +47,7 @@ class AxisFitter {
         std::any_of(before.axes.begin(), before.axes.end(), [](const Axis& axis) { return isPinned(axis); });
     for (int axisClass = 0; axisClass < static_cast<int>(classes); ++axisClass) {
       m_lines.push_back(exactLineOfClass(before, placement, axisClass));
-      const int carrying = placement.classes->classOfLink(classAt(axisClass).top);
+      const int carrying = placement.classes->classOfLink(classAt(axisClass).rootLink);
       if (carrying >= 0) m_along[static_cast<std::size_t>(axisClass)].push_back(carrying);
     }
     for (const auto& mesh : placement.meshes) {

@@ -39,7 +39,7 @@ class ClassFinder {
   /// True where some axis is named by joints of several classes.
   bool run(AxisClasses& result, Diagnostics& diagnostics) {
     result.classOf.resize(m_tree.joints.size());
-    result.sense.resize(m_tree.joints.size());
+    result.orientationSign.resize(m_tree.joints.size());
     for (const int link : m_tree.order) {
       const std::span<const int> joints = m_tree.graph->turningEdgesAt(link);
       if (link != 0 && joints.size() == 1) continue;  // its class is known
@@ -61,21 +61,21 @@ class ClassFinder {
   struct Group {
     int axis = 0;
     int set = 0;     ///< the first of the groups that it is joined with
-    int sense = 1;   ///< of its axis against that one's
-    int found = -1;  ///< of the first one of a set: its class, and its axis' sense against that class
+    int sign = 1;    ///< of its axis against that one's
+    int found = -1;  ///< of the first one of a set: its class, and its axis' sign against that class
     int against = 1;
   };
   /// A class before it has its number.
   struct Found {
-    int top = 0;
+    int rootLink = 0;
     int depth = 0;
     int number = -1;
-    int sense = 1;  ///< of its first joint
+    int sign = 1;  ///< of its first joint
   };
   struct Merged {
     int first = 0;
     int second = 0;
-    int sense = 1;
+    int sign = 1;
     auto operator<=>(const Merged&) const = default;
   };
 
@@ -120,16 +120,16 @@ class ClassFinder {
 
   void joinIfOneLine(int a, int b) {
     const auto [low, high] = std::minmax(m_groups[a].axis, m_groups[b].axis);
-    const int sense = m_comparison.coincidence(low, high);
-    if (sense == 0) return;
-    m_merged.push_back({low, high, sense});
+    const int sign = m_comparison.coincidence(low, high);
+    if (sign == 0) return;
+    m_merged.push_back({low, high, sign});
     const Group one = m_groups[a];
     const Group other = m_groups[b];
     if (one.set == other.set) return;
     for (Group& group : m_groups) {
       if (group.set != other.set) continue;
       group.set = one.set;
-      group.sense *= one.sense * other.sense * sense;
+      group.sign *= one.sign * other.sign * sign;
     }
   }
 
@@ -140,7 +140,7 @@ class ClassFinder {
       const Group& group = groupOf(up);
       Group& set = m_groups[group.set];
       set.found = result.classOf[up];
-      set.against = result.sense[up] * group.sense;
+      set.against = result.orientationSign[up] * group.sign;
       depth = m_found[set.found].depth + 1;
     }
     for (const int joint : joints) {
@@ -151,7 +151,7 @@ class ClassFinder {
         m_found.push_back({link, depth});
       }
       result.classOf[joint] = set.found;
-      result.sense[joint] = group.sense * set.against;
+      result.orientationSign[joint] = group.sign * set.against;
     }
   }
 
@@ -168,11 +168,11 @@ class ClassFinder {
       const int axis = m_tree.axisOf[joint];
       if (found.number < 0) {
         found.number = static_cast<int>(result.classes.size());
-        found.sense = result.sense[joint];
-        result.classes.push_back({joint, axis, found.top, found.depth});
+        found.sign = result.orientationSign[joint];
+        result.classes.push_back({joint, axis, found.rootLink, found.depth});
       }
       result.classOf[joint] = result.ofLink[m_tree.child[joint]] = found.number;
-      result.sense[joint] *= found.sense;
+      result.orientationSign[joint] *= found.sign;
       const int before = std::exchange(m_axes[axis].group, found.number);
       isSplit = isSplit || (before != kNone && before != found.number);
     }
@@ -182,13 +182,13 @@ class ClassFinder {
   void report(Diagnostics& diagnostics) {
     std::sort(m_merged.begin(), m_merged.end());
     m_merged.erase(std::unique(m_merged.begin(), m_merged.end()), m_merged.end());
-    for (const auto& [a, b, sense] : m_merged) {
+    for (const auto& [a, b, sign] : m_merged) {
       const AxisId first = m_mechanism.axes[a].id;
       const AxisId second = m_mechanism.axes[b].id;
       Diagnostic diagnostic;
       diagnostic.code = Code::mergedAxes;
       diagnostic.message =
-          sense < 0
+          sign < 0
               ? translated(
                     "Axes %1 and %2 are one line held by a common link: they are treated as one axis, with "
                     "opposite directions.",

@@ -13,20 +13,21 @@ namespace geargraph::inline placement {
 /// by shared links. Lines are never compared across the mechanism: axes 1 and 3 of a robot's wrist coincide
 /// in the drawn pose only.
 ///
-/// The links of a class are its root link (`top`, nearest the ground) and all links whose joint towards the
-/// ground is in the class; so two classes share at most one link, which carries a mesh between them.
+/// The links of a class are its root link (`rootLink`, nearest the ground) and all links whose joint towards
+/// the ground is in the class; so two classes share at most one link, which carries a mesh between them.
 struct AxisClasses {
   struct Class {
-    int joint = 0;  ///< the first in the document's order: its axis gives the class's line and orientation
-    int axis = 0;   ///< that joint's axis
-    int top = 0;    ///< the root link: the one nearest the ground
-    int depth = 0;  ///< number of classes between the root link and the ground
+    int joint = 0;     ///< the first in the document's order: its axis gives the class's line and orientation
+    int axis = 0;      ///< that joint's axis
+    int rootLink = 0;  ///< the root link: the one nearest the ground
+    int depth = 0;     ///< number of classes between the root link and the ground
   };
 
   std::vector<Class> classes;  ///< in the order of their first joints
   std::vector<int> classOf;    ///< by joint
-  std::vector<int> sense;      ///< by joint: +1 where its axis points as the class's line does, -1 against it
-  std::vector<int> ofLink;     ///< by link: the class of its joint towards the ground; -1 for the ground
+  std::vector<int>
+      orientationSign;      ///< by joint: +1 where its axis points as the class's line does, -1 against it
+  std::vector<int> ofLink;  ///< by link: the class of its joint towards the ground; -1 for the ground
 
   /// Joints of one axis that share a link are in one class; so are joints of different axes that share a link
   /// and whose lines coincide (diagnostic `merged-axes`). Joints of one axis in several classes:

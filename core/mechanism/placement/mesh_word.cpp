@@ -20,22 +20,22 @@ std::string wordText(const Mechanism& mechanism, const AxisClasses& classes, con
 int sharedClass(const AxisClasses& classes, int a, int b) {
   const int ofA = classes.classOfLink(a);
   const int ofB = classes.classOfLink(b);
-  if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].top == b)) return ofA;
-  return ofB >= 0 && classes.classes[ofB].top == a ? ofB : -1;
+  if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].rootLink == b)) return ofA;
+  return ofB >= 0 && classes.classes[ofB].rootLink == a ? ofB : -1;
 }
 
-/// The two classes of a proper word share one link only, the carrier, which is the top of one of them: of the
-/// tail's or of the head's.
+/// The two classes of a proper word share one link only, the carrier, which is the root link of one of them:
+/// of the tail's or of the head's.
 std::optional<MeshWord> properWord(const AxisClasses& classes, int tail, int head) {
   const int ofTail = classes.classOfLink(tail);
   const int ofHead = classes.classOfLink(head);
-  const auto topOf = [&](int axisClass) { return axisClass < 0 ? -1 : classes.classes[axisClass].top; };
+  const auto rootOf = [&](int axisClass) { return axisClass < 0 ? -1 : classes.classes[axisClass].rootLink; };
   const auto canCarry = [&](int link) { return link >= 0 && link != tail && link != head; };
-  if (const int carrier = topOf(ofTail); canCarry(carrier)) {
+  if (const int carrier = rootOf(ofTail); canCarry(carrier)) {
     const int shared = sharedClass(classes, head, carrier);
     if (shared >= 0 && shared != ofTail) return MeshWord{ofTail, shared, carrier};
   }
-  if (const int carrier = topOf(ofHead); canCarry(carrier)) {
+  if (const int carrier = rootOf(ofHead); canCarry(carrier)) {
     const int shared = sharedClass(classes, tail, carrier);
     if (shared >= 0 && shared != ofHead) return MeshWord{shared, ofHead, carrier};
   }
@@ -48,7 +48,7 @@ void ClassPath::climb(const AxisClasses& classes, int& link, std::vector<int>& w
                       std::vector<int>& links) {
   const int at = classes.classOfLink(link);
   word.push_back(at);
-  link = classes.classes[at].top;
+  link = classes.classes[at].rootLink;
   links.push_back(link);
 }
 

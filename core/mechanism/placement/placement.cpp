@@ -47,7 +47,8 @@ class SideChooser {
       if (!silent) {
         // Places relative to the point of the tail's line, as those of the pair are.
         const Vector3 from = exactDifference(exactLine(m_mechanism, m_placement, axis).point, origin);
-        const double along = dot(from - apex, line.direction) + m_placement.classes->sense[joint] * offset;
+        const double along =
+            dot(from - apex, line.direction) + m_placement.classes->orientationSign[joint] * offset;
         const double nothing =
             kSameLine * std::max({reachOf(from), reachOf(apex), std::abs(offset), m_train.size()});
         if (along > nothing) return 1;

@@ -15,7 +15,7 @@ Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates
   Rational sum;
   for (const PathStep& step : treePath(placed.tree, carrier, gear)) {
     const auto joint = static_cast<std::size_t>(step.joint);
-    const int sense = step.direction * placed.placement.classes->sense[joint];
+    const int sense = step.direction * placed.placement.classes->orientationSign[joint];
     sum += Rational(sense) * rates[joint];
   }
   return sum;

@@ -253,9 +253,11 @@ class StaticsJson {
     m_json.member("carrier", m_mechanism.linkLabel(geometry.carrier));
     m_json.member("determinate", m_solution.isDetermined(mesh));
     member("tailTorque",
-           determined(mesh, Real(senseAt(m_placement, geometry.tail, geometry.tailClass)) * ports.tail));
+           determined(mesh,
+                      Real(orientationSignAt(m_placement, geometry.tail, geometry.tailClass)) * ports.tail));
     member("headTorque",
-           determined(mesh, Real(senseAt(m_placement, geometry.head, geometry.headClass)) * ports.head));
+           determined(mesh,
+                      Real(orientationSignAt(m_placement, geometry.head, geometry.headClass)) * ports.head));
     if (m_report.forces.meshes.empty() || !m_solution.isDetermined(mesh)) {
       null("tangentialForce");
       null("force");

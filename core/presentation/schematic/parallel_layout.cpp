@@ -49,13 +49,13 @@ class Roller {
     const auto& classes = m_placement.classes->classes;
     std::vector<int> weight(classes.size());
     for (const auto& c : classes) {
-      const int carrier = c.top == 0 ? -1 : axisOfLink(m_placement, c.top);
+      const int carrier = c.rootLink == 0 ? -1 : axisOfLink(m_placement, c.rootLink);
       if (carrier >= 0) weight[at(carrier)] += 3;
     }
     for (const int c : m_placement.classes->classOf) ++weight[at(c)];
     int best = -1;
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      if (classes[c].top == 0 && (best < 0 || weight[c] > weight[at(best)])) best = static_cast<int>(c);
+      if (classes[c].rootLink == 0 && (best < 0 || weight[c] > weight[at(best)])) best = static_cast<int>(c);
     }
     return best;
   }
@@ -83,8 +83,9 @@ class Roller {
         queue.push_back(next);
       }
       for (std::size_t d = 0; d < m_placement.classes->classes.size(); ++d) {
-        const int top = m_placement.classes->classes[d].top;
-        if (m_placed[d] || top == 0 || axisOfLink(m_placement, top) != c || meshes(static_cast<int>(d)))
+        const int rootLink = m_placement.classes->classes[d].rootLink;
+        if (m_placed[d] || rootLink == 0 || axisOfLink(m_placement, rootLink) != c ||
+            meshes(static_cast<int>(d)))
           continue;
         place(c, static_cast<int>(d), trueDistance(c, static_cast<int>(d)));
         queue.push_back(static_cast<int>(d));
@@ -99,8 +100,8 @@ class Roller {
 
   /// Away from the neighbour in the direction it was placed itself; the other way where that is taken.
   void place(int from, int axis, double distance) {
-    const int top = m_placement.classes->classes[at(axis)].top;
-    const bool orbits = top != 0 && axisOfLink(m_placement, top) == from;
+    const int rootLink = m_placement.classes->classes[at(axis)].rootLink;
+    const bool orbits = rootLink != 0 && axisOfLink(m_placement, rootLink) == from;
     const int way = orbits ? 1 : m_way[at(from)];
     for (const int sense : {way, -way}) {
       m_height[at(axis)] = m_height[at(from)] + sense * distance;
@@ -236,7 +237,7 @@ void cutInHalf(SheetLayout& layout, const Placement& placement, int root) {
   if (root < 0) return;
   const auto& classes = placement.classes->classes;
   const bool central = std::any_of(classes.begin(), classes.end(), [&](const AxisClasses::Class& c) {
-    return c.top != 0 && axisOfLink(placement, c.top) == root;
+    return c.rootLink != 0 && axisOfLink(placement, c.rootLink) == root;
   });
   const double level = layout.axes[at(root)].origin.y;
   const bool alone = std::all_of(layout.axes.begin(), layout.axes.end(),

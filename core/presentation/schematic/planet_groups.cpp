@@ -53,9 +53,9 @@ class PlanetFinder {
   /// Axes on a moving link that carry nothing and are not driven.
   void markPlanets() {
     m_isPlanet.assign(m_classes.classes.size(), false);
-    for (std::size_t c = 0; c < m_isPlanet.size(); ++c) m_isPlanet[c] = m_classes.classes[c].top != 0;
+    for (std::size_t c = 0; c < m_isPlanet.size(); ++c) m_isPlanet[c] = m_classes.classes[c].rootLink != 0;
     for (const auto& other : m_classes.classes) {
-      if (other.top != 0) m_isPlanet[at(classOf(other.top))] = false;
+      if (other.rootLink != 0) m_isPlanet[at(classOf(other.rootLink))] = false;
     }
     std::set<JointId> driven;
     for (const Input& input : m_mechanism.inputs.value_or(std::vector<Input>{})) driven.insert(input.joint);
@@ -69,7 +69,7 @@ class PlanetFinder {
       const int a = classOf(tail);
       const int b = classOf(head);
       if (a < 0 || b < 0 || a == b || !m_isPlanet[at(a)] || !m_isPlanet[at(b)]) continue;
-      if (m_classes.classes[at(a)].top != m_classes.classes[at(b)].top) continue;
+      if (m_classes.classes[at(a)].rootLink != m_classes.classes[at(b)].rootLink) continue;
       m_groupOf[at(std::max(root(a), root(b)))] = std::min(root(a), root(b));
     }
   }
@@ -106,7 +106,7 @@ class PlanetFinder {
     for (const int link : members) links.emplace_back(wordsOf(link, members), link);
     std::sort(links.begin(), links.end());
     PlanetGroup group;
-    std::string signature = std::to_string(m_classes.classes[at(first)].top) + ": ";
+    std::string signature = std::to_string(m_classes.classes[at(first)].rootLink) + ": ";
     for (const auto& [words, link] : links) {
       group.links.push_back(link);
       group.joints.push_back(m_tree.joint[at(link)]);

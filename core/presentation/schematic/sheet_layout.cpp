@@ -16,16 +16,16 @@ bool isParallel(const Vector3& a, const Vector3& b) {
 void collectAxes(const DrawnPart& part, const Placement& placement, SheetLayout& layout) {
   std::vector<bool> used(part.mechanism.axes.size());
   for (const int axis : placement.tree->axisOf) used[static_cast<std::size_t>(axis)] = true;
-  const auto add = [&](int axis, int top) {
+  const auto add = [&](int axis, int rootLink) {
     const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
     SheetAxis on;
     on.axis = axis;
-    on.top = top;
+    on.rootLink = rootLink;
     on.base = line.point;
     on.direction = line.direction;
     layout.axes.push_back(on);
   };
-  for (const AxisClasses::Class& c : placement.classes->classes) add(c.axis, c.top);
+  for (const AxisClasses::Class& c : placement.classes->classes) add(c.axis, c.rootLink);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) add(static_cast<int>(i), -1);
   }

@@ -14,8 +14,8 @@ namespace geargraph::inline schematic {
 
 /// A line of the mechanism in the sheet: an axis class, or an axis without joints.
 struct SheetAxis {
-  int axis = 0;  ///< position in the part's list of the axis that names it
-  int top = 0;   ///< root link of the class; -1 for an axis without joints
+  int axis = 0;      ///< position in the part's list of the axis that names it
+  int rootLink = 0;  ///< root link of the class; -1 for an axis without joints
   Vector3 base{};
   Vector3 direction{0, 0, 1};
   Vector3 upInSpace{1, 0, 0};  ///< at right angles to direction: shown as `up`

@@ -84,10 +84,11 @@ class Unfolder {
     int best = 0;
     int most = -1;
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      if (classes[c].top != 0) continue;
+      if (classes[c].rootLink != 0) continue;
       int weight = 0;
       for (const AxisClasses::Class& other : classes) {
-        if (other.top != 0 && axisOfLink(m_placement, other.top) == static_cast<int>(c)) weight += 3;
+        if (other.rootLink != 0 && axisOfLink(m_placement, other.rootLink) == static_cast<int>(c))
+          weight += 3;
       }
       for (const int k : m_placement.classes->classOf) weight += k == static_cast<int>(c) ? 1 : 0;
       if (weight > most) {
@@ -132,9 +133,9 @@ class Unfolder {
   [[nodiscard]] bool share(int c, int d) const {
     const auto& classes = m_placement.classes->classes;
     if (at(c) >= classes.size() || at(d) >= classes.size()) return false;
-    const int topC = classes[at(c)].top;
-    const int topD = classes[at(d)].top;
-    return topC == topD || axisOfLink(m_placement, topD) == c || axisOfLink(m_placement, topC) == d;
+    const int rootC = classes[at(c)].rootLink;
+    const int rootD = classes[at(d)].rootLink;
+    return rootC == rootD || axisOfLink(m_placement, rootD) == c || axisOfLink(m_placement, rootC) == d;
   }
 
   [[nodiscard]] bool mesh(int c, int d) const {

@@ -99,7 +99,7 @@ class ScrewTable final : public QuantityTable {
     const auto joint = static_cast<std::size_t>(place.joint);
     const AxisClasses& classes = *placement().classes;
     const AxisLine& line = placement().lineOfClass(classes.classOf[joint]);
-    const double sense = classes.sense[joint];
+    const double sense = classes.orientationSign[joint];
     return screwAbout(placement().meshes[static_cast<std::size_t>(place.mesh)]->pitchPoint, line.point,
                       sense * line.direction);
   }
@@ -112,7 +112,7 @@ class ScrewTable final : public QuantityTable {
     const ExactLine line = exactLineOfClass(*m_snapshot->mechanism, placement(), classes.classOf[joint]);
     const auto length = dot(line.direction, line.direction).squareRoot();
     if (!point || !length) return std::nullopt;
-    const Rational scale = Rational(classes.sense[joint]) / *length;
+    const Rational scale = Rational(classes.orientationSign[joint]) / *length;
     return screwAbout(*point, line.point, scale * line.direction);
   }
 

@@ -96,7 +96,7 @@ class Cutset {
     const auto addPort = [&](int gear, const Real& port) {
       if (isBeyond(gear) == isBeyond(geometry.carrier)) return;
       const int side = isBeyond(gear) ? m_sense : -m_sense;
-      torque += Real(side * m_placement.classes->sense[at(m_joint)]) * port;
+      torque += Real(side * m_placement.classes->orientationSign[at(m_joint)]) * port;
       crosses = true;
     };
     addPort(geometry.tail, ports.tail);

@@ -306,7 +306,7 @@ class Rows {
     const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
     const auto torque = [&](const Real& size, int gear, int axisClass) {
       if (!isDetermined) return wordCell(kShared);
-      return exactCell(Real(senseAt(m_placement, gear, axisClass)) * size);
+      return exactCell(Real(orientationSignAt(m_placement, gear, axisClass)) * size);
     };
     line.cells = {cell(std::to_string(m_mechanism.meshLabel(mesh))),
                   cell(linkName(geometry.tail)),

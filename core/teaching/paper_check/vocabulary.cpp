@@ -178,13 +178,14 @@ std::optional<RateSum> Vocabulary::between(int from, int to, std::string& fault)
   const auto classOf = [&](const PathStep& step) {
     return classes.classOf[static_cast<std::size_t>(step.joint)];
   };
-  const auto senseOf = [&](const PathStep& step) {
-    return classes.sense[static_cast<std::size_t>(step.joint)];
+  const auto orientationSignOf = [&](const PathStep& step) {
+    return classes.orientationSign[static_cast<std::size_t>(step.joint)];
   };
   RateSum sum;
   for (const PathStep& step : steps) {
     const PathStep& last = steps.back();
-    const int sense = directionSign(placement, classOf(step), classOf(last)) * senseOf(step) * senseOf(last);
+    const int sense = directionSign(placement, classOf(step), classOf(last)) * orientationSignOf(step) *
+                      orientationSignOf(last);
     if (sense == 0) {
       fault = translated(
           "The velocity of link %1 relative to link %2 has several directions: write one equation for each "

@@ -33,7 +33,7 @@ int carrierOf(const Placement& placement, int axis) {
   for (std::size_t joint = 0; joint < axisOf.size(); ++joint) {
     if (axisOf[joint] != axis) continue;
     const AxisClasses& classes = *placement.classes;
-    return classes.classes[static_cast<std::size_t>(classes.classOf[joint])].top;
+    return classes.classes[static_cast<std::size_t>(classes.classOf[joint])].rootLink;
   }
   return 0;
 }

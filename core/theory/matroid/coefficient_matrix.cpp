@@ -23,7 +23,8 @@ void CoefficientMatrix::appendRow(int mesh, std::vector<Entry>& entries) const {
     for (; node != meeting; node = tree.parent(node)) {
       const int joint = tree.jointToParent(node);
       const bool tail = classes.classOf[joint] == geometry.tailClass;
-      const double radius = classes.sense[joint] * (tail ? geometry.tailRadius : geometry.headRadius);
+      const double radius =
+          classes.orientationSign[joint] * (tail ? geometry.tailRadius : geometry.headRadius);
       const int direction = sign * tree.directionToGround(joint);
       entries.push_back({joint, tail, direction * (radius < 0 ? -1 : 1), direction * radius});
     }

@@ -13,20 +13,20 @@ std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreeP
   for (std::size_t j = 0; j < joints.joints.size(); ++j) {
     const int child = joints.child[j];
     const int parent = joints.parent[child];
-    const int top = classes.classes[classes.classOf[j]].top;
+    const int rootLink = classes.classes[classes.classOf[j]].rootLink;
     const int direction = joints.joints[j].tail == parent ? 1 : -1;
-    model.m_rates.push_back({child, parent == top ? 0 : parent, direction * classes.sense[j]});
+    model.m_rates.push_back({child, parent == rootLink ? 0 : parent, direction * classes.orientationSign[j]});
   }
 
   model.m_rows.reserve(placement.meshes.size());
   for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
     if (!placement.meshes[m]) return std::nullopt;
     const MeshGeometry& mesh = *placement.meshes[m];
-    const int tailTop = classes.classes[mesh.tailClass].top;
-    const int headTop = classes.classes[mesh.headClass].top;
-    const auto below = [](int link, int top) { return link == top ? 0 : link; };
-    model.m_rows.push_back({{below(mesh.tail, tailTop), below(mesh.carrier, tailTop),
-                             below(mesh.head, headTop), below(mesh.carrier, headTop)},
+    const int tailRoot = classes.classes[mesh.tailClass].rootLink;
+    const int headRoot = classes.classes[mesh.headClass].rootLink;
+    const auto below = [](int link, int rootLink) { return link == rootLink ? 0 : link; };
+    model.m_rows.push_back({{below(mesh.tail, tailRoot), below(mesh.carrier, tailRoot),
+                             below(mesh.head, headRoot), below(mesh.carrier, headRoot)},
                             mesh.tailTeeth,
                             mesh.headTeeth,
                             mesh.sign});

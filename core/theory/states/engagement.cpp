@@ -45,7 +45,8 @@ std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const 
       const auto joint = static_cast<std::size_t>(step.joint);
       const int along = directionSign(placement, placement.classes->classOf[joint], part.axisClass);
       if (along != 0)
-        row.joints.push_back({step.joint, along * step.direction * placement.classes->sense[joint]});
+        row.joints.push_back(
+            {step.joint, along * step.direction * placement.classes->orientationSign[joint]});
     }
   }
   return rows;

@@ -21,7 +21,7 @@ std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<cons
     const auto joint = static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)]);
     const int parent = tree.parent[static_cast<std::size_t>(link)];
     const int at = placement.classes->classOf[joint];
-    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->sense[joint];
+    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->orientationSign[joint];
     auto known = speeds.begin();
     while (known != speeds.end() && directionSign(placement, known->axisClass, at) == 0) ++known;
     if (known == speeds.end()) {
@@ -54,9 +54,9 @@ RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int t
       sign = 1;
       part = speed.parts.insert(part, Part{at, {}});
     }
-    const int top = classes.classes[static_cast<std::size_t>(at)].top;
-    if (exit != top) part->terms.push_back({exit, sign});
-    if (entry != top) part->terms.push_back({entry, -sign});
+    const int rootLink = classes.classes[static_cast<std::size_t>(at)].rootLink;
+    if (exit != rootLink) part->terms.push_back({exit, sign});
+    if (entry != rootLink) part->terms.push_back({entry, -sign});
     const int index = static_cast<int>(part - speed.parts.begin());
     if (index != last) ++speed.stretches;
     last = index;

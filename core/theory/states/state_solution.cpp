@@ -56,9 +56,9 @@ class StateSolver {
  private:
   [[nodiscard]] int ownClass(int link) const { return m_placement.classes->classOfLink(link); }
   /// +1 where the axis of the link's own joint points as the line of the class does.
-  [[nodiscard]] int ownSense(int link) const {
+  [[nodiscard]] int ownOrientationSign(int link) const {
     return m_placement.classes
-        ->sense[static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(link)])];
+        ->orientationSign[static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(link)])];
   }
 
   [[nodiscard]] StateSystem systemOf(const ShiftState& state, const std::vector<int>& engaged) const {
@@ -68,7 +68,8 @@ class StateSolver {
     const int drive = m_linkAt.at(*state.drive);
     system.drive = RelativeSpeed::Part{};  // the ground: no term, so that it cannot turn
     for (RelativeSpeed::Part& part : RelativeSpeed::between(m_placement, 0, drive).parts) {
-      const int sign = directionSign(m_placement, part.axisClass, ownClass(drive)) * ownSense(drive);
+      const int sign =
+          directionSign(m_placement, part.axisClass, ownClass(drive)) * ownOrientationSign(drive);
       if (sign == 0) continue;
       for (RelativeSpeed::Term& term : part.terms) term.factor *= sign;
       system.drive = std::move(part);
@@ -143,9 +144,9 @@ class StateSolver {
 
   /// +1 where the class's line points as the drive's axis does; where that lies across, as driven's own axis.
   [[nodiscard]] int senseOfDriven(int drive, int driven, int axisClass) const {
-    const int along = directionSign(m_placement, axisClass, ownClass(drive)) * ownSense(drive);
+    const int along = directionSign(m_placement, axisClass, ownClass(drive)) * ownOrientationSign(drive);
     if (along != 0) return along;
-    const int own = directionSign(m_placement, axisClass, ownClass(driven)) * ownSense(driven);
+    const int own = directionSign(m_placement, axisClass, ownClass(driven)) * ownOrientationSign(driven);
     return own == 0 ? 1 : own;
   }
 

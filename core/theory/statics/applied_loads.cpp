@@ -46,7 +46,7 @@ class PowerSum {
     for (int at = link; at != 0;) {
       const int axisClass = classes.classOfLink(at);
       add(m_power.byLink, at, 1, exactLineOfClass(m_mechanism, m_placement, axisClass));
-      at = classes.classes[static_cast<std::size_t>(axisClass)].top;
+      at = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = link; at != 0; at = tree.parent(at)) {

@@ -22,7 +22,7 @@ class PartMaker {
       part.isMain = along != 0;
       part.axis = part.isMain ? m_placement.tree->axisOf[joint]
                               : m_placement.classes->classes[static_cast<std::size_t>(row.axisClass)].axis;
-      const int sign = part.isMain ? along * m_placement.classes->sense[joint] : 1;
+      const int sign = part.isMain ? along * m_placement.classes->orientationSign[joint] : 1;
       for (const auto& term : row.links) part.byLink.emplace_back(term.of, Rational(sign * term.factor));
       for (const auto& term : row.joints) part.byJoint.emplace_back(term.of, Rational(sign * term.factor));
     }
@@ -49,7 +49,7 @@ class PartMaker {
       const int axisClass = classes.classOfLink(at);
       Rational cosine = factor(exactLineOfClass(m_mechanism, m_placement, axisClass).direction);
       if (!cosine.isZero()) part.byLink.emplace_back(at, std::move(cosine));
-      at = classes.classes[static_cast<std::size_t>(axisClass)].top;
+      at = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = place.link; at != 0; at = tree.parent(at)) {

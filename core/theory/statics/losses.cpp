@@ -165,10 +165,10 @@ PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solu
   return torques;
 }
 
-int senseAt(const Placement& placement, int gear, int axisClass) {
+int orientationSignAt(const Placement& placement, int gear, int axisClass) {
   const int own = placement.tree->joint[static_cast<std::size_t>(gear)];
   if (own >= 0 && placement.classes->classOf[static_cast<std::size_t>(own)] == axisClass)
-    return placement.classes->sense[static_cast<std::size_t>(own)];
+    return placement.classes->orientationSign[static_cast<std::size_t>(own)];
   return 1;  // the gear is the class's link nearest the ground
 }
 

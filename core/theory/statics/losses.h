@@ -38,7 +38,7 @@ struct PortTorques {
 
 /// +1 where the joint next to the gear on the way to the carrier points as the class's line does, -1 against
 /// it: the sign with which port torques are shown.
-[[nodiscard]] int senseAt(const Placement& placement, int gear, int axisClass);
+[[nodiscard]] int orientationSignAt(const Placement& placement, int gear, int axisClass);
 
 /// A steady motion: the rates of all joints, by joint.
 using Motion = std::vector<Rational>;

@@ -142,8 +142,8 @@ class Flow {
       auto& speed = m_speeds[static_cast<std::size_t>(link)];
       speed = m_speeds[static_cast<std::size_t>(tree.parent(link))];
       const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
-      const int along =
-          sign * m_placement.classes->sense[joint] * -tree.directionToGround(static_cast<int>(joint));
+      const int along = sign * m_placement.classes->orientationSign[joint] *
+                        -tree.directionToGround(static_cast<int>(joint));
       addTo(speed, direction, Rational(along) * m_motion[joint]);
     }
     const auto observer = m_speeds[static_cast<std::size_t>(m_flow.observer)];
@@ -229,7 +229,7 @@ class Flow {
     if (last == first + 1) {
       const auto joint = firstJointOn(axis(first));
       const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
-      return {{direction, Real(sign * m_placement.classes->sense[joint]) * unknown(first)}};
+      return {{direction, Real(sign * m_placement.classes->orientationSign[joint]) * unknown(first)}};
     }
     std::vector<std::pair<Vector3, double>> components;
     for (std::size_t part = first; part < last; ++part)
@@ -403,7 +403,8 @@ class Flow {
     const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
     const auto joint = firstJointOn(part.axis);
     const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
-    const Torque torque{{direction, Real(Rational(sign * m_placement.classes->sense[joint]) * weight)}};
+    const Torque torque{
+        {direction, Real(Rational(sign * m_placement.classes->orientationSign[joint]) * weight)}};
     const PositionIndex<LinkTag> links(m_mechanism.links);
     put(links.at(coupling.links.front()), torque);
     if (coupling.kind != CouplingKind::brake) put(links.at(coupling.links.back()), opposite(torque));

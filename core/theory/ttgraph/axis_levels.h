@@ -35,7 +35,7 @@ struct AxisLevels {
   /// The position of the level's axis in the document.
   [[nodiscard]] int axisOf(int level) const { return axes[static_cast<std::size_t>(level)].position; }
   /// +1 if the joint's axis points as its level does, else -1.
-  [[nodiscard]] int senseOf(int joint) const {
+  [[nodiscard]] int orientationSign(int joint) const {
     return !reversed.empty() && reversed.contains(joint) ? -1 : 1;
   }
   [[nodiscard]] const std::string& name(int level) const {

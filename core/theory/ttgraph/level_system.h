@@ -108,7 +108,7 @@ class LevelSystem {
   [[nodiscard]] Branch branch(int joint) const {
     const auto at = static_cast<std::size_t>(joint);
     return {m_graph->graph().turningEdge(joint), m_graph->levels().ofJoint[at],
-            m_graph->levels().senseOf(joint)};
+            m_graph->levels().orientationSign(joint)};
   }
 
   /// Has the node an unknown on this level? The level's root link has none: it is the reference.

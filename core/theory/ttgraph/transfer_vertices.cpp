@@ -84,7 +84,7 @@ std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
   auto [tail, head] = m_graph.meshEdge(mesh);
   std::vector<WalkStretch> up;
   std::vector<WalkStretch> down;
-  const auto topDepth = [this](int node) { return node == 0 ? -1 : m_tree.depth(at(node).top); };
+  const auto rootDepth = [this](int node) { return node == 0 ? -1 : m_tree.depth(at(node).rootLink); };
   while (tail != head) {
     const Place& ofTail = at(tail);
     const Place& ofHead = at(head);
@@ -92,32 +92,34 @@ std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
       up.push_back({ofTail.level, tail, head});
       break;
     }
-    if (topDepth(tail) >= topDepth(head)) {
-      up.push_back({ofTail.level, tail, ofTail.top});
-      tail = ofTail.top;
+    if (rootDepth(tail) >= rootDepth(head)) {
+      up.push_back({ofTail.level, tail, ofTail.rootLink});
+      tail = ofTail.rootLink;
     } else {
-      down.push_back({ofHead.level, ofHead.top, head});
-      head = ofHead.top;
+      down.push_back({ofHead.level, ofHead.rootLink, head});
+      head = ofHead.rootLink;
     }
   }
   up.insert(up.end(), down.rbegin(), down.rend());
   return up;
 }
 
-/// The level on which two nodes lie, as its links or its top; -1 where there is none. @pre the nodes differ
+/// The level on which two nodes lie, as its links or its root link; -1 where there is none. @pre the nodes
+/// differ
 int LevelWalks::levelOfBoth(int a, int b) const {
   const Place& ofA = at(a);
   const Place& ofB = at(b);
-  if (ofA.level == ofB.level || ofA.top == b) return ofA.level;
-  return ofB.top == a ? ofB.level : -1;
+  if (ofA.level == ofB.level || ofA.rootLink == b) return ofA.level;
+  return ofB.rootLink == a ? ofB.level : -1;
 }
 
-// Where a walk leaves a level that it climbed, or enters one that it descends, it passes the level's top: the
-// only vertex of a walk of two stretches is the top of its tail gear's level or of its head gear's.
+// Where a walk leaves a level that it climbed, or enters one that it descends, it passes the level's root
+// link: the only vertex of a walk of two stretches is the root link of its tail gear's level or of its head
+// gear's.
 std::optional<TransferVertex> LevelWalks::transferVertex(int mesh) const {
   const auto [tail, head] = m_graph.meshEdge(mesh);
   for (const int gear : {tail, head}) {
-    const int carrier = at(gear).top;
+    const int carrier = at(gear).rootLink;
     if (carrier < 0 || carrier == tail || carrier == head) continue;
     const int tailLevel = levelOfBoth(tail, carrier);
     const int headLevel = levelOfBoth(head, carrier);

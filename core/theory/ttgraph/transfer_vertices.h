@@ -45,7 +45,7 @@ class LevelWalks {
   /// A node's level is that of its branch towards the ground; the ground has none.
   struct Place {
     int level = -1;
-    int top = -1;  ///< the level's root link: the ancestor that its branches lead to
+    int rootLink = -1;  ///< the level's root link: the ancestor that its branches lead to
   };
   [[nodiscard]] const Place& at(int node) const { return m_places[static_cast<std::size_t>(node)]; }
   [[nodiscard]] int levelOfBoth(int a, int b) const;

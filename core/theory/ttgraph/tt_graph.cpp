@@ -39,22 +39,22 @@ Diagnostics TtGraph::diagnostics() const {
 
 long long TtGraph::longestCircuitTerms() const {
   // By level: the depth of its link nearest the ground.
-  std::vector<int> topDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount());
+  std::vector<int> rootDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount());
   for (const int node : m_tree->preorder()) {
     if (node == 0) continue;
     const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
-    int& top = topDepth[static_cast<std::size_t>(level)];
-    top = std::min(top, m_tree->depth(node) - 1);
+    int& root = rootDepth[static_cast<std::size_t>(level)];
+    root = std::min(root, m_tree->depth(node) - 1);
   }
   long long terms = 0;
   for (const std::optional<TerminalPair>& pair : m_terminals) {
     if (!pair) continue;
-    // A chord's circuit stays on one level, so it never climbs above the level's top.
+    // A chord's circuit stays on one level, so it never climbs above the level's root link.
     const TransferVertex& vertex = *m_vertices.ofMesh[static_cast<std::size_t>(pair->mesh)];
     for (const auto& [gear, level] :
          {std::pair(pair->tail, vertex.tailLevel), std::pair(pair->head, vertex.headLevel)}) {
-      const int top = topDepth[static_cast<std::size_t>(level)];
-      terms += (m_tree->depth(gear) - top) + (m_tree->depth(pair->carrier) - top);
+      const int root = rootDepth[static_cast<std::size_t>(level)];
+      terms += (m_tree->depth(gear) - root) + (m_tree->depth(pair->carrier) - root);
     }
   }
   for (const HeldCircuit& circuit : m_held) terms += static_cast<long long>(circuit.terms.size());
@@ -88,7 +88,8 @@ void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
         levels.push_back(level);
         m_held.push_back({position, {}});
       }
-      const int coefficient = -step.direction * m_levels.senseOf(step.joint) * along(level, levels[at]);
+      const int coefficient =
+          -step.direction * m_levels.orientationSign(step.joint) * along(level, levels[at]);
       m_held[first + at].terms.push_back({step.joint, coefficient});
     }
   }
@@ -132,7 +133,7 @@ void TtGraph::writeCircuits() const {
   // the carrier to the gear, and counts.
   const auto addChord = [&](int gear, int carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
-      terms.push_back({step.joint, -step.direction * m_levels.senseOf(step.joint)});
+      terms.push_back({step.joint, -step.direction * m_levels.orientationSign(step.joint)});
     }
     starts.push_back(terms.size());
   };

@@ -15,7 +15,7 @@ int TtMatrices::coefficient(int branch, int gear, int carrier) const {
   const bool isOnGearsSide = tree.isOnWalk(branch, gear);
   if (isOnGearsSide == tree.isOnWalk(branch, carrier)) return 0;
   // A branch from the carrier's side to the gear's adds its velocity, along its level.
-  const int outward = -tree.directionToGround(branch) * m_graph->levels().senseOf(branch);
+  const int outward = -tree.directionToGround(branch) * m_graph->levels().orientationSign(branch);
   return isOnGearsSide ? outward : -outward;
 }
 

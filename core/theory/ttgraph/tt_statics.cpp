@@ -59,7 +59,7 @@ class CutsetRows {
   void add(int joint, int column, const Rational& value) {
     if (!m_byLevels) return addTo(joint, column, value);
     const int child = m_graph.tree().child(joint);
-    const int sense = m_graph.levels().senseOf(joint) * -m_graph.tree().directionToGround(joint);
+    const int sense = m_graph.levels().orientationSign(joint) * -m_graph.tree().directionToGround(joint);
     addAtNode(child, levelOf(joint), column, Rational(sense) * value);
     addAtNode(m_graph.tree().parent(child), levelOf(joint), column, Rational(-sense) * value);
   }

@@ -88,7 +88,7 @@ class TestGroundFrame : public QObject {
             const int c = classes.classOfLink(link);
             const AxisLayout& axis = planned.plan.axes[static_cast<std::size_t>(c)];
             p = axis.point + Eigen::AngleAxisd(angle, axis.direction) * (p - axis.point);
-            link = classes.classes[static_cast<std::size_t>(c)].top;
+            link = classes.classes[static_cast<std::size_t>(c)].rootLink;
             angle += 1.3;
           }
           QVERIFY(envelope.isNear(p, p, 1e-6 * (1 + envelope.outer)));

@@ -148,7 +148,7 @@ class TestPlacementErrors : public QObject {
     QCOMPARE(placement.diagnostics.size(), std::size_t{1});
     QCOMPARE(placement.diagnostics.front().code, Code::mergedAxes);
     QCOMPARE(placement.classes->classOf[0], placement.classes->classOf[1]);
-    QCOMPARE(placement.classes->sense[1], -1);
+    QCOMPARE(placement.classes->orientationSign[1], -1);
     QCOMPARE(placement.meshes[1]->sign, -1);
   }
 

@@ -74,10 +74,10 @@ std::optional<Rehung> rehung(const Both& both, int joint, const std::vector<Rati
   (outward ? moved.tail : moved.head) = graph.nodeId(hub);
   Rational relative;  // of the child against its new parent, along the axis
   for (const PathStep& step : treePath(tree, hub, child)) {
-    relative +=
-        Rational(step.direction * levels.senseOf(step.joint)) * rates[static_cast<std::size_t>(step.joint)];
+    relative += Rational(step.direction * levels.orientationSign(step.joint)) *
+                rates[static_cast<std::size_t>(step.joint)];
   }
-  const int sense = outward ? levels.senseOf(joint) : -levels.senseOf(joint);
+  const int sense = outward ? levels.orientationSign(joint) : -levels.orientationSign(joint);
   result.rates[static_cast<std::size_t>(joint)] = Rational(sense) * relative;
   return result;
 }
