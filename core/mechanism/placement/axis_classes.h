@@ -23,10 +23,9 @@ struct AxisClasses {
     int depth = 0;     ///< number of classes between the root link and the ground
   };
 
-  std::vector<Class> classes;  ///< in the order of their first joints
-  std::vector<int> classOf;    ///< by joint
-  std::vector<int>
-      orientationSign;      ///< by joint: +1 where its axis points as the class's line does, -1 against it
+  std::vector<Class> classes;        ///< in the order of their first joints
+  std::vector<int> classOf;          ///< by joint
+  std::vector<int> orientationSign;  ///< by joint: +1 if its axis points along the class's line, else -1
   std::vector<int> ofLink;  ///< by link: the class of its joint towards the ground; -1 for the ground
 
   /// Joints of one axis that share a link are in one class; so are joints of different axes that share a link
