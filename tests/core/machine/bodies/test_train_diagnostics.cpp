@@ -419,4 +419,4 @@ class TestTrainDiagnostics : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestTrainDiagnostics)
-#include "test_findings.moc"
+#include "test_train_diagnostics.moc"

@@ -248,4 +248,4 @@ class TestMatroidDiagnostics : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestMatroidDiagnostics)
-#include "test_matroid_findings.moc"
+#include "test_matroid_diagnostics.moc"
