@@ -18,12 +18,12 @@ namespace {
 std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& arguments, PictureForm form) {
   DrawingPicture picture;
   picture.form = form;
-  picture.look.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
-  picture.look.transparent = arguments.has("--transparent");
+  picture.style.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
+  picture.style.transparent = arguments.has("--transparent");
   if (const auto text = arguments.value("--size")) {
     const auto size = pictureSize(*text, kMostDrawingPixels);
     if (!size) return UsageError{wrongSize(*text, kMostDrawingPixels)};
-    picture.look.size = SheetLook::Size{size->first, size->second};
+    picture.style.size = SheetStyle::Size{size->first, size->second};
   }
   return picture;
 }

@@ -31,9 +31,9 @@ DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot, const std:
 }
 
 ReportDrawings drawingsOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  const SheetLook look;
-  return {svgOf(drawn("schematic", snapshot, stop), look), svgOf(drawn("digraph", snapshot, stop), look),
-          svgOf(drawn("ttgraph", snapshot, stop), look)};
+  const SheetStyle style;
+  return {svgOf(drawn("schematic", snapshot, stop), style), svgOf(drawn("digraph", snapshot, stop), style),
+          svgOf(drawn("ttgraph", snapshot, stop), style)};
 }
 
 /// Writes what `bytesOf` makes of the analysed file; the exit status.

@@ -38,7 +38,7 @@ class ShotReader {
     readSize();
     readCamera();
     readMoment();
-    readLook();
+    readStyle();
     readFilm();
     if (m_error) return *m_error;
     return std::move(m_shot);
@@ -103,13 +103,13 @@ class ShotReader {
     m_shot.view.section = SectionChoice{static_cast<int>(axis), *place, false};
   }
 
-  void readLook() {
+  void readStyle() {
     const Theme theme = m_arguments.has("--dark") ? Theme::dark : Theme::light;
-    m_shot.view.look = pictureLook(theme, m_arguments.has("--transparent"));
+    m_shot.view.style = pictureStyle(theme, m_arguments.has("--transparent"));
     if (const auto text = m_arguments.value("--faces")) {
       const auto faces = facesNamed(*text);
       if (!faces) return wrong(translated("--faces is one of shaded, lines, edges."));
-      m_shot.view.look.faces = *faces;
+      m_shot.view.style.faces = *faces;
     }
     for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
       OverlayChoice overlay;

@@ -287,8 +287,8 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
     until([&] { return window.isSettled(); });
     lap("settled_ms");  // symbols, agreement and tooth diagnostics, for which nothing waits
   };
-  // The first steps are no part of the measure: caches fill, and the view finds out how fine a quick look may
-  // be. So does everybody's first second of dragging.
+  // The first steps are no part of the measure: caches fill, and the view finds out how fine a draft frame
+  // may be. So does everybody's first second of dragging.
   constexpr int kWarmUp = 8;
   while (step < kWarmUp) drag();
   parts.clear();

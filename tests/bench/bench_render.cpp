@@ -23,9 +23,9 @@ struct Field {
     host = std::move(made).value();
     host->setScene(scene);
     frame.viewport = kView;
-    frame.look = Look::light();
-    frame.look.samples = samples;
-    frame.look.contactShadow = shadow;
+    frame.style = RenderStyle::light();
+    frame.style.samples = samples;
+    frame.style.contactShadow = shadow;
     frame.camera = Camera::from(-0.5, 0.6).fitted(cornersOf(scene), kView);
   }
 };

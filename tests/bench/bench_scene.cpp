@@ -1,6 +1,6 @@
 // The solids and the schematic of a train while a tooth count is dragged, each on the thread that makes it:
-// all that a step of the drag asks of it. Every count is new, so that no answer is in a cache. And the quick
-// look at the solids.
+// all that a step of the drag asks of it. Every count is new, so that no answer is in a cache. And the draft
+// frame of the solids.
 
 #include <benchmark/benchmark.h>
 
@@ -84,9 +84,9 @@ void schematicOfADrag(benchmark::State& state, const char* name, const char* mes
   }
 }
 
-/// The quick look at the new solids of a step, in the size that the 3D view has in a window of 1366x768:
+/// The draft frame at the new solids of a step, in the size that the 3D view has in a window of 1366x768:
 /// upload, paint, read back. `simpler`: as where the processor is slow.
-void quickLookOfADrag(benchmark::State& state, const char* name, const char* mesh, int least, bool simpler) {
+void draftFrameOfADrag(benchmark::State& state, const char* name, const char* mesh, int least, bool simpler) {
   auto host = EglHost::create();
   if (!host) return state.SkipWithError("no OpenGL");
   GearCache cache(1024);
@@ -96,17 +96,17 @@ void quickLookOfADrag(benchmark::State& state, const char* name, const char* mes
     stages.push_back(trainStage(*snapshot, cache, nullptr, &memory));
   Frame frame;
   frame.viewport = {560, 307};
-  frame.look = Look::light().cheaper();
-  frame.look.edges = !simpler;
-  frame.look.litByVertex = simpler;
+  frame.style = RenderStyle::light().cheaper();
+  frame.style.edges = !simpler;
+  frame.style.litByVertex = simpler;
   frame.camera = Camera::home().fitted(outlineOf(stages.front()->scene), frame.viewport, 0.13);
   std::size_t step = 0;
-  const auto look = [&] {
+  const auto renderFrame = [&] {
     (*host)->setScene(stages[step++ % stages.size()]->scene);
     benchmark::DoNotOptimize((*host)->picture(frame));
   };
-  look();
-  for (auto _ : state) look();
+  renderFrame();
+  for (auto _ : state) renderFrame();
 }
 
 /// The check of a motion for collisions, from a snapshot on whose train nothing has asked for yet.
@@ -153,19 +153,19 @@ BENCHMARK(stageOfADeepTrain)
 BENCHMARK_CAPTURE(schematicOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(schematicOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(quickLookOfADrag, robot, "robot", "15", 18, false)
+BENCHMARK_CAPTURE(draftFrameOfADrag, robot, "robot", "15", 18, false)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(quickLookOfADrag, robot_simpler, "robot", "15", 18, true)
+BENCHMARK_CAPTURE(draftFrameOfADrag, robot_simpler, "robot", "15", 18, true)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(quickLookOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20, false)
+BENCHMARK_CAPTURE(draftFrameOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20, false)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(quickLookOfADrag, eight_speed_gearbox_simpler, "eight-speed-gearbox", "25", 20, true)
+BENCHMARK_CAPTURE(draftFrameOfADrag, eight_speed_gearbox_simpler, "eight-speed-gearbox", "25", 20, true)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();

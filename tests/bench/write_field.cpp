@@ -23,6 +23,6 @@ int main(int count, char** words) {
   shot.stage = stage;
   shot.size = {1280, 720};
   shot.view.camera = Camera::from(-0.5, 0.6);
-  shot.view.look.samples = 4;
+  shot.view.style.samples = 4;
   return writePicture(shot, file) ? 1 : 0;
 }

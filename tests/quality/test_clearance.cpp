@@ -346,15 +346,15 @@ class TestClearance : public QObject {
   void drawnTrainsPass() {
     DrawnTrains drawn(5);
     QStringList silent, reported;
-    const auto look = [&](const QString& name, const Mechanism& train) {
+    const auto examine = [&](const QString& name, const Mechanism& train) {
       const Mechanism mechanism = bare(train);
       const QStringList found = cutsOf(mechanism, 2);
       if (found.empty()) return;
       (saysSo(mechanism) ? reported : silent) << name + ": " + found.join("; ");
     };
-    for (int i = 0; i < 60; ++i) look(QString("chain %1").arg(i), drawn.chain());
-    for (int i = 0; i < 30; ++i) look(QString("reverted %1").arg(i), drawn.reverted(i % 3));
-    for (int i = 0; i < 90; ++i) look(QString("epicyclic %1").arg(i), drawn.epicyclic(i % 3));
+    for (int i = 0; i < 60; ++i) examine(QString("chain %1").arg(i), drawn.chain());
+    for (int i = 0; i < 30; ++i) examine(QString("reverted %1").arg(i), drawn.reverted(i % 3));
+    for (int i = 0; i < 90; ++i) examine(QString("epicyclic %1").arg(i), drawn.epicyclic(i % 3));
     QVERIFY2(silent.empty(), qPrintable(silent.join("\n")));
     QVERIFY2(reported.size() <= 4, qPrintable(reported.join("\n")));
   }

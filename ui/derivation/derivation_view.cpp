@@ -108,7 +108,7 @@ void DerivationView::layOut() {
   m_tops.assign(1, kMargin);
   const double room = std::min<double>(m_laidOutFor - 2 * kMargin, scaledPixels(kWidestPage) * m_zoom);
   if (m_report == nullptr || room < 50) return renewScrollBars(0, 0);
-  FlowLook flow;
+  FlowParameters flow;
   flow.width = room;
   flow.size = bodyPixels() * m_zoom;
   flow.formulaSize = (bodyPixels() + 3) * m_zoom;

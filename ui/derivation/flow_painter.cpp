@@ -9,10 +9,10 @@
 namespace geargraph::inline ui_derivation {
 namespace {
 
-QFont fontOf(const QFont& base, const WordLook& look) {
+QFont fontOf(const QFont& base, const TextStyle& style) {
   QFont font = base;
-  font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.size))));
-  font.setBold(look.bold);
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(style.size))));
+  font.setBold(style.bold);
   return font;
 }
 
@@ -30,11 +30,11 @@ void paintCurves(QPainter& painter, const FlowFigure& figure, QPointF origin, Th
 
 }  // namespace
 
-double FontMeasure::widthOf(std::string_view utf8, const WordLook& look) const {
-  const std::pair key{std::lround(look.size), look.bold};
+double FontMeasure::widthOf(std::string_view utf8, const TextStyle& style) const {
+  const std::pair key{std::lround(style.size), style.bold};
   auto found = m_words.find(key);
   if (found == m_words.end())
-    found = m_words.emplace(key, Words{QFontMetricsF(fontOf(m_base, look)), {}}).first;
+    found = m_words.emplace(key, Words{QFontMetricsF(fontOf(m_base, style)), {}}).first;
   Words& words = found->second;
   const auto known = words.widths.find(utf8);
   if (known != words.widths.end()) return known->second;
@@ -53,8 +53,8 @@ void FlowPainter::paint(QPainter& painter, const FlowLine& line, QPointF origin,
     painter.fillRect(QRectF(from.x(), std::floor(from.y()), rule.width, hair), colors.hairline);
   }
   for (const FlowWords& words : line.words) {
-    painter.setFont(fontOf(base, words.look));
-    painter.setPen(words.look.soft ? colors.soft : colors.ink);
+    painter.setFont(fontOf(base, words.style));
+    painter.setPen(words.style.soft ? colors.soft : colors.ink);
     painter.drawText(origin + QPointF(words.x, std::round(words.y)), QString::fromStdString(words.text));
   }
   for (const FlowFormula& formula : line.formulas) {

@@ -15,7 +15,7 @@ namespace geargraph::inline ui_derivation {
 class FontMeasure : public WordMeasure {
  public:
   explicit FontMeasure(const QFont& base) : m_base(base) {}
-  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override;
+  [[nodiscard]] double widthOf(std::string_view utf8, const TextStyle& style) const override;
   [[nodiscard]] const QFont& font() const { return m_base; }
 
  private:

@@ -158,8 +158,9 @@ EfficiencyPlot::Sheet EfficiencyPage::sheetOf(const FollowedEfficiency& followed
   const bool ofTorques = m_quantity->currentIndex() == 1;
   sheet.up = ofTorques ? tr("torque, N m") : tr("efficiency");
   const auto add = [&](const QString& name) -> EfficiencyPlot::Line& {
-    const std::size_t look = sheet.lines.size() % std::size(kColours);
-    return sheet.lines.emplace_back(EfficiencyPlot::Line{name, kColours[look], kStyles[look], {}});
+    const std::size_t seriesIndex = sheet.lines.size() % std::size(kColours);
+    return sheet.lines.emplace_back(
+        EfficiencyPlot::Line{name, kColours[seriesIndex], kStyles[seriesIndex], {}});
   };
   for (const EfficiencyPoint& point : curve.points) sheet.places.push_back(point.at.toDouble());
   if (!ofTorques) {

@@ -8,8 +8,8 @@
 namespace geargraph::inline mainwindow {
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
-  connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::look);
-  connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &FileWatch::look);
+  connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::check);
+  connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &FileWatch::check);
 }
 
 FileWatch::Stamp FileWatch::stampNow() const {
@@ -40,7 +40,7 @@ bool FileWatch::isForeign() const {
   return now.size >= 0 && now != m_known;
 }
 
-void FileWatch::look() {
+void FileWatch::check() {
   const Stamp now = stampNow();
   if (now.size >= 0 && !m_watcher.files().contains(m_path)) m_watcher.addPath(m_path);
   if (now == m_told) return;

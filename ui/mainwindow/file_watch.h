@@ -37,7 +37,7 @@ class FileWatch : public QObject {
     friend bool operator==(const Stamp&, const Stamp&) = default;
   };
   [[nodiscard]] Stamp stampNow() const;
-  void look();
+  void check();
 
   QFileSystemWatcher m_watcher;
   QString m_path;

@@ -16,15 +16,15 @@ QByteArray bytesOf(const Expected<std::string>& file) {
   return file ? QByteArray::fromStdString(*file) : QByteArray();
 }
 
-SheetLook paperLook() {
-  SheetLook look;
-  look.transparent = true;
-  return look;
+SheetStyle paperStyle() {
+  SheetStyle style;
+  style.transparent = true;
+  return style;
 }
 
 /// Twice the size of the screen, unless that is more than a picture may have.
 double scaleOf(const DisplayList& drawing) {
-  const Extent sheet = sheetOf(drawing, paperLook());
+  const Extent sheet = sheetOf(drawing, paperStyle());
   constexpr double kScale = 2;
   return std::min(kScale, PictureClipboard::kMostPixels / (2 * std::max(sheet.halfWidth, sheet.halfHeight)));
 }
@@ -83,7 +83,7 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
         QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
   } else {
     DrawingPicture how;
-    how.look = paperLook();
+    how.style = paperStyle();
     picture.svg = bytesOf(pictureOf(content.drawing, how));
     how.form = PictureForm::png;
     how.scale = scaleOf(content.drawing);

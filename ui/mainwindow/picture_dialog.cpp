@@ -149,9 +149,10 @@ PictureOptions PictureDialog::options() const {
     options.film = Film{m_film->currentIndex() == 1 ? FilmKind::turntable : FilmKind::motion,
                         m_frames->value(), m_rate->value(), 0};
   }
-  options.picture.look.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
-  options.picture.look.transparent = m_transparent->isChecked();
-  if (m_sized->isChecked()) options.picture.look.size = SheetLook::Size{m_width->value(), m_height->value()};
+  options.picture.style.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
+  options.picture.style.transparent = m_transparent->isChecked();
+  if (m_sized->isChecked())
+    options.picture.style.size = SheetStyle::Size{m_width->value(), m_height->value()};
   return options;
 }
 

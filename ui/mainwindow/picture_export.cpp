@@ -110,17 +110,17 @@ void WindowExports::exportView3D(const PictureOptions& options, const QString& p
     return;
   }
   if (options.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
-  const SheetLook& look = options.picture.look;
+  const SheetStyle& style = options.picture.style;
   StageShot shot;
   shot.stage = stage;
   shot.view = m_views.view3d->view();
-  shot.view.look = pictureLook(look.theme, look.transparent);
-  shot.view.look.faces = m_views.view3d->options().faces;
-  if (look.size) shot.size = {look.size->width, look.size->height};
+  shot.view.style = pictureStyle(style.theme, style.transparent);
+  shot.view.style.faces = m_views.view3d->options().faces;
+  if (style.size) shot.size = {style.size->width, style.size->height};
   shot.fits = options.isFitted;
   shot.film = options.film;
   m_jobs->add(shotJob(shot, m_views.view3d->options(), m_views.view3d->forcesCaption(),
-                      paintingOver(*m_views.view3d), look.theme == Theme::dark, options.solid, path));
+                      paintingOver(*m_views.view3d), style.theme == Theme::dark, options.solid, path));
 }
 
 void WindowExports::copyPicture(const QString& view) {
@@ -149,8 +149,8 @@ void WindowExports::copyView3D() {
                            paintingOver(*m_views.view3d)};
   seen.shot.stage = stage;
   seen.shot.view = m_views.view3d->view();
-  seen.shot.view.look = pictureLook(Theme::light, true);
-  seen.shot.view.look.faces = seen.options.faces;
+  seen.shot.view.style = pictureStyle(Theme::light, true);
+  seen.shot.view.style.faces = seen.options.faces;
   seen.shot.fits = false;
   CopiedContent content;
   content.seen = std::move(seen);

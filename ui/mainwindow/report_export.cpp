@@ -28,8 +28,8 @@ ReportForm formOf(const QString& path) {
 }
 
 ReportDrawings drawingsOf(const ReportLists& lists) {
-  const SheetLook look;
-  return {svgOf(lists.schematic, look), svgOf(lists.digraph, look), svgOf(lists.ttGraph, look)};
+  const SheetStyle style;
+  return {svgOf(lists.schematic, style), svgOf(lists.digraph, style), svgOf(lists.ttGraph, style)};
 }
 
 /// Why the file could not be written; empty where it was.

@@ -36,12 +36,12 @@ void WindowActions::setAvailable(QAction* action, bool available, const QString&
 }
 
 void WindowActions::makeTools() {
-  struct ToolLook {
+  struct ToolEntry {
     ToolKind kind;
     const char* icon;
     QString tip;
   };
-  const ToolLook looks[] = {
+  const ToolEntry entries[] = {
       {ToolKind::select, "select", words("Select, move, and change what is drawn")},
       {ToolKind::link, "link", words("Draw links: click on an empty place")},
       {ToolKind::turningJoint, "turning-joint",
@@ -57,16 +57,16 @@ void WindowActions::makeTools() {
       {ToolKind::pan, "pan", words("Move the sheet; the middle mouse button does so with any tool")},
   };
   tools = new QActionGroup(m_window);
-  for (const ToolLook& look : looks) {
-    const QString name = words(std::string(toolName(look.kind)).c_str());
-    const QChar key = QLatin1Char(toolKey(look.kind));
-    QAction* action = make("", name, look.tip, {QKeySequence(QString(key))}, QLatin1String(look.icon));
-    action->setObjectName(QStringLiteral("tool.") + QLatin1String(look.icon));
+  for (const ToolEntry& entry : entries) {
+    const QString name = words(std::string(toolName(entry.kind)).c_str());
+    const QChar key = QLatin1Char(toolKey(entry.kind));
+    QAction* action = make("", name, entry.tip, {QKeySequence(QString(key))}, QLatin1String(entry.icon));
+    action->setObjectName(QStringLiteral("tool.") + QLatin1String(entry.icon));
     action->setIconText(name + QStringLiteral("  ") + key);
     action->setCheckable(true);
-    action->setData(static_cast<int>(look.kind));
+    action->setData(static_cast<int>(entry.kind));
     tools->addAction(action);
-    tool[static_cast<std::size_t>(look.kind)] = action;
+    tool[static_cast<std::size_t>(entry.kind)] = action;
   }
   tool[static_cast<std::size_t>(ToolKind::select)]->setChecked(true);
 }
@@ -190,7 +190,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   zoomOut = make("view.zoomOut", words("Zoom &out"), words("Smaller"), {QKeySequence::ZoomOut});
   fitSelected = make("view.fitSelected", words("Fit the &selection"), words("Show all that is selected"),
                      {QKeySequence(QStringLiteral("Ctrl+Shift+0"))});
-  makeLooks();
+  makeAppearance();
   presentation = make("view.presentation", words("&Presentation"),
                       words("Full screen, large type, the drawing and the panels that were chosen"),
                       {QKeySequence(Qt::Key_F11)});
@@ -219,7 +219,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
 }
 
-void WindowActions::makeLooks() {
+void WindowActions::makeAppearance() {
   asSystem = make("view.asSystem", words("As the &system"), words("Light or dark as the system is"), {});
   light = make("view.light", words("&Light"), words("Dark on light"), {});
   dark = make("view.dark", words("&Dark"), words("Light on dark"), {});

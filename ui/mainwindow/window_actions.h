@@ -103,7 +103,7 @@ struct WindowActions {
                 const QString& iconName = {});
   void makeTools();
   void makeMotion();
-  void makeLooks();
+  void makeAppearance();
 
   QMainWindow* m_window;
   std::vector<std::pair<QAction*, QString>> m_icons;

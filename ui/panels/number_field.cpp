@@ -93,7 +93,7 @@ QString NumberField::objectionTo(const std::optional<Number>& number) const {
                 : tr("Type a number such as 12, 0.5 or 22/7.");
 }
 
-/// What is being typed need not be a number yet: only what is right again changes the field's look.
+/// What is being typed need not be a number yet: only what is right again changes the field's style.
 void NumberField::onText(const QString& typed) {
   m_isPending = true;
   m_pause.start();

@@ -42,7 +42,7 @@ PrintedPages::PrintedPages(QString title, std::vector<PrintedDrawing> drawings,
       m_font(font) {
   if (!m_report || stop.stop_requested()) return;
   const double body = (paper.height() - kHead - kFoot) * kDots;
-  FlowLook flow;
+  FlowParameters flow;
   flow.width = (paper.width() - 2 * kSide) * kDots;
   flow.size = flow.formulaSize = kSize * kDots;
   flow.tallest = body - 3 * flow.size;

@@ -300,9 +300,9 @@ void SchematicView::showState() {
     setHint(tr(std::string(section_tool::hint(m_state, tool())).c_str()));
   DisplayList list = rimLabel();
   if (const auto draft = section_tool::draft(m_state)) {
-    using Look = section_tool::Draft::Look;
-    const Dash dash = draft->look == Look::shaft ? Dash::solid : Dash::dotted;
-    if (draft->look != Look::axis) {
+    using Style = section_tool::Draft::Style;
+    const Dash dash = draft->style == Style::shaft ? Dash::solid : Dash::dotted;
+    if (draft->style != Style::axis) {
       list.marks.push_back({{},
                             MarkRole::ghost,
                             kGhostDepth,

@@ -112,13 +112,13 @@ std::string_view hint(const State& state, ToolKind tool) {
 }
 
 std::optional<Draft> draft(const State& state) {
-  using Look = Draft::Look;
-  if (const auto* shaft = std::get_if<Shaft>(&state)) return Draft{shaft->from, shaft->to, Look::shaft};
+  using Style = Draft::Style;
+  if (const auto* shaft = std::get_if<Shaft>(&state)) return Draft{shaft->from, shaft->to, Style::shaft};
   if (const auto* carried = std::get_if<Carried>(&state))
-    return Draft{carried->from, carried->to, Look::wish};
+    return Draft{carried->from, carried->to, Style::connection};
   if (const auto* meshing = std::get_if<Meshing>(&state))
-    return Draft{meshing->from, meshing->to, Look::wish};
-  if (const auto* drag = std::get_if<Dragging>(&state)) return Draft{drag->from, drag->to, Look::axis};
+    return Draft{meshing->from, meshing->to, Style::connection};
+  if (const auto* drag = std::get_if<Dragging>(&state)) return Draft{drag->from, drag->to, Style::axis};
   return std::nullopt;
 }
 

@@ -87,7 +87,7 @@ struct Step {
 struct Draft {
   SheetPoint from;
   SheetPoint to;
-  enum class Look { shaft, wish, axis } look = Look::wish;
+  enum class Style { shaft, connection, axis } style = Style::connection;
 };
 [[nodiscard]] std::optional<Draft> draft(const State& state);
 

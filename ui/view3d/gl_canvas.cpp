@@ -73,7 +73,7 @@ void GlCanvas::paintGL() {
   m_sceneIsNew = false;
   const Viewport& viewport = m_viewer->viewport();
   const double ratio = m_viewer->pixelRatio();
-  const Frame frame = m_viewer->frame(m_pace.isQuick());
+  const Frame frame = m_viewer->frame(m_pace.isDraft());
   std::optional<SeenMap> seen;
   if (m_pace.takeMap()) {
     const Viewport cells = labelCells(viewport, ratio);

@@ -16,8 +16,8 @@ constexpr double kFewerPixels = 0.7;  // of a side: half of all
 
 void simplify(Frame& frame, double& scale, int level) {
   if (level >= 1) {
-    frame.look.edges = false;
-    frame.look.litByVertex = true;
+    frame.style.edges = false;
+    frame.style.litByVertex = true;
   }
   if (level >= 2) scale = kFewerPixels;
 }
@@ -84,28 +84,28 @@ void ImageCanvas::orderSoon() {
   QMetaObject::invokeMethod(
       this,
       [this] {
-        if (m_willOrder && isVisible()) order(m_pace.isQuick());
+        if (m_willOrder && isVisible()) order(m_pace.isDraft());
       },
       Qt::QueuedConnection);
 }
 
-void ImageCanvas::order(bool quick) {
+void ImageCanvas::order(bool draft) {
   m_willOrder = false;
-  Frame frame = m_viewer->frame(quick);
+  Frame frame = m_viewer->frame(draft);
   double scale = 1;
-  if (quick) simplify(frame, scale, m_look.level());
-  if (quick) m_isStep = m_ordered == nullptr || m_ordered->stage() != m_viewer->stage();
+  if (draft) simplify(frame, scale, m_draftLevel.level());
+  if (draft) m_isStep = m_ordered == nullptr || m_ordered->stage() != m_viewer->stage();
   m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), frame);
-  if (quick) m_quick = m_ordered;
+  if (draft) m_draft = m_ordered;
   PictureOrder order{m_ordered, scale, {}};
   // A map that has been overtaken once is not put off again.
-  order.mapMayFollow = quick && !m_owesMap && !m_labels->areNew();
+  order.mapMayFollow = draft && !m_owesMap && !m_labels->areNew();
   m_owesMap = m_pace.takeMap() || m_owesMap;
   if (m_owesMap) order.cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
   m_thread->order(std::move(order));
 }
 
-// The first pictures of a movement would wait for the driver to compile what only quick looks need; it does
+// The first pictures of a movement would wait for the driver to compile what only draft frames need; it does
 // when the first picture at rest is there, step by step: the ground, faces, lines, the rest. So small a
 // picture costs nothing else.
 void ImageCanvas::rehearse() {
@@ -114,7 +114,7 @@ void ImageCanvas::rehearse() {
   std::vector<Showing> showing(frame.poses.size(), Showing::hidden);
   frame.showing = showing;
   frame.viewport = {16, 16};
-  frame.look.edges = frame.look.triad = false;
+  frame.style.edges = frame.style.triad = false;
   std::vector<PictureOrder> orders;
   const auto add = [&] {
     orders.push_back({std::make_shared<const KeptFrame>(m_viewer->stage(), frame), 1, {}});
@@ -122,11 +122,11 @@ void ImageCanvas::rehearse() {
   add();
   showing.assign(showing.size(), Showing::solid);
   add();
-  frame.look.litByVertex = true;
+  frame.style.litByVertex = true;
   add();
-  frame.look.edges = true;
+  frame.style.edges = true;
   add();
-  frame.look.triad = true;
+  frame.style.triad = true;
   add();
   orders.back().cells = frame.viewport;
   m_thread->rehearse(std::move(orders));
@@ -156,8 +156,8 @@ void ImageCanvas::takeUp() {
   }
   if (!delivered) return;
   m_viewer->setPictureCost(delivered->cost);
-  if (delivered->frame == m_quick) {
-    m_look.took(delivered->cost, m_isStep);
+  if (delivered->frame == m_draft) {
+    m_draftLevel.took(delivered->cost, m_isStep);
   } else {
     rehearse();
   }
@@ -186,10 +186,10 @@ bool ImageCanvas::isOnScreen(const QPainter& painter) const {
 }
 
 void ImageCanvas::paintGround(QPainter& painter) const {
-  const Look& look = m_viewer->view().look;
+  const RenderStyle& style = m_viewer->view().style;
   QLinearGradient ground(0, 0, 0, height());
-  ground.setColorAt(0, colorOf(look.groundTop));
-  ground.setColorAt(1, colorOf(look.groundBottom));
+  ground.setColorAt(0, colorOf(style.groundTop));
+  ground.setColorAt(1, colorOf(style.groundBottom));
   painter.fillRect(rect(), ground);
 }
 

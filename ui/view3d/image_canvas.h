@@ -7,8 +7,8 @@
 
 #include "core/presentation/stage/picture_thread.h"
 #include "ui/service/background_work.h"
+#include "ui/view3d/draft_level.h"
 #include "ui/view3d/label_layer.h"
-#include "ui/view3d/look_level.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
@@ -57,7 +57,7 @@ class ImageCanvas : public QWidget, public BackgroundWork {
 
   /// Requests the current frame after the event being handled.
   void orderSoon();
-  void order(bool quick);
+  void order(bool draft);
   void rehearse();
   void deliver(PaintedPicture picture);  ///< on the rendering thread
   void takeUp();
@@ -79,10 +79,10 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   bool m_owesMap = false;    ///< a requested map has not arrived: its frame may be superseded
   bool m_isPainted = false;  ///< m_shown has been painted
   bool m_isStep = false;     ///< the last requested draft frame is the first of its stage
-  LookLevel m_look;
+  DraftLevel m_draftLevel;
   bool m_hasRehearsed = false;
   KeptFramePtr m_ordered;
-  KeptFramePtr m_quick;      ///< the last requested draft frame
+  KeptFramePtr m_draft;      ///< the last requested draft frame
   Shown m_shown;             ///< includes labels and scale bar once painted
   std::optional<Map> m_map;  ///< not yet used to place labels
   std::mutex m_mutex;

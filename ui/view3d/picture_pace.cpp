@@ -40,7 +40,7 @@ void PicturePace::shown() {
 
 bool PicturePace::takeMap() {
   if (!m_labels->isShown(LabelKind::link)) return false;
-  const int enough = isQuick() ? kDearMapAfter : kMapAfter;
+  const int enough = isDraft() ? kDearMapAfter : kMapAfter;
   if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < enough) {
     m_mapIsOld = true;
     m_whenStill.start(kStillAfter);

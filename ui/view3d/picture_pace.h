@@ -20,7 +20,7 @@ class PicturePace : public QObject {
 
   void setSoftware(bool software) { m_isSoftware = software; }
   /// Is the next frame a draft?
-  [[nodiscard]] bool isQuick() const { return m_isSoftware && !m_isStill; }
+  [[nodiscard]] bool isDraft() const { return m_isSoftware && !m_isStill; }
   /// Reports that a draft frame is shown: the rest begins now, because with slow frames a full frame between
   /// two drafts of a movement would only delay the next.
   void shown();

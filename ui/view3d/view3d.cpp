@@ -435,7 +435,7 @@ void View3D::setDark(bool dark) {
   if (d->gl != nullptr) d->gl->setDark(dark);
   if (d->image != nullptr) d->image->setDark(dark);
   d->bar->setDark(dark);
-  d->viewer.setLook(dark ? Look::dark() : Look::light());
+  d->viewer.setRenderStyle(dark ? RenderStyle::dark() : RenderStyle::light());
 }
 
 const ViewOptions& View3D::options() const {

@@ -154,9 +154,10 @@ void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
                                    [&view, link] { view.rideAlong(link); });
     ride->setObjectName("view3dRide");
     ride->setEnabled(moves && view.ridden() != std::optional(link));
-    QAction* look = menu.addAction(tr("Look along its axis"), &view, [&view, link] { view.lookAlong(link); });
-    look->setObjectName("view3dLookAlong");
-    look->setEnabled(view.hasAxis(link));
+    QAction* alongAxis =
+        menu.addAction(tr("Look along its axis"), &view, [&view, link] { view.lookAlong(link); });
+    alongAxis->setObjectName("view3dLookAlong");
+    alongAxis->setEnabled(view.hasAxis(link));
     QAction* trace = menu.addAction(tr("Trace this point"), &view, [&view, at = *hit] { view.trace(at); });
     trace->setObjectName("view3dTrace");
     trace->setEnabled(moves);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/presentation/painting/look.h"
+#include "core/presentation/painting/render_style.h"
 #include "core/presentation/stage/stage_view.h"
 
 namespace geargraph::inline view3d {

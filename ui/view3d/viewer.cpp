@@ -157,7 +157,7 @@ void Viewer::setOptions(const ViewOptions& options) {
   if (options == m_options) return;
   const bool otherSize = (options.pulledApart > 0) != (m_options.pulledApart > 0);
   m_options = options;
-  m_view.look.faces = options.faces;
+  m_view.style.faces = options.faces;
   m_view.section = options.section;
   m_view.pulledApart = options.pulledApart;
   m_view.marks = options.marks;
@@ -336,9 +336,9 @@ void Viewer::fitNow() {
   m_isCameraChosen = wasChosen;
 }
 
-void Viewer::setLook(const Look& look) {
-  m_view.look = look;
-  m_view.look.faces = m_options.faces;
+void Viewer::setRenderStyle(const RenderStyle& style) {
+  m_view.style = style;
+  m_view.style.faces = m_options.faces;
   renewMarks();
   emit viewChanged();
 }
@@ -358,12 +358,12 @@ std::optional<CutPlane> Viewer::cut() const {
   return cutPlane(*m_bounds, m_seen.poses, m_view.section);
 }
 
-Frame Viewer::frame(bool quick) const {
+Frame Viewer::frame(bool draft) const {
   Frame frame;
   frame.viewport = m_viewport;
   frame.pixelRatio = m_pixelRatio;
   frame.camera = m_view.camera;
-  frame.look = quick ? m_view.look.cheaper() : m_view.look;
+  frame.style = draft ? m_view.style.cheaper() : m_view.style;
   frame.poses = m_seen.poses;
   frame.emphasis = m_emphasis;
   frame.showing = m_showing;

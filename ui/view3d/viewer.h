@@ -107,7 +107,7 @@ class Viewer : public QObject {
   void fit();
 
   void setNavigation(Navigation navigation) { m_navigation = navigation; }
-  void setLook(const Look& look);
+  void setRenderStyle(const RenderStyle& style);
   /// Sets the picking function; pending questions are dropped.
   void setPick(Pick pick);
   /// Sets the size of the canvas in device pixels, and the number of device pixels per logical pixel.
@@ -120,9 +120,9 @@ class Viewer : public QObject {
   /// other views.
   void setPictureCost(double milliseconds) { m_pictureCost = milliseconds; }
 
-  /// The current frame; valid until the next change. `quick`: a draft, during movements in software
+  /// The current frame; valid until the next change. `draft`: a draft, during movements in software
   /// rendering.
-  [[nodiscard]] Frame frame(bool quick = false) const;
+  [[nodiscard]] Frame frame(bool draft = false) const;
 
   /// Handles the gestures above for a canvas that has installed the viewer as its event filter.
   bool eventFilter(QObject* canvas, QEvent* event) override;

@@ -164,9 +164,9 @@ py::bytes report(Snapshot& self, const std::string& form) {
     if (form == "pdf")
       return reportPdf(std::move(made), {drawn("schematic"), drawn("digraph"), drawn("ttgraph")});
     return reportText(made, *reportFormFromName(form), [&] {
-      const SheetLook look;
-      return ReportDrawings{svgOf(drawn("schematic"), look), svgOf(drawn("digraph"), look),
-                            svgOf(drawn("ttgraph"), look)};
+      const SheetStyle style;
+      return ReportDrawings{svgOf(drawn("schematic"), style), svgOf(drawn("digraph"), style),
+                            svgOf(drawn("ttgraph"), style)};
     });
   })));
 }

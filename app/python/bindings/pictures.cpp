@@ -38,9 +38,9 @@ py::bytes drawing(const Snapshot& self, const std::string& name, const std::stri
   checkSize(size, kMostDrawingPixels);
   DrawingPicture picture;
   picture.form = *pictureForm;
-  picture.look.theme = dark ? Theme::dark : Theme::light;
-  picture.look.transparent = transparent;
-  if (size) picture.look.size = SheetLook::Size{size->first, size->second};
+  picture.style.theme = dark ? Theme::dark : Theme::light;
+  picture.style.transparent = transparent;
+  if (size) picture.style.size = SheetStyle::Size{size->first, size->second};
   picture.title = self.mechanism().name;
   return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) {
     return pictureOf(found->draw(*self.live(), nullptr, stop), picture);
@@ -97,10 +97,10 @@ std::pair<StageShot, OverlayChoice> shotOf(const RequestedPicture& requested) {
   if (requested.section)
     shot.view.section = SectionChoice{requested.section->first, requested.section->second, false};
   shot.view.pulledApart = requested.explode;
-  shot.view.look = pictureLook(requested.dark ? Theme::dark : Theme::light, requested.transparent);
+  shot.view.style = pictureStyle(requested.dark ? Theme::dark : Theme::light, requested.transparent);
   const auto faces = facesNamed(requested.faces);
   if (!faces) throw py::value_error("There are no faces \"" + requested.faces + "\".");
-  shot.view.look.faces = *faces;
+  shot.view.style.faces = *faces;
   for (const std::string& name : requested.show) {
     if (!showMark(shot.view.marks, name) && !showOverlay(overlay, name))
       throw py::value_error("A 3D picture shows no \"" + name + "\".");

@@ -83,7 +83,7 @@ class MotionSearch {
     std::int64_t budget = m_options.mostTests;
     for (const auto& [one, other] : BroadPhase(m_parts, m_motion).pairs(budget, m_stop)) {
       if (m_stop.stop_requested() || budget < 0) break;
-      look(m_parts[one], m_parts[other], budget);
+      examine(m_parts[one], m_parts[other], budget);
     }
     m_check.isComplete = !m_stop.stop_requested() && budget >= 0;
     m_check.to = std::min(m_uncovered, std::isfinite(m_range.to) ? m_range.to : m_longest);
@@ -99,7 +99,7 @@ class MotionSearch {
   }
 
  private:
-  void look(const CollisionPart& p, const CollisionPart& q, std::int64_t& budget) {
+  void examine(const CollisionPart& p, const CollisionPart& q, std::int64_t& budget) {
     const RelativeMotion relative(m_motion, p, q);
     if (!relative.isMoving()) return;
     const double period = relative.period();

@@ -102,37 +102,37 @@ struct MarkTag {
 
 }  // namespace
 
-Extent sheetOf(const DisplayList& list, const SheetLook& look) {
-  Extent sheet = extentOf(list).grown(std::max(look.margin, 0.5));
-  if (!look.size) return sheet;
-  const double shape = static_cast<double>(look.size->width) / look.size->height;
+Extent sheetOf(const DisplayList& list, const SheetStyle& style) {
+  Extent sheet = extentOf(list).grown(std::max(style.margin, 0.5));
+  if (!style.size) return sheet;
+  const double shape = static_cast<double>(style.size->width) / style.size->height;
   sheet.halfWidth = std::max(sheet.halfWidth, sheet.halfHeight * shape);
   sheet.halfHeight = std::max(sheet.halfHeight, sheet.halfWidth / shape);
   return sheet;
 }
 
-std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title) {
-  const Extent sheet = sheetOf(list, look);
+std::string svgOf(const DisplayList& list, const SheetStyle& style, std::string_view title) {
+  const Extent sheet = sheetOf(list, style);
   const std::string width = number(2 * sheet.halfWidth);
   const std::string height = number(2 * sheet.halfHeight);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "version=\"1.1\"" +
-      attribute("width", look.size ? std::to_string(look.size->width) : width) +
-      attribute("height", look.size ? std::to_string(look.size->height) : height) +
+      attribute("width", style.size ? std::to_string(style.size->width) : width) +
+      attribute("height", style.size ? std::to_string(style.size->height) : height) +
       attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
       ">\n";
   if (!title.empty()) svg += "<title>" + escapedXml(title) + "</title>\n";
-  if (!look.transparent) {
+  if (!style.transparent) {
     svg += "<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
-           attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, look.theme))) +
+           attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, style.theme))) +
            "/>\n";
   }
   svg += "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
   for (const Mark& mark : list.marks) {
     svg += "<g" + attribute("data-list", listName(mark.element.kind)) +
            attribute("data-id", escapedXml(mark.element.id.text())) + ">" +
-           std::visit(MarkTag{look.theme}, mark.what) + "</g>\n";
+           std::visit(MarkTag{style.theme}, mark.what) + "</g>\n";
   }
   return svg + "</g>\n</svg>\n";
 }

@@ -9,7 +9,7 @@
 namespace geargraph::inline drawing {
 
 /// The options of a drawing's sheet.
-struct SheetLook {
+struct SheetStyle {
   Theme theme = Theme::light;
   bool transparent = false;  ///< without the background of the theme
   double margin = 16;        ///< px beyond the outermost mark
@@ -22,10 +22,11 @@ struct SheetLook {
 
 /// The part of the plane that the sheet shows: all marks with the margin, extended to the aspect ratio of the
 /// size.
-[[nodiscard]] Extent sheetOf(const DisplayList& list, const SheetLook& look);
+[[nodiscard]] Extent sheetOf(const DisplayList& list, const SheetStyle& style);
 
 /// An SVG 1.1 of a drawing: strokes and fills as on screen, text as text that can be selected and searched,
 /// one group per element, with its list and id as data attributes.
-[[nodiscard]] std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title = {});
+[[nodiscard]] std::string svgOf(const DisplayList& list, const SheetStyle& style,
+                                std::string_view title = {});
 
 }  // namespace geargraph::inline drawing

@@ -12,11 +12,11 @@ constexpr double kTransferWidth = 1.4;
 constexpr double kHaloWidth = 9;
 constexpr double kHitHalfWidth = 5;
 
-struct Look {
+struct LineStyle {
   double width;
   Dash dash;
 };
-Look lookOf(TtLine kind) {
+LineStyle styleOf(TtLine kind) {
   switch (kind) {
     case TtLine::branch:
       return {kTurningWidth, Dash::solid};
@@ -43,11 +43,11 @@ DisplayList drawingOf(const TtLinePlace& line, const Emphasis& emphasis) {
     pen.put(MarkRole::halo, kHaloDepth, Stroke{line.curve, ColorRole::halo, kHaloWidth, Dash::solid});
   }
   const Tint tint = tintOf(line, emphasis);
-  const Look look = lookOf(line.kind);
+  const LineStyle style = styleOf(line.kind);
   if (line.kind == TtLine::open) {
-    pen.put(MarkRole::line, kLineDepth, Stroke{line.curve, tint, look.width, look.dash});
+    pen.put(MarkRole::line, kLineDepth, Stroke{line.curve, tint, style.width, style.dash});
   } else {
-    drawArrow(pen, line.curve, tint, look.width, look.dash);
+    drawArrow(pen, line.curve, tint, style.width, style.dash);
   }
   if (emphasis.walk != 0 && line.kind != TtLine::open) drawWalk(pen, line.curve, emphasis.walk, tint);
   pen.put(MarkRole::label, kLabelDepth, Text{line.label, line.labelCenter, kLabelSize, true, tint});

@@ -120,11 +120,11 @@ class SiteWriter {
     const auto drawing = manualPicture(name);
     GEARGRAPH_REQUIRE(drawing.has_value());  // a test walks all pages
     for (const Theme theme : {Theme::light, Theme::dark}) {
-      SheetLook look;
-      look.theme = theme;
-      look.transparent = true;
+      SheetStyle style;
+      style.theme = theme;
+      style.transparent = true;
       m_files.push_back(
-          {fileNameOf(name) + (theme == Theme::light ? "-light.svg" : "-dark.svg"), svgOf(*drawing, look)});
+          {fileNameOf(name) + (theme == Theme::light ? "-light.svg" : "-dark.svg"), svgOf(*drawing, style)});
     }
   }
 

@@ -35,7 +35,7 @@ struct Fit {
 
 class EquationFitter {
  public:
-  EquationFitter(const SetReport::SetEquation& set, const FlowLook& flow, double room)
+  EquationFitter(const SetReport::SetEquation& set, const FlowParameters& flow, double room)
       : m_set(set), m_flow(flow), m_room(room) {}
 
   [[nodiscard]] Fit fit() const {
@@ -66,18 +66,18 @@ class EquationFitter {
   }
 
   const SetReport::SetEquation& m_set;
-  const FlowLook& m_flow;
+  const FlowParameters& m_flow;
   double m_room;
 };
 
-FlowLine leftOut(const FlowLook& flow, const std::string& number, double numberWidth) {
-  const WordLook look{flow.size, false, true};
+FlowLine leftOut(const FlowParameters& flow, const std::string& number, double numberWidth) {
+  const TextStyle style{flow.size, false, true};
   FlowLine line;
   line.above = 0.6 * flow.size;
   line.height = 1.4 * flow.size;
   line.words.push_back(
-      {translated("Too wide for this page; the web page and LaTeX hold it whole."), 0, flow.size, look});
-  if (!number.empty()) line.words.push_back({number, flow.width - numberWidth, flow.size, look});
+      {translated("Too wide for this page; the web page and LaTeX hold it whole."), 0, flow.size, style});
+  if (!number.empty()) line.words.push_back({number, flow.width - numberWidth, flow.size, style});
   return line;
 }
 
@@ -98,10 +98,10 @@ std::vector<SetReport::SetLine> sharedLines(std::vector<FormulaLine> lines) {
 }
 
 std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const ReportEquation& equation,
-                                    const FlowLook& flow, const WordMeasure& measure) {
-  const WordLook numberLook{flow.size, false, true};
+                                    const FlowParameters& flow, const WordMeasure& measure) {
+  const TextStyle numberStyle{flow.size, false, true};
   const std::string number = equation.number ? "(" + equation.label() + ")" : "";
-  const double numberWidth = number.empty() ? 0 : measure.widthOf(number, numberLook);
+  const double numberWidth = number.empty() ? 0 : measure.widthOf(number, numberStyle);
   const double room = flow.width - (number.empty() ? 0 : numberWidth + flow.size);
   const Fit fit = EquationFitter(set, flow, room).fit();
   if (!fit.fits && flow.leavesOutWide) return {leftOut(flow, number, numberWidth)};
@@ -125,7 +125,7 @@ std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const Rep
   const std::size_t at = lines.size() <= kMostKept ? (lines.size() - 1) / 2 : lines.size() - 1;
   double y = lines[at].formulas.front().y;
   if (lines.size() <= kMostKept && lines.size() % 2 == 0) y += (lines[at].height + kGapOfLines * em) / 2;
-  lines[at].words.push_back({number, flow.width - numberWidth, y, numberLook});
+  lines[at].words.push_back({number, flow.width - numberWidth, y, numberStyle});
   return lines;
 }
 

@@ -9,7 +9,7 @@ namespace geargraph::inline pages {
 
 /// A displayed equation, centred, with its number at the right margin.
 [[nodiscard]] std::vector<FlowLine> equationLines(const SetReport::SetEquation& set,
-                                                  const ReportEquation& equation, const FlowLook& flow,
+                                                  const ReportEquation& equation, const FlowParameters& flow,
                                                   const WordMeasure& measure);
 
 }  // namespace geargraph::inline pages

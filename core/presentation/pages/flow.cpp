@@ -16,7 +16,7 @@ constexpr double kAnyWidth = 1e9;
 /// Lays out one block after the other.
 class FlowWriter {
  public:
-  FlowWriter(const SetReport& report, const FlowLook& flow, const WordMeasure& measure)
+  FlowWriter(const SetReport& report, const FlowParameters& flow, const WordMeasure& measure)
       : m_report(report), m_flow(flow), m_measure(measure) {}
 
   std::vector<FlowLine> all() {
@@ -26,14 +26,14 @@ class FlowWriter {
   }
 
   void operator()(const ReportHeading& heading) {
-    const WordLook look{m_flow.size * (heading.level == 1 ? 1.45 : 1.15), true, false};
-    std::vector<FlowLine> lines = paragraph({{heading.text, false}}, look, 0, m_flow.width);
+    const TextStyle style{m_flow.size * (heading.level == 1 ? 1.45 : 1.15), true, false};
+    std::vector<FlowLine> lines = paragraph({{heading.text, false}}, style, 0, m_flow.width);
     lines.front().above = m_flow.size * (heading.level == 1 ? 2.2 : 1.6);
     for (FlowLine& line : lines) line.keepsWithNext = true;
     put(std::move(lines));
   }
   void operator()(const ReportParagraph& block) {
-    std::vector<FlowLine> lines = paragraph(block.words, WordLook{m_flow.size}, 0, m_flow.width);
+    std::vector<FlowLine> lines = paragraph(block.words, TextStyle{m_flow.size}, 0, m_flow.width);
     lines.front().above = 0.6 * m_flow.size;
     keepEnds(lines);
     const auto& blocks = m_report.report().blocks;
@@ -47,12 +47,12 @@ class FlowWriter {
     put(equationLines(m_report.equation(m_block), equation, m_flow, m_measure));
   }
   void operator()(const ReportList& list) {
-    const WordLook look{m_flow.size};
+    const TextStyle style{m_flow.size};
     const double indent = 1.2 * m_flow.size;
     for (const ReportWords& item : list.items) {
-      std::vector<FlowLine> lines = paragraph(item, look, indent, m_flow.width - indent);
+      std::vector<FlowLine> lines = paragraph(item, style, indent, m_flow.width - indent);
       lines.front().above = 0.4 * m_flow.size;
-      lines.front().words.insert(lines.front().words.begin(), {"–", 0, firstBaseline(lines.front()), look});
+      lines.front().words.insert(lines.front().words.begin(), {"–", 0, firstBaseline(lines.front()), style});
       keepEnds(lines);
       put(std::move(lines));
     }
@@ -85,7 +85,7 @@ class FlowWriter {
 
  private:
   /// A figure, smaller where it does not fit, and its caption.
-  void putFigure(const FlowLook::FigureSize& size, FlowFigure figure, const std::string& caption) {
+  void putFigure(const FlowParameters::FigureSize& size, FlowFigure figure, const std::string& caption) {
     const double part = std::min({1.0, m_flow.width / size.width, 0.42 * m_flow.tallest / size.height});
     figure.width = part * size.width;
     figure.height = part * size.height;
@@ -96,12 +96,12 @@ class FlowWriter {
     line.keepsWithNext = true;
     line.figure = std::move(figure);
     put({line});
-    const WordLook look{0.9 * m_flow.size, false, true};
-    const double words = m_measure.widthOf(caption, look);
+    const TextStyle style{0.9 * m_flow.size, false, true};
+    const double words = m_measure.widthOf(caption, style);
     FlowLine below;
     below.above = 0.4 * m_flow.size;
-    below.height = 2 * look.size;
-    below.words.push_back({caption, (m_flow.width - words) / 2, look.size, look});
+    below.height = 2 * style.size;
+    below.words.push_back({caption, (m_flow.width - words) / 2, style.size, style});
     put({below});
   }
 
@@ -109,8 +109,8 @@ class FlowWriter {
     if (!line.words.empty()) return line.words.front().y;
     return line.formulas.empty() ? 0 : line.formulas.front().y;
   }
-  std::vector<FlowLine> paragraph(const ReportWords& words, const WordLook& look, double x, double width) {
-    return paragraphLines(m_report, words, look, m_flow, m_measure, x, width);
+  std::vector<FlowLine> paragraph(const ReportWords& words, const TextStyle& style, double x, double width) {
+    return paragraphLines(m_report, words, style, m_flow, m_measure, x, width);
   }
   /// Neither its first nor its last line stands alone.
   static void keepEnds(std::vector<FlowLine>& lines) {
@@ -130,7 +130,7 @@ class FlowWriter {
     double width = 0;
     for (const ReportSpan& span : words) {
       width += span.isFormula ? m_report.inLine(span.text)->width * m_flow.formulaSize
-                              : m_measure.widthOf(span.text, WordLook{m_flow.size});
+                              : m_measure.widthOf(span.text, TextStyle{m_flow.size});
     }
     return width;
   }
@@ -178,10 +178,10 @@ class FlowWriter {
     double x = 0, height = 0;
     const double lead = 0.15 * m_flow.size;
     for (std::size_t column = 0; column < widths.size(); ++column) {
-      const WordLook look{m_flow.size, false, isHead};
+      const TextStyle style{m_flow.size, false, isHead};
       double y = lead;
       if (column < cells.size()) {
-        for (FlowLine& line : paragraph(cells[column], look, x, widths[column])) {
+        for (FlowLine& line : paragraph(cells[column], style, x, widths[column])) {
           for (FlowWords& words : line.words) {
             words.y += y;
             row.words.push_back(std::move(words));
@@ -202,7 +202,7 @@ class FlowWriter {
   }
 
   const SetReport& m_report;
-  const FlowLook& m_flow;
+  const FlowParameters& m_flow;
   const WordMeasure& m_measure;
   std::size_t m_block = 0;
   std::vector<FlowLine> m_lines;
@@ -237,8 +237,8 @@ void SetReport::set(const ReportWords& words) {
   }
 }
 
-std::vector<FlowLine> SetReport::lines(const FlowLook& look, const WordMeasure& measure) const {
-  return FlowWriter(*this, look, measure).all();
+std::vector<FlowLine> SetReport::lines(const FlowParameters& parameters, const WordMeasure& measure) const {
+  return FlowWriter(*this, parameters, measure).all();
 }
 
 }  // namespace geargraph::inline pages

@@ -15,7 +15,7 @@
 namespace geargraph::inline pages {
 
 /// The style of words.
-struct WordLook {
+struct TextStyle {
   double size = 10;  ///< of the em
   bool bold = false;
   bool soft = false;  ///< in the secondary colour
@@ -28,14 +28,14 @@ class WordMeasure {
   WordMeasure(const WordMeasure&) = delete;
   WordMeasure& operator=(const WordMeasure&) = delete;
   virtual ~WordMeasure() = default;
-  [[nodiscard]] virtual double widthOf(std::string_view utf8, const WordLook& look) const = 0;
+  [[nodiscard]] virtual double widthOf(std::string_view utf8, const TextStyle& style) const = 0;
 };
 
 /// Words from x on, with their baseline at y, downwards from the top of their line.
 struct FlowWords {
   std::string text;
   double x = 0, y = 0;
-  WordLook look;
+  TextStyle style;
 };
 struct FlowFormula {
   std::shared_ptr<const FormulaBox> box;
@@ -66,7 +66,7 @@ struct FlowLine {
 };
 
 /// The parameters of a layout. Lengths in one unit: points of a page or pixels of a window.
-struct FlowLook {
+struct FlowParameters {
   double width = 480;
   double size = 10;         ///< of the em of words
   double formulaSize = 10;  ///< of the em of formulas
@@ -91,7 +91,8 @@ class SetReport {
 
   [[nodiscard]] const Report& report() const { return m_report; }
   /// The report from its first heading to its end, in strips. Cost: linear in the report.
-  [[nodiscard]] std::vector<FlowLine> lines(const FlowLook& look, const WordMeasure& measure) const;
+  [[nodiscard]] std::vector<FlowLine> lines(const FlowParameters& parameters,
+                                            const WordMeasure& measure) const;
 
   struct SetLine {
     std::shared_ptr<const FormulaBox> box;

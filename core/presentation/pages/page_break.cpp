@@ -31,7 +31,8 @@ std::vector<FlowPage> flowPages(const std::vector<FlowLine>& lines, double body)
   return pages;
 }
 
-std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow, const WordMeasure& measure) {
+std::vector<FlowLine> titleLines(const SetReport& report, const FlowParameters& flow,
+                                 const WordMeasure& measure) {
   const std::size_t none = report.report().blocks.size();
   std::vector<FlowLine> lines = paragraphLines(report, {{report.report().title, false}},
                                                {1.9 * flow.size, true, false}, flow, measure, 0, flow.width);

@@ -18,7 +18,7 @@ struct FlowPage {
 [[nodiscard]] std::vector<FlowPage> flowPages(const std::vector<FlowLine>& lines, double body);
 
 /// The name of the mechanism and what the document is, before the first heading; they belong to no block.
-[[nodiscard]] std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow,
+[[nodiscard]] std::vector<FlowLine> titleLines(const SetReport& report, const FlowParameters& flow,
                                                const WordMeasure& measure);
 
 }  // namespace geargraph::inline pages

@@ -22,12 +22,12 @@ using Chunk = std::vector<Piece>;
 
 class ParagraphBreaker {
  public:
-  ParagraphBreaker(const SetReport& report, const WordLook& look, const FlowLook& flow,
+  ParagraphBreaker(const SetReport& report, const TextStyle& style, const FlowParameters& flow,
                    const WordMeasure& measure, double x, double width)
-      : m_report(report), m_look(look), m_flow(flow), m_measure(measure), m_x(x), m_width(width) {}
+      : m_report(report), m_style(style), m_flow(flow), m_measure(measure), m_x(x), m_width(width) {}
 
   std::vector<FlowLine> linesOf(const ReportWords& words) {
-    m_blank = m_measure.widthOf(" ", m_look);
+    m_blank = m_measure.widthOf(" ", m_style);
     for (const Chunk& chunk : chunksOf(words)) place(chunk);
     if (!m_pieces.empty() || m_lines.empty()) endLine();
     return std::move(m_lines);
@@ -45,7 +45,7 @@ class ParagraphBreaker {
     for (const ReportSpan& span : words) {
       if (span.isFormula) {
         const auto& box = m_report.inLine(span.text);
-        add({{}, box, box->width * m_flow.formulaSize * m_look.size / m_flow.size});
+        add({{}, box, box->width * m_flow.formulaSize * m_style.size / m_flow.size});
         continue;
       }
       std::string_view rest = span.text;
@@ -57,7 +57,7 @@ class ParagraphBreaker {
         }
         const auto end = std::find_if(rest.begin(), rest.end(), isBlank);
         const std::string word(rest.begin(), end);
-        add({word, nullptr, m_measure.widthOf(word, m_look)});
+        add({word, nullptr, m_measure.widthOf(word, m_style)});
         rest.remove_prefix(word.size());
       }
     }
@@ -87,7 +87,7 @@ class ParagraphBreaker {
         std::string_view after = rest;
         (void)takeCharacter(after);
         const std::string character(rest.substr(0, rest.size() - after.size()));
-        const double width = m_measure.widthOf(character, m_look);
+        const double width = m_measure.widthOf(character, m_style);
         if (m_used + width > m_width && !m_pieces.empty()) endLine();
         put({character, nullptr, width});
         rest = after;
@@ -106,8 +106,8 @@ class ParagraphBreaker {
   }
 
   void endLine() {
-    const double em = m_flow.formulaSize * m_look.size / m_flow.size;
-    double ascent = kAscent * m_look.size, descent = (kLeading - kAscent) * m_look.size;
+    const double em = m_flow.formulaSize * m_style.size / m_flow.size;
+    double ascent = kAscent * m_style.size, descent = (kLeading - kAscent) * m_style.size;
     for (const Piece& piece : m_pieces) {
       if (!piece.formula) continue;
       ascent = std::max(ascent, (piece.formula->height + 0.1) * em);
@@ -120,7 +120,7 @@ class ParagraphBreaker {
       if (piece.formula) {
         line.formulas.push_back({piece.formula, x, ascent, em});
       } else {
-        line.words.push_back({std::move(piece.text), x, ascent, m_look});
+        line.words.push_back({std::move(piece.text), x, ascent, m_style});
       }
       x += piece.width;
     }
@@ -130,8 +130,8 @@ class ParagraphBreaker {
   }
 
   const SetReport& m_report;
-  WordLook m_look;
-  const FlowLook& m_flow;
+  TextStyle m_style;
+  const FlowParameters& m_flow;
   const WordMeasure& m_measure;
   double m_x, m_width;
   double m_blank = 0;
@@ -142,10 +142,10 @@ class ParagraphBreaker {
 
 }  // namespace
 
-std::vector<FlowLine> paragraphLines(const SetReport& report, const ReportWords& words, const WordLook& look,
-                                     const FlowLook& flow, const WordMeasure& measure, double x,
-                                     double width) {
-  return ParagraphBreaker(report, look, flow, measure, x, width).linesOf(words);
+std::vector<FlowLine> paragraphLines(const SetReport& report, const ReportWords& words,
+                                     const TextStyle& style, const FlowParameters& flow,
+                                     const WordMeasure& measure, double x, double width) {
+  return ParagraphBreaker(report, style, flow, measure, x, width).linesOf(words);
 }
 
 }  // namespace geargraph::inline pages

@@ -6,7 +6,7 @@ namespace geargraph::inline pages {
 
 /// Breaks sentences into lines at most `width` wide, which start at x. A word wider than a line is broken.
 [[nodiscard]] std::vector<FlowLine> paragraphLines(const SetReport& report, const ReportWords& words,
-                                                   const WordLook& look, const FlowLook& flow,
+                                                   const TextStyle& style, const FlowParameters& flow,
                                                    const WordMeasure& measure, double x, double width);
 
 /// The distance from baseline to baseline, in em.

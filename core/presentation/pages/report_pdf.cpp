@@ -22,8 +22,8 @@ constexpr Color kInk{0, 0, 0}, kSoft{85, 93, 102}, kHairline{200, 206, 212};
 class PageMeasure : public WordMeasure {
  public:
   explicit PageMeasure(const PdfPages& pages) : m_pages(pages) {}
-  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override {
-    return m_pages.widthOf(utf8, look.size, look.bold);
+  [[nodiscard]] double widthOf(std::string_view utf8, const TextStyle& style) const override {
+    return m_pages.widthOf(utf8, style.size, style.bold);
   }
 
  private:
@@ -55,7 +55,7 @@ class PagePainter {
     for (const FlowRule& rule : line.rules) m_pages.rule(kSide + rule.x, top + rule.y, rule.width, kHairline);
     for (const FlowWords& words : line.words) {
       m_pages.words(words.text, kSide + words.x, top + words.y,
-                    {words.look.size, words.look.bold, words.look.soft ? kSoft : kInk});
+                    {words.style.size, words.style.bold, words.style.soft ? kSoft : kInk});
     }
     for (const FlowFormula& formula : line.formulas) {
       m_pages.formula(*formula.box, kSide + formula.x, top + formula.y, formula.size, kInk, kSoft);
@@ -83,16 +83,16 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   const SetReport set(std::move(report));
   PdfPages pdf(kPageWidth, kPageHeight, set.report().title);
   const PageMeasure measure(pdf);
-  FlowLook flow;
+  FlowParameters flow;
   flow.width = kWidth;
   flow.size = flow.formulaSize = kSize;
   flow.tallest = kBody - 3 * kSize;
   flow.curvesScale = kPoints;
-  flow.figureSize = [&](ReportDrawing drawing) -> std::optional<FlowLook::FigureSize> {
+  flow.figureSize = [&](ReportDrawing drawing) -> std::optional<FlowParameters::FigureSize> {
     const DisplayList& list = drawings.of(drawing);
     if (list.marks.empty()) return std::nullopt;
     const Extent sheet = sheetOf(list, {});
-    return FlowLook::FigureSize{2 * kPoints * sheet.halfWidth, 2 * kPoints * sheet.halfHeight};
+    return FlowParameters::FigureSize{2 * kPoints * sheet.halfWidth, 2 * kPoints * sheet.halfHeight};
   };
   std::vector<FlowLine> lines = titleLines(set, flow, measure);
   for (FlowLine& line : set.lines(flow, measure)) lines.push_back(std::move(line));

@@ -57,17 +57,17 @@ void GlPasses::gradient(const Rgb& top, const Rgb& bottom) const {
 }
 
 void GlPasses::disc(const FloorDisc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
-                    const Look& look) const {
+                    const RenderStyle& style) const {
   m_disc.use();
   set(m_disc.uniform("u_modelView"), view);
   set(m_disc.uniform("u_projection"), projection);
   set(m_disc.uniform("u_disc"), disc);
-  set(m_disc.uniform("u_colour"), look.disc);
-  set(m_disc.uniform("u_shade"), look.shadow);
-  m_gl.Uniform2f(m_disc.uniform("u_strength"), look.discStrength,
-                 look.contactShadow ? look.shadowStrength : 0);
+  set(m_disc.uniform("u_colour"), style.disc);
+  set(m_disc.uniform("u_shade"), style.shadow);
+  m_gl.Uniform2f(m_disc.uniform("u_strength"), style.discStrength,
+                 style.contactShadow ? style.shadowStrength : 0);
   m_gl.Uniform1i(m_disc.uniform("u_shadow"), 0);
-  bindTexture(look.contactShadow ? m_shadowImage.texture() : 0);
+  bindTexture(style.contactShadow ? m_shadowImage.texture() : 0);
   m_overlay.bindEmpty();
   m_gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

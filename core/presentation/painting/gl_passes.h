@@ -9,7 +9,7 @@
 #include "core/presentation/painting/camera.h"
 #include "core/presentation/painting/gl_objects.h"
 #include "core/presentation/painting/image.h"
-#include "core/presentation/painting/look.h"
+#include "core/presentation/painting/render_style.h"
 
 namespace geargraph::inline painting {
 
@@ -40,7 +40,7 @@ class GlPasses {
 
   void gradient(const Rgb& top, const Rgb& bottom) const;
   void disc(const FloorDisc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
-            const Look& look) const;
+            const RenderStyle& style) const;
 
   /// Begins the image of the contact shadow, seen from above; the scene's `size` determines up to which
   /// height parts cast it.
@@ -54,7 +54,7 @@ class GlPasses {
   void cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, const CapSquare& square,
            const Rgb& colour, bool leansLeft) const;
 
-  /// `byVertex`: Look::litByVertex, for closed solids without a section.
+  /// `byVertex`: RenderStyle::litByVertex, for closed solids without a section.
   void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool byVertex) const;
   void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
   /// To be called after beginShadow() (model matrices to the world then), beginLit() or beginFlat().

@@ -59,7 +59,7 @@ bool GlRenderer::paint(const Frame& frame) {
   const Viewport& size = frame.viewport;
   if (!m_sampled.ensure(size.width, m_strip.rowsOf(size.height), samplesOf(frame))) return false;
   const bool isFirst = m_strip.bottom == 0;  // of a picture's strips, which all have the same shadow
-  if (isFirst && frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
+  if (isFirst && frame.style.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
   m_gl->BlendEquation(GL_FUNC_ADD);
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (paintLayer(frame)) {
@@ -74,7 +74,7 @@ bool GlRenderer::paint(const Frame& frame) {
   }
   drawMarks(frame);
   m_gl->Disable(GL_DEPTH_TEST);
-  if (frame.look.triad) drawTriad(frame);
+  if (frame.style.triad) drawTriad(frame);
   return true;
 }
 
@@ -82,7 +82,7 @@ bool GlRenderer::paint(const Frame& frame) {
 bool GlRenderer::paintLayer(const Frame& frame) {
   const bool isVeiled =
       std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) != frame.showing.end();
-  if (!m_software || m_strip.height > 0 || samplesOf(frame) > 1 || frame.look.contactShadow ||
+  if (!m_software || m_strip.height > 0 || samplesOf(frame) > 1 || frame.style.contactShadow ||
       frame.section || isVeiled)
     return false;
   const auto& [width, height] = frame.viewport;
@@ -96,7 +96,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
                      instance.colour, emphasis(frame, i), showing(frame, i)});
   }
   const StillParts::Layer layer =
-      m_still.next({width, height, frame.pixelRatio, frame.camera, frame.look, isLitByVertex(frame),
+      m_still.next({width, height, frame.pixelRatio, frame.camera, frame.style, isLitByVertex(frame),
                     projection(frame) * frame.camera.view().matrix()},
                    std::move(parts));
   if (layer == StillParts::Layer::none) return false;
@@ -154,7 +154,7 @@ void GlRenderer::drawBackground(const Frame& frame) {
   m_gl->Disable(GL_DEPTH_TEST);
   m_gl->Disable(GL_CULL_FACE);
   m_gl->Disable(GL_BLEND);
-  if (!frame.look.transparent) m_passes.gradient(frame.look.groundTop, frame.look.groundBottom);
+  if (!frame.style.transparent) m_passes.gradient(frame.style.groundTop, frame.style.groundBottom);
 }
 
 void GlRenderer::drawDisc(const Frame& frame) {
@@ -162,7 +162,7 @@ void GlRenderer::drawDisc(const Frame& frame) {
   m_gl->Enable(GL_BLEND);
   const FloorDisc ground = disc(frame);
   if (m_scene.instances.empty() || frame.camera.eye().z() < ground.z) return;
-  m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.look);
+  m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.style);
 }
 
 // The range of depths stays while the train changes a little, so that what is kept of it holds.
@@ -200,16 +200,16 @@ void GlRenderer::beginSection(const Frame& frame) {
 }
 
 void GlRenderer::drawSolids(const Frame& frame) {
-  if (frame.look.faces != Faces::wireframe) {
+  if (frame.style.faces != Faces::wireframe) {
     drawFaces(frame, Showing::solid, 1);
     if (frame.section) drawCaps(frame);
   }
-  if (frame.look.edges || frame.look.faces != Faces::shaded) drawEdges(frame, Showing::solid, 1);
+  if (frame.style.edges || frame.style.faces != Faces::shaded) drawEdges(frame, Showing::solid, 1);
 }
 
 bool GlRenderer::isLitByVertex(const Frame& frame) const {
   const auto isOpen = [](const Instance& instance) { return instance.isOpen; };
-  return frame.look.litByVertex && !frame.section &&
+  return frame.style.litByVertex && !frame.section &&
          std::none_of(m_scene.instances.begin(), m_scene.instances.end(), isOpen);
 }
 
@@ -218,7 +218,7 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
   if (alpha == 1) m_gl->Disable(GL_BLEND);  // which reads every pixel before it writes it
-  const bool isDrawing = frame.look.faces == Faces::hiddenLine;
+  const bool isDrawing = frame.style.faces == Faces::hiddenLine;
   m_passes.beginLit(view, projection(frame), isLitByVertex(frame));
   drawAll(frame, clip(frame), wanted, GlSolid::Part::triangles,
           [&](std::size_t i) -> std::optional<SolidInstance> {
@@ -228,7 +228,7 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
                                : isDrawing                   ? 1
                                                              : 0;
             const bool isPaper = isDrawing && state == Highlight::none;
-            const Rgb& accent = isPaper ? frame.look.groundTop : frame.look.accent;
+            const Rgb& accent = isPaper ? frame.style.groundTop : frame.style.accent;
             SolidInstance instance =
                 instanceAt(view * pose(frame, i).matrix(), m_scene.instances[i].colour, alpha);
             instance.accent = {accent.red, accent.green, accent.blue, tint};
@@ -279,7 +279,7 @@ void GlRenderer::drawCaps(const Frame& frame) {
 // Depth first, colour second: of a ghost only the nearest faces are seen, once.
 void GlRenderer::drawGhosts(const Frame& frame) {
   if (std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) == frame.showing.end()) return;
-  if (frame.look.faces != Faces::wireframe) {
+  if (frame.style.faces != Faces::wireframe) {
     m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawFaces(frame, Showing::ghost, 1);
     m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -292,16 +292,16 @@ void GlRenderer::drawEdges(const Frame& frame, Showing wanted, float part) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   // In a small picture lines of one pixel would cover the teeth that they are to show.
   const double fade = std::clamp(frame.viewport.height / (kFullEdgeHeight * frame.pixelRatio), 0.55, 1.0);
-  const bool coloured = frame.look.faces == Faces::wireframe;
-  const float full = frame.look.faces == Faces::shaded ? frame.look.edgeStrength : 0.85F;
+  const bool coloured = frame.style.faces == Faces::wireframe;
+  const float full = frame.style.faces == Faces::shaded ? frame.style.edgeStrength : 0.85F;
   const float strength = part * full * static_cast<float>(fade);
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
-  const Rgb& ink = frame.look.faces == Faces::hiddenLine ? frame.look.letters : frame.look.edge;
+  const Rgb& ink = frame.style.faces == Faces::hiddenLine ? frame.style.letters : frame.style.edge;
   drawAll(frame, clip(frame), wanted, GlSolid::Part::edges,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             const bool marked = coloured && emphasis(frame, i) != Highlight::none;
-            const Rgb& own = marked ? frame.look.accent : m_scene.instances[i].colour;
+            const Rgb& own = marked ? frame.style.accent : m_scene.instances[i].colour;
             return instanceAt(view * pose(frame, i).matrix(), coloured ? own : ink, strength);
           });
   m_gl->DepthMask(GL_TRUE);
@@ -322,7 +322,7 @@ void GlRenderer::drawMarks(const Frame& frame) {
 }
 
 void GlRenderer::drawTriad(const Frame& frame) {
-  m_passes.overlay(axisTriad(frame.camera, frame.viewport, frame.pixelRatio, frame.look), frame.viewport);
+  m_passes.overlay(axisTriad(frame.camera, frame.viewport, frame.pixelRatio, frame.style), frame.viewport);
 }
 
 void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
@@ -349,7 +349,7 @@ void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
     m_gl->Viewport(0, 0, size.width, size.height);
     m_gl->Enable(GL_BLEND);
     const float strength = wanted == Highlight::selected ? 0.95F : 0.55F;
-    m_passes.halo(m_mask.texture(), size, frame.pixelRatio, frame.look.accent, strength);
+    m_passes.halo(m_mask.texture(), size, frame.pixelRatio, frame.style.accent, strength);
   }
 }
 
@@ -378,7 +378,7 @@ Image GlRenderer::picture(const Frame& frame) {
   }
   m_strip = {};
   if (!isPainted) return {};
-  turnUpright(image, !frame.look.transparent);
+  turnUpright(image, !frame.style.transparent);
   return image;
 }
 

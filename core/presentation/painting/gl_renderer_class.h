@@ -67,16 +67,16 @@ class GlRenderer final : public Renderer {
   template <class Visit>
   void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
                     Visit visit);
-  /// Draws a part of the same instances, equal solids by one instanced call: `look` returns the data of an
-  /// instance, or std::nullopt to skip it.
-  template <class Look>
+  /// Draws a part of the same instances, equal solids by one instanced call: `instanceData` returns the data
+  /// of an instance, or std::nullopt to skip it.
+  template <class InstanceData>
   void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-               Look look);
+               InstanceData instanceData);
   /// The solid at the level of detail for its size on the screen; uploaded on first use.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                         GlSolid::Part part);
   [[nodiscard]] int samplesOf(const Frame& frame) const {
-    return std::clamp(frame.look.samples, 1, static_cast<int>(m_maximumSamples));
+    return std::clamp(frame.style.samples, 1, static_cast<int>(m_maximumSamples));
   }
   /// Draws all but the halo into m_sampled, which is bound then. False if the driver is out of memory.
   [[nodiscard]] bool paint(const Frame& frame);
@@ -174,13 +174,13 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
 constexpr std::size_t kMostQueuedIndices = 250'000;
 
 // Batches are in the order of the scene, not of addresses, so that the same scene gives the same picture.
-template <class Look>
+template <class InstanceData>
 void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-                         Look look) {
+                         InstanceData instanceData) {
   m_batches.clear();
   m_batchOf.clear();
   eachInstance(frame, clip, wanted, part, [&](std::size_t i, const GlSolid& solid) {
-    const std::optional<SolidInstance> instance = look(i);
+    const std::optional<SolidInstance> instance = instanceData(i);
     if (!instance) return;
     const bool isOpen = m_scene.instances[i].isOpen;
     const auto [place, isNew] = m_batchOf.try_emplace({&solid, isOpen}, m_batches.size());

@@ -8,8 +8,8 @@
 
 #include "core/presentation/painting/camera.h"
 #include "core/presentation/painting/image.h"
-#include "core/presentation/painting/look.h"
 #include "core/presentation/painting/mark_line.h"
+#include "core/presentation/painting/render_style.h"
 #include "core/presentation/painting/scene.h"
 #include "core/presentation/painting/seen_map.h"
 
@@ -35,7 +35,7 @@ struct Frame {
   Viewport viewport;
   double pixelRatio = 1;  ///< device pixels per logical pixel, for widths of lines and letters
   Camera camera;
-  Look look;
+  RenderStyle style;
   std::span<const Pose> poses;
   std::span<const Highlight> emphasis;
   std::span<const Showing> showing;
@@ -64,7 +64,7 @@ class Renderer {
 
   /// The driver's name: "llvmpipe (LLVM 15.0.6, 256 bits)".
   [[nodiscard]] virtual const std::string& name() const = 0;
-  /// Is it software rendering? Then frames are expensive, and Look::cheaper() is the better default.
+  /// Is it software rendering? Then frames are expensive, and RenderStyle::cheaper() is the better default.
   [[nodiscard]] virtual bool isSoftware() const = 0;
 
   /// Takes up the scene. Solids that the last scene had as well stay where they are.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/presentation/painting/camera.h"
-#include "core/presentation/painting/look.h"
+#include "core/presentation/painting/render_style.h"
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/painting/scene.h"
 
@@ -22,7 +22,7 @@ class StillParts {
     int height = 1;
     double pixelRatio = 1;
     Camera camera;
-    Look look;
+    RenderStyle style;
     bool litByVertex = false;
     Eigen::Matrix4d clip = Eigen::Matrix4d::Identity();
     friend bool operator==(const View&, const View&) = default;

@@ -36,9 +36,9 @@ void addLine(std::vector<OverlayVertex>& to, const Point& a, const Point& b, dou
 }  // namespace
 
 std::vector<OverlayVertex> axisTriad(const Camera& camera, const Viewport& viewport, double pixelRatio,
-                                     const Look& look) {
+                                     const RenderStyle& style) {
   constexpr double kLength = 34, kLetterAt = 45, kLetterSize = 8, kFromEdge = 58;
-  const bool darkLetters = look.letters.red < 0.5F;
+  const bool darkLetters = style.letters.red < 0.5F;
   const std::array<Rgb, 3> colours = {Rgb::fromHex(darkLetters ? 0xC62828 : 0xFF7B72),
                                       Rgb::fromHex(darkLetters ? 0x2E7D32 : 0x6CD39B),
                                       Rgb::fromHex(darkLetters ? 0x1F5FBF : 0x6C9BFF)};

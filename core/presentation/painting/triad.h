@@ -4,13 +4,13 @@
 
 #include "core/presentation/painting/camera.h"
 #include "core/presentation/painting/gl_objects.h"
-#include "core/presentation/painting/look.h"
+#include "core/presentation/painting/render_style.h"
 
 namespace geargraph::inline painting {
 
 /// The axis triad in the lower left corner: x red, y green, z blue, each with its letter, the nearest on top.
 /// Triangles in device pixels.
 [[nodiscard]] std::vector<OverlayVertex> axisTriad(const Camera& camera, const Viewport& viewport,
-                                                   double pixelRatio, const Look& look);
+                                                   double pixelRatio, const RenderStyle& style);
 
 }  // namespace geargraph::inline painting

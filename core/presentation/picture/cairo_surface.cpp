@@ -129,14 +129,14 @@ CairoSurface CairoSurface::pdf(double width, double height, const std::string& t
   return CairoSurface(surface, std::move(bytes));
 }
 
-void CairoSurface::play(const DisplayList& list, const Extent& sheet, double scale, const SheetLook& look) {
-  playOn(m_context.get(), list, sheet, scale, look);
+void CairoSurface::play(const DisplayList& list, const Extent& sheet, double scale, const SheetStyle& style) {
+  playOn(m_context.get(), list, sheet, scale, style);
 }
 
 void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
-            const SheetLook& look) {
-  if (!look.transparent) {
-    setColor(context, colorOf(ColorRole::sheet, look.theme));
+            const SheetStyle& style) {
+  if (!style.transparent) {
+    setColor(context, colorOf(ColorRole::sheet, style.theme));
     cairo_paint(context);
   }
   // Letters where the lines are, at any size.
@@ -148,7 +148,7 @@ void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, doub
   cairo_font_options_destroy(options);
   cairo_scale(context, scale, scale);
   cairo_translate(context, -sheet.left(), -sheet.top());
-  for (const Mark& mark : list.marks) std::visit(MarkPainter{context, look.theme}, mark.what);
+  for (const Mark& mark : list.marks) std::visit(MarkPainter{context, style.theme}, mark.what);
 }
 
 // Cairo's pixels are words of alpha, red, green and blue, colours multiplied with alpha.

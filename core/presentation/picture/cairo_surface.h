@@ -16,7 +16,7 @@ namespace geargraph::inline picture {
 /// Paints the part `sheet` of a drawing at the context's origin, with `scale` context units per unit of the
 /// sheet. Changes the context's scale, font and dashes.
 void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
-            const SheetLook& look);
+            const SheetStyle& style);
 
 /// A PDF page or an image on which cairo paints a drawing.
 class CairoSurface {
@@ -26,7 +26,7 @@ class CairoSurface {
 
   /// Paints the part `sheet` of a drawing over the whole surface, with `scale` surface units per unit of the
   /// sheet.
-  void play(const DisplayList& list, const Extent& sheet, double scale, const SheetLook& look);
+  void play(const DisplayList& list, const Extent& sheet, double scale, const SheetStyle& style);
 
   /// Composes the image over another one of the same size: four bytes per pixel, red, green, blue, alpha, not
   /// premultiplied. False if memory is exhausted.

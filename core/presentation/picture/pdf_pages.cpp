@@ -67,10 +67,10 @@ double PdfPages::widthOf(std::string_view utf8, double size, bool bold) const {
   return end;
 }
 
-void PdfPages::words(std::string_view utf8, double x, double y, const Words& look) {
+void PdfPages::words(std::string_view utf8, double x, double y, const Words& style) {
   double end = 0;
-  const std::vector<PlacedCharacter> characters = m_fonts->placed(utf8, look.size, look.bold, end);
-  setColor(m_context.get(), look.color);
+  const std::vector<PlacedCharacter> characters = m_fonts->placed(utf8, style.size, style.bold, end);
+  setColor(m_context.get(), style.color);
   for (std::size_t i = 0; i < characters.size();) {
     std::string text;
     std::vector<cairo_glyph_t> glyphs;
@@ -81,7 +81,7 @@ void PdfPages::words(std::string_view utf8, double x, double y, const Words& loo
       glyphs.push_back({characters[i].glyph.index, x + characters[i].glyph.x, y});
       clusters.push_back({static_cast<int>(characters[i].utf8.size()), 1});
     }
-    showText(m_context.get(), face, look.size, text, glyphs, clusters);
+    showText(m_context.get(), face, style.size, text, glyphs, clusters);
   }
 }
 
@@ -130,14 +130,14 @@ void PdfPages::rule(double x, double y, double width, Color color) {
 }
 
 void PdfPages::drawing(const DisplayList& list, double x, double y, double width, double height) {
-  SheetLook look;
-  look.transparent = true;
-  const Extent sheet = sheetOf(list, look);
+  SheetStyle style;
+  style.transparent = true;
+  const Extent sheet = sheetOf(list, style);
   const double scale = std::min(width / (2 * sheet.halfWidth), height / (2 * sheet.halfHeight));
   cairo_save(m_context.get());
   cairo_translate(m_context.get(), x + (width - 2 * sheet.halfWidth * scale) / 2,
                   y + (height - 2 * sheet.halfHeight * scale) / 2);
-  playOn(m_context.get(), list, sheet, scale, look);
+  playOn(m_context.get(), list, sheet, scale, style);
   cairo_restore(m_context.get());
 }
 

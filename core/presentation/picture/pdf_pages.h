@@ -31,7 +31,7 @@ class PdfPages {
   };
   [[nodiscard]] double widthOf(std::string_view utf8, double size, bool bold) const;
   /// Paints words from x on, with the baseline at y.
-  void words(std::string_view utf8, double x, double y, const Words& look);
+  void words(std::string_view utf8, double x, double y, const Words& style);
   /// Paints a formula at x with its baseline at y; `size`: of the em.
   void formula(const FormulaBox& box, double x, double y, double size, Color ink, Color label);
   /// Paints a thin horizontal line.

@@ -19,8 +19,8 @@ Diagnostics failure(std::string message) {
 }
 
 Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& picture) {
-  const Extent sheet = sheetOf(list, picture.look);
-  const double scale = picture.look.size ? picture.look.size->width / (2 * sheet.halfWidth) : picture.scale;
+  const Extent sheet = sheetOf(list, picture.style);
+  const double scale = picture.style.size ? picture.style.size->width / (2 * sheet.halfWidth) : picture.scale;
   const double width = std::round(2 * sheet.halfWidth * scale);
   const double height = std::round(2 * sheet.halfHeight * scale);
   if (!(std::max(width, height) <= kMostDrawingPixels)) {
@@ -31,7 +31,7 @@ Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& pictu
   }
   CairoSurface surface =
       CairoSurface::image(static_cast<int>(std::max(width, 1.0)), static_cast<int>(std::max(height, 1.0)));
-  surface.play(list, sheet, scale, picture.look);
+  surface.play(list, sheet, scale, picture.style);
   std::optional<std::string> bytes = surface.png();
   if (!bytes) return failure(translated("There is not enough memory for the picture."));
   return std::move(*bytes);
@@ -40,14 +40,14 @@ Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& pictu
 Expected<std::string> pdfOf(const DisplayList& list, const DrawingPicture& picture) {
   constexpr double kPoints = 0.75;         // a CSS pixel
   constexpr double kLongestPage = 14'400;  // points: what readers take
-  const Extent sheet = sheetOf(list, picture.look);
+  const Extent sheet = sheetOf(list, picture.style);
   double scale = kPoints;
-  if (picture.look.size) scale *= picture.look.size->width / (2 * sheet.halfWidth);
+  if (picture.style.size) scale *= picture.style.size->width / (2 * sheet.halfWidth);
   const double longest = 2 * std::max(sheet.halfWidth, sheet.halfHeight);
   scale = std::min(scale, kLongestPage / longest);
   CairoSurface surface =
       CairoSurface::pdf(2 * sheet.halfWidth * scale, 2 * sheet.halfHeight * scale, picture.title);
-  surface.play(list, sheet, scale, picture.look);
+  surface.play(list, sheet, scale, picture.style);
   std::optional<std::string> bytes = surface.finished();
   if (!bytes) return failure(translated("There is not enough memory for the picture."));
   return std::move(*bytes);
@@ -69,7 +69,7 @@ std::optional<PictureForm> pictureFormFromName(std::string_view name) {
 Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture) {
   switch (picture.form) {
     case PictureForm::svg:
-      return svgOf(list, picture.look, picture.title);
+      return svgOf(list, picture.style, picture.title);
     case PictureForm::pdf:
       return pdfOf(list, picture);
     case PictureForm::png:
@@ -81,10 +81,10 @@ Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& p
 bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const DisplayList& list, double scale,
                Theme theme) {
   CairoSurface surface = CairoSurface::image(width, height);
-  SheetLook look;
-  look.theme = theme;
-  look.transparent = true;
-  surface.play(list, Extent::spanning({0, 0}, {width / scale, height / scale}), scale, look);
+  SheetStyle style;
+  style.theme = theme;
+  style.transparent = true;
+  surface.play(list, Extent::spanning({0, 0}, {width / scale, height / scale}), scale, style);
   return surface.layOver(rgba);
 }
 

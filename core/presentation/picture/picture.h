@@ -29,7 +29,7 @@ constexpr int kMostDrawingPixels = 16'384;
 
 struct DrawingPicture {
   PictureForm form = PictureForm::svg;
-  SheetLook look = {};
+  SheetStyle style = {};
   /// PNG without a size: pixels for a unit of the sheet.
   double scale = 2;
   std::string title = {};  ///< of the document, stored as metadata of a PDF or SVG

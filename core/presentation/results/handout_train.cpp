@@ -18,7 +18,7 @@ MadeHandoutTrain handoutTrain(const AnalysisSnapshot& snapshot, const std::files
   StageShot shot;
   shot.stage = stage;
   shot.size = {720, 480};
-  shot.view.look = pictureLook(Theme::light, false);
+  shot.view.style = pictureStyle(Theme::light, false);
   if (const Expected<Image> picture = stagePicture(std::move(shot))) {
     const std::vector<std::uint8_t> png = pngBytes(*picture, stop);
     made.train.still.assign(png.begin(), png.end());

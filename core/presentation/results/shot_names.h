@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/presentation/painting/camera.h"
-#include "core/presentation/painting/look.h"
+#include "core/presentation/painting/render_style.h"
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/train_stage/stage_labels.h"
 

@@ -46,8 +46,8 @@ class SheetWriter {
       : m_lists{drawingNamed("schematic")->draw(*source.snapshot(), nullptr, stop),
                 drawingNamed("digraph")->draw(*source.snapshot(), nullptr, stop),
                 {}} {
-    const SheetLook look;
-    m_drawings = {svgOf(m_lists.schematic, look), svgOf(m_lists.digraph, look), {}};
+    const SheetStyle style;
+    m_drawings = {svgOf(m_lists.schematic, style), svgOf(m_lists.digraph, style), {}};
   }
 
   [[nodiscard]] Expected<std::string> bytesOf(const Report& report, const SheetVariant& sheet, SheetForm part,

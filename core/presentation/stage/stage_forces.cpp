@@ -17,8 +17,8 @@ constexpr float kWidth = 2.8F;
 constexpr float kCasing = 5.6F;
 constexpr double kHeadShare = 0.3;  // of an arrow: its head is painted over the picture
 
-bool isDark(const Look& look) {
-  return look.letters.red > 0.5F;
+bool isDark(const RenderStyle& style) {
+  return style.letters.red > 0.5F;
 }
 
 struct Box {
@@ -71,9 +71,9 @@ std::vector<ForceArrow> forceArrows(const Stage& stage, std::span<const StageFor
   return arrows;
 }
 
-Rgb forceColour(ForceKind kind, const Look& look) {
-  if (kind == ForceKind::tooth) return look.letters;
-  return Rgb::fromHex(isDark(look) ? 0x6C9BFF : 0x2A68E4);
+Rgb forceColour(ForceKind kind, const RenderStyle& style) {
+  if (kind == ForceKind::tooth) return style.letters;
+  return Rgb::fromHex(isDark(style) ? 0x6C9BFF : 0x2A68E4);
 }
 
 std::string_view forceLegend(ForceKind kind) {
@@ -81,13 +81,13 @@ std::string_view forceLegend(ForceKind kind) {
                                   : base::toTranslate("bearing reactions (on heads)");
 }
 
-void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const Look& look,
-                   std::vector<MarkLine>& lines) {
-  const Rgb casing = Rgb::fromHex(isDark(look) ? 0x1E2227 : 0xFFFFFF);
+void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows,
+                   const RenderStyle& style, std::vector<MarkLine>& lines) {
+  const Rgb casing = Rgb::fromHex(isDark(style) ? 0x1E2227 : 0xFFFFFF);
   for (const ForceArrow& arrow : arrows) {
     const Eigen::Vector3d neck = arrow.to - kHeadShare * (arrow.to - arrow.from);
     lines.push_back({{arrow.from, neck}, casing, kCasing, false});
-    lines.push_back({{arrow.from, neck}, forceColour(forces[arrow.force].kind, look), kWidth, false});
+    lines.push_back({{arrow.from, neck}, forceColour(forces[arrow.force].kind, style), kWidth, false});
   }
 }
 

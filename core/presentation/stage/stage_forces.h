@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/presentation/painting/look.h"
 #include "core/presentation/painting/mark_line.h"
+#include "core/presentation/painting/render_style.h"
 #include "core/presentation/stage/label_anchors.h"
 #include "core/presentation/stage/stage.h"
 
@@ -42,9 +42,9 @@ struct ForceArrow {
                                                   std::span<const Pose> poses, const Pose& ground);
 
 /// Adds the arrows as lines: tooth forces in the ink colour, bearing reactions in the accent colour.
-void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const Look& look,
-                   std::vector<MarkLine>& lines);
-[[nodiscard]] Rgb forceColour(ForceKind kind, const Look& look);
+void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows,
+                   const RenderStyle& style, std::vector<MarkLine>& lines);
+[[nodiscard]] Rgb forceColour(ForceKind kind, const RenderStyle& style);
 
 /// The legend of the arrows of this kind.
 [[nodiscard]] std::string_view forceLegend(ForceKind kind);

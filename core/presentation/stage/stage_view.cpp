@@ -11,8 +11,8 @@ namespace {
 constexpr double kCross = 0.018;  // of the scene's radius: half the size of a traced point's cross
 
 /// The colour of what moves: arrows, traced points.
-Rgb motionInk(const Look& look) {
-  return Rgb::fromHex(look.letters.red > 0.5F ? 0xFF8FC7 : 0xB0126B);
+Rgb motionInk(const RenderStyle& style) {
+  return Rgb::fromHex(style.letters.red > 0.5F ? 0xFF8FC7 : 0xB0126B);
 }
 
 void addTrace(std::vector<MarkLine>& lines, const Stage& stage, const ShownTrace& trace,
@@ -106,12 +106,12 @@ std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const
                                 const std::optional<CutPlane>& cut) {
   const std::vector<double> angles = inputAngles(stage, view);
   const auto watcher = instanceOf(stage, view.ridden);
-  const Rgb ink = motionInk(view.look);
+  const Rgb ink = motionInk(view.style);
   const std::vector<double> speeds = inputSpeeds(stage, view);
-  const Moment moment{seen.poses, angles, speeds, seen.ground, watcher, view.look.letters, ink, cut};
+  const Moment moment{seen.poses, angles, speeds, seen.ground, watcher, view.style.letters, ink, cut};
   std::vector<MarkLine> lines = stageLines(stage, view.marks, moment);
   if (const auto arrows = seenForces(stage, view, seen); !arrows.empty())
-    addForceLines(*view.forces, arrows, view.look, lines);
+    addForceLines(*view.forces, arrows, view.style, lines);
   for (const ShownTrace& trace : view.traces) {
     if (trace.point.watcher == watcher && !trace.path.points.empty())
       addTrace(lines, stage, trace, seen, ink);
@@ -150,7 +150,7 @@ Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {
   frame.viewport = viewport;
   frame.pixelRatio = pixelRatio;
   frame.camera = m_view.camera;
-  frame.look = m_view.look;
+  frame.style = m_view.style;
   frame.poses = m_seen.poses;
   frame.showing = m_showing;
   frame.section = cut();

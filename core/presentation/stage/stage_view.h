@@ -33,7 +33,7 @@ struct ShownTrace {
 /// the view showed at the time of the request.
 struct StageView {
   Camera camera = Camera::home();
-  Look look = Look::light();
+  RenderStyle style = RenderStyle::light();
   double time = 0;  ///< s: the inputs run at their speeds
   /// Moves the inputs instead of their speeds; ignored if null or for another number of inputs.
   InputTrajectoryPtr trajectory;

@@ -35,12 +35,12 @@ std::map<ElementId, std::string> namesOf(const Stage& stage) {
 
 }  // namespace
 
-Look pictureLook(Theme theme, bool transparent) {
-  Look look = theme == Theme::dark ? Look::dark() : Look::light();
-  look.samples = 8;
-  look.transparent = transparent;
-  if (transparent) look.discStrength = 0;
-  return look;
+RenderStyle pictureStyle(Theme theme, bool transparent) {
+  RenderStyle style = theme == Theme::dark ? RenderStyle::dark() : RenderStyle::light();
+  style.samples = 8;
+  style.transparent = transparent;
+  if (transparent) style.discStrength = 0;
+  return style;
 }
 
 StagePainter::StagePainter(StageShot shot, std::stop_token stop, std::unique_ptr<EglHost> host)

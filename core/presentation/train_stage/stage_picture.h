@@ -23,7 +23,7 @@ constexpr int kMostPictureSide = 8192;
 
 /// The theme's render style for files: with more samples; `transparent`: without background and floor disc,
 /// only the shadow shows the floor.
-[[nodiscard]] Look pictureLook(Theme theme, bool transparent);
+[[nodiscard]] RenderStyle pictureStyle(Theme theme, bool transparent);
 
 /// A snapshot or animation of a stage.
 struct StageShot {

@@ -188,7 +188,7 @@ class DrawingsTest : public QObject {
     QVERIFY(exported(optionsFor("ttgraph", PictureForm::svg), "b.svg").contains("16′′"));
     QVERIFY(exported(optionsFor("ttgraph", PictureForm::pdf), "c.pdf").startsWith("%PDF-"));
     PictureOptions sized = optionsFor("digraph", PictureForm::png);
-    sized.picture.look.size = SheetLook::Size{300, 200};
+    sized.picture.style.size = SheetStyle::Size{300, 200};
     QCOMPARE(QImage::fromData(exported(sized, "d.png")).size(), QSize(300, 200));
   }
 
@@ -200,13 +200,13 @@ class DrawingsTest : public QObject {
 
   void solidViewIsExportedAsPixels() {
     PictureOptions solid = optionsFor("3d", PictureForm::png);
-    solid.picture.look.size = SheetLook::Size{160, 100};
+    solid.picture.style.size = SheetStyle::Size{160, 100};
     QCOMPARE(QImage::fromData(exported(solid, "g.png")).size(), QSize(160, 100));
   }
 
   void exportsOfTheSolidViewWaitForEachOtherAndNotTheWindow() {
     PictureOptions film = optionsFor("3d", PictureForm::png);
-    film.picture.look.size = SheetLook::Size{64, 48};
+    film.picture.style.size = SheetStyle::Size{64, 48};
     film.film = Film{FilmKind::turntable, 4, 24, 0};
     PictureOptions pictures = film, solids = film;
     pictures.solid = SolidForm::pictures;
@@ -225,7 +225,7 @@ class DrawingsTest : public QObject {
 
   void anExportThatIsStoppedWritesNothing() {
     PictureOptions film = optionsFor("3d", PictureForm::png);
-    film.picture.look.size = SheetLook::Size{64, 48};
+    film.picture.style.size = SheetStyle::Size{64, 48};
     film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
     QSignalSpy failed(&window->exportJobs(), &ExportJobs::failed);
     window->exports().exportPicture(film, folder.filePath("long.png"));
@@ -256,7 +256,7 @@ class DrawingsTest : public QObject {
 
   void anExportShowsWhatTheWindowShows() {
     PictureOptions solid = optionsFor("3d", PictureForm::png);
-    solid.picture.look.size = SheetLook::Size{160, 100};
+    solid.picture.style.size = SheetStyle::Size{160, 100};
     const QByteArray before = exported(solid, "h.png");
     window->view3d().setCamera(Camera::looking(StandardView::top).placedAt({0, 0, 0}, 600));
     const QByteArray turned = exported(solid, "i.png");
@@ -269,7 +269,7 @@ class DrawingsTest : public QObject {
     options.linkLabels = false;
     window->view3d().setOptions(options);
     QVERIFY(exported(solid, "k.png") != turned);  // labels are painted too
-    solid.picture.look.transparent = true;
+    solid.picture.style.transparent = true;
     QCOMPARE(QImage::fromData(exported(solid, "l.png")).pixelColor(2, 2).alpha(), 0);
   }
 
@@ -283,11 +283,11 @@ class DrawingsTest : public QObject {
     PictureDialog dialog({{"digraph", "Digraph"}, {"3d", "3D"}}, "digraph", true);
     QCOMPARE(dialog.options().view, QString("digraph"));
     QCOMPARE(dialog.options().picture.form, PictureForm::svg);
-    QCOMPARE(dialog.options().picture.look.theme, Theme::dark);
-    QVERIFY(!dialog.options().picture.look.size);
+    QCOMPARE(dialog.options().picture.style.theme, Theme::dark);
+    QVERIFY(!dialog.options().picture.style.size);
     dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1);
     QCOMPARE(dialog.options().picture.form, PictureForm::png);
-    QVERIFY(dialog.options().picture.look.size.has_value());
+    QVERIFY(dialog.options().picture.style.size.has_value());
     QVERIFY(!dialog.options().film);
     dialog.findChild<QComboBox*>("film")->setCurrentIndex(2);
     QVERIFY(dialog.options().film->kind == FilmKind::motion);

@@ -139,7 +139,7 @@ class WindowNotesTest : public QObject {
     MainWindow other;
     QVERIFY(other.openDocument(path));
     QCOMPARE(other.document().mechanism()->view.notes, notes());
-    const std::string svg = svgOf(window->digraph().picture(), SheetLook{});
+    const std::string svg = svgOf(window->digraph().picture(), SheetStyle{});
     QVERIFY(svg.find("kept in the file") != std::string::npos);
   }
 

@@ -75,7 +75,7 @@ class TestSectionTool : public QObject {
     QVERIFY(!step.proposal);  // a click may wander
     step = on(step.next, Moved{at(0, -9)}, ToolKind::select);
     QCOMPARE(std::get<DragAxis>(*step.proposal), (DragAxis{AxisId("b"), {0, 0}, {0, -9}, false}));
-    QCOMPARE(draft(step.next)->look, Draft::Look::axis);
+    QCOMPARE(draft(step.next)->style, Draft::Style::axis);
     QCOMPARE(std::get<AxisDropped>(*on(step.next, Released{at(0, -9)}, ToolKind::select).proposal),
              AxisDropped{});
     QCOMPARE(std::get<AxisPutBack>(*on(step.next, Escaped{}, ToolKind::select).proposal), AxisPutBack{});

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "tests/ui/view3d/toy_stage.h"
-#include "ui/view3d/look_level.h"
+#include "ui/view3d/draft_level.h"
 #include "ui/view3d/picture_pace.h"
 
 using namespace geargraph;
@@ -25,26 +25,26 @@ class TestPicturePace : public QObject {
   Q_OBJECT
 
  private slots:
-  void whatMovesIsAQuickLookUntilItRests() {
+  void whatMovesIsADraftUntilItRests() {
     Hand hand(true);
-    QVERIFY(!hand.pace.isQuick());
+    QVERIFY(!hand.pace.isDraft());
     emit hand.viewer.moving();
-    QVERIFY(hand.pace.isQuick());
+    QVERIFY(hand.pace.isDraft());
     QTRY_COMPARE(hand.rested.count(), 1);
-    QVERIFY(!hand.pace.isQuick());
+    QVERIFY(!hand.pace.isDraft());
   }
 
-  void anotherSceneIsAQuickLookFirst() {
+  void anotherSceneIsADraftFirst() {
     Hand hand(true);
     hand.viewer.setStage(test::toyStage());
-    QVERIFY(hand.pace.isQuick());
+    QVERIFY(hand.pace.isDraft());
     QTRY_COMPARE(hand.rested.count(), 1);
   }
 
   void aGraphicsCardKeepsUp() {
     Hand hand(false);
     emit hand.viewer.moving();
-    QVERIFY(!hand.pace.isQuick());
+    QVERIFY(!hand.pace.isDraft());
   }
 
   void labelsAreLookedForNowAndThenAndOnceMoreAtRest() {
@@ -62,36 +62,36 @@ class TestPicturePace : public QObject {
     QVERIFY(!hand.pace.takeMap());
   }
 
-  void slowQuickLooksGetSimplerStepByStep() {
-    LookLevel look;
+  void slowDraftsGetSimplerStepByStep() {
+    DraftLevel draft;
     for (const auto& [milliseconds, level] :
          {std::pair{90, 0}, {21, 0}, {21, 1}, {90, 1}, {21, 1}, {21, 2}, {90, 2}, {90, 2}, {90, 2}}) {
-      look.took(milliseconds, false);
-      QCOMPARE(look.level(), level);
+      draft.took(milliseconds, false);
+      QCOMPARE(draft.level(), level);
     }
   }
 
   void oneSlowPictureAloneChangesNothing() {
-    LookLevel look;
-    for (const double milliseconds : {15.0, 90.0, 15.0, 90.0, 15.0}) look.took(milliseconds, false);
-    QCOMPARE(look.level(), 0);
+    DraftLevel draft;
+    for (const double milliseconds : {15.0, 90.0, 15.0, 90.0, 15.0}) draft.took(milliseconds, false);
+    QCOMPARE(draft.level(), 0);
   }
 
-  void onlySeveralQuickOnesMakeThemFinerAgain() {
-    LookLevel look;
-    for (int picture = 0; picture < 3; ++picture) look.took(30, false);
-    QCOMPARE(look.level(), 1);
+  void onlySeveralFastOnesMakeThemFinerAgain() {
+    DraftLevel draft;
+    for (int picture = 0; picture < 3; ++picture) draft.took(30, false);
+    QCOMPARE(draft.level(), 1);
     for (int picture = 0; picture < 8; ++picture) {
-      QCOMPARE(look.level(), 1);
-      look.took(5, false);
+      QCOMPARE(draft.level(), 1);
+      draft.took(5, false);
     }
-    QCOMPARE(look.level(), 1);  // the first of a level does not count
-    look.took(5, false);
-    QCOMPARE(look.level(), 0);
+    QCOMPARE(draft.level(), 1);  // the first of a level does not count
+    draft.took(5, false);
+    QCOMPARE(draft.level(), 0);
   }
 
   void whereSolidsAreNewLessTimeIsLeft() {
-    LookLevel steps, turns;
+    DraftLevel steps, turns;
     for (int picture = 0; picture < 3; ++picture) {
       steps.took(12, true);
       turns.took(12, false);

@@ -259,7 +259,7 @@ class TestDigraphDrawing : public QObject {
     QCOMPARE(driven(mechanism), QString("4:8 5:9 6:11"));
   }
 
-  void emphasisIsShownAsTheLookAsks() {
+  void emphasisIsShownAsTheStyleAsks() {
     const DigraphGeometry geometry = digraphGeometry(drivenRobot(), robotPositions());
     const EdgePlace& edge = geometry.edges.front();
     const auto count = [&](const Emphasis& emphasis, MarkRole role, std::string_view tint) {

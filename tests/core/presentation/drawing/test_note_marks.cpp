@@ -80,7 +80,7 @@ class TestNoteMarks : public QObject {
 
   void picturesHoldTheirWords() {
     const NodePositions places{{LinkId("0"), {0, 0}}};
-    const std::string svg = svgOf(digraphDrawing(noted("عربي & <b>"), places, {}), SheetLook{});
+    const std::string svg = svgOf(digraphDrawing(noted("عربي & <b>"), places, {}), SheetStyle{});
     QVERIFY(svg.find("عربي &amp; &lt;b&gt;") != std::string::npos);
   }
 };

@@ -30,7 +30,7 @@ QString between(const QString& text, const QString& begin, const QString& end) {
 QString pageOf(Mechanism mechanism, const std::optional<HandoutExercises>& exercises = {}) {
   const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
   const auto svg = [&](const char* name) {
-    return svgOf(drawingNamed(name)->draw(*snapshot, nullptr, {}), SheetLook());
+    return svgOf(drawingNamed(name)->draw(*snapshot, nullptr, {}), SheetStyle());
   };
   GearCache cache;
   const HandoutTrain train{trainStage(*snapshot, cache), "a picture"};

@@ -10,20 +10,21 @@ namespace {
 /// Every character is half an em wide.
 class EvenMeasure : public WordMeasure {
  public:
-  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override {
-    return static_cast<double>(utf8.size()) * look.size / 2;
+  [[nodiscard]] double widthOf(std::string_view utf8, const TextStyle& style) const override {
+    return static_cast<double>(utf8.size()) * style.size / 2;
   }
 };
 
 constexpr double kWidth = 200;
 
-FlowLook look() {
-  FlowLook flow;
+FlowParameters flowParameters() {
+  FlowParameters flow;
   flow.width = kWidth;
   return flow;
 }
 
-std::vector<FlowLine> linesOf(std::vector<ReportBlock> blocks, const FlowLook& flow = look()) {
+std::vector<FlowLine> linesOf(std::vector<ReportBlock> blocks,
+                              const FlowParameters& flow = flowParameters()) {
   return SetReport(Report{"Train", std::move(blocks)}).lines(flow, EvenMeasure());
 }
 
@@ -36,7 +37,7 @@ QString textOf(const FlowLine& line) {
 double endOf(const FlowLine& line) {
   double end = 0;
   for (const FlowWords& words : line.words)
-    end = std::max(end, words.x + EvenMeasure().widthOf(words.text, words.look));
+    end = std::max(end, words.x + EvenMeasure().widthOf(words.text, words.style));
   for (const FlowFormula& formula : line.formulas)
     end = std::max(end, formula.x + formula.box->width * formula.size);
   return end;
@@ -84,7 +85,7 @@ class FlowTest : public QObject {
         {ReportHeading{1, "Part"}, ReportParagraph{reportWords("It is")}, ReportEquation{"a = 1", 3, {}}});
     QCOMPARE(lines.size(), std::size_t{3});
     QVERIFY(lines[0].keepsWithNext && lines[1].keepsWithNext && !lines[2].keepsWithNext);
-    QVERIFY(lines[0].words[0].look.bold);
+    QVERIFY(lines[0].words[0].style.bold);
   }
 
   void anEquationIsInTheMiddleAndItsNumberAtTheMargin() {
@@ -119,13 +120,13 @@ class FlowTest : public QObject {
     QVERIFY(lines[0].formulas.empty());
     QVERIFY(textOf(lines[0]).startsWith(QStringLiteral("Too wide")));
     QVERIFY(textOf(lines[0]).endsWith(QStringLiteral("(1)")));
-    FlowLook scrolled = look();
+    FlowParameters scrolled = flowParameters();
     scrolled.leavesOutWide = false;
     QVERIFY(endOf(linesOf({ReportEquation{matrixOf(2, 40), 1, {}}}, scrolled)[0]) > kWidth);
   }
 
   void aMatrixTallerThanAPageShrinks() {
-    FlowLook flow = look();
+    FlowParameters flow = flowParameters();
     flow.tallest = 100;
     const auto lines = linesOf({ReportEquation{matrixOf(10, 2), std::nullopt, {}}}, flow);
     QVERIFY(lines[0].height <= 100 + 1e-6);
@@ -162,13 +163,13 @@ class FlowTest : public QObject {
 
   void figuresAreLeftOutOrKeepTheirShape() {
     QVERIFY(linesOf({ReportFigure{ReportDrawing::digraph, "Digraph"}}).empty());
-    FlowLook flow = look();
-    flow.figureSize = [](ReportDrawing) { return std::optional(FlowLook::FigureSize{500, 250}); };
+    FlowParameters flow = flowParameters();
+    flow.figureSize = [](ReportDrawing) { return std::optional(FlowParameters::FigureSize{500, 250}); };
     const auto lines = linesOf({ReportFigure{ReportDrawing::digraph, "Digraph"}}, flow);
     QCOMPARE(lines.size(), std::size_t{2});
     QCOMPARE(lines[0].figure->width, 2 * lines[0].figure->height);
     QVERIFY(lines[0].figure->width <= kWidth && lines[0].keepsWithNext);
-    flow.figureSize = [](ReportDrawing) { return std::optional(FlowLook::FigureSize{50, 25}); };
+    flow.figureSize = [](ReportDrawing) { return std::optional(FlowParameters::FigureSize{50, 25}); };
     QCOMPARE(linesOf({ReportFigure{ReportDrawing::digraph, "Digraph"}}, flow)[0].figure->width, 50.0);
   }
 

@@ -26,19 +26,19 @@ inline std::size_t add(Scene& scene, Solid solid, const Eigen::Vector3d& place, 
 }
 
 /// Faces and nothing else, on no ground.
-inline Look bare() {
-  Look look = Look::light();
-  look.transparent = true;
-  look.edges = look.contactShadow = look.triad = false;
-  look.discStrength = 0;
-  look.samples = 1;
-  return look;
+inline RenderStyle bare() {
+  RenderStyle style = RenderStyle::light();
+  style.transparent = true;
+  style.edges = style.contactShadow = style.triad = false;
+  style.discStrength = 0;
+  style.samples = 1;
+  return style;
 }
 
-inline Frame frameOf(const Scene& scene, const Look& look, StandardView view) {
+inline Frame frameOf(const Scene& scene, const RenderStyle& style, StandardView view) {
   Frame frame;
   frame.viewport = kView;
-  frame.look = look;
+  frame.style = style;
   frame.camera = Camera::looking(view).fitted(cornersOf(scene), kView);
   return frame;
 }

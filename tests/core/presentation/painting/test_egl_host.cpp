@@ -32,7 +32,7 @@ class TestEglHost : public QObject {
     std::atomic<int> different = 0;
     const auto work = [&](int wheelsInRow, unsigned colour) {
       const Scene scene = wheels(wheelsInRow, colour);
-      Frame frame = frameOf(scene, Look::light(), StandardView::isometric);
+      Frame frame = frameOf(scene, RenderStyle::light(), StandardView::isometric);
       frame.stop = never.get_token();
       std::vector<std::uint8_t> first;
       for (int round = 0; round < kRounds; ++round) {

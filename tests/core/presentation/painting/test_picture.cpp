@@ -28,8 +28,8 @@ Scene groupScene() {
   return scene;
 }
 
-Frame frameOf(const Scene& scene, const Look& look) {
-  return frameOf(scene, look, StandardView::isometric);
+Frame frameOf(const Scene& scene, const RenderStyle& style) {
+  return frameOf(scene, style, StandardView::isometric);
 }
 
 /// Area of a convex outline's projection, as a part of the picture: the box seen from outside.
@@ -122,7 +122,7 @@ class TestPicture : public QObject {
   void aLargePictureInStripsIsThatInOnePiece() {
     const Scene scene = groupScene();
     m_host->setScene(scene);
-    Frame frame = frameOf(scene, Look::light());
+    Frame frame = frameOf(scene, RenderStyle::light());
     frame.viewport = {2400, 1800};
     frame.pixelRatio = 2;
     const std::vector<Highlight> emphasis{Highlight::none, Highlight::selected, Highlight::none};
@@ -148,7 +148,7 @@ class TestPicture : public QObject {
     Frame frame = frameOf(scene, bare());
     const auto painted = [&](bool byVertex) {
       m_host->setScene(scene);
-      frame.look.litByVertex = byVertex;
+      frame.style.litByVertex = byVertex;
       return m_host->picture(frame);
     };
     const Image fine = painted(false), quick = painted(true);
@@ -219,7 +219,7 @@ class TestPicture : public QObject {
 
   void everyPixelPicksWhatARayMeets() {
     const Scene scene = groupScene();
-    const Frame frame = frameOf(scene, Look::light());
+    const Frame frame = frameOf(scene, RenderStyle::light());
     m_host->setScene(scene);
     std::array<int, 4> met{};
     for (int y = 6; y < kView.height; y += 12) {
@@ -256,15 +256,15 @@ class TestPicture : public QObject {
 
   void theGroundIsAGradientWithTheTrainsShadowOnIt() {
     const Scene scene = cubeScene();
-    Look look = Look::light();
-    look.triad = false;
-    Frame frame = frameOf(scene, look);
+    RenderStyle style = RenderStyle::light();
+    style.triad = false;
+    Frame frame = frameOf(scene, style);
     frame.camera = frame.camera.zoomed(0.6, frame.camera.target());
     m_host->setScene(scene);
     const Image withShadow = m_host->picture(frame);
     QVERIFY(apart(withShadow.at(2, 0), {0xEF, 0xF2, 0xF6}) < 3);
     QVERIFY(apart(withShadow.at(2, 239), {0xD3, 0xD9, 0xE1}) < 3);
-    frame.look.contactShadow = false;
+    frame.style.contactShadow = false;
     const Image without = m_host->picture(frame);
     const Eigen::Vector3d besideTheCube(10.3, 0, -10.3);
     const int darker = seenAt(without, frame, besideTheCube)[1] - seenAt(withShadow, frame, besideTheCube)[1];
@@ -273,9 +273,9 @@ class TestPicture : public QObject {
 
   void transparentGroundHasNoColourOfItsOwn() {
     const Scene scene = groupScene();
-    Look look = Look::light();
-    look.transparent = true;
-    Frame frame = frameOf(scene, look);
+    RenderStyle style = RenderStyle::light();
+    style.transparent = true;
+    Frame frame = frameOf(scene, style);
     m_host->setScene(scene);
     const Image image = m_host->picture(frame);
     QCOMPARE(int(image.at(1, 1)[3]), 0);
@@ -288,7 +288,7 @@ class TestPicture : public QObject {
     frame.viewport = {800, 600};  // in a small picture edges fade
     m_host->setScene(scene);
     const Image plain = m_host->picture(frame);
-    frame.look.edges = true;
+    frame.style.edges = true;
     const Image lined = m_host->picture(frame);
     const ScreenPoint onAnEdge = frame.camera.project({10, -10, 0}, frame.viewport);
     const auto darkest = [&](const Image& image) {
@@ -328,7 +328,7 @@ class TestPicture : public QObject {
       return count;
     };
     QCOMPARE(softPixels(), 0);
-    frame.look.samples = 4;
+    frame.style.samples = 4;
     QVERIFY(softPixels() > 200);
   }
 
@@ -336,7 +336,7 @@ class TestPicture : public QObject {
     const Scene scene = cubeScene();
     m_host->setScene(scene);
     for (const auto& [width, height] : {std::pair{1, 1}, {7, 500}, {1500, 3}, {1000000, 2}}) {
-      Frame frame = frameOf(scene, Look::dark());
+      Frame frame = frameOf(scene, RenderStyle::dark());
       frame.viewport = {width, height};
       const Image image = m_host->picture(frame);
       QCOMPARE(image.width, std::min(width, m_host->maximumSide()));
@@ -371,7 +371,7 @@ class TestPicture : public QObject {
     m_host->setScene(Scene{});
     Frame frame;
     frame.viewport = kView;
-    frame.look = bare();
+    frame.style = bare();
     QCOMPARE(coverage(m_host->picture(frame)), 0.0);
     QVERIFY(!m_host->pick(frame, 10, 10));
   }

@@ -136,10 +136,10 @@ class TestSection : public QObject {
     m_host->setScene(scene);
     Frame frame = frontOf(scene);
     const double full = coverage(m_host->picture(frame));
-    frame.look.faces = Faces::wireframe;
+    frame.style.faces = Faces::wireframe;
     const auto wires = m_host->picture(frame);
     QVERIFY(coverage(wires) > 0.002 && coverage(wires) < 0.2 * full);
-    frame.look.faces = Faces::hiddenLine;
+    frame.style.faces = Faces::hiddenLine;
     const auto drawing = m_host->picture(frame);
     QVERIFY(std::abs(coverage(drawing) - full) < 0.02);
     const auto paper = seenAt(drawing, frame, {2, -14, 3});

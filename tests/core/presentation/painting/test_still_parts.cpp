@@ -16,7 +16,7 @@ StillParts::View aView() {
   StillParts::View view;
   view.width = kView.width;
   view.height = kView.height;
-  view.look = Look::light().cheaper();
+  view.style = RenderStyle::light().cheaper();
   return view;
 }
 
@@ -119,7 +119,7 @@ class TestStillParts : public QObject {
     QCOMPARE(still.rest(), (Shown{kLeft, kLeft, kPainted}));
   }
 
-  void anotherCameraKeepsNothingAndAnotherLookBeginsAnew() {
+  void anotherCameraKeepsNothingAndAnotherStyleBeginsAnew() {
     StillParts still;
     const auto parts = boxes(2);
     StillParts::View view = aView();
@@ -129,20 +129,20 @@ class TestStillParts : public QObject {
     QCOMPARE(still.next(view, parts), Layer::none);
     QCOMPARE(still.next(view, parts), Layer::anew);
     QCOMPARE(still.next(view, parts), Layer::kept);
-    view.look = Look::dark().cheaper();
+    view.style = RenderStyle::dark().cheaper();
     QCOMPARE(still.next(view, parts), Layer::anew);
     view.width += 1;
     QCOMPARE(still.next(view, parts), Layer::none);
   }
 
-  /// Whatever came before it, a quick look is the one that somebody sees who looks for the first time.
-  void aQuickLookOverWhatIsKeptIsThatWhichIsPaintedAnew() {
+  /// Whatever came before it, a draft frame is the one that somebody sees who looks for the first time.
+  void aDraftOverWhatIsCachedIsThatWhichIsPaintedAnew() {
     auto made = EglHost::create();
     QVERIFY(made.has_value());
     EglHost& host = **made;
     Scene scene = rowScene();
-    Frame frame = frameOf(scene, Look::light().cheaper(), StandardView::isometric);
-    frame.look.edges = false;
+    Frame frame = frameOf(scene, RenderStyle::light().cheaper(), StandardView::isometric);
+    frame.style.edges = false;
     std::vector<Highlight> emphasis(scene.instances.size(), Highlight::none);
     std::vector<Showing> showing(scene.instances.size(), Showing::solid);
     frame.emphasis = emphasis;
@@ -159,7 +159,7 @@ class TestStillParts : public QObject {
         [&] { showing[2] = Showing::hidden; },
         [&] { showing[2] = Showing::ghost; },
         [&] { showing[2] = Showing::solid; },
-        [&] { frame.look = Look::dark().cheaper(), frame.look.edges = false; },
+        [&] { frame.style = RenderStyle::dark().cheaper(), frame.style.edges = false; },
         [&] { frame.camera = frame.camera.orbited(9, 4); },
         [&] { scene.instances[0].colour = Rgb::fromHex(kGreen); },
         [&] { frame.floor = 0; },  // parts have swung below it

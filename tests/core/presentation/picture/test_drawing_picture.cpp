@@ -20,8 +20,8 @@ QByteArray bytesOf(const DrawingPicture& picture, const DisplayList& list = robo
   return QByteArray::fromStdString(pictureOf(list, picture).value());
 }
 
-QImage png(SheetLook look, double scale = 2) {
-  return QImage::fromData(bytesOf({.form = PictureForm::png, .look = look, .scale = scale}));
+QImage png(SheetStyle style, double scale = 2) {
+  return QImage::fromData(bytesOf({.form = PictureForm::png, .style = style, .scale = scale}));
 }
 
 /// The letters that the page shows, of the strings that its font names by their codes.
@@ -67,7 +67,7 @@ class TestDrawingPicture : public QObject {
     const Extent sheet = sheetOf(robot(), {});
     QCOMPARE(own.width(), qRound(4 * sheet.halfWidth));
     QCOMPARE(own.height(), qRound(4 * sheet.halfHeight));
-    const QImage asked = png({.size = SheetLook::Size{300, 500}});
+    const QImage asked = png({.size = SheetStyle::Size{300, 500}});
     QCOMPARE(asked.size(), QSize(300, 500));
     int dark = 0;
     for (int y = 0; y < own.height(); ++y) {
@@ -77,23 +77,23 @@ class TestDrawingPicture : public QObject {
   }
 
   void groundIsThatOfTheThemeOrNone() {
-    const auto corner = [](SheetLook look) { return png(look).pixel(0, 0); };
+    const auto corner = [](SheetStyle style) { return png(style).pixel(0, 0); };
     QCOMPARE(corner({}), qRgb(0xFF, 0xFF, 0xFF));
     QCOMPARE(corner({.theme = Theme::dark}), qRgb(0x1E, 0x22, 0x27));
     QCOMPARE(qAlpha(corner({.transparent = true})), 0);
-    const auto svg = [](SheetLook look) { return bytesOf({.form = PictureForm::svg, .look = look}); };
+    const auto svg = [](SheetStyle style) { return bytesOf({.form = PictureForm::svg, .style = style}); };
     QVERIFY(svg({}).contains("fill=\"#FFFFFF\"/>\n<g"));
     QVERIFY(!svg({.transparent = true}).contains("fill=\"#FFFFFF\"/>\n<g"));
     QVERIFY(bytesOf({.form = PictureForm::pdf}) !=
-            bytesOf({.form = PictureForm::pdf, .look = {.transparent = true}}));
+            bytesOf({.form = PictureForm::pdf, .style = {.transparent = true}}));
   }
 
   void drawingIsWhereItIsOnEverySheet() {
     // The same line, found in all four corners of the sheet's middle.
     DisplayList list;
     list.marks.push_back({{}, MarkRole::line, 0, Fill{Box{{{500, -200}, 50, 10}, 0}, ColorRole::ink}});
-    const QImage image = QImage::fromData(
-        bytesOf({.form = PictureForm::png, .look = {.margin = 10, .size = SheetLook::Size{240, 240}}}, list));
+    const QImage image = QImage::fromData(bytesOf(
+        {.form = PictureForm::png, .style = {.margin = 10, .size = SheetStyle::Size{240, 240}}}, list));
     const auto isInk = [&](int x, int y) { return qGray(image.pixel(x, y)) < 100; };
     QVERIFY(isInk(120, 120) && isInk(22, 120) && isInk(218, 120) && isInk(120, 102) && isInk(120, 138));
     QVERIFY(!isInk(17, 120) && !isInk(223, 120) && !isInk(120, 97) && !isInk(120, 143));

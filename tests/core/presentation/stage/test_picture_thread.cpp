@@ -17,7 +17,7 @@ KeptFramePtr toyAt(const StagePtr& stage, double angle) {
   Frame frame;
   frame.viewport = kSize;
   frame.camera = Camera::home().fitted(outlineOf(stage->scene), kSize, 0.1);
-  frame.look = Look::light();
+  frame.style = RenderStyle::light();
   frame.poses = poses;
   return std::make_shared<const KeptFrame>(stage, frame);
 }
@@ -77,7 +77,7 @@ class TestPictureThread : public QObject {
     QCOMPARE(studio.pictures.back().order.frame, last);
   }
 
-  void aQuickLookHasFewerPixelsOfTheSameView() {
+  void aDraftHasFewerPixelsOfTheSameView() {
     const KeptFramePtr frame = toyAt(test::toyStage(), 0);
     Studio studio;
     studio.thread->order({frame, 0.5, kSize});

@@ -18,8 +18,8 @@ namespace {
 StageShot toyShot(std::optional<Film> film = {}) {
   StageShot shot;
   shot.stage = test::toyStage();
-  shot.view.look = pictureLook(Theme::light, true);
-  shot.view.look.triad = shot.view.look.contactShadow = false;
+  shot.view.style = pictureStyle(Theme::light, true);
+  shot.view.style.triad = shot.view.style.contactShadow = false;
   shot.size = {160, 120};
   shot.film = film;
   return shot;
@@ -199,7 +199,7 @@ class TestShots : public QObject {
                view.section = SectionChoice{1, 0.4, false};
              },
              [](StageView& view) { view.time = 0.4; }, [](StageView& view) { view.pulledApart = 1; },
-             [](StageView& view) { view.look.faces = Faces::hiddenLine; }}) {
+             [](StageView& view) { view.style.faces = Faces::hiddenLine; }}) {
       StageShot other = plain;
       change(other.view);
       QVERIFY((*stagePicture(other)).rgba != all.rgba);

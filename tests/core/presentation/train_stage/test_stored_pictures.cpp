@@ -70,9 +70,9 @@ class TestStoredPictures : public QObject {
   static Frame frameOf(const Scene& whole, bool dark) {
     Frame frame;
     frame.viewport = kView;
-    frame.look = dark ? Look::dark() : Look::light();
-    frame.look.transparent = true;  // smaller files
-    frame.look.discStrength = 0;
+    frame.style = dark ? RenderStyle::dark() : RenderStyle::light();
+    frame.style.transparent = true;  // smaller files
+    frame.style.discStrength = 0;
     frame.camera = Camera::from(-0.45, 0.6).fitted(cornersOf(whole), kView);
     return frame;
   }

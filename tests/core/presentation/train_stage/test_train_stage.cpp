@@ -426,7 +426,7 @@ class TestTrainStage : public QObject {
     (*host)->setScene(stage->scene);
     Frame frame;
     frame.viewport = {500, 400};
-    frame.look = Look::light();
+    frame.style = RenderStyle::light();
     std::map<std::size_t, int> seen;
     for (const double yaw : {-0.5, 2.6}) {
       frame.camera = Camera::from(yaw, 0.3).fitted(cornersOf(stage->scene), frame.viewport);
@@ -455,7 +455,7 @@ class TestTrainStage : public QObject {
     StageShot shot;
     shot.stage = stage;
     shot.size = {300, 200};
-    shot.view.look = pictureLook(Theme::light, false);
+    shot.view.style = pictureStyle(Theme::light, false);
     const auto light = stagePicture(shot);
     QVERIFY(light.has_value());
     QCOMPARE(light->width, 300);
@@ -472,7 +472,7 @@ class TestTrainStage : public QObject {
     QVERIFY(differing(*stagePicture(shot)) > 1000);
     shot.view.time = stage->period;
     QVERIFY(differing(*stagePicture(shot)) < 20);
-    shot.view.look = pictureLook(Theme::light, true);
+    shot.view.style = pictureStyle(Theme::light, true);
     QCOMPARE(int(stagePicture(shot)->at(2, 2)[3]), 0);
     shot.size = {1'000'000, 10};
     const auto tooLarge = stagePicture(shot);

@@ -8,7 +8,7 @@ namespace geargraph::inline view3d {
 ///
 /// A single slow frame does not raise the level, and several fast ones are needed to lower it, so that the
 /// picture does not flicker.
-class LookLevel {
+class DraftLevel {
  public:
   static constexpr int kSimplest = 2;
 
@@ -19,23 +19,23 @@ class LookLevel {
     // The first frame of a level is slower because nothing is cached for it.
     if (m_isFirst) return void(m_isFirst = false);
     const double slow = isStep && m_level == 0 ? 8 : 20;
-    const double quick = isStep && m_level == 1 ? 3 : 9;  // one level is about a factor of 2 in time
+    const double fast = isStep && m_level == 1 ? 3 : 9;  // one level is about a factor of 2 in time
     m_slowOnes = milliseconds > slow ? m_slowOnes + 1 : 0;
-    m_quickOnes = milliseconds < quick ? m_quickOnes + 1 : 0;
+    m_fastOnes = milliseconds < fast ? m_fastOnes + 1 : 0;
     if (m_slowOnes >= 2 && m_level < kSimplest) return goTo(m_level + 1);
-    if (m_quickOnes >= 8 && m_level > 0) goTo(m_level - 1);
+    if (m_fastOnes >= 8 && m_level > 0) goTo(m_level - 1);
   }
 
  private:
   void goTo(int level) {
     m_level = level;
-    m_slowOnes = m_quickOnes = 0;
+    m_slowOnes = m_fastOnes = 0;
     m_isFirst = true;
   }
 
   int m_level = 0;
   int m_slowOnes = 0;
-  int m_quickOnes = 0;
+  int m_fastOnes = 0;
   bool m_isFirst = true;
 };
 

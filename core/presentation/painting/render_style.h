@@ -12,7 +12,7 @@ enum class Faces : std::uint8_t { shaded, hiddenLine, wireframe };
 
 /// The render style of a scene: background, lines, shadows and antialiasing. The colours of the parts are the
 /// scene's own.
-struct Look {
+struct RenderStyle {
   Rgb groundTop;  ///< of the vertical gradient of the background
   Rgb groundBottom;
   Rgb disc;  ///< of the floor disc
@@ -31,11 +31,11 @@ struct Look {
   int samples = 4;           ///< per pixel, for antialiasing; 1: none
   bool litByVertex = false;  ///< lighting per vertex (Gouraud) instead of per pixel: nearly the same
 
-  [[nodiscard]] static Look light();
-  [[nodiscard]] static Look dark();
+  [[nodiscard]] static RenderStyle light();
+  [[nodiscard]] static RenderStyle dark();
   /// The same without antialiasing and the contact shadow, which are slow in software rendering.
-  [[nodiscard]] Look cheaper() const;
-  friend bool operator==(const Look&, const Look&) = default;
+  [[nodiscard]] RenderStyle cheaper() const;
+  friend bool operator==(const RenderStyle&, const RenderStyle&) = default;
 };
 
 }  // namespace geargraph::inline painting
