@@ -128,9 +128,9 @@ std::variant<ShownPower, int> powerOf(const SnapshotPtr& snapshot, const StagePt
   return shown;
 }
 
-int failure(const Arguments& arguments, const ShotFailure& why) {
-  if (why.kind == ShotFailure::Kind::stopped) return outOfTime(arguments, translated("the picture"));
-  if (why.kind == ShotFailure::Kind::file) return fileFailure(why.message);
+int failure(const Arguments& arguments, const RenderingFailure& why) {
+  if (why.kind == RenderingFailure::Kind::stopped) return outOfTime(arguments, translated("the picture"));
+  if (why.kind == RenderingFailure::Kind::file) return fileFailure(why.message);
   std::cerr << "geargraph-cli: " << why.message << '\n';
   return kResourceLimit;
 }
@@ -168,22 +168,22 @@ int writePicture(std::string_view bytes, const std::string& path) {
 }
 
 int exportPicture(const Arguments& arguments, bool asSolids) {
-  if (const auto error = wrongShot(arguments)) return wrongUsage(kExport, error->message);
+  if (const auto error = renderingUsageError(arguments)) return wrongUsage(kExport, error->message);
   const std::string path = *arguments.value("-o");
   if (arguments.has("--all") && path == "-")
     return wrongUsage(kExport, translated("--all writes a folder; \"-\" is none."));
   const auto made = stageOf(arguments);
   if (const int* status = std::get_if<int>(&made)) return *status;
   const auto& [snapshot, stage] = std::get<0>(made);
-  const auto parsed = shotOf(arguments, stage, *snapshot);
+  const auto parsed = renderingFrom(arguments, stage, *snapshot);
   if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(kExport, error->message);
-  auto shot = std::get<StageShot>(parsed);
+  auto rendering = std::get<StageRendering>(parsed);
   ShownForces shown;
-  if (shot.view.marks.forces) {
+  if (rendering.view.marks.forces) {
     auto forces = forcesOf(snapshot, arguments);
     if (const int* status = std::get_if<int>(&forces)) return *status;
     shown = std::get<ShownForces>(std::move(forces));
-    shot.view.forces = shown.forces;
+    rendering.view.forces = shown.forces;
   }
   const OverlayChoice overlay = overlayOf(arguments);
   ShownPower power;
@@ -195,10 +195,10 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   if (asSolids) {
     MeshWriteOptions options;
     options.stop = arguments.stop;
-    if (const auto why = writeMesh(sceneOf(*stage, shot.view), MeshFormat::glb, path, options))
+    if (const auto why = writeMesh(sceneOf(*stage, rendering.view), MeshFormat::glb, path, options))
       return failure(arguments, *why);
   } else {
-    ShotRun run;
+    RenderingRun run;
     run.stop = arguments.stop;
     run.mayOverwrite = arguments.has("--force");
     if (overlay.any()) {
@@ -213,8 +213,8 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
         if (!painted) image.rgba.clear();
       };
     }
-    const auto why =
-        arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
+    const auto why = arguments.has("--all") ? writePictures(rendering, path, run)
+                                            : geargraph::writePicture(rendering, path, run);
     if (why) return failure(arguments, *why);
   }
   return hasErrors(snapshot->diagnostics) || shown.areUnheld || power.areUnheld ? kMechanismErrors : kFine;

@@ -6,7 +6,7 @@
 
 #include "app/cli/export_forms.h"
 #include "core/foundations/base/words.h"
-#include "core/presentation/results/shot_names.h"
+#include "core/presentation/results/rendering_names.h"
 
 namespace geargraph::cli {
 namespace {
@@ -29,19 +29,19 @@ std::vector<std::string> parts(std::string_view text, char between) {
   return result;
 }
 
-/// Reads options one by one into a shot; the first that is wrong stays said.
-class ShotReader {
+/// Reads options one by one into a rendering; the first that is wrong stays said.
+class RenderingReader {
  public:
-  explicit ShotReader(const Arguments& arguments) : m_arguments(arguments) {}
+  explicit RenderingReader(const Arguments& arguments) : m_arguments(arguments) {}
 
-  std::variant<StageShot, UsageError> read() {
+  std::variant<StageRendering, UsageError> read() {
     readSize();
     readCamera();
     readMoment();
     readStyle();
     readFilm();
     if (m_error) return *m_error;
-    return std::move(m_shot);
+    return std::move(m_rendering);
   }
 
  private:
@@ -53,7 +53,7 @@ class ShotReader {
     const auto text = m_arguments.value("--size");
     if (!text) return;
     if (const auto size = pictureSize(*text, kMostPictureSide)) {
-      m_shot.size = {size->first, size->second};
+      m_rendering.size = {size->first, size->second};
     } else {
       wrong(wrongSize(*text, kMostPictureSide));
     }
@@ -65,7 +65,7 @@ class ShotReader {
     if (const auto text = m_arguments.value("--from")) {
       const auto view = standardViewNamed(*text);
       if (!view) return wrong(translated("--from is one of front, back, left, right, top, bottom, iso."));
-      m_shot.view.camera = Camera::looking(*view);
+      m_rendering.view.camera = Camera::looking(*view);
     }
     if (const auto text = m_arguments.value("--camera")) {
       const std::vector<std::string> angles = parts(*text, ',');
@@ -75,7 +75,7 @@ class ShotReader {
         return wrong(translated("--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not \"%1\".",
                                 {*text}));
       }
-      m_shot.view.camera = Camera::from(*azimuth * kDegree, *elevation * kDegree);
+      m_rendering.view.camera = Camera::from(*azimuth * kDegree, *elevation * kDegree);
     }
   }
 
@@ -83,12 +83,12 @@ class ShotReader {
     if (const auto text = m_arguments.value("--time")) {
       const auto time = numberIn(*text, -kLongestTime, kLongestTime);
       if (!time) return wrong(translated("--time takes seconds, not \"%1\".", {*text}));
-      m_shot.view.time = *time;
+      m_rendering.view.time = *time;
     }
     if (const auto text = m_arguments.value("--explode")) {
       const auto part = numberIn(*text, 0, 1);
       if (!part) return wrong(translated("--explode takes a part from 0 to 1, not \"%1\".", {*text}));
-      m_shot.view.pulledApart = *part;
+      m_rendering.view.pulledApart = *part;
     }
     if (const auto text = m_arguments.value("--section")) readSection(*text);
   }
@@ -100,20 +100,20 @@ class ShotReader {
     if (cut.front().size() != 1 || axis == std::string_view::npos || cut.size() > 2 || !place)
       return wrong(
           translated("--section takes x, y or z, and how far along from 0 to 1: y:0.5, not \"%1\".", {text}));
-    m_shot.view.section = SectionChoice{static_cast<int>(axis), *place, false};
+    m_rendering.view.section = SectionChoice{static_cast<int>(axis), *place, false};
   }
 
   void readStyle() {
     const Theme theme = m_arguments.has("--dark") ? Theme::dark : Theme::light;
-    m_shot.view.style = pictureStyle(theme, m_arguments.has("--transparent"));
+    m_rendering.view.style = pictureStyle(theme, m_arguments.has("--transparent"));
     if (const auto text = m_arguments.value("--faces")) {
       const auto faces = facesNamed(*text);
       if (!faces) return wrong(translated("--faces is one of shaded, lines, edges."));
-      m_shot.view.style.faces = *faces;
+      m_rendering.view.style.faces = *faces;
     }
     for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
       OverlayChoice overlay;
-      const bool isKnown = showMark(m_shot.view.marks, name) || showOverlay(overlay, name);
+      const bool isKnown = showMark(m_rendering.view.marks, name) || showOverlay(overlay, name);
       if (m_arguments.has("--show") && !isKnown) {
         wrong(translated(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
@@ -141,11 +141,11 @@ class ShotReader {
         return wrong(translated("--fps takes pictures a second from 0.1 to 100, not \"%1\".", {*text}));
       film.framesPerSecond = *rate;
     }
-    m_shot.film = film;
+    m_rendering.film = film;
   }
 
   const Arguments& m_arguments;
-  StageShot m_shot;
+  StageRendering m_rendering;
   std::optional<UsageError> m_error;
 };
 
@@ -166,31 +166,31 @@ OverlayChoice overlayOf(const Arguments& arguments) {
   return choice;
 }
 
-std::optional<UsageError> wrongShot(const Arguments& arguments) {
-  const auto read = ShotReader(arguments).read();
+std::optional<UsageError> renderingUsageError(const Arguments& arguments) {
+  const auto read = RenderingReader(arguments).read();
   const auto* error = std::get_if<UsageError>(&read);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
-std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const StagePtr& stage,
-                                           const AnalysisSnapshot& snapshot) {
-  auto read = ShotReader(arguments).read();
-  auto* shot = std::get_if<StageShot>(&read);
-  if (shot == nullptr) return read;
-  shot->stage = stage;
+std::variant<StageRendering, UsageError> renderingFrom(const Arguments& arguments, const StagePtr& stage,
+                                                       const AnalysisSnapshot& snapshot) {
+  auto read = RenderingReader(arguments).read();
+  auto* rendering = std::get_if<StageRendering>(&read);
+  if (rendering == nullptr) return read;
+  rendering->stage = stage;
   const Mechanism& mechanism = *snapshot.mechanism;
   const auto unknown = [](const std::string& label) {
     return UsageError{translated("There is no link \"%1\".", {label})};
   };
   if (const auto label = arguments.value("--ride")) {
-    shot->view.ridden = linkLabelled(mechanism, *label);
-    if (!shot->view.ridden) return unknown(*label);
+    rendering->view.ridden = linkLabelled(mechanism, *label);
+    if (!rendering->view.ridden) return unknown(*label);
   }
   if (const auto labels = arguments.value("--hide")) {
     for (const std::string& label : parts(*labels, ',')) {
       const auto link = linkLabelled(mechanism, label);
       if (!link) return unknown(label);
-      shot->view.hidden.insert(*link);
+      rendering->view.hidden.insert(*link);
     }
   }
   return read;

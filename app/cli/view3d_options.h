@@ -13,13 +13,14 @@ namespace geargraph::cli {
 
 /// The options of `export --view 3d` for a stage: camera, time, section, exploded view, hidden links,
 /// overlays, and the animation. Labels are those of the snapshot's mechanism.
-[[nodiscard]] std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const StagePtr& stage,
-                                                         const AnalysisSnapshot& snapshot);
+[[nodiscard]] std::variant<StageRendering, UsageError> renderingFrom(const Arguments& arguments,
+                                                                     const StagePtr& stage,
+                                                                     const AnalysisSnapshot& snapshot);
 
-/// The overlays chosen by --show. @pre wrongShot() returns std::nullopt
+/// The overlays chosen by --show. @pre renderingUsageError() returns std::nullopt
 [[nodiscard]] OverlayChoice overlayOf(const Arguments& arguments);
 
 /// Checks the options as far as possible without a mechanism; std::nullopt if they are valid.
-[[nodiscard]] std::optional<UsageError> wrongShot(const Arguments& arguments);
+[[nodiscard]] std::optional<UsageError> renderingUsageError(const Arguments& arguments);
 
 }  // namespace geargraph::cli

@@ -19,10 +19,10 @@ int main(int count, char** words) {
   stage->scene = bench::gearField(std::atoi(words[1]), std::atoi(words[2]));
   const std::filesystem::path file = words[3];
   if (file.extension() == ".glb") return writeMesh(sceneOf(*stage, {}), MeshFormat::glb, file) ? 1 : 0;
-  StageShot shot;
-  shot.stage = stage;
-  shot.size = {1280, 720};
-  shot.view.camera = Camera::from(-0.5, 0.6);
-  shot.view.style.samples = 4;
-  return writePicture(shot, file) ? 1 : 0;
+  StageRendering rendering;
+  rendering.stage = stage;
+  rendering.size = {1280, 720};
+  rendering.view.camera = Camera::from(-0.5, 0.6);
+  rendering.view.style.samples = 4;
+  return writePicture(rendering, file) ? 1 : 0;
 }

@@ -63,7 +63,7 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
                                                     const std::stop_token& stop) {
   Picture picture{content, {}, {}, {}, {}};
   if (content.seen) {
-    Expected<std::unique_ptr<StagePainter>> painter = StagePainter::create(content.seen->shot, stop);
+    Expected<std::unique_ptr<StagePainter>> painter = StagePainter::create(content.seen->rendering, stop);
     if (!painter) {
       picture.why = QString::fromStdString(painter.error().front().message);
       return picture;

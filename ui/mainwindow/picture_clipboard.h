@@ -21,7 +21,7 @@ struct CopiedContent {
   DisplayList drawing;  ///< empty: none
   /// The 3D view as shown, with its labels.
   struct Seen {
-    StageShot shot;
+    StageRendering rendering;
     ViewOptions options;
     QString forcesCaption;  ///< as forcesCaption()
     PaintOver over;         ///< what is painted over the view; empty: nothing

@@ -23,10 +23,11 @@ namespace geargraph::inline mainwindow {
 namespace {
 
 /// The view's picture or film, with its labels, as a job for another thread.
-ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, const QString& forcesCaption,
-                        const PaintOver& over, bool dark, SolidForm form, const QString& path) {
+ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions& options,
+                             const QString& forcesCaption, const PaintOver& over, bool dark, SolidForm form,
+                             const QString& path) {
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
-    ShotRun how;
+    RenderingRun how;
     how.progress = progress;
     how.stop = stop;
     const auto overlay = std::make_shared<PictureOverlay>(options, dark);
@@ -38,11 +39,11 @@ ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, const
       paintLayer(image, painter.labelGround(seen), painter.seen().view(), over, dark, forces);
     };
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
-    const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)
-                                                     : geargraph::writePicture(shot, file, how);
+    const auto failure = form == SolidForm::pictures ? writePictures(rendering, file, how)
+                                                     : geargraph::writePicture(rendering, file, how);
     return failure ? QString::fromStdString(failure->message) : QString();
   };
-  return {path, shot.film.has_value(), run};
+  return {path, rendering.film.has_value(), run};
 }
 
 ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
@@ -111,16 +112,16 @@ void WindowExports::exportView3D(const PictureOptions& options, const QString& p
   }
   if (options.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
   const SheetStyle& style = options.picture.style;
-  StageShot shot;
-  shot.stage = stage;
-  shot.view = m_views.view3d->view();
-  shot.view.style = pictureStyle(style.theme, style.transparent);
-  shot.view.style.faces = m_views.view3d->options().faces;
-  if (style.size) shot.size = {style.size->width, style.size->height};
-  shot.fits = options.isFitted;
-  shot.film = options.film;
-  m_jobs->add(shotJob(shot, m_views.view3d->options(), m_views.view3d->forcesCaption(),
-                      paintingOver(*m_views.view3d), style.theme == Theme::dark, options.solid, path));
+  StageRendering rendering;
+  rendering.stage = stage;
+  rendering.view = m_views.view3d->view();
+  rendering.view.style = pictureStyle(style.theme, style.transparent);
+  rendering.view.style.faces = m_views.view3d->options().faces;
+  if (style.size) rendering.size = {style.size->width, style.size->height};
+  rendering.fits = options.isFitted;
+  rendering.film = options.film;
+  m_jobs->add(renderingJob(rendering, m_views.view3d->options(), m_views.view3d->forcesCaption(),
+                           paintingOver(*m_views.view3d), style.theme == Theme::dark, options.solid, path));
 }
 
 void WindowExports::copyPicture(const QString& view) {
@@ -147,11 +148,11 @@ void WindowExports::copyView3D() {
                            options,
                            options.marks.forces ? m_views.view3d->forcesCaption() : QString(),
                            paintingOver(*m_views.view3d)};
-  seen.shot.stage = stage;
-  seen.shot.view = m_views.view3d->view();
-  seen.shot.view.style = pictureStyle(Theme::light, true);
-  seen.shot.view.style.faces = seen.options.faces;
-  seen.shot.fits = false;
+  seen.rendering.stage = stage;
+  seen.rendering.view = m_views.view3d->view();
+  seen.rendering.view.style = pictureStyle(Theme::light, true);
+  seen.rendering.view.style.faces = seen.options.faces;
+  seen.rendering.fits = false;
   CopiedContent content;
   content.seen = std::move(seen);
   m_clipboard->copy(std::move(content));

@@ -7,7 +7,7 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/results/named_drawings.h"
-#include "core/presentation/results/shot_names.h"
+#include "core/presentation/results/rendering_names.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_stage.h"
 
@@ -81,33 +81,34 @@ struct RequestedPicture {
         reader(requested["reader"].cast<std::string>()) {}
 };
 
-std::pair<StageShot, OverlayChoice> shotOf(const RequestedPicture& requested) {
-  StageShot shot;
+std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& requested) {
+  StageRendering rendering;
   OverlayChoice overlay;
   checkSize(requested.size, kMostPictureSide);
-  if (requested.size) shot.size = {requested.size->first, requested.size->second};
+  if (requested.size) rendering.size = {requested.size->first, requested.size->second};
   if (requested.from) {
     const auto view = standardViewNamed(*requested.from);
     if (!view) throw py::value_error("There is no view \"" + *requested.from + "\".");
-    shot.view.camera = Camera::looking(*view);
+    rendering.view.camera = Camera::looking(*view);
   }
   if (requested.camera)
-    shot.view.camera = Camera::from(requested.camera->first * kDegree, requested.camera->second * kDegree);
-  shot.view.time = requested.time;
+    rendering.view.camera =
+        Camera::from(requested.camera->first * kDegree, requested.camera->second * kDegree);
+  rendering.view.time = requested.time;
   if (requested.section)
-    shot.view.section = SectionChoice{requested.section->first, requested.section->second, false};
-  shot.view.pulledApart = requested.explode;
-  shot.view.style = pictureStyle(requested.dark ? Theme::dark : Theme::light, requested.transparent);
+    rendering.view.section = SectionChoice{requested.section->first, requested.section->second, false};
+  rendering.view.pulledApart = requested.explode;
+  rendering.view.style = pictureStyle(requested.dark ? Theme::dark : Theme::light, requested.transparent);
   const auto faces = facesNamed(requested.faces);
   if (!faces) throw py::value_error("There are no faces \"" + requested.faces + "\".");
-  shot.view.style.faces = *faces;
+  rendering.view.style.faces = *faces;
   for (const std::string& name : requested.show) {
-    if (!showMark(shot.view.marks, name) && !showOverlay(overlay, name))
+    if (!showMark(rendering.view.marks, name) && !showOverlay(overlay, name))
       throw py::value_error("A 3D picture shows no \"" + name + "\".");
   }
-  for (const std::string& id : requested.hide) shot.view.hidden.insert(LinkId(id));
-  if (requested.ride) shot.view.ridden = LinkId(*requested.ride);
-  return {std::move(shot), overlay};
+  for (const std::string& id : requested.hide) rendering.view.hidden.insert(LinkId(id));
+  if (requested.ride) rendering.view.ridden = LinkId(*requested.ride);
+  return {std::move(rendering), overlay};
 }
 
 /// The stage, or raises geargraph.Error where there is nothing to show.
@@ -124,8 +125,8 @@ StagePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
   return stage;
 }
 
-ShotRun runWith(const OverlayChoice& overlay, bool dark) {
-  ShotRun run;
+RenderingRun runWith(const OverlayChoice& overlay, bool dark) {
+  RenderingRun run;
   if (!overlay.any()) return run;
   run.finish = [labels = StageLabels(overlay), theme = dark ? Theme::dark : Theme::light](
                    Image& image, StagePainter& painter) mutable {
@@ -138,13 +139,13 @@ ShotRun runWith(const OverlayChoice& overlay, bool dark) {
 /// The PNG, and what is not shown or simplified, with the reasons.
 py::tuple picture(const Snapshot& self, const py::dict& options) {
   const RequestedPicture requested(options);
-  auto [made, overlay] = shotOf(requested);
-  StageShot shot = std::move(made);
-  const StagePtr stage = shot.stage = stageOf(self, requested);
-  ShotRun run = runWith(overlay, requested.dark);
+  auto [made, overlay] = renderingFrom(requested);
+  StageRendering rendering = std::move(made);
+  const StagePtr stage = rendering.stage = stageOf(self, requested);
+  RenderingRun run = runWith(overlay, requested.dark);
   using Bytes = std::vector<std::uint8_t>;
   const auto png = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<Bytes> {
-    auto created = StagePainter::create(std::move(shot), stop);
+    auto created = StagePainter::create(std::move(rendering), stop);
     if (!created) return created.error();
     if (!*created) return Bytes();  // stopped
     StagePainter& painter = **created;
@@ -169,28 +170,29 @@ struct FilmPlace {
 void film(const Snapshot& self, const py::dict& options, const FilmPlace& place, const std::string& kind,
           int frames, double framesPerSecond) {
   const RequestedPicture requested(options);
-  auto [made, overlay] = shotOf(requested);
-  StageShot shot = std::move(made);
+  auto [made, overlay] = renderingFrom(requested);
+  StageRendering rendering = std::move(made);
   if (frames < 2 || frames > kMostFilmFrames)
     throw py::value_error("A film has 2 to " + std::to_string(kMostFilmFrames) + " frames.");
-  shot.film = Film{kind == "motion" ? FilmKind::motion : FilmKind::turntable, frames, framesPerSecond, 0};
-  shot.stage = stageOf(self, requested);
-  ShotRun run = runWith(overlay, requested.dark);
+  rendering.film =
+      Film{kind == "motion" ? FilmKind::motion : FilmKind::turntable, frames, framesPerSecond, 0};
+  rendering.stage = stageOf(self, requested);
+  RenderingRun run = runWith(overlay, requested.dark);
   const auto failure = interruptible([&](const std::stop_token& stop) {
     run.stop = stop;
     run.mayOverwrite = place.mayOverwrite;
-    return place.isFolder ? geargraph::writePictures(shot, place.path, run)
-                          : geargraph::writePicture(shot, place.path, run);
+    return place.isFolder ? geargraph::writePictures(rendering, place.path, run)
+                          : geargraph::writePicture(rendering, place.path, run);
   });
-  if (failure) raise(failure->kind == ShotFailure::Kind::file ? "file" : "graphics", failure->message);
+  if (failure) raise(failure->kind == RenderingFailure::Kind::file ? "file" : "graphics", failure->message);
 }
 
 /// GLB: the solids as the view shows them.
 void writeView(const Snapshot& self, const py::dict& options, const std::string& path) {
   const RequestedPicture requested(options);
-  auto [shot, overlay] = shotOf(requested);
+  auto [rendering, overlay] = renderingFrom(requested);
   const StagePtr stage = stageOf(self, requested);
-  const StageView& view = shot.view;
+  const StageView& view = rendering.view;
   const auto error = interruptible([&](const std::stop_token& stop) {
     MeshWriteOptions writing;
     writing.stop = stop;

@@ -15,11 +15,11 @@ MadeHandoutTrain handoutTrain(const AnalysisSnapshot& snapshot, const std::files
   const StagePtr& stage = made.train.stage;
   if (!stage || stage->scene.instances.empty() || stop.stop_requested()) return made;
   for (const StageNote& note : stage->notes) made.notes.push_back(note.text);
-  StageShot shot;
-  shot.stage = stage;
-  shot.size = {720, 480};
-  shot.view.style = pictureStyle(Theme::light, false);
-  if (const Expected<Image> picture = stagePicture(std::move(shot))) {
+  StageRendering rendering;
+  rendering.stage = stage;
+  rendering.size = {720, 480};
+  rendering.view.style = pictureStyle(Theme::light, false);
+  if (const Expected<Image> picture = stagePicture(std::move(rendering))) {
     const std::vector<std::uint8_t> png = pngBytes(*picture, stop);
     made.train.still.assign(png.begin(), png.end());
   } else {

@@ -77,7 +77,7 @@ void addLabel(DisplayList& list, const Stage& stage, const LabelPlate& place) {
 
 /// As long as a round number of length units, at the depth of the view's middle.
 void addScaleBar(DisplayList& list, const StagePainter& painter) {
-  const Viewport& size = painter.shot().size;
+  const Viewport& size = painter.rendering().size;
   const double ratio = painter.pixelRatio();
   const double perPixel = painter.view().camera.millimetresPerPixel(size) * ratio;
   const double length = niceLength(perPixel, kLongestBar);
@@ -92,7 +92,7 @@ void addScaleBar(DisplayList& list, const StagePainter& painter) {
   bar({right - 1.6, y - kTick}, {right, y + kTick});
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.6g ", length);
-  const std::string text = number.data() + painter.shot().stage->unit;
+  const std::string text = number.data() + painter.rendering().stage->unit;
   const SheetPoint middle{right - textWidth(text, kTextSize, false) / 2, y - 13};
   list.marks.push_back(
       {ElementId(), MarkRole::label, 0, Text{text, middle, kTextSize, false, ColorRole::secondary}});
@@ -185,7 +185,7 @@ std::vector<std::string> wrapped(const std::string& text, double room) {
 double addCaption(DisplayList& list, const StagePainter& painter, const std::string& caption, double line) {
   constexpr double kWidestCaption = 380;
   constexpr double kLineHeight = 16;
-  const double room = painter.shot().size.width / painter.pixelRatio() - 2 * kFromEdge;
+  const double room = painter.rendering().size.width / painter.pixelRatio() - 2 * kFromEdge;
   const std::vector<std::string> lines = wrapped(caption, std::min(kWidestCaption, room));
   if (lines.empty()) return line;
   double half = 0;

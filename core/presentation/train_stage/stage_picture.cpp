@@ -43,20 +43,21 @@ RenderStyle pictureStyle(Theme theme, bool transparent) {
   return style;
 }
 
-StagePainter::StagePainter(StageShot shot, std::stop_token stop, std::unique_ptr<EglHost> host)
-    : m_shot(std::move(shot)),
+StagePainter::StagePainter(StageRendering rendering, std::stop_token stop, std::unique_ptr<EglHost> host)
+    : m_rendering(std::move(rendering)),
       m_stop(std::move(stop)),
       m_host(std::move(host)),
-      m_seen(m_shot.stage),
-      m_now(m_shot.view) {
-  m_host->setScene(m_shot.stage->scene);
+      m_seen(m_rendering.stage),
+      m_now(m_rendering.view) {
+  m_host->setScene(m_rendering.stage->scene);
 }
 
-Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot, const std::stop_token& stop) {
+Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageRendering rendering,
+                                                             const std::stop_token& stop) {
   if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
   auto host = EglHost::create();
   if (!host) return host.error();
-  if (std::max(shot.size.width, shot.size.height) > (*host)->maximumSide()) {
+  if (std::max(rendering.size.width, rendering.size.height) > (*host)->maximumSide()) {
     Diagnostic tooLarge;
     tooLarge.code = Code::graphics;
     tooLarge.message =
@@ -65,52 +66,55 @@ Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot, con
     return tooLarge;
   }
   if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
-  std::unique_ptr<StagePainter> painter(new StagePainter(std::move(shot), stop, std::move(host).value()));
-  if (painter->m_shot.fits) painter->fit();
+  std::unique_ptr<StagePainter> painter(
+      new StagePainter(std::move(rendering), stop, std::move(host).value()));
+  if (painter->m_rendering.fits) painter->fit();
   if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
   return painter;
 }
 
 void StagePainter::fit() {
-  if (m_shot.film) return fitFilm();
-  m_seen.show(m_shot.view, m_stop);
-  m_shot.view.camera = m_shot.view.camera.fitted(m_seen.corners(m_stop), m_shot.size, kMargin);
+  if (m_rendering.film) return fitFilm();
+  m_seen.show(m_rendering.view, m_stop);
+  m_rendering.view.camera = m_rendering.view.camera.fitted(m_seen.corners(m_stop), m_rendering.size, kMargin);
 }
 
 // One place to look at and one distance for the whole film: a camera that breathes makes one seasick.
 void StagePainter::fitFilm() {
-  Film coarse = *m_shot.film;
+  Film coarse = *m_rendering.film;
   coarse.frames = std::min(coarse.frames, kFilmSamples);
   std::vector<std::vector<Eigen::Vector3d>> points;
   Eigen::AlignedBox3d box;
   for (int picture = 0; picture < coarse.frames; ++picture) {
-    m_seen.show(filmView(*m_shot.stage, m_shot.view, coarse, picture), m_stop);
+    m_seen.show(filmView(*m_rendering.stage, m_rendering.view, coarse, picture), m_stop);
     points.push_back(m_seen.corners(m_stop));
     if (m_stop.stop_requested()) return;
     for (const Eigen::Vector3d& point : points.back()) box.extend(point);
   }
   if (box.isEmpty()) return;
-  Camera& camera = m_shot.view.camera;
+  Camera& camera = m_rendering.view.camera;
   camera = camera.placedAt(box.center(), camera.distance());
   double distance = 0;
   for (int picture = 0; picture < coarse.frames && !m_stop.stop_requested(); ++picture) {
-    const Camera from = filmView(*m_shot.stage, m_shot.view, coarse, picture).camera;
+    const Camera from = filmView(*m_rendering.stage, m_rendering.view, coarse, picture).camera;
     for (const Eigen::Vector3d& point : points[static_cast<std::size_t>(picture)])
-      distance = std::max(distance, distanceFor(from, m_shot.size, point));
+      distance = std::max(distance, distanceFor(from, m_rendering.size, point));
   }
   camera = camera.placedAt(box.center(), std::max(distance, 1e-3));
 }
 
 StageView StagePainter::viewOf(int picture) const {
-  return m_shot.film ? filmView(*m_shot.stage, m_shot.view, *m_shot.film, picture) : m_shot.view;
+  return m_rendering.film ? filmView(*m_rendering.stage, m_rendering.view, *m_rendering.film, picture)
+                          : m_rendering.view;
 }
 
 double StagePainter::pixelRatio() const {
-  return m_shot.pixelRatio > 0 ? m_shot.pixelRatio : std::max(1.0, m_shot.size.height / kHeightOfOne);
+  return m_rendering.pixelRatio > 0 ? m_rendering.pixelRatio
+                                    : std::max(1.0, m_rendering.size.height / kHeightOfOne);
 }
 
 Frame StagePainter::frame() const {
-  Frame frame = m_seen.frame(m_shot.size, pixelRatio());
+  Frame frame = m_seen.frame(m_rendering.size, pixelRatio());
   frame.stop = m_stop;
   return frame;
 }
@@ -122,17 +126,18 @@ Image StagePainter::paint(int picture) {
 }
 
 SeenMap StagePainter::seenForLabels() {
-  const Viewport cells = labelCells(m_shot.size, pixelRatio());
+  const Viewport cells = labelCells(m_rendering.size, pixelRatio());
   return m_host->seen(frame(), cells.width, cells.height);
 }
 
 LabelGround StagePainter::labelGround(const SeenMap& seen) const {
-  return {m_seen.stage(), m_seen.poses(), m_seen.showing(), m_now.camera, m_shot.size, pixelRatio(), &seen};
+  return {m_seen.stage(), m_seen.poses(), m_seen.showing(), m_now.camera, m_rendering.size,
+          pixelRatio(),   &seen};
 }
 
-Expected<Image> stagePicture(StageShot shot) {
-  shot.film.reset();
-  auto painter = StagePainter::create(std::move(shot));
+Expected<Image> stagePicture(StageRendering rendering) {
+  rendering.film.reset();
+  auto painter = StagePainter::create(std::move(rendering));
   if (!painter) return painter.error();
   return (*painter)->paint(0);
 }

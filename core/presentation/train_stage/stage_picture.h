@@ -25,8 +25,8 @@ constexpr int kMostPictureSide = 8192;
 /// only the shadow shows the floor.
 [[nodiscard]] RenderStyle pictureStyle(Theme theme, bool transparent);
 
-/// A snapshot or animation of a stage.
-struct StageShot {
+/// A picture or animation of a stage, as it is to be rendered.
+struct StageRendering {
   StagePtr stage;
   StageView view;
   Viewport size{1600, 1000};
@@ -35,17 +35,18 @@ struct StageShot {
   double pixelRatio = 0;  ///< pixels per logical pixel, for the widths of lines; 0: from the height
 };
 
-/// Paints the pictures of a shot offscreen. To be used on the thread that made it.
+/// Paints the pictures of a rendering offscreen. To be used on the thread that made it.
 class StagePainter {
  public:
   /// Fails with `graphics` if no renderer is available, or the picture is too large for the driver. Null if
   /// `stop` was requested meanwhile; a later request ends the current picture, which is then empty. Cost: a
-  /// context and shaders; for a shot that fits, the outline of each solid and up to 24 poses of an animation.
-  [[nodiscard]] static Expected<std::unique_ptr<StagePainter>> create(StageShot shot,
+  /// context and shaders; for a rendering that fits, the outline of each solid and up to 24 poses of an
+  /// animation.
+  [[nodiscard]] static Expected<std::unique_ptr<StagePainter>> create(StageRendering rendering,
                                                                       const std::stop_token& stop = {});
 
   /// The number of pictures; 1 without an animation.
-  [[nodiscard]] int pictures() const { return m_shot.film ? m_shot.film->frames : 1; }
+  [[nodiscard]] int pictures() const { return m_rendering.film ? m_rendering.film->frames : 1; }
   /// Empty if the driver is out of memory, or `stop` was requested.
   [[nodiscard]] Image paint(int picture);
   /// The SeenMap of the last picture, and the data for label placement with it, which refers to the painter
@@ -56,33 +57,33 @@ class StagePainter {
   [[nodiscard]] const SeenStage& seen() const { return m_seen; }
   [[nodiscard]] const StageView& view() const { return m_now; }
   [[nodiscard]] double pixelRatio() const;
-  [[nodiscard]] const StageShot& shot() const { return m_shot; }
+  [[nodiscard]] const StageRendering& rendering() const { return m_rendering; }
 
  private:
-  StagePainter(StageShot shot, std::stop_token stop, std::unique_ptr<EglHost> host);
+  StagePainter(StageRendering rendering, std::stop_token stop, std::unique_ptr<EglHost> host);
   void fit();
   void fitFilm();
   [[nodiscard]] StageView viewOf(int picture) const;
   [[nodiscard]] Frame frame() const;
 
-  StageShot m_shot;
+  StageRendering m_rendering;
   std::stop_token m_stop;
   std::unique_ptr<EglHost> m_host;
   SeenStage m_seen;
   StageView m_now;
 };
 
-/// One picture of the shot, ignoring its animation.
-[[nodiscard]] Expected<Image> stagePicture(StageShot shot);
+/// One picture of the rendering, ignoring its animation.
+[[nodiscard]] Expected<Image> stagePicture(StageRendering rendering);
 
-/// Why a shot was not written.
-struct ShotFailure {
+/// Why a rendering was not written.
+struct RenderingFailure {
   enum class Kind { stopped, graphics, file };
   Kind kind = Kind::file;
   std::string message;
 };
 
-struct ShotRun {
+struct RenderingRun {
   std::function<void(int done, int all)> progress;    ///< after each picture, on the caller's thread
   std::stop_token stop;                               ///< also ends the current picture
   std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, for example labels;
@@ -90,17 +91,17 @@ struct ShotRun {
   bool mayOverwrite = false;                          ///< files in an existing folder
 };
 
-/// Writes the shot as one file, atomically: a PNG, animated if the shot has an animation. "-" is standard
-/// output.
-[[nodiscard]] std::optional<ShotFailure> writePicture(const StageShot& shot,
-                                                      const std::filesystem::path& path,
-                                                      const ShotRun& run = {});
+/// Writes the rendering as one file, atomically: a PNG, animated if the rendering has an animation. "-" is
+/// standard output.
+[[nodiscard]] std::optional<RenderingFailure> writePicture(const StageRendering& rendering,
+                                                           const std::filesystem::path& path,
+                                                           const RenderingRun& run = {});
 
 /// Writes the animation as PNGs in a folder, "0001.png" and so on; they appear in the folder when all are
 /// painted, or not at all.
-[[nodiscard]] std::optional<ShotFailure> writePictures(const StageShot& shot,
-                                                       const std::filesystem::path& folder,
-                                                       const ShotRun& run = {});
+[[nodiscard]] std::optional<RenderingFailure> writePictures(const StageRendering& rendering,
+                                                            const std::filesystem::path& folder,
+                                                            const RenderingRun& run = {});
 
 /// The solids as the view shows them, in its pose, exploded, without hidden ones; the camera, the section and
 /// lines are not included. Nodes have the names of their links. Incomplete if `stop` was requested meanwhile.

@@ -5,7 +5,7 @@
 #include "core/presentation/results/graph_files.h"
 #include "core/presentation/results/input_pose.h"
 #include "core/presentation/results/named_drawings.h"
-#include "core/presentation/results/shot_names.h"
+#include "core/presentation/results/rendering_names.h"
 #include "core/presentation/results/train_export.h"
 #include "tests/core/support/trains.h"
 

@@ -92,22 +92,22 @@ class StoppingTest : public QObject {
   void picturesOf(const char* name, const Mechanism& mechanism) {
     GearCache gears;
     const auto memory = std::make_shared<StageMemory>();
-    StageShot shot;
-    shot.stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, memory.get());
-    shot.view.pulledApart = 0.5;
+    StageRendering rendering;
+    rendering.stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, memory.get());
+    rendering.view.pulledApart = 0.5;
     const auto add = [&](const char* form) {
-      QTest::addRow("%s, %s", form, name) << Work([this, shot](const std::stop_token& stop) {
-        ShotRun run;
+      QTest::addRow("%s, %s", form, name) << Work([this, rendering](const std::stop_token& stop) {
+        RenderingRun run;
         run.stop = stop;
-        return std::any(writePicture(shot, m_folder.filePath("picture.png").toStdString(), run));
+        return std::any(writePicture(rendering, m_folder.filePath("picture.png").toStdString(), run));
       });
     };
     add("picture");
-    shot.film = Film{FilmKind::motion, 72, 24, 0};
+    rendering.film = Film{FilmKind::motion, 72, 24, 0};
     add("film");
-    shot.film.reset();
-    shot.size = {3840, 2160};
-    shot.fits = false;
+    rendering.film.reset();
+    rendering.size = {3840, 2160};
+    rendering.fits = false;
     add("large picture");
   }
 

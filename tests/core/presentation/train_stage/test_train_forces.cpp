@@ -131,12 +131,12 @@ class TrainForcesTest : public QObject {
   void captionsAreInThePicture() {
     const LoadedSet set;
     for (const bool hasArrows : {true, false}) {
-      StageShot shot;
-      shot.stage = set.stage;
-      shot.size = {260, 200};
-      shot.view.marks.forces = true;
-      if (hasArrows) shot.view.forces = std::make_shared<const std::vector<StageForce>>(set.forces);
-      auto painter = StagePainter::create(shot);
+      StageRendering rendering;
+      rendering.stage = set.stage;
+      rendering.size = {260, 200};
+      rendering.view.marks.forces = true;
+      if (hasArrows) rendering.view.forces = std::make_shared<const std::vector<StageForce>>(set.forces);
+      auto painter = StagePainter::create(rendering);
       QVERIFY(painter);
       (void)(*painter)->paint(0);
       OverlayChoice choice;

@@ -300,10 +300,10 @@ class TrainPowerTest : public QObject {
   /// With `--show power` the drawing over a picture has them; a caption says why there are none.
   void theLabelsOfAPictureHaveThem() {
     const Powered set = planetarySet();
-    StageShot shot;
-    shot.stage = set.stage;
-    shot.size = {640, 480};
-    auto painter = StagePainter::create(shot);
+    StageRendering rendering;
+    rendering.stage = set.stage;
+    rendering.size = {640, 480};
+    auto painter = StagePainter::create(rendering);
     QVERIFY(painter);
     (void)(*painter)->paint(0);
     OverlayChoice choice;

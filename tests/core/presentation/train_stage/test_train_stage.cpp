@@ -452,11 +452,11 @@ class TestTrainStage : public QObject {
   void aPictureShowsTheTrainAtItsTime() {
     GearCache cache;
     const StagePtr stage = stageOf(paperRobot(), cache);
-    StageShot shot;
-    shot.stage = stage;
-    shot.size = {300, 200};
-    shot.view.style = pictureStyle(Theme::light, false);
-    const auto light = stagePicture(shot);
+    StageRendering rendering;
+    rendering.stage = stage;
+    rendering.size = {300, 200};
+    rendering.view.style = pictureStyle(Theme::light, false);
+    const auto light = stagePicture(rendering);
     QVERIFY(light.has_value());
     QCOMPARE(light->width, 300);
     const auto differing = [&](const Image& image) {
@@ -467,15 +467,15 @@ class TestTrainStage : public QObject {
       }
       return count;
     };
-    QCOMPARE(differing(*stagePicture(shot)), 0);
-    shot.view.time = 1;
-    QVERIFY(differing(*stagePicture(shot)) > 1000);
-    shot.view.time = stage->period;
-    QVERIFY(differing(*stagePicture(shot)) < 20);
-    shot.view.style = pictureStyle(Theme::light, true);
-    QCOMPARE(int(stagePicture(shot)->at(2, 2)[3]), 0);
-    shot.size = {1'000'000, 10};
-    const auto tooLarge = stagePicture(shot);
+    QCOMPARE(differing(*stagePicture(rendering)), 0);
+    rendering.view.time = 1;
+    QVERIFY(differing(*stagePicture(rendering)) > 1000);
+    rendering.view.time = stage->period;
+    QVERIFY(differing(*stagePicture(rendering)) < 20);
+    rendering.view.style = pictureStyle(Theme::light, true);
+    QCOMPARE(int(stagePicture(rendering)->at(2, 2)[3]), 0);
+    rendering.size = {1'000'000, 10};
+    const auto tooLarge = stagePicture(rendering);
     QVERIFY(!tooLarge.has_value());
     QCOMPARE(tooLarge.error().front().code, Code::graphics);
   }

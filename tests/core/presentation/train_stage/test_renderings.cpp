@@ -15,14 +15,14 @@ using namespace geargraph;
 
 namespace {
 
-StageShot toyShot(std::optional<Film> film = {}) {
-  StageShot shot;
-  shot.stage = test::toyStage();
-  shot.view.style = pictureStyle(Theme::light, true);
-  shot.view.style.triad = shot.view.style.contactShadow = false;
-  shot.size = {160, 120};
-  shot.film = film;
-  return shot;
+StageRendering toyRendering(std::optional<Film> film = {}) {
+  StageRendering rendering;
+  rendering.stage = test::toyStage();
+  rendering.view.style = pictureStyle(Theme::light, true);
+  rendering.view.style.triad = rendering.view.style.contactShadow = false;
+  rendering.size = {160, 120};
+  rendering.film = film;
+  return rendering;
 }
 
 QImage shown(const Image& image) {
@@ -115,7 +115,7 @@ int coveredEdge(const Image& image) {
 
 }  // namespace
 
-class TestShots : public QObject {
+class TestRenderings : public QObject {
   Q_OBJECT
 
   const QTemporaryDir folder;
@@ -125,8 +125,8 @@ class TestShots : public QObject {
 
  private slots:
   void anAnimatedPictureHoldsTheFilmsPictures() {
-    const StageShot shot = toyShot(Film{FilmKind::motion, 6, 10, 0});
-    QVERIFY(!writePicture(shot, path("film.png")));
+    const StageRendering rendering = toyRendering(Film{FilmKind::motion, 6, 10, 0});
+    QVERIFY(!writePicture(rendering, path("film.png")));
     const QByteArray file = contentsOf(folder.filePath("film.png"));
     const std::vector<Chunk> chunks = chunksOf(file);
     QCOMPARE(chunks[1].type, QByteArray("acTL"));
@@ -138,18 +138,18 @@ class TestShots : public QObject {
     }
     const std::vector<QImage> pictures = composed(file);
     QCOMPARE(pictures.size(), std::size_t{6});
-    const auto painter = StagePainter::create(shot);
+    const auto painter = StagePainter::create(rendering);
     for (int i = 0; i < 6; ++i) QCOMPARE(pictures[static_cast<std::size_t>(i)], shown((*painter)->paint(i)));
     QVERIFY(pictures[0] != pictures[1]);
   }
 
   void aFilmOfALimitedMotionGoesThereAndBack() {
     const Film film{FilmKind::motion, 8, 24, 0};
-    const StageShot shot = toyShot(film);
-    Stage limited = *shot.stage;
+    const StageRendering rendering = toyRendering(film);
+    Stage limited = *rendering.stage;
     limited.range = [](std::span<const double>) { return StageRange{{-1, {}}, {3, {}}}; };
     QCOMPARE(filmSpan(limited, film), 8.0);
-    StageView view = shot.view;
+    StageView view = rendering.view;
     view.time = 0;
     const std::vector<double> expected = {0, 1, 2, 3, 2, 1, 0, -1};
     for (int picture = 0; picture < 8; ++picture)
@@ -158,15 +158,16 @@ class TestShots : public QObject {
 
   void theFilmIsClosedAndEvenlySpaced() {
     const Film film{FilmKind::motion, 8, 24, 0};
-    const StageShot shot = toyShot(film);
-    QCOMPARE(filmView(*shot.stage, shot.view, film, 0).time, shot.view.time);
-    QCOMPARE(filmView(*shot.stage, shot.view, film, 2).time, shot.view.time + shot.stage->period / 4);
+    const StageRendering rendering = toyRendering(film);
+    QCOMPARE(filmView(*rendering.stage, rendering.view, film, 0).time, rendering.view.time);
+    QCOMPARE(filmView(*rendering.stage, rendering.view, film, 2).time,
+             rendering.view.time + rendering.stage->period / 4);
     const Film turn{FilmKind::turntable, 8, 24, 0};
-    const Camera from = filmView(*shot.stage, shot.view, turn, 0).camera;
-    const Camera half = filmView(*shot.stage, shot.view, turn, 4).camera;
+    const Camera from = filmView(*rendering.stage, rendering.view, turn, 0).camera;
+    const Camera half = filmView(*rendering.stage, rendering.view, turn, 4).camera;
     QVERIFY((from.forward().head<2>() + half.forward().head<2>()).norm() < 1e-12);
     QCOMPARE(half.pitch(), from.pitch());
-    Stage endless = *shot.stage;
+    Stage endless = *rendering.stage;
     endless.period = 0;
     QCOMPARE(filmSpan(endless, film), 60.0);
   }
@@ -174,9 +175,9 @@ class TestShots : public QObject {
   void aFittedFilmKeepsAllInView() {
     for (const FilmKind kind : {FilmKind::turntable, FilmKind::motion}) {
       for (const double part : {0.0, 1.0}) {
-        StageShot shot = toyShot(Film{kind, 8, 24, 0});
-        shot.view.pulledApart = part;
-        const auto painter = StagePainter::create(shot);
+        StageRendering rendering = toyRendering(Film{kind, 8, 24, 0});
+        rendering.view.pulledApart = part;
+        const auto painter = StagePainter::create(rendering);
         int largest = 0;
         for (int i = 0; i < 8; ++i) {
           const Image image = (*painter)->paint(i);
@@ -191,7 +192,7 @@ class TestShots : public QObject {
   }
 
   void whatIsHiddenAndRiddenAndCutIsSeen() {
-    const StageShot plain = toyShot();
+    const StageRendering plain = toyRendering();
     const Image all = *stagePicture(plain);
     for (const auto& change : std::vector<std::function<void(StageView&)>>{
              [](StageView& view) { view.hidden = {LinkId("3")}; },
@@ -200,51 +201,51 @@ class TestShots : public QObject {
              },
              [](StageView& view) { view.time = 0.4; }, [](StageView& view) { view.pulledApart = 1; },
              [](StageView& view) { view.style.faces = Faces::hiddenLine; }}) {
-      StageShot other = plain;
+      StageRendering other = plain;
       change(other.view);
       QVERIFY((*stagePicture(other)).rgba != all.rgba);
     }
   }
 
   void aFolderGetsAllPicturesOrNone() {
-    const StageShot shot = toyShot(Film{FilmKind::turntable, 4, 24, 0});
-    QVERIFY(!writePictures(shot, path("pictures")));
+    const StageRendering rendering = toyRendering(Film{FilmKind::turntable, 4, 24, 0});
+    QVERIFY(!writePictures(rendering, path("pictures")));
     QCOMPARE(QDir(folder.filePath("pictures")).entryList(QDir::Files),
              (QStringList{"0001.png", "0002.png", "0003.png", "0004.png"}));
     QCOMPARE(QImage(folder.filePath("pictures/0003.png")).size(), QSize(160, 120));
-    const auto rejected = writePictures(shot, path("pictures"));
-    QVERIFY(rejected && rejected->kind == ShotFailure::Kind::file);
-    QVERIFY(!writePictures(shot, path("pictures"), ShotRun{{}, {}, {}, true}));
+    const auto rejected = writePictures(rendering, path("pictures"));
+    QVERIFY(rejected && rejected->kind == RenderingFailure::Kind::file);
+    QVERIFY(!writePictures(rendering, path("pictures"), RenderingRun{{}, {}, {}, true}));
 
     std::stop_source stop;
-    ShotRun run;
+    RenderingRun run;
     run.stop = stop.get_token();
     run.progress = [&](int done, int) {
       if (done == 2) stop.request_stop();
     };
-    const auto stopped = writePictures(shot, path("given-up"), run);
-    QVERIFY(stopped && stopped->kind == ShotFailure::Kind::stopped);
-    const auto alsoStopped = writePicture(shot, path("given-up.png"), run);
-    QVERIFY(alsoStopped && alsoStopped->kind == ShotFailure::Kind::stopped);
+    const auto stopped = writePictures(rendering, path("given-up"), run);
+    QVERIFY(stopped && stopped->kind == RenderingFailure::Kind::stopped);
+    const auto alsoStopped = writePicture(rendering, path("given-up.png"), run);
+    QVERIFY(alsoStopped && alsoStopped->kind == RenderingFailure::Kind::stopped);
     QCOMPARE(QDir(folder.path())
                  .entryList({"*given-up*", ".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              QStringList());
   }
 
   void whatCannotBeWrittenIsSaid() {
-    const StageShot film = toyShot(Film{FilmKind::turntable, 3, 24, 0});
+    const StageRendering film = toyRendering(Film{FilmKind::turntable, 3, 24, 0});
     QVERIFY(writePicture(film, "/nowhere/at/all.png").has_value());
     QVERIFY(writePictures(film, "/dev/null/folder").has_value());
-    StageShot huge = toyShot();
+    StageRendering huge = toyRendering();
     huge.size = {1'000'000, 10};
-    QVERIFY(writePicture(huge, path("huge.png"))->kind == ShotFailure::Kind::graphics);
+    QVERIFY(writePicture(huge, path("huge.png"))->kind == RenderingFailure::Kind::graphics);
   }
 
   void labelsAndTheScaleBarLieOverThePicture() {
-    StageShot shot = toyShot();
-    shot.size = {320, 240};
-    shot.view.hidden = {LinkId("2")};
-    auto painter = StagePainter::create(shot);
+    StageRendering rendering = toyRendering();
+    rendering.size = {320, 240};
+    rendering.view.hidden = {LinkId("2")};
+    auto painter = StagePainter::create(rendering);
     QVERIFY(painter);
     Image image = (*painter)->paint(0);
     const QImage before = shown(image);
@@ -259,7 +260,7 @@ class TestShots : public QObject {
         plate = std::get<Circle>(fill->shape).center;
     }
     QCOMPARE(texts.size(),
-             static_cast<qsizetype>(shot.stage->labels.size()));  // one is hidden, one is the bar's
+             static_cast<qsizetype>(rendering.stage->labels.size()));  // one is hidden, one is the bar's
     QVERIFY(!texts.contains("2") && texts.last().endsWith(" mm"));
     QVERIFY(paintOver(image.rgba, image.width, image.height, list, 1, Theme::light));
     const QImage after = shown(image);
@@ -282,14 +283,14 @@ class TestShots : public QObject {
   }
 
   void theSolidsAreWrittenAsTheyAreSeen() {
-    StageShot shot = toyShot();
-    shot.view.hidden = {LinkId("2")};
-    shot.view.time = shot.stage->period / 3;
-    const MeshScene scene = sceneOf(*shot.stage, shot.view);
+    StageRendering rendering = toyRendering();
+    rendering.view.hidden = {LinkId("2")};
+    rendering.view.time = rendering.stage->period / 3;
+    const MeshScene scene = sceneOf(*rendering.stage, rendering.view);
     QCOMPARE(scene.nodes.size(), std::size_t{2});
     QCOMPARE(scene.nodes[1].name, std::string("link 3"));
-    SeenStage seen(shot.stage);
-    seen.show(shot.view);
+    SeenStage seen(rendering.stage);
+    seen.show(rendering.view);
     QVERIFY(scene.nodes[1].pose.isApprox(seen.poses()[2]));
     QVERIFY(!writeMesh(scene, MeshFormat::glb, path("view.glb")));
     const QByteArray bytes = contentsOf(folder.filePath("view.glb"));
@@ -298,5 +299,5 @@ class TestShots : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestShots)
-#include "test_shots.moc"
+QTEST_GUILESS_MAIN(TestRenderings)
+#include "test_renderings.moc"

@@ -1,4 +1,4 @@
-#include "core/presentation/results/shot_names.h"
+#include "core/presentation/results/rendering_names.h"
 
 #include <array>
 #include <utility>

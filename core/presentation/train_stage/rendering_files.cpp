@@ -1,4 +1,4 @@
-// The pictures of a shot as files.
+// The pictures of a rendering as files.
 
 #include <memory>
 
@@ -11,37 +11,37 @@ namespace geargraph::inline train_stage {
 namespace {
 
 namespace fs = std::filesystem;
-using Failure = std::optional<ShotFailure>;
+using Failure = std::optional<RenderingFailure>;
 
 std::string_view textOf(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT
 }
 
-ShotFailure fileFailure(std::string message) {
-  return {ShotFailure::Kind::file, std::move(message)};
+RenderingFailure fileFailure(std::string message) {
+  return {RenderingFailure::Kind::file, std::move(message)};
 }
 
-ShotFailure noMemory() {
-  return {ShotFailure::Kind::graphics, translated("The memory does not suffice for the pictures.")};
+RenderingFailure noMemory() {
+  return {RenderingFailure::Kind::graphics, translated("The memory does not suffice for the pictures.")};
 }
 
-ShotFailure stopped() {
-  return {ShotFailure::Kind::stopped, translated("The export was stopped.")};
+RenderingFailure stopped() {
+  return {RenderingFailure::Kind::stopped, translated("The export was stopped.")};
 }
 
 /// Paints one picture after the other and gives each to `take`, which returns what went wrong.
 template <class Take>
-Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
+Failure forEachPicture(StagePainter& painter, const RenderingRun& run, Take take) {
   for (int picture = 0; picture < painter.pictures(); ++picture) {
     Image image = painter.paint(picture);
     if (run.stop.stop_requested()) return stopped();
     if (image.rgba.empty())
-      return ShotFailure{ShotFailure::Kind::graphics, translated("The driver painted nothing.")};
+      return RenderingFailure{RenderingFailure::Kind::graphics, translated("The driver painted nothing.")};
     if (run.finish) run.finish(image, painter);
     if (run.stop.stop_requested()) return stopped();
     if (image.rgba.empty())
-      return ShotFailure{ShotFailure::Kind::graphics,
-                         translated("The memory does not suffice for the labels.")};
+      return RenderingFailure{RenderingFailure::Kind::graphics,
+                              translated("The memory does not suffice for the labels.")};
     Failure failure = take(image, picture);
     if (run.stop.stop_requested()) return stopped();
     if (failure) return failure;
@@ -57,7 +57,7 @@ Failure writePng(const Image& image, const std::stop_token& stop, Write write) {
   return png.empty() ? Failure(noMemory()) : write(textOf(png));
 }
 
-Failure paintInto(StagePainter& painter, const ShotRun& run, ByteSink& sink) {
+Failure paintInto(StagePainter& painter, const RenderingRun& run, ByteSink& sink) {
   if (painter.pictures() == 1) {
     return forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
       return writePng(image, run.stop, [&](std::string_view png) {
@@ -66,7 +66,7 @@ Failure paintInto(StagePainter& painter, const ShotRun& run, ByteSink& sink) {
       });
     });
   }
-  AnimatedPng film(painter.pictures(), painter.shot().film->framesPerSecond);
+  AnimatedPng film(painter.pictures(), painter.rendering().film->framesPerSecond);
   Failure failure = forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
     const std::string bytes = film.add(image, run.stop);
     if (bytes.empty()) return noMemory();
@@ -122,13 +122,13 @@ Failure moveIn(const fs::path& from, const fs::path& folder, int count) {
 }
 
 Failure graphicsFailure(const Diagnostics& why) {
-  return ShotFailure{ShotFailure::Kind::graphics, why.front().message};
+  return RenderingFailure{RenderingFailure::Kind::graphics, why.front().message};
 }
 
 }  // namespace
 
-Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun& run) {
-  auto painter = StagePainter::create(shot, run.stop);
+Failure writePicture(const StageRendering& rendering, const fs::path& path, const RenderingRun& run) {
+  auto painter = StagePainter::create(rendering, run.stop);
   if (!painter) return graphicsFailure(painter.error());
   if (*painter == nullptr) return stopped();
   if (path == "-") {
@@ -139,7 +139,7 @@ Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun&
   }
   AtomicFile file(path);
   if (Failure failure = paintInto(**painter, run, file)) {
-    const bool isFile = failure->kind == ShotFailure::Kind::file;
+    const bool isFile = failure->kind == RenderingFailure::Kind::file;
     if (const auto why = isFile ? file.commit() : std::nullopt) failure->message = why->message;
     return failure;
   }
@@ -147,8 +147,8 @@ Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun&
   return std::nullopt;
 }
 
-Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotRun& run) {
-  auto painter = StagePainter::create(shot, run.stop);
+Failure writePictures(const StageRendering& rendering, const fs::path& folder, const RenderingRun& run) {
+  auto painter = StagePainter::create(rendering, run.stop);
   if (!painter) return graphicsFailure(painter.error());
   if (*painter == nullptr) return stopped();
   std::error_code error;
