@@ -39,7 +39,7 @@ class RenderingReader {
     readCamera();
     readMoment();
     readStyle();
-    readFilm();
+    readAnimation();
     if (m_error) return *m_error;
     return std::move(m_rendering);
   }
@@ -122,26 +122,26 @@ class RenderingReader {
     }
   }
 
-  void readFilm() {
+  void readAnimation() {
     const bool turns = m_arguments.has("--turntable"), moves = m_arguments.has("--motion");
     if (turns && moves) return wrong(translated("Give --turntable or --motion, not both."));
     if (!turns && !moves) return;
-    Film film;
-    film.kind = turns ? FilmKind::turntable : FilmKind::motion;
-    const std::string frames = m_arguments.value("--frames").value_or(std::to_string(film.frames));
-    const auto count = numberIn(frames, 2, kMostFilmFrames);
+    Animation animation;
+    animation.kind = turns ? AnimationKind::turntable : AnimationKind::motion;
+    const std::string frames = m_arguments.value("--frames").value_or(std::to_string(animation.frames));
+    const auto count = numberIn(frames, 2, kMostAnimationFrames);
     if (!count || *count != std::floor(*count)) {
       return wrong(translated("--frames takes a whole number from 2 to %1, not \"%2\".",
-                              {std::to_string(kMostFilmFrames), frames}));
+                              {std::to_string(kMostAnimationFrames), frames}));
     }
-    film.frames = static_cast<int>(*count);
+    animation.frames = static_cast<int>(*count);
     if (const auto text = m_arguments.value("--fps")) {
       const auto rate = numberIn(*text, 0.1, 100);
       if (!rate)
         return wrong(translated("--fps takes pictures a second from 0.1 to 100, not \"%1\".", {*text}));
-      film.framesPerSecond = *rate;
+      animation.framesPerSecond = *rate;
     }
-    m_rendering.film = film;
+    m_rendering.animation = animation;
   }
 
   const Arguments& m_arguments;

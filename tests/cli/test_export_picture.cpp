@@ -109,14 +109,14 @@ class TestExportPicture : public QObject {
     }
   }
 
-  void filmsAreWrittenAsOneFileOrAsMany() {
+  void animationsAreWrittenAsOneFileOrAsMany() {
     QTemporaryDir folder;
     const QStringList words = {"export", kRobot,  "--to",  "png", "--view",   "3d",
                                "--size", "64x48", "--fps", "12",  "--frames", "3"};
     QCOMPARE(run(words + QStringList{"--turntable", "-o", folder.filePath("turn.png")}).status, 0);
-    QFile film(folder.filePath("turn.png"));
-    QVERIFY(film.open(QIODevice::ReadOnly));
-    const QByteArray bytes = film.readAll();
+    QFile animation(folder.filePath("turn.png"));
+    QVERIFY(animation.open(QIODevice::ReadOnly));
+    const QByteArray bytes = animation.readAll();
     QCOMPARE(sizeOf(bytes), std::pair(64, 48));
     QCOMPARE(bytes.count("fcTL"), qsizetype{3});
     const QStringList many = words + QStringList{"--motion", "--all", "-o", folder.filePath("motion")};

@@ -218,11 +218,11 @@ class TestServe : public QObject {
   void limitsEndACommandAndNotTheServer() {
     Served served({"--limit-seconds", "0.2"});
     const std::string document = served.open(robot());
-    const json film = served.ask(
+    const json animation = served.ask(
         "export",
         {{"document", document},
          {"arguments", {"--to", "png", "--view", "3d", "--motion", "--frames", "10000", "-o", "-"}}});
-    QCOMPARE(film.at("result").at("status").get<int>(), 3);
+    QCOMPARE(animation.at("result").at("status").get<int>(), 3);
     QVERIFY(served.ask("text", {{"document", document}}).contains("result"));
     Served small({"--limit-memory", "500"});
     const json starved = small.ask(

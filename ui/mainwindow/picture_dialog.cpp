@@ -39,7 +39,7 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
       m_height(pixels(1000, this)),
       m_transparent(new QCheckBox(tr("Transparent background"), this)),
       m_dark(new QCheckBox(tr("Light on dark"), this)),
-      m_film(new QComboBox(this)),
+      m_animation(new QComboBox(this)),
       m_frames(new QSpinBox(this)),
       m_rate(new QDoubleSpinBox(this)),
       m_fitted(new QCheckBox(tr("Fit everything into the picture"), this)) {
@@ -67,7 +67,7 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
   form->addRow(tr("View"), m_view);
   form->addRow(tr("File"), m_form);
   form->addRow(tr("Size"), size);
-  form->addRow(tr("Animation"), makeFilm());
+  form->addRow(tr("Animation"), makeAnimationRow());
   form->addRow(tr("Camera"), m_fitted);
   form->addRow(tr("Background"), m_transparent);
   form->addRow(QString(), m_dark);
@@ -83,25 +83,25 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
   renew();
 }
 
-QWidget* PictureDialog::makeFilm() {
-  m_film->setObjectName(QStringLiteral("film"));
-  m_film->addItems({tr("None: one picture"), tr("Turntable: once round"), tr("Motion: one period")});
-  m_film->setItemData(2, tr("A minute where the motion has no period"), Qt::ToolTipRole);
-  m_frames->setRange(2, kMostFilmFrames);
-  m_frames->setValue(Film{}.frames);
+QWidget* PictureDialog::makeAnimationRow() {
+  m_animation->setObjectName(QStringLiteral("film"));
+  m_animation->addItems({tr("None: one picture"), tr("Turntable: once round"), tr("Motion: one period")});
+  m_animation->setItemData(2, tr("A minute where the motion has no period"), Qt::ToolTipRole);
+  m_frames->setRange(2, kMostAnimationFrames);
+  m_frames->setValue(Animation{}.frames);
   m_frames->setSuffix(tr(" pictures"));
   m_rate->setRange(1, 100);
   m_rate->setDecimals(0);
-  m_rate->setValue(Film{}.framesPerSecond);
+  m_rate->setValue(Animation{}.framesPerSecond);
   m_rate->setSuffix(tr(" a second"));
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* part :
-       {static_cast<QWidget*>(m_film), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_rate)}) {
+       {static_cast<QWidget*>(m_animation), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_rate)}) {
     row->addWidget(part);
   }
-  connect(m_film, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
+  connect(m_animation, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
   connect(m_form, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
   return box;
 }
@@ -122,11 +122,12 @@ void PictureDialog::renew() {
   }
   if (!forms->item(m_form->currentIndex())->isEnabled()) m_form->setCurrentIndex(kPngRow);
   const bool pixels = m_form->currentIndex() != kGlbRow;
-  m_film->setEnabled(solid && pixels);
-  if (m_form->currentIndex() == kPicturesRow && m_film->currentIndex() == 0) m_film->setCurrentIndex(1);
-  const bool isFilm = m_film->isEnabled() && m_film->currentIndex() > 0;
-  m_frames->setEnabled(isFilm);
-  m_rate->setEnabled(isFilm && m_form->currentIndex() == kPngRow);
+  m_animation->setEnabled(solid && pixels);
+  if (m_form->currentIndex() == kPicturesRow && m_animation->currentIndex() == 0)
+    m_animation->setCurrentIndex(1);
+  const bool isAnimation = m_animation->isEnabled() && m_animation->currentIndex() > 0;
+  m_frames->setEnabled(isAnimation);
+  m_rate->setEnabled(isAnimation && m_form->currentIndex() == kPngRow);
   m_fitted->setEnabled(solid && pixels);
   m_transparent->setEnabled(pixels);
   m_dark->setEnabled(pixels);
@@ -146,8 +147,9 @@ PictureOptions PictureDialog::options() const {
                                         : SolidForm::png;
   options.isFitted = m_fitted->isChecked();
   if (m_frames->isEnabled()) {
-    options.film = Film{m_film->currentIndex() == 1 ? FilmKind::turntable : FilmKind::motion,
-                        m_frames->value(), m_rate->value(), 0};
+    options.animation =
+        Animation{m_animation->currentIndex() == 1 ? AnimationKind::turntable : AnimationKind::motion,
+                  m_frames->value(), m_rate->value(), 0};
   }
   options.picture.style.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
   options.picture.style.transparent = m_transparent->isChecked();

@@ -3,7 +3,7 @@
 #include <QDialog>
 
 #include "core/presentation/picture/picture.h"
-#include "core/presentation/stage/film.h"
+#include "core/presentation/stage/animation.h"
 
 class QCheckBox;
 class QComboBox;
@@ -20,8 +20,8 @@ struct PictureOptions {
   QString view;            ///< a drawing's name, or "3d"
   DrawingPicture picture;  ///< for the 3D view: theme, background and size
   SolidForm solid = SolidForm::png;
-  std::optional<Film> film = {};  ///< of the 3D view
-  bool isFitted = false;          ///< the camera is moved so that everything is in view; else it stays
+  std::optional<Animation> animation = {};  ///< of the 3D view
+  bool isFitted = false;  ///< the camera is moved so that everything is in view; else it stays
 };
 
 /// Asks for the options of a picture export; the file is chosen afterwards. Not modal.
@@ -40,7 +40,7 @@ class PictureDialog final : public QDialog {
 
  private:
   void renew();
-  QWidget* makeFilm();
+  QWidget* makeAnimationRow();
   [[nodiscard]] bool isSolid() const;
 
   QComboBox* m_view;
@@ -50,7 +50,7 @@ class PictureDialog final : public QDialog {
   QSpinBox* m_height;
   QCheckBox* m_transparent;
   QCheckBox* m_dark;
-  QComboBox* m_film;
+  QComboBox* m_animation;
   QSpinBox* m_frames;
   QDoubleSpinBox* m_rate;
   QCheckBox* m_fitted;

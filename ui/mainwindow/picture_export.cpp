@@ -1,4 +1,4 @@
-// File > Export picture: drawings as SVG, PDF or PNG; the 3D view as PNG, as a film, or as solids.
+// File > Export picture: drawings as SVG, PDF or PNG; the 3D view as PNG, as an animation, or as solids.
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -22,7 +22,7 @@
 namespace geargraph::inline mainwindow {
 namespace {
 
-/// The view's picture or film, with its labels, as a job for another thread.
+/// The view's picture or animation, with its labels, as a job for another thread.
 ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions& options,
                              const QString& forcesCaption, const PaintOver& over, bool dark, SolidForm form,
                              const QString& path) {
@@ -43,7 +43,7 @@ ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions&
                                                      : geargraph::writePicture(rendering, file, how);
     return failure ? QString::fromStdString(failure->message) : QString();
   };
-  return {path, rendering.film.has_value(), run};
+  return {path, rendering.animation.has_value(), run};
 }
 
 ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
@@ -119,7 +119,7 @@ void WindowExports::exportView3D(const PictureOptions& options, const QString& p
   rendering.view.style.faces = m_views.view3d->options().faces;
   if (style.size) rendering.size = {style.size->width, style.size->height};
   rendering.fits = options.isFitted;
-  rendering.film = options.film;
+  rendering.animation = options.animation;
   m_jobs->add(renderingJob(rendering, m_views.view3d->options(), m_views.view3d->forcesCaption(),
                            paintingOver(*m_views.view3d), style.theme == Theme::dark, options.solid, path));
 }

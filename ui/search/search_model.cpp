@@ -47,7 +47,7 @@ void SearchModel::setQuery(const QString& query) {
       // A name counts more than another word for it.
       score = matchScore(entry.haystack + QLatin1Char(' ') + entry.everydayWords, words, false) / 2;
     }
-    // What may be mistyped counts least: "film" is no "file" where a film is made.
+    // What may be mistyped counts least: "film" is no "file" where an animation is made.
     if (score == 0 && !entry.element) score = matchScore(entry.haystack, words, true);
     // Pages tell about what commands do: those come first.
     if (!entry.page.isEmpty() && score > 0) score = std::max(1, score / kPagesBehind);

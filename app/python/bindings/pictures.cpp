@@ -159,23 +159,23 @@ py::tuple picture(const Snapshot& self, const py::dict& options) {
   return py::make_tuple(packed(png), notes);
 }
 
-/// Where a film goes: an animated PNG, or a folder of its pictures.
-struct FilmPlace {
+/// Where an animation goes: an animated PNG, or a folder of its pictures.
+struct AnimationPlace {
   std::string path;
   bool isFolder = false;
   bool mayOverwrite = false;
 };
 
 /// `kind`: "turntable" or "motion".
-void film(const Snapshot& self, const py::dict& options, const FilmPlace& place, const std::string& kind,
-          int frames, double framesPerSecond) {
+void writeAnimation(const Snapshot& self, const py::dict& options, const AnimationPlace& place,
+                    const std::string& kind, int frames, double framesPerSecond) {
   const RequestedPicture requested(options);
   auto [made, overlay] = renderingFrom(requested);
   StageRendering rendering = std::move(made);
-  if (frames < 2 || frames > kMostFilmFrames)
-    throw py::value_error("A film has 2 to " + std::to_string(kMostFilmFrames) + " frames.");
-  rendering.film =
-      Film{kind == "motion" ? FilmKind::motion : FilmKind::turntable, frames, framesPerSecond, 0};
+  if (frames < 2 || frames > kMostAnimationFrames)
+    throw py::value_error("A film has 2 to " + std::to_string(kMostAnimationFrames) + " frames.");
+  rendering.animation = Animation{kind == "motion" ? AnimationKind::motion : AnimationKind::turntable, frames,
+                                  framesPerSecond, 0};
   rendering.stage = stageOf(self, requested);
   RenderingRun run = runWith(overlay, requested.dark);
   const auto failure = interruptible([&](const std::stop_token& stop) {
@@ -210,7 +210,7 @@ void addPictures(py::module_& module) {
       .def("film",
            [](const Snapshot& self, const py::dict& options, const std::string& path, bool isFolder,
               bool mayOverwrite, const std::string& kind, int frames, double framesPerSecond) {
-             film(self, options, {path, isFolder, mayOverwrite}, kind, frames, framesPerSecond);
+             writeAnimation(self, options, {path, isFolder, mayOverwrite}, kind, frames, framesPerSecond);
            })
       .def("write_view", writeView);
 }

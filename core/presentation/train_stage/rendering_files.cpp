@@ -66,15 +66,15 @@ Failure paintInto(StagePainter& painter, const RenderingRun& run, ByteSink& sink
       });
     });
   }
-  AnimatedPng film(painter.pictures(), painter.rendering().film->framesPerSecond);
+  AnimatedPng animatedPng(painter.pictures(), painter.rendering().animation->framesPerSecond);
   Failure failure = forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
-    const std::string bytes = film.add(image, run.stop);
+    const std::string bytes = animatedPng.add(image, run.stop);
     if (bytes.empty()) return noMemory();
     sink.write(bytes);
     return sink.failed() ? std::optional(fileFailure(translated("The file could not be written.")))
                          : std::nullopt;
   });
-  if (!failure) sink.write(film.end());
+  if (!failure) sink.write(animatedPng.end());
   return failure;
 }
 

@@ -11,9 +11,9 @@
 namespace geargraph::inline train_stage {
 namespace {
 
-constexpr double kMargin = 0.07;      // of each side of the picture
-constexpr int kFilmSamples = 24;      // pictures of a film that are looked at to fit it
-constexpr double kHeightOfOne = 600;  // of a picture whose lines are one pixel wide
+constexpr double kMargin = 0.07;       // of each side of the picture
+constexpr int kAnimationSamples = 24;  // pictures of an animation that are looked at to fit it
+constexpr double kHeightOfOne = 600;   // of a picture whose lines are one pixel wide
 
 /// The least distance from which a camera of this direction sees a point within the margin.
 double distanceFor(const Camera& camera, const Viewport& size, const Eigen::Vector3d& point) {
@@ -74,19 +74,19 @@ Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageRendering rend
 }
 
 void StagePainter::fit() {
-  if (m_rendering.film) return fitFilm();
+  if (m_rendering.animation) return fitAnimation();
   m_seen.show(m_rendering.view, m_stop);
   m_rendering.view.camera = m_rendering.view.camera.fitted(m_seen.corners(m_stop), m_rendering.size, kMargin);
 }
 
-// One place to look at and one distance for the whole film: a camera that breathes makes one seasick.
-void StagePainter::fitFilm() {
-  Film coarse = *m_rendering.film;
-  coarse.frames = std::min(coarse.frames, kFilmSamples);
+// One place to look at and one distance for the whole animation: a camera that breathes makes one seasick.
+void StagePainter::fitAnimation() {
+  Animation coarse = *m_rendering.animation;
+  coarse.frames = std::min(coarse.frames, kAnimationSamples);
   std::vector<std::vector<Eigen::Vector3d>> points;
   Eigen::AlignedBox3d box;
   for (int picture = 0; picture < coarse.frames; ++picture) {
-    m_seen.show(filmView(*m_rendering.stage, m_rendering.view, coarse, picture), m_stop);
+    m_seen.show(animationView(*m_rendering.stage, m_rendering.view, coarse, picture), m_stop);
     points.push_back(m_seen.corners(m_stop));
     if (m_stop.stop_requested()) return;
     for (const Eigen::Vector3d& point : points.back()) box.extend(point);
@@ -96,7 +96,7 @@ void StagePainter::fitFilm() {
   camera = camera.placedAt(box.center(), camera.distance());
   double distance = 0;
   for (int picture = 0; picture < coarse.frames && !m_stop.stop_requested(); ++picture) {
-    const Camera from = filmView(*m_rendering.stage, m_rendering.view, coarse, picture).camera;
+    const Camera from = animationView(*m_rendering.stage, m_rendering.view, coarse, picture).camera;
     for (const Eigen::Vector3d& point : points[static_cast<std::size_t>(picture)])
       distance = std::max(distance, distanceFor(from, m_rendering.size, point));
   }
@@ -104,8 +104,9 @@ void StagePainter::fitFilm() {
 }
 
 StageView StagePainter::viewOf(int picture) const {
-  return m_rendering.film ? filmView(*m_rendering.stage, m_rendering.view, *m_rendering.film, picture)
-                          : m_rendering.view;
+  return m_rendering.animation
+             ? animationView(*m_rendering.stage, m_rendering.view, *m_rendering.animation, picture)
+             : m_rendering.view;
 }
 
 double StagePainter::pixelRatio() const {
@@ -136,7 +137,7 @@ LabelGround StagePainter::labelGround(const SeenMap& seen) const {
 }
 
 Expected<Image> stagePicture(StageRendering rendering) {
-  rendering.film.reset();
+  rendering.animation.reset();
   auto painter = StagePainter::create(std::move(rendering));
   if (!painter) return painter.error();
   return (*painter)->paint(0);

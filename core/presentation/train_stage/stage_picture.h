@@ -11,7 +11,7 @@
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/meshfile/mesh_scene.h"
 #include "core/presentation/painting/egl_host.h"
-#include "core/presentation/stage/film.h"
+#include "core/presentation/stage/animation.h"
 #include "core/presentation/stage/label_anchors.h"
 #include "core/presentation/stage/stage_view.h"
 
@@ -31,7 +31,7 @@ struct StageRendering {
   StageView view;
   Viewport size{1600, 1000};
   bool fits = true;  ///< the camera keeps its direction and moves so that all pictures show everything
-  std::optional<Film> film;
+  std::optional<Animation> animation;
   double pixelRatio = 0;  ///< pixels per logical pixel, for the widths of lines; 0: from the height
 };
 
@@ -46,7 +46,7 @@ class StagePainter {
                                                                       const std::stop_token& stop = {});
 
   /// The number of pictures; 1 without an animation.
-  [[nodiscard]] int pictures() const { return m_rendering.film ? m_rendering.film->frames : 1; }
+  [[nodiscard]] int pictures() const { return m_rendering.animation ? m_rendering.animation->frames : 1; }
   /// Empty if the driver is out of memory, or `stop` was requested.
   [[nodiscard]] Image paint(int picture);
   /// The SeenMap of the last picture, and the data for label placement with it, which refers to the painter
@@ -62,7 +62,7 @@ class StagePainter {
  private:
   StagePainter(StageRendering rendering, std::stop_token stop, std::unique_ptr<EglHost> host);
   void fit();
-  void fitFilm();
+  void fitAnimation();
   [[nodiscard]] StageView viewOf(int picture) const;
   [[nodiscard]] Frame frame() const;
 

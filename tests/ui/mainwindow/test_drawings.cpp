@@ -205,14 +205,14 @@ class DrawingsTest : public QObject {
   }
 
   void exportsOfTheSolidViewWaitForEachOtherAndNotTheWindow() {
-    PictureOptions film = optionsFor("3d", PictureForm::png);
-    film.picture.style.size = SheetStyle::Size{64, 48};
-    film.film = Film{FilmKind::turntable, 4, 24, 0};
-    PictureOptions pictures = film, solids = film;
+    PictureOptions animation = optionsFor("3d", PictureForm::png);
+    animation.picture.style.size = SheetStyle::Size{64, 48};
+    animation.animation = Animation{AnimationKind::turntable, 4, 24, 0};
+    PictureOptions pictures = animation, solids = animation;
     pictures.solid = SolidForm::pictures;
     solids.solid = SolidForm::glb;
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    window->exports().exportPicture(film, folder.filePath("film.png"));
+    window->exports().exportPicture(animation, folder.filePath("film.png"));
     window->exports().exportPicture(pictures, folder.filePath("pictures"));
     window->exports().exportPicture(solids, folder.filePath("view.glb"));
     QVERIFY(window->notices().current() != nullptr);
@@ -224,11 +224,11 @@ class DrawingsTest : public QObject {
   }
 
   void anExportThatIsStoppedWritesNothing() {
-    PictureOptions film = optionsFor("3d", PictureForm::png);
-    film.picture.style.size = SheetStyle::Size{64, 48};
-    film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
+    PictureOptions animation = optionsFor("3d", PictureForm::png);
+    animation.picture.style.size = SheetStyle::Size{64, 48};
+    animation.animation = Animation{AnimationKind::turntable, kMostAnimationFrames, 24, 0};
     QSignalSpy failed(&window->exportJobs(), &ExportJobs::failed);
-    window->exports().exportPicture(film, folder.filePath("long.png"));
+    window->exports().exportPicture(animation, folder.filePath("long.png"));
     auto answers = window->notices().current()->answers;
     QCOMPARE(answers.front().text, QString("Stop"));
     answers.front().run();
@@ -288,11 +288,11 @@ class DrawingsTest : public QObject {
     dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1);
     QCOMPARE(dialog.options().picture.form, PictureForm::png);
     QVERIFY(dialog.options().picture.style.size.has_value());
-    QVERIFY(!dialog.options().film);
+    QVERIFY(!dialog.options().animation);
     dialog.findChild<QComboBox*>("film")->setCurrentIndex(2);
-    QVERIFY(dialog.options().film->kind == FilmKind::motion);
+    QVERIFY(dialog.options().animation->kind == AnimationKind::motion);
     dialog.findChildren<QComboBox*>()[1]->setCurrentIndex(4);
-    QVERIFY(dialog.options().solid == SolidForm::glb && !dialog.options().film);
+    QVERIFY(dialog.options().solid == SolidForm::glb && !dialog.options().animation);
   }
 };
 

@@ -95,11 +95,11 @@ class WindowCloseTest : public QObject {
     QTest::addColumn<int>("links");
     QTest::addRow("solids") << pictureIn3d(SolidForm::glb) << 180;
     QTest::addRow("picture") << pictureIn3d(SolidForm::png) << 1000;
-    PictureOptions film = pictureIn3d(SolidForm::png);
-    film.film = Film{FilmKind::motion, 72, 24, 0};
-    QTest::addRow("film") << film << 1000;
-    film.solid = SolidForm::pictures;
-    QTest::addRow("pictures of a film") << film << 1000;
+    PictureOptions animation = pictureIn3d(SolidForm::png);
+    animation.animation = Animation{AnimationKind::motion, 72, 24, 0};
+    QTest::addRow("film") << animation << 1000;
+    animation.solid = SolidForm::pictures;
+    QTest::addRow("pictures of a film") << animation << 1000;
   }
   /// No part of a file is left, and right after the request none is written at all.
   void closingEndsAnExport() {

@@ -1,8 +1,8 @@
 #include <QTest>
 #include <numbers>
 
+#include "core/presentation/stage/animation.h"
 #include "core/presentation/stage/exploded.h"
-#include "core/presentation/stage/film.h"
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/stage/traced_path.h"
 #include "tests/ui/view3d/toy_stage.h"
@@ -132,10 +132,11 @@ class TestStageMotion : public QObject {
     const TracedPath path =
         tracedPath(*stage, {0, {15, 0, 0}, std::nullopt}, start, 2, view.trajectory.get());
     QVERIFY(std::abs(path.length - 15 * kTurn / 2) < 1e-3);
-    // The film runs along it and begins again.
-    const Film film{FilmKind::motion, 4, 24, 0};
+    // The animation runs along it and begins again.
+    const Animation animation{AnimationKind::motion, 4, 24, 0};
     for (int picture = 0; picture < 4; ++picture)
-      QCOMPARE(filmView(*stage, view, film, picture).time, std::vector<double>({1, 1.5, 0, 0.5})[picture]);
+      QCOMPARE(animationView(*stage, view, animation, picture).time,
+               std::vector<double>({1, 1.5, 0, 0.5})[picture]);
     // One of two inputs is not this stage's.
     view.trajectory = std::make_shared<const InputTrajectory>(std::vector<Sample>{{0, {0, 0}, {0, 0}}});
     QCOMPARE(trajectoryOf(*stage, view), nullptr);

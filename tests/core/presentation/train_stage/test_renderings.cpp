@@ -15,13 +15,13 @@ using namespace geargraph;
 
 namespace {
 
-StageRendering toyRendering(std::optional<Film> film = {}) {
+StageRendering toyRendering(std::optional<Animation> animation = {}) {
   StageRendering rendering;
   rendering.stage = test::toyStage();
   rendering.view.style = pictureStyle(Theme::light, true);
   rendering.view.style.triad = rendering.view.style.contactShadow = false;
   rendering.size = {160, 120};
-  rendering.film = film;
+  rendering.animation = animation;
   return rendering;
 }
 
@@ -124,8 +124,8 @@ class TestRenderings : public QObject {
   }
 
  private slots:
-  void anAnimatedPictureHoldsTheFilmsPictures() {
-    const StageRendering rendering = toyRendering(Film{FilmKind::motion, 6, 10, 0});
+  void anAnimatedPictureHoldsTheAnimationsPictures() {
+    const StageRendering rendering = toyRendering(Animation{AnimationKind::motion, 6, 10, 0});
     QVERIFY(!writePicture(rendering, path("film.png")));
     const QByteArray file = contentsOf(folder.filePath("film.png"));
     const std::vector<Chunk> chunks = chunksOf(file);
@@ -143,39 +143,40 @@ class TestRenderings : public QObject {
     QVERIFY(pictures[0] != pictures[1]);
   }
 
-  void aFilmOfALimitedMotionGoesThereAndBack() {
-    const Film film{FilmKind::motion, 8, 24, 0};
-    const StageRendering rendering = toyRendering(film);
+  void anAnimationOfALimitedMotionGoesThereAndBack() {
+    const Animation animation{AnimationKind::motion, 8, 24, 0};
+    const StageRendering rendering = toyRendering(animation);
     Stage limited = *rendering.stage;
     limited.range = [](std::span<const double>) { return StageRange{{-1, {}}, {3, {}}}; };
-    QCOMPARE(filmSpan(limited, film), 8.0);
+    QCOMPARE(animationSpan(limited, animation), 8.0);
     StageView view = rendering.view;
     view.time = 0;
     const std::vector<double> expected = {0, 1, 2, 3, 2, 1, 0, -1};
     for (int picture = 0; picture < 8; ++picture)
-      QCOMPARE(filmView(limited, view, film, picture).time, expected[static_cast<std::size_t>(picture)]);
+      QCOMPARE(animationView(limited, view, animation, picture).time,
+               expected[static_cast<std::size_t>(picture)]);
   }
 
-  void theFilmIsClosedAndEvenlySpaced() {
-    const Film film{FilmKind::motion, 8, 24, 0};
-    const StageRendering rendering = toyRendering(film);
-    QCOMPARE(filmView(*rendering.stage, rendering.view, film, 0).time, rendering.view.time);
-    QCOMPARE(filmView(*rendering.stage, rendering.view, film, 2).time,
+  void theAnimationIsClosedAndEvenlySpaced() {
+    const Animation animation{AnimationKind::motion, 8, 24, 0};
+    const StageRendering rendering = toyRendering(animation);
+    QCOMPARE(animationView(*rendering.stage, rendering.view, animation, 0).time, rendering.view.time);
+    QCOMPARE(animationView(*rendering.stage, rendering.view, animation, 2).time,
              rendering.view.time + rendering.stage->period / 4);
-    const Film turn{FilmKind::turntable, 8, 24, 0};
-    const Camera from = filmView(*rendering.stage, rendering.view, turn, 0).camera;
-    const Camera half = filmView(*rendering.stage, rendering.view, turn, 4).camera;
+    const Animation turn{AnimationKind::turntable, 8, 24, 0};
+    const Camera from = animationView(*rendering.stage, rendering.view, turn, 0).camera;
+    const Camera half = animationView(*rendering.stage, rendering.view, turn, 4).camera;
     QVERIFY((from.forward().head<2>() + half.forward().head<2>()).norm() < 1e-12);
     QCOMPARE(half.pitch(), from.pitch());
     Stage endless = *rendering.stage;
     endless.period = 0;
-    QCOMPARE(filmSpan(endless, film), 60.0);
+    QCOMPARE(animationSpan(endless, animation), 60.0);
   }
 
-  void aFittedFilmKeepsAllInView() {
-    for (const FilmKind kind : {FilmKind::turntable, FilmKind::motion}) {
+  void aFittedAnimationKeepsAllInView() {
+    for (const AnimationKind kind : {AnimationKind::turntable, AnimationKind::motion}) {
       for (const double part : {0.0, 1.0}) {
-        StageRendering rendering = toyRendering(Film{kind, 8, 24, 0});
+        StageRendering rendering = toyRendering(Animation{kind, 8, 24, 0});
         rendering.view.pulledApart = part;
         const auto painter = StagePainter::create(rendering);
         int largest = 0;
@@ -208,7 +209,7 @@ class TestRenderings : public QObject {
   }
 
   void aFolderGetsAllPicturesOrNone() {
-    const StageRendering rendering = toyRendering(Film{FilmKind::turntable, 4, 24, 0});
+    const StageRendering rendering = toyRendering(Animation{AnimationKind::turntable, 4, 24, 0});
     QVERIFY(!writePictures(rendering, path("pictures")));
     QCOMPARE(QDir(folder.filePath("pictures")).entryList(QDir::Files),
              (QStringList{"0001.png", "0002.png", "0003.png", "0004.png"}));
@@ -233,9 +234,9 @@ class TestRenderings : public QObject {
   }
 
   void whatCannotBeWrittenIsSaid() {
-    const StageRendering film = toyRendering(Film{FilmKind::turntable, 3, 24, 0});
-    QVERIFY(writePicture(film, "/nowhere/at/all.png").has_value());
-    QVERIFY(writePictures(film, "/dev/null/folder").has_value());
+    const StageRendering animation = toyRendering(Animation{AnimationKind::turntable, 3, 24, 0});
+    QVERIFY(writePicture(animation, "/nowhere/at/all.png").has_value());
+    QVERIFY(writePictures(animation, "/dev/null/folder").has_value());
     StageRendering huge = toyRendering();
     huge.size = {1'000'000, 10};
     QVERIFY(writePicture(huge, path("huge.png"))->kind == RenderingFailure::Kind::graphics);

@@ -88,7 +88,7 @@ class StoppingTest : public QObject {
     });
   }
 
-  /// A picture and a film as the window exports them: of a stage that it has made ready, into a folder.
+  /// A picture and an animation as the window exports them: of a stage that it has made ready, into a folder.
   void picturesOf(const char* name, const Mechanism& mechanism) {
     GearCache gears;
     const auto memory = std::make_shared<StageMemory>();
@@ -103,9 +103,9 @@ class StoppingTest : public QObject {
       });
     };
     add("picture");
-    rendering.film = Film{FilmKind::motion, 72, 24, 0};
+    rendering.animation = Animation{AnimationKind::motion, 72, 24, 0};
     add("film");
-    rendering.film.reset();
+    rendering.animation.reset();
     rendering.size = {3840, 2160};
     rendering.fits = false;
     add("large picture");

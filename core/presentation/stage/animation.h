@@ -10,14 +10,14 @@
 namespace geargraph::inline stage {
 
 /// The kind of an animation: the camera once around the train, or the train through its period.
-enum class FilmKind : std::uint8_t { turntable, motion };
+enum class AnimationKind : std::uint8_t { turntable, motion };
 
-constexpr int kMostFilmFrames = 10'000;
+constexpr int kMostAnimationFrames = 10'000;
 
 /// An animation of a view. It loops seamlessly: the first picture follows the last one, if the motion has a
 /// period.
-struct Film {
-  FilmKind kind = FilmKind::turntable;
+struct Animation {
+  AnimationKind kind = AnimationKind::turntable;
   int frames = 72;
   double framesPerSecond = 24;
   double seconds = 0;  ///< of motion that the whole animation shows; 0: one period, back and forth between
@@ -25,11 +25,12 @@ struct Film {
 };
 
 /// The time span of the motion in the animation, s.
-[[nodiscard]] double filmSpan(const Stage& stage, const Film& film);
+[[nodiscard]] double animationSpan(const Stage& stage, const Animation& animation);
 
 /// The view of one picture of the animation; a view with a trajectory follows it and starts again at its end.
 /// Identity: picture 0 is the view itself. @pre 0 <= picture < frames
-[[nodiscard]] StageView filmView(const Stage& stage, const StageView& view, const Film& film, int picture);
+[[nodiscard]] StageView animationView(const Stage& stage, const StageView& view, const Animation& animation,
+                                      int picture);
 
 /// Writes an animated PNG (PNG third edition, APNG) piece by piece; programs without support for animation
 /// show its first picture. After the first, only the changed rectangle is stored.

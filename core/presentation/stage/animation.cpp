@@ -1,4 +1,4 @@
-#include "core/presentation/stage/film.h"
+#include "core/presentation/stage/animation.h"
 
 #include <zlib.h>
 
@@ -81,30 +81,30 @@ double turnedRound(const StageRange& range, double time) {
 
 }  // namespace
 
-double filmSpan(const Stage& stage, const Film& film) {
-  if (film.seconds > 0) return film.seconds;
+double animationSpan(const Stage& stage, const Animation& animation) {
+  if (animation.seconds > 0) return animation.seconds;
   const StageRange range = rangeOf(stage, {});
   const double thereAndBack = 2 * (range.to.time - range.from.time);
   if (std::isfinite(thereAndBack) && thereAndBack > 0) return thereAndBack;
   return stage.period > 0 ? stage.period : kSpanWithoutPeriod;
 }
 
-StageView filmView(const Stage& stage, const StageView& view, const Film& film, int picture) {
-  GEARGRAPH_REQUIRE(picture >= 0 && picture < film.frames);
-  const double part = static_cast<double>(picture) / film.frames;
+StageView animationView(const Stage& stage, const StageView& view, const Animation& animation, int picture) {
+  GEARGRAPH_REQUIRE(picture >= 0 && picture < animation.frames);
+  const double part = static_cast<double>(picture) / animation.frames;
   StageView now = view;
-  if (film.kind == FilmKind::turntable) {
+  if (animation.kind == AnimationKind::turntable) {
     const Camera& from = view.camera;
     now.camera = Camera::from(from.yaw() + 2 * std::numbers::pi * part, from.pitch())
                      .placedAt(from.target(), from.distance());
   } else {
     const InputTrajectory* const trajectory = trajectoryOf(stage, view);
     if (trajectory != nullptr && trajectory->seconds() > 0) {
-      const double span = film.seconds > 0 ? film.seconds : trajectory->seconds();
+      const double span = animation.seconds > 0 ? animation.seconds : trajectory->seconds();
       if (picture > 0) now.time = std::fmod(view.time + span * part, trajectory->seconds());
       return now;
     }
-    now.time = turnedRound(rangeOf(stage, view), view.time + filmSpan(stage, film) * part);
+    now.time = turnedRound(rangeOf(stage, view), view.time + animationSpan(stage, animation) * part);
   }
   return now;
 }
