@@ -28,7 +28,7 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
 DrawingScene::DrawingScene(QObject* parent)
     : QGraphicsScene(parent),
       m_item(new PartsItem(m_theme)),
-      m_overlay(new MarkItem(kGhostDepth, m_theme)),
+      m_overlay(new MarkItem(kPreviewDepth, m_theme)),
       m_underlay(new MarkItem(-1, m_theme)) {
   setItemIndexMethod(NoIndex);  // items are never looked up by place
   addItem(m_item);

@@ -285,19 +285,20 @@ DisplayList ToolController::overlay() const {
   DisplayList list;
   const double hair = 1 / m_scale;
   const auto put = [&](const Shape& shape, Dash dash) {
-    list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Stroke{shape, ColorRole::accent, hair, dash}});
+    list.marks.push_back(
+        {{}, MarkRole::preview, kPreviewDepth, Stroke{shape, ColorRole::accent, hair, dash}});
   };
   if (const auto band = m_machine.rubberBand()) {
     put(Box{Extent::spanning(band->from, band->to), 0}, Dash::solid);
   }
-  if (const auto link = m_machine.linkDraft()) list.append(linkGhost(*link));
+  if (const auto link = m_machine.linkDraft()) list.append(linkPreview(*link));
   if (const auto draft = m_machine.arrowDraft()) {
     const auto tail = m_sheet.positions().find(draft->tail);
     const auto head = m_sheet.positions().find(draft->head);
     if (tail != m_sheet.positions().end()) {
       const bool ends = head != m_sheet.positions().end();
-      const Curve course = ghostCourse(tail->second, ends ? head->second : draft->cursor, ends);
-      list.append(arrowGhost(draft->kind, course, m_preview && m_preview->valid));
+      const Curve course = previewCourse(tail->second, ends ? head->second : draft->cursor, ends);
+      list.append(arrowPreview(draft->kind, course, m_preview && m_preview->valid));
     }
   }
   if (m_drag && m_snap.column)

@@ -21,9 +21,9 @@ std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism, const Joint
     snapshot->matrices.push_back(matrixOf(kind, snapshot->graph, snapshot->tree));
   }
   const Mechanism& with = *snapshot->mechanism;
-  const ElementId ghost =
+  const ElementId drawnJoint =
       turning ? ElementId(with.turningJoints.back().id) : ElementId(with.gearMeshes.back().id);
-  return PreviewSnapshot{std::move(snapshot), ghost};
+  return PreviewSnapshot{std::move(snapshot), drawnJoint};
 }
 
 }  // namespace geargraph::inline models

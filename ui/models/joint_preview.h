@@ -10,7 +10,7 @@ namespace geargraph::inline models {
 /// The matrices as they would be if the arrow being drawn were released now.
 struct PreviewSnapshot {
   SnapshotPtr snapshot;  ///< graph, tree, matrices; no diagnostics, no results
-  ElementId ghost;       ///< the joint being drawn
+  ElementId drawnJoint;  ///< the joint being drawn
 };
 
 /// The structure of the mechanism with the joint that is being drawn. std::nullopt if the

@@ -197,8 +197,8 @@ QVariant MatrixModel::data(const QModelIndex& index, int role) const {
       return m_matrix->entry(row, column);
     case ChangedRole:
       return hasChanged(row, column);
-    case GhostRole:
-      return isGhost(row, column);
+    case PreviewRole:
+      return isPreview(row, column);
     default:
       return {};
   }
@@ -238,8 +238,8 @@ QVariant MatrixModel::headerData(int section, Qt::Orientation orientation, int r
   switch (role) {
     case Qt::DisplayRole:
       return shownText(heading.text);
-    case GhostRole:
-      return !m_quantity && m_preview && heading.element == m_preview->ghost;
+    case PreviewRole:
+      return !m_quantity && m_preview && heading.element == m_preview->drawnJoint;
     case RateRole:
       return m_quantity && m_quantity->headsAreRates();
     default:
@@ -247,8 +247,9 @@ QVariant MatrixModel::headerData(int section, Qt::Orientation orientation, int r
   }
 }
 
-bool MatrixModel::isGhost(int row, int column) const {
-  return m_preview && (rowElement(row) == m_preview->ghost || columnElement(column) == m_preview->ghost);
+bool MatrixModel::isPreview(int row, int column) const {
+  return m_preview &&
+         (rowElement(row) == m_preview->drawnJoint || columnElement(column) == m_preview->drawnJoint);
 }
 
 bool MatrixModel::hasChanged(int row, int column) const {

@@ -17,7 +17,7 @@ namespace geargraph::inline models {
 /// decimals, fractions or symbols. Entries are computed on demand, so a matrix of 10,000 rows costs only the
 /// rows on the screen.
 ///
-/// While an arrow is being drawn the matrix includes its joint, the ghost.
+/// While an arrow is being drawn the matrix includes its joint.
 class MatrixModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class MatrixModel : public QAbstractTableModel {
   enum Role {
     ValueRole = Qt::UserRole,  ///< int: the entry; the sign of a quantity
     ChangedRole,               ///< bool: the last edit changed the entry, less than 0.6 s ago
-    GhostRole,                 ///< bool: of the joint being drawn
+    PreviewRole,               ///< bool: of the joint being drawn
     FormulaRole,               ///< bool: the text is a formula in the gear ratios
     RateRole,                  ///< bool, of headings: the text names the rate of that joint
   };
@@ -80,7 +80,7 @@ class MatrixModel : public QAbstractTableModel {
   [[nodiscard]] Heading rowHeading(int row) const;
   [[nodiscard]] Heading columnHeading(int column) const;
   [[nodiscard]] QVariant quantityData(int row, int column, int role) const;
-  [[nodiscard]] bool isGhost(int row, int column) const;
+  [[nodiscard]] bool isPreview(int row, int column) const;
   [[nodiscard]] bool hasChanged(int row, int column) const;
 
   MatrixKind m_kind = MatrixKind::cycleBasis;

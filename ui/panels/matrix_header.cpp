@@ -38,12 +38,12 @@ void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   const Theme theme = themeOf(palette());
   const bool across = orientation() == Qt::Horizontal;
   const bool lit = m_isLit(section);
-  const bool ghost = model()->headerData(section, orientation(), MatrixModel::GhostRole).toBool();
+  const bool isPreview = model()->headerData(section, orientation(), MatrixModel::PreviewRole).toBool();
 
   painter->save();
   QFont labelFont = font();
   labelFont.setBold(lit);
-  labelFont.setItalic(ghost);
+  labelFont.setItalic(isPreview);
   painter->setFont(labelFont);
   painter->setPen(qColor(lit ? ColorRole::accent : ColorRole::secondary, theme));
   const QString text = model()->headerData(section, orientation()).toString();

@@ -70,12 +70,13 @@ class EntryDelegate : public QStyledItemDelegate {
       painter.setBrush(qColor(ColorRole::halo, theme));
       painter.drawRoundedRect(pill.adjusted(-4, -4, 4, 4), 7, 7);
     }
-    const bool ghost = index.data(MatrixModel::GhostRole).toBool();
+    const bool isPreview = index.data(MatrixModel::PreviewRole).toBool();
     ColorRole ink = ColorRole::secondary;
     if (value != 0) {
       ink = value > 0 ? ColorRole::positiveInk : ColorRole::negativeInk;
       painter.setBrush(qColor(value > 0 ? ColorRole::positiveFill : ColorRole::negativeFill, theme));
-      painter.setPen(ghost ? QPen(qColor(ColorRole::secondary, theme), 1, Qt::DashLine) : QPen(Qt::NoPen));
+      painter.setPen(isPreview ? QPen(qColor(ColorRole::secondary, theme), 1, Qt::DashLine)
+                               : QPen(Qt::NoPen));
       painter.drawRoundedRect(pill, 5, 5);
     }
     if (m_view->underMouse() && option.state.testFlag(QStyle::State_MouseOver)) {
@@ -89,7 +90,7 @@ class EntryDelegate : public QStyledItemDelegate {
       painter.drawRoundedRect(pill, 5, 5);
     }
     QFont font = option.font;
-    font.setItalic(ghost);
+    font.setItalic(isPreview);
     painter.setFont(font);
     painter.setPen(qColor(ink, theme));
     const bool dot = value == 0 && m_view->zerosAsDots();

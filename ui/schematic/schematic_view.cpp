@@ -228,10 +228,11 @@ DisplayList SchematicView::rimLabel() const {
   if (middle.x + halfWidth > seen.right()) middle.x = m_rim->at.x - halfWidth - besideIt;
   if (middle.y - size < seen.top()) middle.y = m_rim->at.y + besideIt;
   const geargraph::Box plate{{middle, halfWidth, 0.9 * size}, size / 3};
-  list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Fill{plate, ColorRole::sheet}});
+  list.marks.push_back({{}, MarkRole::preview, kPreviewDepth, Fill{plate, ColorRole::sheet}});
   list.marks.push_back(
-      {{}, MarkRole::ghost, kGhostDepth, Stroke{plate, ColorRole::accent, 1 / scaleNow(), Dash::solid}});
-  list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Text{text, middle, size, true, ColorRole::accent}});
+      {{}, MarkRole::preview, kPreviewDepth, Stroke{plate, ColorRole::accent, 1 / scaleNow(), Dash::solid}});
+  list.marks.push_back(
+      {{}, MarkRole::preview, kPreviewDepth, Text{text, middle, size, true, ColorRole::accent}});
   return list;
 }
 
@@ -304,18 +305,18 @@ void SchematicView::showState() {
     const Dash dash = draft->style == Style::shaft ? Dash::solid : Dash::dotted;
     if (draft->style != Style::axis) {
       list.marks.push_back({{},
-                            MarkRole::ghost,
-                            kGhostDepth,
+                            MarkRole::preview,
+                            kPreviewDepth,
                             Stroke{Polyline{{draft->from, draft->to}, false}, ColorRole::accent, 3, dash}});
-    } else if (const auto ghost = axisGhost(draft->to - draft->from)) {
-      list.marks.push_back(*ghost);
+    } else if (const auto preview = axisPreview(draft->to - draft->from)) {
+      list.marks.push_back(*preview);
     }
   }
   m_sheet->setOverlay(std::move(list));
 }
 
 /// The dragged axis under the mouse.
-std::optional<Mark> SchematicView::axisGhost(SheetPoint moved) const {
+std::optional<Mark> SchematicView::axisPreview(SheetPoint moved) const {
   if (!m_drag) return std::nullopt;
   const SheetFrame::Line* line = m_drag->schematic->frame.line(m_drag->axis);
   const auto& outlines = m_drag->schematic->outlines;
@@ -327,8 +328,8 @@ std::optional<Mark> SchematicView::axisGhost(SheetPoint moved) const {
   const SheetPoint way = dot(moved, out) * out;
   const Curve& course = std::get<Curve>(drawn->shape);
   return Mark{{},
-              MarkRole::ghost,
-              kGhostDepth,
+              MarkRole::preview,
+              kPreviewDepth,
               Stroke{Polyline{{course.at(0) + way, course.at(1) + way}, false}, ColorRole::accent, 1.6,
                      Dash::dashDotted}};
 }

@@ -78,7 +78,7 @@ class SchematicView : public DrawingView {
   [[nodiscard]] DisplayList rimLabel() const;
   void dragAxis(const section_tool::DragAxis& drag);
   void endDrag();
-  [[nodiscard]] std::optional<Mark> axisGhost(SheetPoint moved) const;
+  [[nodiscard]] std::optional<Mark> axisPreview(SheetPoint moved) const;
   void step(const ToolEvent& event);
   /// For the tools, a bearing is replaced by the shaft in it.
   [[nodiscard]] Pointer meant(Pointer pointer) const;

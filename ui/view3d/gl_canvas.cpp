@@ -87,7 +87,7 @@ void GlCanvas::paintGL() {
   device.setDevicePixelRatio(ratio);
   QPainter painter(&device);
   painter.setFont(font());
-  const LabelGround ground{*m_viewer->stage(), frame.poses, frame.showing,          frame.camera,
+  const LabelGround ground{*m_viewer->stage(), frame.poses, frame.visibility,       frame.camera,
                            viewport,           ratio,       seen ? &*seen : nullptr};
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
   paintLayer(painter, ground, *m_viewer, m_dark);

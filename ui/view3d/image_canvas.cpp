@@ -111,8 +111,8 @@ void ImageCanvas::order(bool draft) {
 void ImageCanvas::rehearse() {
   if (std::exchange(m_hasRehearsed, true) || m_viewer->stage() == nullptr) return;
   Frame frame = m_viewer->frame(true);
-  std::vector<Showing> showing(frame.poses.size(), Showing::hidden);
-  frame.showing = showing;
+  std::vector<Visibility> visibility(frame.poses.size(), Visibility::hidden);
+  frame.visibility = visibility;
   frame.viewport = {16, 16};
   frame.style.edges = frame.style.triad = false;
   std::vector<PictureOrder> orders;
@@ -120,7 +120,7 @@ void ImageCanvas::rehearse() {
     orders.push_back({std::make_shared<const KeptFrame>(m_viewer->stage(), frame), 1, {}});
   };
   add();
-  showing.assign(showing.size(), Showing::solid);
+  visibility.assign(visibility.size(), Visibility::solid);
   add();
   frame.style.litByVertex = true;
   add();
@@ -244,13 +244,8 @@ void ImageCanvas::addOverlay() {
   const std::optional<Map> map = std::exchange(m_map, std::nullopt);
   const bool fits = map && map->parts == kept.stage()->scene.instances.size();
   if (map && !fits) m_owesMap = true;
-  const LabelGround ground{*kept.stage(),
-                           frame.poses,
-                           frame.showing,
-                           frame.camera,
-                           frame.viewport,
-                           frame.pixelRatio,
-                           fits ? &map->seen : nullptr};
+  const LabelGround ground{*kept.stage(),  frame.poses,      frame.visibility,           frame.camera,
+                           frame.viewport, frame.pixelRatio, fits ? &map->seen : nullptr};
   QPainter painter(&m_shown.image);
   painter.setFont(font());
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());

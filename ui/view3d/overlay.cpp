@@ -157,7 +157,7 @@ void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labe
   if (ground.stage.scene.instances.empty()) return;
   // In larger pixels, so that plates, gaps and type keep their proportions.
   const double scale = overlayScale();
-  const LabelGround enlarged{ground.stage,  ground.poses,    ground.showing,
+  const LabelGround enlarged{ground.stage,  ground.poses,    ground.visibility,
                              ground.camera, ground.viewport, ground.pixelRatio * scale,
                              ground.seen};
   painter.save();

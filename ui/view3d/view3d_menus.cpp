@@ -136,8 +136,8 @@ void View3D::fillViewMenu(QMenu& menu) {
            });
   addCheck(menu, view, "view3dExploded", tr("Exploded view"), now.pulledApart > 0,
            [](ViewOptions& options, bool on) { options.pulledApart = on ? 1 : 0; });
-  addCheck(menu, view, "view3dGhosts", tr("Dim what is not selected"), now.ghostOthers,
-           [](ViewOptions& options, bool on) { options.ghostOthers = on; });
+  addCheck(menu, view, "view3dGhosts", tr("Dim what is not selected"), now.translucentOthers,
+           [](ViewOptions& options, bool on) { options.translucentOthers = on; });
   addLabels(menu, view);
   addMarks(menu, view);
   addNavigation(menu, view);

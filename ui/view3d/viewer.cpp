@@ -161,7 +161,7 @@ void Viewer::setOptions(const ViewOptions& options) {
   m_view.section = options.section;
   m_view.pulledApart = options.pulledApart;
   m_view.marks = options.marks;
-  renewShowing();
+  renewVisibility();
   place();
   if (otherSize) fitNow();
   emit optionsChanged();
@@ -177,7 +177,7 @@ void Viewer::rideAlong(const std::optional<ElementId>& link) {
 void Viewer::setHidden(std::set<ElementId> links) {
   if (links == m_view.hidden) return;
   m_view.hidden = std::move(links);
-  renewShowing();
+  renewVisibility();
   emit viewChanged();
   emit optionsChanged();
 }
@@ -366,7 +366,7 @@ Frame Viewer::frame(bool draft) const {
   frame.style = draft ? m_view.style.cheaper() : m_view.style;
   frame.poses = m_seen.poses;
   frame.emphasis = m_emphasis;
-  frame.showing = m_showing;
+  frame.visibility = m_visibility;
   frame.section = cut();
   frame.floor = m_floor;
   frame.marks = m_marks;
@@ -391,21 +391,21 @@ void Viewer::lightUp() {
       emphasis.push_back(selected ? Highlight::selected : hovered ? Highlight::hovered : Highlight::none);
     }
   }
-  if (emphasis == m_emphasis && m_showing.size() == emphasis.size()) return;
+  if (emphasis == m_emphasis && m_visibility.size() == emphasis.size()) return;
   m_emphasis = std::move(emphasis);
-  renewShowing();
+  renewVisibility();
   emit viewChanged();
 }
 
-void Viewer::renewShowing() {
-  m_showing.assign(m_emphasis.size(), Showing::solid);
-  const bool isChosen = m_options.ghostOthers && std::find(m_emphasis.begin(), m_emphasis.end(),
-                                                           Highlight::selected) != m_emphasis.end();
-  for (std::size_t i = 0; i < m_showing.size(); ++i) {
+void Viewer::renewVisibility() {
+  m_visibility.assign(m_emphasis.size(), Visibility::solid);
+  const bool isChosen = m_options.translucentOthers && std::find(m_emphasis.begin(), m_emphasis.end(),
+                                                                 Highlight::selected) != m_emphasis.end();
+  for (std::size_t i = 0; i < m_visibility.size(); ++i) {
     if (m_view.hidden.contains(m_stage->scene.instances[i].element)) {
-      m_showing[i] = Showing::hidden;
+      m_visibility[i] = Visibility::hidden;
     } else if (isChosen && m_emphasis[i] != Highlight::selected) {
-      m_showing[i] = Showing::ghost;
+      m_visibility[i] = Visibility::translucent;
     }
   }
 }

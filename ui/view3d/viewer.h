@@ -72,7 +72,7 @@ class Viewer : public QObject {
   [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_view.turned; }
   void setTurnedByHand(std::vector<double> angles);
   [[nodiscard]] std::span<const Pose> poses() const { return m_seen.poses; }
-  [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+  [[nodiscard]] std::span<const Visibility> visibility() const { return m_visibility; }
   [[nodiscard]] std::optional<CutPlane> cut() const;
 
   [[nodiscard]] const ViewOptions& options() const { return m_options; }
@@ -163,7 +163,7 @@ class Viewer : public QObject {
   void leave();
   void lightUp();
   void place();
-  void renewShowing();
+  void renewVisibility();
   void renewMarks();
   [[nodiscard]] std::vector<Eigen::Vector3d> outlinePoints();
   [[nodiscard]] bool isAllInside();
@@ -199,7 +199,7 @@ class Viewer : public QObject {
   mutable std::optional<Bounds> m_bounds;           ///< of the scene, after it was first cut
   ViewOptions m_options;
   std::vector<Highlight> m_emphasis;
-  std::vector<Showing> m_showing;
+  std::vector<Visibility> m_visibility;
   std::vector<MarkLine> m_marks;
   Viewport m_viewport;
   double m_pixelRatio = 1;

@@ -14,7 +14,7 @@ constexpr double kHaloRing = 6;      ///< beyond a node's ring
 constexpr double kHitHalfWidth = 5;  ///< of an arrow
 constexpr double kHatchStep = 7;
 constexpr double kHatchWidth = 1.4;
-constexpr double kGhostWidth = 3;
+constexpr double kPreviewWidth = 3;
 
 std::string labelText(int label) {
   return std::to_string(label);
@@ -118,31 +118,32 @@ DisplayList digraphDrawing(const Mechanism& mechanism, const NodePositions& posi
   return digraphDrawing(digraphGeometry(mechanism, positions), emphases);
 }
 
-Curve ghostCourse(SheetPoint tail, SheetPoint end, bool endIsNode) {
+Curve previewCourse(SheetPoint tail, SheetPoint end, bool endIsNode) {
   const Curve whole = Curve::straight(tail, end);
   return endIsNode ? trimmedAtRims(whole) : trimmedAtStart(whole);
 }
 
-DisplayList arrowGhost(ElementKind kind, const Curve& curve, bool valid) {
+DisplayList arrowPreview(ElementKind kind, const Curve& curve, bool valid) {
   DisplayList list;
   Pen pen(list, ElementId{});
   if (!valid) {
-    pen.put(MarkRole::ghost, kGhostDepth, Stroke{curve, ColorRole::secondary, kGhostWidth, Dash::dotted});
+    pen.put(MarkRole::preview, kPreviewDepth,
+            Stroke{curve, ColorRole::secondary, kPreviewWidth, Dash::dotted});
     return list;
   }
   const bool mesh = kind == ElementKind::gearMesh;
-  pen.put(MarkRole::ghost, kGhostDepth,
+  pen.put(MarkRole::preview, kPreviewDepth,
           Stroke{shaft(curve), ColorRole::accent, mesh ? kMeshWidth : kTurningWidth,
                  mesh ? Dash::dashed : Dash::solid});
-  pen.put(MarkRole::ghost, kGhostDepth, Fill{arrowhead(curve), ColorRole::accent});
+  pen.put(MarkRole::preview, kPreviewDepth, Fill{arrowhead(curve), ColorRole::accent});
   return list;
 }
 
-DisplayList linkGhost(SheetPoint center) {
+DisplayList linkPreview(SheetPoint center) {
   DisplayList list;
   Pen pen(list, ElementId{});
-  pen.put(MarkRole::ghost, kGhostDepth,
-          Stroke{Circle{center, kNodeRadius}, ColorRole::secondary, kGhostWidth, Dash::dotted});
+  pen.put(MarkRole::preview, kPreviewDepth,
+          Stroke{Circle{center, kNodeRadius}, ColorRole::secondary, kPreviewWidth, Dash::dotted});
   return list;
 }
 

@@ -17,10 +17,10 @@ namespace geargraph::inline drawing {
 
 /// The preview of an arrow being drawn: dotted grey until it is valid, then in its final form in the accent
 /// colour.
-[[nodiscard]] DisplayList arrowGhost(ElementKind kind, const Curve& curve, bool valid);
+[[nodiscard]] DisplayList arrowPreview(ElementKind kind, const Curve& curve, bool valid);
 /// The course of such an arrow between two nodes, or from a node to the mouse pointer.
-[[nodiscard]] Curve ghostCourse(SheetPoint tail, SheetPoint end, bool endIsNode);
+[[nodiscard]] Curve previewCourse(SheetPoint tail, SheetPoint end, bool endIsNode);
 /// The preview of a new link.
-[[nodiscard]] DisplayList linkGhost(SheetPoint center);
+[[nodiscard]] DisplayList linkPreview(SheetPoint center);
 
 }  // namespace geargraph::inline drawing

@@ -11,7 +11,7 @@
 namespace geargraph::inline drawing {
 
 /// The purpose of a mark.
-enum class MarkRole { halo, line, arrowhead, walk, node, label, name, hatching, input, ghost };
+enum class MarkRole { halo, line, arrowhead, walk, node, label, name, hatching, input, preview };
 
 struct Circle {
   SheetPoint center;

@@ -32,6 +32,6 @@ constexpr int kLabelDepth = 20;
 constexpr int kNoteDepth = 25;
 constexpr int kNodeDepth = 30;
 constexpr int kBadgeDepth = 40;
-constexpr int kGhostDepth = 50;
+constexpr int kPreviewDepth = 50;
 
 }  // namespace geargraph::inline drawing

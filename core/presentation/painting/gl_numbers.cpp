@@ -14,10 +14,10 @@ void GlRenderer::drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut) {
   m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   if (frame.section) beginSection(frame);
   m_passes.beginFlat(cut * through, 1);
-  m_gl->Enable(GL_STENCIL_TEST);  // ghosts only where there is nothing else
+  m_gl->Enable(GL_STENCIL_TEST);  // translucent parts only where there is nothing else
   m_gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  for (const Showing wanted : {Showing::solid, Showing::ghost}) {
-    wanted == Showing::solid ? m_gl->StencilFunc(GL_ALWAYS, 1, 255) : m_gl->StencilFunc(GL_EQUAL, 0, 255);
+  for (const Visibility wanted : {Visibility::solid, Visibility::translucent}) {
+    wanted == Visibility::solid ? m_gl->StencilFunc(GL_ALWAYS, 1, 255) : m_gl->StencilFunc(GL_EQUAL, 0, 255);
     drawAll(frame, cut * through * view, wanted, GlSolid::Part::triangles,
             [&](std::size_t i) -> std::optional<SolidInstance> {
               return instanceAt(view * pose(frame, i).matrix(),

@@ -15,10 +15,10 @@ namespace {
 
 constexpr float kHoverTint = 0.10F;
 constexpr float kSelectedTint = 0.22F;
-constexpr float kGhost = 0.14F;        // how much of a ghost's face is seen
-constexpr float kGhostEdge = 0.35F;    // of the strength of its edges
-constexpr float kCoveredMark = 0.25F;  // how much of a line is seen through a solid
-constexpr double kHaloReach = 4;       // logical pixels, and one more
+constexpr float kTranslucentFaces = 0.14F;  // opacity of translucent faces
+constexpr float kTranslucentEdges = 0.35F;  // of the strength of their edges
+constexpr float kCoveredMark = 0.25F;       // how much of a line is seen through a solid
+constexpr double kHaloReach = 4;            // logical pixels, and one more
 /// Samples of a picture that may be stopped that are painted at a time: a rasterizer in software takes some
 /// 50 ms to clear and to resolve them, which cannot be stopped.
 constexpr std::size_t kMostStripSamples = 8'000'000;
@@ -64,7 +64,7 @@ bool GlRenderer::paint(const Frame& frame) {
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (paintLayer(frame)) {
     Frame rest = frame;
-    rest.showing = m_still.rest();
+    rest.visibility = m_still.rest();
     paintParts(rest);
   } else {
     bind(m_sampled, size);
@@ -80,8 +80,8 @@ bool GlRenderer::paint(const Frame& frame) {
 
 // Only where the processor paints: a card is quicker than any copy.
 bool GlRenderer::paintLayer(const Frame& frame) {
-  const bool isVeiled =
-      std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) != frame.showing.end();
+  const bool isVeiled = std::find(frame.visibility.begin(), frame.visibility.end(),
+                                  Visibility::translucent) != frame.visibility.end();
   if (!m_software || m_strip.height > 0 || samplesOf(frame) > 1 || frame.style.contactShadow ||
       frame.section || isVeiled)
     return false;
@@ -93,7 +93,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
     const bool hasLevels = instance.solid < m_scene.levels.size();
     parts.push_back({m_scene.solids[instance.solid],
                      hasLevels ? m_scene.levels[instance.solid] : DetailLevels{}, pose(frame, i),
-                     instance.colour, emphasis(frame, i), showing(frame, i)});
+                     instance.colour, emphasis(frame, i), visibility(frame, i)});
   }
   const StillParts::Layer layer =
       m_still.next({width, height, frame.pixelRatio, frame.camera, frame.style, isLitByVertex(frame),
@@ -104,7 +104,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
     m_layer.bind();
     if (layer == StillParts::Layer::anew) drawBackground(frame);
     Frame added = frame;
-    added.showing = m_still.added();
+    added.visibility = m_still.added();
     paintParts(added);
   }
   m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_layer.framebuffer());
@@ -130,7 +130,7 @@ void GlRenderer::paintParts(const Frame& frame) {
   m_gl->CullFace(GL_BACK);
   if (frame.section) beginSection(frame);
   drawSolids(frame);
-  drawGhosts(frame);
+  drawTranslucent(frame);
   m_passes.endSection();
   m_gl->Disable(GL_CULL_FACE);
 }
@@ -182,7 +182,7 @@ void GlRenderer::drawShadow(const Frame& frame) {
   seenFromAbove(1, 3) = -ground.y / ground.radius;
   seenFromAbove.row(2) *= 1e-6;  // however high
   seenFromAbove(3, 3) = 1;
-  drawAll(frame, seenFromAbove, Showing::solid, GlSolid::Part::triangles,
+  drawAll(frame, seenFromAbove, Visibility::solid, GlSolid::Part::triangles,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             if (!m_scene.instances[i].castsShadow) return std::nullopt;
             return instanceAt(pose(frame, i).matrix(), Rgb{});
@@ -201,10 +201,10 @@ void GlRenderer::beginSection(const Frame& frame) {
 
 void GlRenderer::drawSolids(const Frame& frame) {
   if (frame.style.faces != Faces::wireframe) {
-    drawFaces(frame, Showing::solid, 1);
+    drawFaces(frame, Visibility::solid, 1);
     if (frame.section) drawCaps(frame);
   }
-  if (frame.style.edges || frame.style.faces != Faces::shaded) drawEdges(frame, Showing::solid, 1);
+  if (frame.style.edges || frame.style.faces != Faces::shaded) drawEdges(frame, Visibility::solid, 1);
 }
 
 bool GlRenderer::isLitByVertex(const Frame& frame) const {
@@ -213,7 +213,7 @@ bool GlRenderer::isLitByVertex(const Frame& frame) const {
          std::none_of(m_scene.instances.begin(), m_scene.instances.end(), isOpen);
 }
 
-void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
+void GlRenderer::drawFaces(const Frame& frame, Visibility wanted, float alpha) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
@@ -249,7 +249,7 @@ void GlRenderer::drawCaps(const Frame& frame) {
   m_gl->Enable(GL_STENCIL_TEST);
   int count = 0;
   constexpr auto kTriangles = GlSolid::Part::triangles;
-  eachInstance(frame, clip(frame), Showing::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, clip(frame), Visibility::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
     const BoundingSphere& sphere = m_solids.sphereOf(m_scene.instances[i].solid);
     const Eigen::Vector3d centre = pose(frame, i) * sphere.centre;
     const double above = section.normal.dot(centre) - section.offset;
@@ -276,19 +276,21 @@ void GlRenderer::drawCaps(const Frame& frame) {
   m_gl->Disable(GL_STENCIL_TEST);
 }
 
-// Depth first, colour second: of a ghost only the nearest faces are seen, once.
-void GlRenderer::drawGhosts(const Frame& frame) {
-  if (std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) == frame.showing.end()) return;
+// Depth first, colour second: of a translucent part only the nearest faces are seen, once.
+void GlRenderer::drawTranslucent(const Frame& frame) {
+  if (std::find(frame.visibility.begin(), frame.visibility.end(), Visibility::translucent) ==
+      frame.visibility.end())
+    return;
   if (frame.style.faces != Faces::wireframe) {
     m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawFaces(frame, Showing::ghost, 1);
+    drawFaces(frame, Visibility::translucent, 1);
     m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    drawFaces(frame, Showing::ghost, kGhost);
+    drawFaces(frame, Visibility::translucent, kTranslucentFaces);
   }
-  drawEdges(frame, Showing::ghost, kGhostEdge);
+  drawEdges(frame, Visibility::translucent, kTranslucentEdges);
 }
 
-void GlRenderer::drawEdges(const Frame& frame, Showing wanted, float part) {
+void GlRenderer::drawEdges(const Frame& frame, Visibility wanted, float part) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   // In a small picture lines of one pixel would cover the teeth that they are to show.
   const double fade = std::clamp(frame.viewport.height / (kFullEdgeHeight * frame.pixelRatio), 0.55, 1.0);
@@ -337,7 +339,7 @@ void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
     m_gl->Clear(GL_COLOR_BUFFER_BIT);
     if (frame.section) beginSection(frame);
     m_passes.beginFlat(projection(frame), 1);
-    for (const Showing shown : {Showing::solid, Showing::ghost}) {
+    for (const Visibility shown : {Visibility::solid, Visibility::translucent}) {
       drawAll(frame, clip(frame), shown, GlSolid::Part::triangles,
               [&](std::size_t i) -> std::optional<SolidInstance> {
                 if (emphasis(frame, i) != wanted) return std::nullopt;

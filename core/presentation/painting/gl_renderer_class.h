@@ -60,17 +60,17 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
     return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
   }
-  [[nodiscard]] static Showing showing(const Frame& frame, std::size_t instance) {
-    return frame.showing.empty() ? Showing::solid : frame.showing[instance];
+  [[nodiscard]] static Visibility visibility(const Frame& frame, std::size_t instance) {
+    return frame.visibility.empty() ? Visibility::solid : frame.visibility[instance];
   }
   /// Visits the instances that may be visible through this clip matrix and have the visibility `wanted`.
   template <class Visit>
-  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visibility wanted, GlSolid::Part part,
                     Visit visit);
   /// Draws a part of the same instances, equal solids by one instanced call: `instanceData` returns the data
   /// of an instance, or std::nullopt to skip it.
   template <class InstanceData>
-  void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+  void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Visibility wanted, GlSolid::Part part,
                InstanceData instanceData);
   /// The solid at the level of detail for its size on the screen; uploaded on first use.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
@@ -96,16 +96,16 @@ class GlRenderer final : public Renderer {
   void paintParts(const Frame& frame);
   [[nodiscard]] bool isLitByVertex(const Frame& frame) const;
   void beginSection(const Frame& frame);
-  void drawFaces(const Frame& frame, Showing wanted, float alpha);
+  void drawFaces(const Frame& frame, Visibility wanted, float alpha);
   void drawCaps(const Frame& frame);
-  void drawGhosts(const Frame& frame);
+  void drawTranslucent(const Frame& frame);
   void drawMarks(const Frame& frame);
 
   void drawBackground(const Frame& frame);
   void drawDisc(const Frame& frame);
   void drawShadow(const Frame& frame);
   void drawSolids(const Frame& frame);
-  void drawEdges(const Frame& frame, Showing wanted, float part);
+  void drawEdges(const Frame& frame, Visibility wanted, float part);
   void drawTriad(const Frame& frame);
   void drawHalo(const Frame& frame, unsigned framebuffer);
   /// Draws the input of readNumbers() into the bound framebuffer; `cut`: matrix to the part of the picture.
@@ -156,11 +156,11 @@ class GlRenderer final : public Renderer {
 };
 
 template <class Visit>
-void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted,
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visibility wanted,
                               GlSolid::Part part, Visit visit) {
   const Frustum frustum(clip);
   for (std::size_t i = 0; i < m_scene.instances.size() && !frame.stop.stop_requested(); ++i) {
-    if (showing(frame, i) != wanted) continue;
+    if (visibility(frame, i) != wanted) continue;
     const std::size_t shape = m_scene.instances[i].solid;
     const BoundingSphere& sphere = m_solids.sphereOf(shape);
     const Eigen::Vector3d middle = pose(frame, i) * sphere.centre;
@@ -175,8 +175,8 @@ constexpr std::size_t kMostQueuedIndices = 250'000;
 
 // Batches are in the order of the scene, not of addresses, so that the same scene gives the same picture.
 template <class InstanceData>
-void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-                         InstanceData instanceData) {
+void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Visibility wanted,
+                         GlSolid::Part part, InstanceData instanceData) {
   m_batches.clear();
   m_batchOf.clear();
   eachInstance(frame, clip, wanted, part, [&](std::size_t i, const GlSolid& solid) {

@@ -17,9 +17,9 @@ namespace geargraph::inline painting {
 
 enum class Highlight : std::uint8_t { none, hovered, selected };
 
-/// The visibility of an instance. A ghost is translucent and hides nothing behind it; a hidden instance is
+/// The visibility of an instance. A translucent one hides nothing behind it; a hidden instance is
 /// neither painted nor picked.
-enum class Showing : std::uint8_t { solid, ghost, hidden };
+enum class Visibility : std::uint8_t { solid, translucent, hidden };
 
 /// A cutting plane: everything at normal . x > offset is removed, and the cut faces of closed solids are
 /// hatched.
@@ -29,7 +29,7 @@ struct CutPlane {
   friend bool operator==(const CutPlane&, const CutPlane&) = default;
 };
 
-/// The description of one picture. `poses`, `emphasis` and `showing` have one entry per instance of the
+/// The description of one picture. `poses`, `emphasis` and `visibility` have one entry per instance of the
 /// scene; if empty, the scene's own poses, no highlight and full visibility apply.
 struct Frame {
   Viewport viewport;
@@ -38,7 +38,7 @@ struct Frame {
   RenderStyle style;
   std::span<const Pose> poses;
   std::span<const Highlight> emphasis;
-  std::span<const Showing> showing;
+  std::span<const Visibility> visibility;
   std::optional<CutPlane> section;
   std::optional<double> floor;      ///< z of the floor disc; none: just below the scene in its own poses
   std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid hides them
@@ -78,8 +78,8 @@ class Renderer {
   /// The nearest instance within one pixel of (x, y), counted from the upper left corner; std::nullopt on the
   /// background.
   [[nodiscard]] virtual std::optional<Hit> pick(const Frame& frame, double x, double y) = 0;
-  /// The map of what is visible in a grid of cells over the picture; ghosts count where nothing else is.
-  /// Empty if the driver is out of memory. Cost: the vertices, and the cells.
+  /// The map of what is visible in a grid of cells over the picture; translucent parts count where nothing
+  /// else is. Empty if the driver is out of memory. Cost: the vertices, and the cells.
   [[nodiscard]] virtual SeenMap seen(const Frame& frame, int columns, int rows) = 0;
 
  protected:

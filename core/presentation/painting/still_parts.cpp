@@ -6,7 +6,7 @@ namespace geargraph::inline painting {
 
 bool StillParts::Part::looksLike(const Part& other) const {
   return solid == other.solid && levels == other.levels && pose.matrix() == other.pose.matrix() &&
-         colour == other.colour && emphasis == other.emphasis && showing == other.showing;
+         colour == other.colour && emphasis == other.emphasis && visibility == other.visibility;
 }
 
 StillParts::Layer StillParts::next(const View& view, std::vector<Part> parts) {
@@ -37,12 +37,12 @@ void StillParts::sort(const std::vector<bool>& still) {
   }
   const bool adds = 4 * addable > others;
   m_addedTriangles = adds ? addable : 0;
-  m_added.assign(m_parts.size(), Showing::hidden);
-  m_rest.assign(m_parts.size(), Showing::hidden);
+  m_added.assign(m_parts.size(), Visibility::hidden);
+  m_rest.assign(m_parts.size(), Visibility::hidden);
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     if (m_kept[i]) continue;
     m_kept[i] = adds && still[i];
-    (m_kept[i] ? m_added : m_rest)[i] = m_parts[i].showing;
+    (m_kept[i] ? m_added : m_rest)[i] = m_parts[i].visibility;
   }
 }
 

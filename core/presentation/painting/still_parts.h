@@ -33,7 +33,7 @@ class StillParts {
     Pose pose = Pose::Identity();
     Rgb colour;
     Highlight emphasis = Highlight::none;
-    Showing showing = Showing::solid;
+    Visibility visibility = Visibility::solid;
     [[nodiscard]] bool looksLike(const Part& other) const;
   };
   enum class Layer { none, kept, anew };
@@ -42,10 +42,10 @@ class StillParts {
   /// kept. `anew`: the layer is begun with the background. `kept`: the layer exists already. Cost: O(parts).
   Layer next(const View& view, std::vector<Part> parts);
   /// The parts to be painted into the layer now, by instance, the others hidden. May be none.
-  [[nodiscard]] const std::vector<Showing>& added() const { return m_added; }
+  [[nodiscard]] const std::vector<Visibility>& added() const { return m_added; }
   [[nodiscard]] bool hasAdded() const { return m_addedTriangles > 0; }
   /// The parts to be painted over the layer, the others hidden.
-  [[nodiscard]] const std::vector<Showing>& rest() const { return m_rest; }
+  [[nodiscard]] const std::vector<Visibility>& rest() const { return m_rest; }
 
  private:
   void sort(const std::vector<bool>& still);
@@ -54,7 +54,7 @@ class StillParts {
   View m_view;
   std::vector<Part> m_parts;  ///< of the last picture
   std::vector<bool> m_kept;   ///< those in the layer
-  std::vector<Showing> m_added, m_rest;
+  std::vector<Visibility> m_added, m_rest;
   std::size_t m_addedTriangles = 0;
 };
 

@@ -17,12 +17,12 @@ class KeptFrame {
       : m_stage(std::move(stage)),
         m_poses(frame.poses.begin(), frame.poses.end()),
         m_emphasis(frame.emphasis.begin(), frame.emphasis.end()),
-        m_showing(frame.showing.begin(), frame.showing.end()),
+        m_visibility(frame.visibility.begin(), frame.visibility.end()),
         m_marks(frame.marks.begin(), frame.marks.end()),
         m_frame(frame) {
     m_frame.poses = m_poses;
     m_frame.emphasis = m_emphasis;
-    m_frame.showing = m_showing;
+    m_frame.visibility = m_visibility;
     m_frame.marks = m_marks;
   }
   KeptFrame(const KeptFrame&) = delete;
@@ -35,7 +35,7 @@ class KeptFrame {
   StagePtr m_stage;
   std::vector<Pose> m_poses;
   std::vector<Highlight> m_emphasis;
-  std::vector<Showing> m_showing;
+  std::vector<Visibility> m_visibility;
   std::vector<MarkLine> m_marks;
   Frame m_frame;
 };

@@ -18,14 +18,14 @@ constexpr double kLabelRadius = 11.5;
 struct LabelGround {
   const Stage& stage;
   std::span<const Pose> poses;
-  std::span<const Showing> showing;  ///< empty: everything
+  std::span<const Visibility> visibility;  ///< empty: everything
   const Camera& camera;
   const Viewport& viewport;
   double pixelRatio = 1;
   const SeenMap* seen = nullptr;  ///< what is visible in the picture; null: no new map
 
   [[nodiscard]] bool isShown(const StageLabel& label) const {
-    return showing.empty() || showing[label.instance] == Showing::solid;
+    return visibility.empty() || visibility[label.instance] == Visibility::solid;
   }
   /// Logical pixels.
   [[nodiscard]] Eigen::Vector2d project(const Eigen::Vector3d& point) const {

@@ -128,16 +128,16 @@ void SeenStage::show(const StageView& view, const std::stop_token& stop) {
   m_view = view;
   m_seen = seenPoses(*m_stage, view, m_separations);
   m_lines = seenLines(*m_stage, view, m_seen, cut());
-  m_showing.clear();
+  m_visibility.clear();
   for (const Instance& instance : m_stage->scene.instances)
-    m_showing.push_back(view.hidden.contains(instance.element) ? Showing::hidden : Showing::solid);
+    m_visibility.push_back(view.hidden.contains(instance.element) ? Visibility::hidden : Visibility::solid);
 }
 
 std::vector<Eigen::Vector3d> SeenStage::corners(const std::stop_token& stop) {
   if (!m_outlines) m_outlines = solidOutlines(m_stage->scene, stop);
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < m_seen.poses.size(); ++i) {
-    if (m_showing[i] == Showing::hidden) continue;
+    if (m_visibility[i] == Visibility::hidden) continue;
     for (const Eigen::Vector3d& point : (*m_outlines)[m_stage->scene.instances[i].solid])
       points.push_back(m_seen.poses[i] * point);
   }
@@ -152,7 +152,7 @@ Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {
   frame.camera = m_view.camera;
   frame.style = m_view.style;
   frame.poses = m_seen.poses;
-  frame.showing = m_showing;
+  frame.visibility = m_visibility;
   frame.section = cut();
   frame.floor = m_floor;
   frame.marks = m_lines;

@@ -92,7 +92,7 @@ class SeenStage {
 
   [[nodiscard]] const Stage& stage() const { return *m_stage; }
   [[nodiscard]] const std::vector<Pose>& poses() const { return m_seen.poses; }
-  [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+  [[nodiscard]] std::span<const Visibility> visibility() const { return m_visibility; }
   [[nodiscard]] std::vector<ForceArrow> forceArrows() const { return seenForces(*m_stage, m_view, m_seen); }
   [[nodiscard]] const StageView& view() const { return m_view; }
   [[nodiscard]] std::optional<CutPlane> cut() const {
@@ -114,7 +114,7 @@ class SeenStage {
   std::optional<double> m_floor;
   StageView m_view;
   SeenPoses m_seen;
-  std::vector<Showing> m_showing;
+  std::vector<Visibility> m_visibility;
   std::vector<MarkLine> m_lines;
 };
 

@@ -132,7 +132,7 @@ SeenMap StagePainter::seenForLabels() {
 }
 
 LabelGround StagePainter::labelGround(const SeenMap& seen) const {
-  return {m_seen.stage(), m_seen.poses(), m_seen.showing(), m_now.camera, m_rendering.size,
+  return {m_seen.stage(), m_seen.poses(), m_seen.visibility(), m_now.camera, m_rendering.size,
           pixelRatio(),   &seen};
 }
 

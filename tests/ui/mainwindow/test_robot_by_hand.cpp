@@ -125,7 +125,7 @@ class RobotByHandTest : public QObject {
     hand.press(3);
     hand.moveOver(6);
     QCOMPARE(model.columnCount(), 12);
-    QVERIFY(model.headerData(11, Qt::Horizontal, MatrixModel::GhostRole).toBool());
+    QVERIFY(model.headerData(11, Qt::Horizontal, MatrixModel::PreviewRole).toBool());
     hand.key(Qt::Key_Escape);
     QCOMPARE(model.columnCount(), 11);
     hand.release(6);

@@ -67,18 +67,18 @@ class MatrixModelTest : public QObject {
     QCOMPARE(model.elementsOfCell(4, 0), (std::set<ElementId>{LinkId("4"), JointId("8")}));
   }
 
-  void previewAddsTheGhostOfAMesh() {
+  void previewAddsTheMeshBeingDrawn() {
     MatrixModel model;
     const Mechanism robot = test::robotTopology();
     model.setSnapshot(snapshotOf(robot));
     model.setPreview(previewOf(robot, {ElementKind::gearMesh, LinkId("3"), LinkId("6"), true}));
     QCOMPARE(model.rowCount(), 5);
     QCOMPARE(model.columnCount(), 12);
-    QVERIFY(model.headerData(11, Qt::Horizontal, MatrixModel::GhostRole).toBool());
-    QVERIFY(model.headerData(4, Qt::Vertical, MatrixModel::GhostRole).toBool());
-    QVERIFY(!model.headerData(10, Qt::Horizontal, MatrixModel::GhostRole).toBool());
-    QVERIFY(model.index(4, 4).data(MatrixModel::GhostRole).toBool());
-    QVERIFY(!model.index(1, 2).data(MatrixModel::GhostRole).toBool());
+    QVERIFY(model.headerData(11, Qt::Horizontal, MatrixModel::PreviewRole).toBool());
+    QVERIFY(model.headerData(4, Qt::Vertical, MatrixModel::PreviewRole).toBool());
+    QVERIFY(!model.headerData(10, Qt::Horizontal, MatrixModel::PreviewRole).toBool());
+    QVERIFY(model.index(4, 4).data(MatrixModel::PreviewRole).toBool());
+    QVERIFY(!model.index(1, 2).data(MatrixModel::PreviewRole).toBool());
     model.setPreview(std::nullopt);
     QCOMPARE(model.rowCount(), 4);
   }
@@ -92,7 +92,7 @@ class MatrixModelTest : public QObject {
     model.setPreview(previewOf(*loose, {ElementKind::turningJoint, LinkId("3"), added, true}));
     QCOMPARE(model.columnCount(), 12);
     QCOMPARE(model.headerData(7, Qt::Horizontal).toString(), QStringLiteral("16"));
-    QVERIFY(model.headerData(7, Qt::Horizontal, MatrixModel::GhostRole).toBool());
+    QVERIFY(model.headerData(7, Qt::Horizontal, MatrixModel::PreviewRole).toBool());
     QCOMPARE(shown(model, 3, 7), QStringLiteral("−1"));
     QCOMPARE(shown(model, 8, 7), QStringLiteral("1"));
   }

@@ -635,7 +635,7 @@ class TestView3D : public QObject {
   void whatIsNotSelectedBecomesAVeil() {
     Shown shown;
     ViewOptions options = shown.view.options();
-    options.ghostOthers = true;
+    options.translucentOthers = true;
     shown.view.setOptions(options);
     const QColor plain = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
     shown.selection.select({LinkId("1")});

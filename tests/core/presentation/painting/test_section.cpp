@@ -100,12 +100,13 @@ class TestSection : public QObject {
     QVERIFY2(differ < 40, qPrintable(QString::number(differ)));
   }
 
-  void ghostsLetTheRestBeSeenAndPicked() {
+  void translucentPartsLetTheRestBeSeenAndPicked() {
     const Scene scene = tubeScene();
     m_host->setScene(scene);
     Frame frame = frontOf(scene);
-    const std::vector<Showing> showing = {Showing::ghost, Showing::solid, Showing::ghost};
-    frame.showing = showing;
+    const std::vector<Visibility> visibility = {Visibility::translucent, Visibility::solid,
+                                                Visibility::translucent};
+    frame.visibility = visibility;
     const auto image = m_host->picture(frame);
     QCOMPARE(paintOf(seenAt(image, frame, {0, 0, 4})), Paint::orange);
     const auto veil = seenAt(image, frame, {11, 0, 4});
@@ -124,8 +125,8 @@ class TestSection : public QObject {
     const Scene scene = tubeScene();
     m_host->setScene(scene);
     Frame frame = frontOf(scene);
-    const std::vector<Showing> showing = {Showing::hidden, Showing::hidden, Showing::solid};
-    frame.showing = showing;
+    const std::vector<Visibility> visibility = {Visibility::hidden, Visibility::hidden, Visibility::solid};
+    frame.visibility = visibility;
     const auto image = m_host->picture(frame);
     QCOMPARE(paintOf(seenAt(image, frame, {0, -14, 0})), Paint::green);
     QCOMPARE(m_host->pick(frame, 160, 120)->element, ElementId(LinkId("3")));

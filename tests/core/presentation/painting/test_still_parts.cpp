@@ -34,8 +34,8 @@ void move(StillParts::Part& part) {
   part.pose.translation().z() += 1;
 }
 
-constexpr Showing kPainted = Showing::solid, kLeft = Showing::hidden;
-using Shown = std::vector<Showing>;
+constexpr Visibility kPainted = Visibility::solid, kLeft = Visibility::hidden;
+using Shown = std::vector<Visibility>;
 
 /// A shaft with wheels before and behind it, and what a look at it in motion shows.
 Scene rowScene() {
@@ -89,7 +89,7 @@ class TestStillParts : public QObject {
         move,
         [](StillParts::Part& part) { part.colour = Rgb::fromHex(kBlue); },
         [](StillParts::Part& part) { part.emphasis = Highlight::hovered; },
-        [](StillParts::Part& part) { part.showing = Showing::hidden; },
+        [](StillParts::Part& part) { part.visibility = Visibility::hidden; },
         [](StillParts::Part& part) {
           part.levels.finer.push_back({0.1, nullptr});
         },
@@ -102,7 +102,7 @@ class TestStillParts : public QObject {
       change(parts[0]);
       QCOMPARE(still.next(aView(), parts), Layer::anew);
       QCOMPARE(still.added(), (Shown{kLeft, kPainted, kPainted}));
-      QCOMPARE(still.rest().front(), parts[0].showing);
+      QCOMPARE(still.rest().front(), parts[0].visibility);
     }
   }
 
@@ -144,9 +144,9 @@ class TestStillParts : public QObject {
     Frame frame = frameOf(scene, RenderStyle::light().cheaper(), StandardView::isometric);
     frame.style.edges = false;
     std::vector<Highlight> emphasis(scene.instances.size(), Highlight::none);
-    std::vector<Showing> showing(scene.instances.size(), Showing::solid);
+    std::vector<Visibility> visibility(scene.instances.size(), Visibility::solid);
     frame.emphasis = emphasis;
-    frame.showing = showing;
+    frame.visibility = visibility;
     const std::vector<std::function<void()>> steps{
         [] {},
         [] {},
@@ -156,9 +156,9 @@ class TestStillParts : public QObject {
           scene.solids[2] = std::make_shared<const Solid>(boxSolid({-6, -6, -6}, {6, 6, 9}));
         },
         [&] { emphasis[3] = Highlight::selected; },
-        [&] { showing[2] = Showing::hidden; },
-        [&] { showing[2] = Showing::ghost; },
-        [&] { showing[2] = Showing::solid; },
+        [&] { visibility[2] = Visibility::hidden; },
+        [&] { visibility[2] = Visibility::translucent; },
+        [&] { visibility[2] = Visibility::solid; },
         [&] { frame.style = RenderStyle::dark().cheaper(), frame.style.edges = false; },
         [&] { frame.camera = frame.camera.orbited(9, 4); },
         [&] { scene.instances[0].colour = Rgb::fromHex(kGreen); },

@@ -36,17 +36,17 @@ class Shown {
     m_seen.show(view);
     const Viewport cells = labelCells(kSize, 1);
     m_map = m_host->seen(m_seen.frame(kSize, 1), cells.width, cells.height);
-    return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, &m_map});
+    return places.find({*m_stage, m_seen.poses(), m_seen.visibility(), view.camera, kSize, 1, &m_map});
   }
   /// As while the camera moves: what is seen was looked up before.
   std::vector<LabelPlate> labelsWithOldMap() {
     m_seen.show(view);
-    return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, nullptr});
+    return places.find({*m_stage, m_seen.poses(), m_seen.visibility(), view.camera, kSize, 1, nullptr});
   }
   /// With the same picture, every cell of which shows the instance of this number.
   std::vector<LabelPlate> labelsWithAllCellsOf(std::uint32_t number) {
     std::fill(m_map.numbers.begin(), m_map.numbers.end(), number);
-    return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, &m_map});
+    return places.find({*m_stage, m_seen.poses(), m_seen.visibility(), view.camera, kSize, 1, &m_map});
   }
   void fit(double yaw, double pitch) {
     m_seen.show(view);
