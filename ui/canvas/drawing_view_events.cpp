@@ -75,7 +75,7 @@ void DrawingView::mouseMoveEvent(QMouseEvent* event) {
   const Pointer pointer = pointerAt(event->position(), event->modifiers());
   if (isLoadDragged()) return stepLoad(Moved{pointer});
   moved(pointer);
-  if (m_grip == Grip::tool && tool() == ToolKind::select) return;  // what is dragged stays lit
+  if (m_grip == Grip::tool && tool() == ToolKind::select) return;  // what is dragged stays highlighted
   if (const bool over = tool() == ToolKind::select && loadUnder(event->position()); over != m_overLoad) {
     m_overLoad = over;
     updateCursor();

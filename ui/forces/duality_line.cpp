@@ -163,12 +163,12 @@ class DualityText {
         const int factor = cell(mesh, joint);
         const QString text =
             factor == 0 ? QStringLiteral("\u00B7") : signText(factor) + QString::number(std::abs(factor));
-        const bool isLit = mesh == m_equations.mesh || joint == m_equations.joint;
+        const bool isHighlighted = mesh == m_equations.mesh || joint == m_equations.joint;
         const bool isCommon = mesh == m_equations.mesh && joint == m_equations.joint;
         rows += QStringLiteral("<td align=right%1>%2</td>")
-                    .arg(isCommon ? frame()
-                         : isLit  ? tint
-                                  : QString(),
+                    .arg(isCommon        ? frame()
+                         : isHighlighted ? tint
+                                         : QString(),
                          isCommon ? entry(text) : text);
       }
       rows += QStringLiteral("</tr>");
@@ -222,7 +222,7 @@ void DualityLine::pointAt(const ElementId& row, const ElementId& column) {
   renew();
 }
 
-/// A cell, or one element: a cycle or a cutset that is lit would choose by chance.
+/// A cell, or one element: a cycle or a cutset that is highlighted would choose by chance.
 std::set<ElementId> DualityLine::pointedAt() const {
   if (!m_cell.empty()) return m_cell;
   return m_selection->hovered().size() == 1 ? m_selection->hovered() : std::set<ElementId>();

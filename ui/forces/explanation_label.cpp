@@ -46,15 +46,15 @@ void ExplanationLabel::setAwake(bool awake) {
 }
 
 void ExplanationLabel::explain() {
-  std::set<ElementId> lit;
-  const QString text = m_isAwake && m_forces && m_forces->report ? words(lit) : QString();
+  std::set<ElementId> highlighted;
+  const QString text = m_isAwake && m_forces && m_forces->report ? words(highlighted) : QString();
   setText(text);
   setVisible(!text.isEmpty());
-  m_selection->keepLit(std::move(lit));
+  m_selection->setFallbackHighlight(std::move(highlighted));
 }
 
 /// A row of the table selects a joint with its links, and a mesh with its gears.
-QString ExplanationLabel::words(std::set<ElementId>& lit) const {
+QString ExplanationLabel::words(std::set<ElementId>& highlighted) const {
   const Mechanism& mechanism = *m_forces->solved->mechanism;
   const auto& kinematics = *m_forces->solved->kinematics;
   const std::set<ElementId>& selected = m_selection->selected();
@@ -65,7 +65,7 @@ QString ExplanationLabel::words(std::set<ElementId>& lit) const {
         cutsetWords(mechanism, *kinematics.model, kinematics.placement(), *m_forces->report, *joint);
     if (!cutset) return {};
     const std::vector<ElementId> elements = cutset->elements();
-    lit = {elements.begin(), elements.end()};
+    highlighted = {elements.begin(), elements.end()};
     return shownText(cutset->sentence + "  " + cutset->equation);
   }
   if (!mesh || joint) return {};

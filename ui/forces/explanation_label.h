@@ -23,9 +23,9 @@ class ExplanationLabel : public QLabel {
 
  private:
   void explain();
-  /// The explanation; empty unless a single explainable element is selected. `lit`: the elements to
+  /// The explanation; empty unless a single explainable element is selected. `highlighted`: the elements to
   /// highlight.
-  [[nodiscard]] QString words(std::set<ElementId>& lit) const;
+  [[nodiscard]] QString words(std::set<ElementId>& highlighted) const;
 
   Selection* m_selection;
   ForcesPtr m_forces;

@@ -18,7 +18,7 @@ constexpr double kFirstLine = 14;
 PaintOver paintingOf(const StagePowerPtr& power) {
   return [power](QPainter& painter, const OverlayPlace& place) {
     const Pose base = basePose(place.ground.stage, place.view);
-    const DisplayList list = powerOver(*power, place.ground, base, place.top + kFirstLine, place.lit);
+    const DisplayList list = powerOver(*power, place.ground, base, place.top + kFirstLine, place.highlighted);
     paintMarks(painter, list.marks, place.isDark ? Theme::dark : Theme::light, 1);
   };
 }

@@ -142,7 +142,7 @@ void LinkForm::refresh() {
                            : tr("Makes this link the ground: it becomes 0, and the other labels follow."));
 }
 
-/// A row of what is on the link, whose elements are lit under the mouse and selected by a click.
+/// A row of what is on the link, whose elements are highlighted under the mouse and selected by a click.
 QLabel* LinkForm::addParts(const QString& name, Term term) {
   auto* parts = new QLabel(this);
   parts->setObjectName(QStringLiteral("parts.") + name.toLower());

@@ -14,9 +14,9 @@ void paintBracket(QPainter& painter, int x, int top, int bottom, int hook) {
       QPolygon({QPoint(x + hook, top), QPoint(x, top), QPoint(x, bottom), QPoint(x + hook, bottom)}));
 }
 
-MatrixHeader::MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isLit,
+MatrixHeader::MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isHighlighted,
                            QWidget* parent)
-    : QHeaderView(orientation, parent), m_isLit(std::move(isLit)) {
+    : QHeaderView(orientation, parent), m_isHighlighted(std::move(isHighlighted)) {
   setMouseTracking(true);
   setSectionResizeMode(QHeaderView::Fixed);
   setHighlightSections(false);
@@ -37,15 +37,15 @@ QSize MatrixHeader::sizeHint() const {
 void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
   const Theme theme = themeOf(palette());
   const bool across = orientation() == Qt::Horizontal;
-  const bool lit = m_isLit(section);
+  const bool highlighted = m_isHighlighted(section);
   const bool isPreview = model()->headerData(section, orientation(), MatrixModel::PreviewRole).toBool();
 
   painter->save();
   QFont labelFont = font();
-  labelFont.setBold(lit);
+  labelFont.setBold(highlighted);
   labelFont.setItalic(isPreview);
   painter->setFont(labelFont);
-  painter->setPen(qColor(lit ? ColorRole::accent : ColorRole::secondary, theme));
+  painter->setPen(qColor(highlighted ? ColorRole::accent : ColorRole::secondary, theme));
   const QString text = model()->headerData(section, orientation()).toString();
   const bool last = across && section == count() - 1;
   const int margin = across ? (last ? kMatrixBracket : 0) : kMatrixBracket + 8;

@@ -12,8 +12,8 @@ class MatrixHeader : public QHeaderView {
   Q_OBJECT
 
  public:
-  /// @param isLit whether the row or column is highlighted
-  MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isLit, QWidget* parent);
+  /// @param isHighlighted whether the row or column is highlighted
+  MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isHighlighted, QWidget* parent);
 
  signals:
   void sectionHovered(int section);  ///< -1: none any more
@@ -26,7 +26,7 @@ class MatrixHeader : public QHeaderView {
   [[nodiscard]] QSize sizeHint() const override;
 
  private:
-  std::function<bool(int)> m_isLit;
+  std::function<bool(int)> m_isHighlighted;
   int m_hovered = -1;
 };
 

@@ -47,7 +47,7 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->setRenderHint(QPainter::Antialiasing);
     const bool last = index.column() == index.model()->columnCount() - 1;
     const QRectF cell = QRectF(option.rect).adjusted(0, 0, last ? -kMatrixBracket : 0, 0);
-    if (m_view->isRowLit(index.row()) || m_view->isColumnTinted(index.column())) {
+    if (m_view->isRowHighlighted(index.row()) || m_view->isColumnTinted(index.column())) {
       QColor band = qColor(ColorRole::halo, theme);
       band.setAlphaF(0.35F);
       painter->fillRect(cell, band);
@@ -127,16 +127,16 @@ MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent
   connect(&m_rest, &QTimer::timeout, this, [this] { emit restedOn(m_under); });
   connect(model, &MatrixModel::matrixChanged, this, &MatrixView::fitSections);
   connect(model, &MatrixModel::matrixChanged, this, &MatrixView::placeFrame);
-  connect(selection, &Selection::hoverChanged, this, &MatrixView::repaintLit);
-  connect(selection, &Selection::selectionChanged, this, &MatrixView::repaintLit);
+  connect(selection, &Selection::hoverChanged, this, &MatrixView::repaintHighlighted);
+  connect(selection, &Selection::selectionChanged, this, &MatrixView::repaintHighlighted);
   fitSections();
 }
 
 void MatrixView::setUpHeaders() {
   auto* across = new MatrixHeader(
-      Qt::Horizontal, [this](int column) { return isColumnLit(column); }, this);
+      Qt::Horizontal, [this](int column) { return isColumnHighlighted(column); }, this);
   auto* down = new MatrixHeader(
-      Qt::Vertical, [this](int row) { return isRowLit(row); }, this);
+      Qt::Vertical, [this](int row) { return isRowHighlighted(row); }, this);
   setHorizontalHeader(across);
   setVerticalHeader(down);
   across->setDefaultSectionSize(kColumnWidth);
@@ -295,22 +295,22 @@ bool MatrixView::showFramed() {
   return true;
 }
 
-bool MatrixView::isRowLit(int row) const {
-  return m_model->isThere() && m_lit.contains(m_model->rowElement(row));
+bool MatrixView::isRowHighlighted(int row) const {
+  return m_model->isThere() && m_highlighted.contains(m_model->rowElement(row));
 }
 
-bool MatrixView::isColumnLit(int column) const {
-  return m_model->isThere() && m_lit.contains(m_model->columnElement(column));
+bool MatrixView::isColumnHighlighted(int column) const {
+  return m_model->isThere() && m_highlighted.contains(m_model->columnElement(column));
 }
 
 bool MatrixView::isColumnTinted(int column) const {
-  return m_lit.size() == 1 && isColumnLit(column);
+  return m_highlighted.size() == 1 && isColumnHighlighted(column);
 }
 
-void MatrixView::repaintLit() {
+void MatrixView::repaintHighlighted() {
   // What is under the mouse takes precedence, so that a selection does not blur what is pointed at.
-  const auto& lit = m_selection->hovered().empty() ? m_selection->selected() : m_selection->hovered();
-  m_lit = {lit.begin(), lit.end()};
+  const auto& highlighted = m_selection->hovered().empty() ? m_selection->selected() : m_selection->hovered();
+  m_highlighted = {highlighted.begin(), highlighted.end()};
   viewport()->update();
   horizontalHeader()->viewport()->update();
   verticalHeader()->viewport()->update();

@@ -29,8 +29,8 @@ class MatrixView : public QTableView {
   [[nodiscard]] bool zerosAsDots() const { return m_zerosAsDots; }
   void setEntryPixels(int pixels);
 
-  [[nodiscard]] bool isRowLit(int row) const;
-  [[nodiscard]] bool isColumnLit(int column) const;
+  [[nodiscard]] bool isRowHighlighted(int row) const;
+  [[nodiscard]] bool isColumnHighlighted(int column) const;
   /// Is it the column of the only hovered element? It is tinted as a whole.
   [[nodiscard]] bool isColumnTinted(int column) const;
 
@@ -71,11 +71,11 @@ class MatrixView : public QTableView {
   void tellCycle(int row);
   void placeFrame();
   void frameTheChordThatCounts();
-  void repaintLit();
+  void repaintHighlighted();
 
   MatrixModel* m_model;
   Selection* m_selection;
-  std::unordered_set<ElementId> m_lit;
+  std::unordered_set<ElementId> m_highlighted;
   bool m_zerosAsDots = true;
   ElementId m_framedMesh;
   ElementId m_framedJoint;

@@ -38,7 +38,7 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
     if (now == this && before != nullptr) m_before = before;
   });
   connect(this, &QLineEdit::textEdited, this, &SearchField::query);
-  connect(m_popup, &SearchPopup::currentChanged, this, &SearchField::lightUp);
+  connect(m_popup, &SearchPopup::currentChanged, this, &SearchField::highlight);
   connect(m_popup, &SearchPopup::chosen, this, &SearchField::choose);
 }
 
@@ -87,7 +87,7 @@ void SearchField::place() {
   m_popup->setGeometry(std::max(8, corner.x() - wide), corner.y(), wide, high);
 }
 
-void SearchField::lightUp(int row) {
+void SearchField::highlight(int row) {
   const SearchEntry* entry = row >= 0 ? &m_model->entryAt(row) : nullptr;
   // F1 then tells more than the tip: with a picture, the equation and the lesson.
   setProperty(kHelpPage, entry != nullptr && entry->term

@@ -50,7 +50,7 @@ class SearchField : public QLineEdit {
   void gather();
   void query();
   void place();
-  void lightUp(int row);
+  void highlight(int row);
   void choose(int row);
 
   const Document* m_document;

@@ -20,9 +20,9 @@ void Selection::hover(std::set<ElementId> elements) {
   emit hoverChanged();
 }
 
-void Selection::keepLit(std::set<ElementId> elements) {
-  if (elements == m_lit) return;
-  m_lit = std::move(elements);
+void Selection::setFallbackHighlight(std::set<ElementId> elements) {
+  if (elements == m_fallbackHighlight) return;
+  m_fallbackHighlight = std::move(elements);
   if (m_hovered.empty()) emit hoverChanged();
 }
 

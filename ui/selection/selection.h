@@ -24,22 +24,25 @@ class Selection : public QObject {
   void toggle(const ElementId& element);
   void clear() { select({}); }
 
-  /// The elements to highlight: the hovered ones, else those of keepLit().
-  [[nodiscard]] const std::set<ElementId>& hovered() const { return m_hovered.empty() ? m_lit : m_hovered; }
+  /// The elements to highlight: the hovered ones, else those of setFallbackHighlight().
+  [[nodiscard]] const std::set<ElementId>& hovered() const {
+    return m_hovered.empty() ? m_fallbackHighlight : m_hovered;
+  }
   [[nodiscard]] bool isHovered(const ElementId& element) const { return hovered().contains(element); }
   void hover(std::set<ElementId> elements);
   void hover(const ElementId& element) { hover(std::set<ElementId>{element}); }
   void unhover() { hover(std::set<ElementId>{}); }
 
   /// Sets the elements highlighted while nothing is hovered, for what a view explains about the selection.
-  void keepLit(std::set<ElementId> elements);
+  void setFallbackHighlight(std::set<ElementId> elements);
 
   /// Drops the elements for which `exists` is false. To be called after every change of the document.
   template <class Exists>
   void keepOnly(Exists exists) {
     if (!std::all_of(m_selected.begin(), m_selected.end(), exists)) select(kept(m_selected, exists));
     if (!std::all_of(m_hovered.begin(), m_hovered.end(), exists)) hover(kept(m_hovered, exists));
-    if (!std::all_of(m_lit.begin(), m_lit.end(), exists)) keepLit(kept(m_lit, exists));
+    if (!std::all_of(m_fallbackHighlight.begin(), m_fallbackHighlight.end(), exists))
+      setFallbackHighlight(kept(m_fallbackHighlight, exists));
   }
 
  signals:
@@ -55,7 +58,7 @@ class Selection : public QObject {
 
   std::set<ElementId> m_selected;
   std::set<ElementId> m_hovered;
-  std::set<ElementId> m_lit;
+  std::set<ElementId> m_fallbackHighlight;
 };
 
 }  // namespace geargraph::inline selection

@@ -119,7 +119,8 @@ QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const Show
   return all | box;
 }
 
-/// Arrows, the legend, and boxes in the arrows' colours, of what is not lit only where they spare the legend.
+/// Arrows, the legend, and boxes in the arrows' colours, of what is not highlighted only where they spare the
+/// legend.
 void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
   if (shown.arrows.empty() && shown.caption.isEmpty()) return;
   const QColor sheet = sheetOf(dark);
@@ -137,12 +138,13 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
   const auto widthOf = [&](const std::string& text) {
     return metrics.horizontalAdvance(QString::fromStdString(text));
   };
-  for (const ForceLabel& label : placeForceLabels(*shown.forces, shown.arrows, shown.lit, ground, widthOf)) {
+  for (const ForceLabel& label :
+       placeForceLabels(*shown.forces, shown.arrows, shown.highlighted, ground, widthOf)) {
     const StageForce& force = (*shown.forces)[label.force];
     const QRectF box(std::round(label.middle.x() - label.half.x()),
                      std::round(label.middle.y() - label.half.y()), std::round(2 * label.half.x()),
                      2 * label.half.y());
-    if (box.intersects(legend) && !shown.lit.contains(force.element)) continue;
+    if (box.intersects(legend) && !shown.highlighted.contains(force.element)) continue;
     painter.fillRect(box.adjusted(-1, -1, 1, 1), colourOf(force.kind, dark));
     painter.fillRect(box, sheet);
     painter.setPen(inkOf(dark));

@@ -13,8 +13,8 @@ namespace geargraph::inline view3d {
 struct ShownForces {
   StageForces forces;
   std::vector<ForceArrow> arrows;
-  std::set<ElementId> lit;  ///< highlighted elements, whose forces are always labelled
-  QString caption;          ///< why some or all are not drawn; empty if all are
+  std::set<ElementId> highlighted;  ///< highlighted elements, whose forces are always labelled
+  QString caption;                  ///< why some or all are not drawn; empty if all are
 };
 
 /// Paints the overlay of a rendered picture, identical in every canvas and file: the labels, and the scale

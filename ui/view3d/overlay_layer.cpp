@@ -29,7 +29,7 @@ void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& view
   painter.scale(scale, scale);
   painter.setRenderHint(QPainter::Antialiasing);
   const double top = bottomOfForceLegend(painter, enlarged, forces);
-  layer->painting()(painter, {enlarged, viewer.view(), top, isDark, forces.lit});
+  layer->painting()(painter, {enlarged, viewer.view(), top, isDark, forces.highlighted});
   painter.restore();
 }
 

@@ -21,7 +21,7 @@ struct OverlayPlace {
   const StageView& view;
   double top;  ///< below what stands at the upper left already
   bool isDark;
-  std::set<ElementId> lit;  ///< elements that are selected or pointed at
+  std::set<ElementId> highlighted;  ///< elements that are selected or pointed at
 };
 
 /// Paints on any one thread at a time.

@@ -19,9 +19,9 @@ constexpr double kTraceWithoutPeriod = 60;  // s
 Viewer::Viewer(Selection* selection, QObject* parent) : QObject(parent), m_selection(selection) {
   m_whenHandRests.setSingleShot(true);
   m_whenHandRests.setInterval(kHandRests);
-  connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::lightUp);
-  connect(selection, &Selection::selectionChanged, this, &Viewer::lightUp);
-  connect(selection, &Selection::hoverChanged, this, &Viewer::lightUpHovered);
+  connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::renewHighlight);
+  connect(selection, &Selection::selectionChanged, this, &Viewer::renewHighlight);
+  connect(selection, &Selection::hoverChanged, this, &Viewer::renewHoverHighlight);
 }
 
 void Viewer::setStage(StagePtr stage) {
@@ -41,7 +41,7 @@ void Viewer::setStage(StagePtr stage) {
   const bool isEmpty = m_stage == nullptr || m_stage->scene.instances.empty();
   if (first || (m_isAnew && !isEmpty)) m_fitted = false;
   emit sceneChanged();
-  lightUp();
+  renewHighlight();
   place();
   emit viewChanged();
   if (isEmpty) return;
@@ -198,8 +198,8 @@ ShownForces Viewer::shownForces() const {
   if (!m_view.forces) return shown;
   shown.forces = m_view.forces;
   shown.arrows = seenForces(*m_stage, m_view, m_seen);
-  shown.lit = m_selection->hovered();
-  shown.lit.insert(m_selection->selected().begin(), m_selection->selected().end());
+  shown.highlighted = m_selection->hovered();
+  shown.highlighted.insert(m_selection->selected().begin(), m_selection->selected().end());
   return shown;
 }
 
@@ -373,12 +373,12 @@ Frame Viewer::frame(bool draft) const {
   return frame;
 }
 
-void Viewer::lightUpHovered() {
+void Viewer::renewHoverHighlight() {
   if (m_pictureCost > kHalfFrame) return m_whenHandRests.start();
-  lightUp();
+  renewHighlight();
 }
 
-void Viewer::lightUp() {
+void Viewer::renewHighlight() {
   std::vector<Highlight> emphasis;
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) {

@@ -161,7 +161,7 @@ class Viewer : public QObject {
   bool wheel(const QWheelEvent& event);
   bool nativeGesture(const QNativeGestureEvent& event);
   void leave();
-  void lightUp();
+  void renewHighlight();
   void place();
   void renewVisibility();
   void renewMarks();
@@ -172,7 +172,7 @@ class Viewer : public QObject {
   void renewTraces(const Stage& before);
   [[nodiscard]] TracedPath pathOf(const TracedPoint& point) const;
   void turn(Hit& held, const QPointF& step);
-  void lightUpHovered();
+  void renewHoverHighlight();
   void ask(const QPointF& place, PickFor use, Answer answer);
   void dropQuestions();
   void hover(const QPointF& place);

@@ -92,14 +92,16 @@ void addForceLines(std::span<const StageForce> forces, std::span<const ForceArro
 }
 
 std::vector<ForceLabel> placeForceLabels(std::span<const StageForce> forces,
-                                         std::span<const ForceArrow> arrows, const std::set<ElementId>& lit,
-                                         const LabelGround& ground,
+                                         std::span<const ForceArrow> arrows,
+                                         const std::set<ElementId>& highlighted, const LabelGround& ground,
                                          const std::function<double(const std::string&)>& widthOf) {
   std::vector<std::size_t> order(arrows.size());
   std::iota(order.begin(), order.end(), 0U);
-  const auto isLit = [&](std::size_t at) { return lit.contains(forces[arrows[at].force].element); };
+  const auto isHighlighted = [&](std::size_t at) {
+    return highlighted.contains(forces[arrows[at].force].element);
+  };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (isLit(a) != isLit(b)) return isLit(a);
+    if (isHighlighted(a) != isHighlighted(b)) return isHighlighted(a);
     return forces[arrows[a].force].force.norm() > forces[arrows[b].force].force.norm() * (1 + 1e-9);
   });
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> seen;
@@ -110,7 +112,7 @@ std::vector<ForceLabel> placeForceLabels(std::span<const StageForce> forces,
   std::vector<ForceLabel> labels;
   std::vector<Box> taken;
   for (const std::size_t at : order) {
-    if (labels.size() >= kMostForceLabels && !isLit(at)) break;
+    if (labels.size() >= kMostForceLabels && !isHighlighted(at)) break;
     const Eigen::Vector2d half(widthOf(forces[arrows[at].force].text) / 2 + 6, 9);
     const auto& [from, tip] = seen[at];
     const Eigen::Vector2d way = (tip - from).norm() > 1 ? (tip - from).normalized() : Eigen::Vector2d(0, -1);

@@ -59,11 +59,12 @@ struct ForceLabel {
 
 constexpr std::size_t kMostForceLabels = 6;
 
-/// Labels of the greatest forces, and of those whose elements are in `lit`: beside the tips of their arrows,
-/// clear of all arrows and of each other; labels without room are left out. `widthOf`: width of a text, px.
-/// Cost: O(labels * arrows).
+/// Labels of the greatest forces, and of those whose elements are in `highlighted`: beside the tips of their
+/// arrows, clear of all arrows and of each other; labels without room are left out. `widthOf`: width of a
+/// text, px. Cost: O(labels * arrows).
 [[nodiscard]] std::vector<ForceLabel> placeForceLabels(
-    std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const std::set<ElementId>& lit,
-    const LabelGround& ground, const std::function<double(const std::string&)>& widthOf);
+    std::span<const StageForce> forces, std::span<const ForceArrow> arrows,
+    const std::set<ElementId>& highlighted, const LabelGround& ground,
+    const std::function<double(const std::string&)>& widthOf);
 
 }  // namespace geargraph::inline stage

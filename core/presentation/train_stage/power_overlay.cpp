@@ -74,7 +74,7 @@ class Painter {
   Painter(const StagePower& power, const LabelGround& ground, const Pose& base)
       : m_power(power), m_ground(ground), m_largest(power.largest()), m_placed(placed(power, ground, base)) {}
 
-  DisplayList paint(double top, const std::set<ElementId>& lit) && {
+  DisplayList paint(double top, const std::set<ElementId>& highlighted) && {
     std::vector<std::size_t> order(m_power.arrows.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -82,7 +82,7 @@ class Painter {
     });
     for (const std::size_t at : order) addArrow(at);
     const Extent legend = addLegend(top);
-    addLabels(order, lit, legend);
+    addLabels(order, highlighted, legend);
     return std::move(m_list);
   }
 
@@ -180,14 +180,14 @@ class Painter {
              ColorRole::secondary});
   }
 
-  void addLabels(const std::vector<std::size_t>& order, const std::set<ElementId>& lit,
+  void addLabels(const std::vector<std::size_t>& order, const std::set<ElementId>& highlighted,
                  const Extent& legend) {
     std::vector<ForceArrow> arrows;
-    std::set<ElementId> named = lit;
+    std::set<ElementId> named = highlighted;
     for (const std::size_t at : order) {
       const PowerArrow& arrow = m_power.arrows[at];
       const bool isSmall = arrow.isKnown && arrow.power() < kLeastShownPower * m_largest;
-      if ((isSmall || arrows.size() >= kMostLabels) && !lit.contains(arrow.element)) continue;
+      if ((isSmall || arrows.size() >= kMostLabels) && !highlighted.contains(arrow.element)) continue;
       arrows.push_back(m_placed.arrows[at]);
       named.insert(arrow.element);
     }
@@ -198,7 +198,7 @@ class Painter {
       const bool isOverLegend =
           std::abs(box.extent.center.x - legend.center.x) < box.extent.halfWidth + legend.halfWidth &&
           std::abs(box.extent.center.y - legend.center.y) < box.extent.halfHeight + legend.halfHeight;
-      if (isOverLegend && !lit.contains(arrow.element)) continue;
+      if (isOverLegend && !highlighted.contains(arrow.element)) continue;
       put(arrow.element, MarkRole::node, Fill{box, ColorRole::sheet});
       put(arrow.element, MarkRole::node,
           Stroke{box, arrow.isKnown ? arrow.tint : Tint(ColorRole::secondary), 1.2, Dash::solid});
@@ -217,9 +217,9 @@ class Painter {
 }  // namespace
 
 DisplayList powerOver(const StagePower& power, const LabelGround& ground, const Pose& base, double top,
-                      const std::set<ElementId>& lit) {
+                      const std::set<ElementId>& highlighted) {
   if (power.arrows.empty()) return {};
-  return Painter(power, ground, base).paint(top, lit);
+  return Painter(power, ground, base).paint(top, highlighted);
 }
 
 Pose basePose(const Stage& stage, const StageView& view) {

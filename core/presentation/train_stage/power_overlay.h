@@ -11,10 +11,10 @@ namespace geargraph::inline train_stage {
 /// The arrows of power over a picture of the solids, in logical pixels from its upper left corner: as wide as
 /// their power, in the colours of the bands, what circulates in accent within them, what is not determined as
 /// dashed lines. Beside their tips which links they go from and to, and their power; a legend on the upper
-/// left from `top` on. `base`: where the base frame is seen (basePose()). Labels of `lit` elements come
-/// first. Cost: O(arrows^2) for up to 40 arrows, beyond that O(arrows).
+/// left from `top` on. `base`: where the base frame is seen (basePose()). Labels of `highlighted` elements
+/// come first. Cost: O(arrows^2) for up to 40 arrows, beyond that O(arrows).
 [[nodiscard]] DisplayList powerOver(const StagePower& power, const LabelGround& ground, const Pose& base,
-                                    double top, const std::set<ElementId>& lit = {});
+                                    double top, const std::set<ElementId>& highlighted = {});
 
 /// Where the base frame of a stage is in this view.
 [[nodiscard]] Pose basePose(const Stage& stage, const StageView& view);

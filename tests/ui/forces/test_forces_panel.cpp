@@ -450,7 +450,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportForces"))->isEnabled());
   }
 
-  /// A joint, in the table or in a drawing: its cutset, lit in all views; a mesh: which gear drives.
+  /// A joint, in the table or in a drawing: its cutset, highlighted in all views; a mesh: which gear drives.
   void whatIsSelectedIsExplained() {
     open(loadedSet());
     QCOMPARE(panel->explanation(), QString());

@@ -127,7 +127,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(window->actions().undo->toolTip(), QStringLiteral("There is nothing to undo."));
   }
 
-  void chipsCountAndLightUp() {
+  void chipsCountAndAreHighlighted() {
     auto* links = window->findChild<QToolButton*>(QStringLiteral("chip.n"));
     auto* meshes = window->findChild<QToolButton*>(QStringLiteral("chip.c"));
     QCOMPARE(links->text(), QStringLiteral("n 7"));

@@ -46,7 +46,8 @@ class WindowSearchTest : public QObject {
   void enterSelectsTheElementAndGivesTheKeyboardBack() {
     ask("joint 12");
     QVERIFY(popup().isVisible());
-    QCOMPARE(window->selection().hovered(), std::set<ElementId>{JointId("12")});  // lit before it is chosen
+    QCOMPARE(window->selection().hovered(),
+             std::set<ElementId>{JointId("12")});  // highlighted before it is chosen
     press(Qt::Key_Return);
     QVERIFY(!popup().isVisible());
     QCOMPARE(window->selection().selected(), std::set<ElementId>{JointId("12")});

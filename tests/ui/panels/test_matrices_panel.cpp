@@ -54,10 +54,10 @@ class MatricesPanelTest : public QObject {
     QTest::mouseMove(view().viewport(), centre(1, 2));
     const std::set<ElementId> cycle{JointId("9"), JointId("10"), JointId("12"), MeshId("16")};
     QTRY_COMPARE(selection.hovered(), cycle);
-    QVERIFY(view().isRowLit(1));
-    QVERIFY(!view().isRowLit(0));
-    for (const int column : {1, 2, 4, 8}) QVERIFY(view().isColumnLit(column));
-    QVERIFY(!view().isColumnLit(0));
+    QVERIFY(view().isRowHighlighted(1));
+    QVERIFY(!view().isRowHighlighted(0));
+    for (const int column : {1, 2, 4, 8}) QVERIFY(view().isColumnHighlighted(column));
+    QVERIFY(!view().isColumnHighlighted(0));
   }
 
   void restingOnACellExplainsIt() {
@@ -122,13 +122,13 @@ class MatricesPanelTest : public QObject {
 
   void whatIsPointedAtElsewhereLightsUpHere() {
     selection.hover(ElementId(JointId("12")));
-    QVERIFY(view().isColumnLit(4));
+    QVERIFY(view().isColumnHighlighted(4));
     QVERIFY(view().isColumnTinted(4));
     selection.unhover();
-    QVERIFY(!view().isColumnLit(4));
+    QVERIFY(!view().isColumnHighlighted(4));
     selection.select({ElementId(MeshId("17"))});
-    QVERIFY(view().isRowLit(2));
-    QVERIFY(view().isColumnLit(9));
+    QVERIFY(view().isRowHighlighted(2));
+    QVERIFY(view().isColumnHighlighted(9));
   }
 
   void aClickSelectsRowAndColumn() {
@@ -146,7 +146,8 @@ class MatricesPanelTest : public QObject {
     QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("entryForm"))->isHidden());
     QCOMPARE(cardTitle(), QStringLiteral("f-cutset matrix of the T–T graph"));
     selection.select({ElementId(MeshId("16"))});
-    QVERIFY(view().isColumnLit(9) && view().isColumnLit(10) && !view().isColumnLit(8));
+    QVERIFY(view().isColumnHighlighted(9) && view().isColumnHighlighted(10) &&
+            !view().isColumnHighlighted(8));
     selection.clear();
     QSignalSpy wanted(panel.get(), &MatricesPanel::quantityExportWanted);
     panel->wantExport();

@@ -88,7 +88,7 @@ struct Driver {
     }
     return {};
   }
-  [[nodiscard]] bool isLit(const ElementId& element) const {
+  [[nodiscard]] bool isHighlighted(const ElementId& element) const {
     const DisplayList list = view.displayList();
     return std::any_of(list.marks.begin(), list.marks.end(), [&](const Mark& mark) {
       return mark.element == element && mark.role == MarkRole::halo;
@@ -121,13 +121,13 @@ class TestSchematicView : public QObject {
     Driver driver(test::example("robot"));
     for (const ElementId& element : {ElementId(LinkId("7")), ElementId(JointId("13")),
                                      ElementId(MeshId("17")), ElementId(AxisId("d"))}) {
-      QVERIFY(!driver.isLit(element));
+      QVERIFY(!driver.isHighlighted(element));
       QTest::mouseClick(driver.view.viewport(), Qt::LeftButton, {}, driver.label(element));
       QCOMPARE(driver.selection.selected(), (std::set<ElementId>{element}));
-      if (element.kind != ElementKind::turningJoint) QVERIFY(driver.isLit(element));
+      if (element.kind != ElementKind::turningJoint) QVERIFY(driver.isHighlighted(element));
     }
     driver.selection.select({JointId("13")});
-    QVERIFY(driver.isLit(JointId("13")));
+    QVERIFY(driver.isHighlighted(JointId("13")));
   }
 
   void draggingARimChangesTheTeethInWholeSteps() {
@@ -186,9 +186,9 @@ class TestSchematicView : public QObject {
   void hoveringInAnotherViewLightsItUpHere() {
     Driver driver(test::example("three-planets"));
     driver.selection.hover(ElementId(LinkId("5")));
-    QVERIFY(driver.isLit(LinkId("3")));  // the planet that is drawn for all three
+    QVERIFY(driver.isHighlighted(LinkId("3")));  // the planet that is drawn for all three
     driver.selection.unhover();
-    QVERIFY(!driver.isLit(LinkId("3")));
+    QVERIFY(!driver.isHighlighted(LinkId("3")));
   }
 
   void anEditIsDrawnAndAnotherNameIsNot() {

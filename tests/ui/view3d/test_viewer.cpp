@@ -81,7 +81,7 @@ class ViewerTest : public QObject {
     selection.hover(ElementId(MeshId("nowhere")));
     QCOMPARE(changed.count(), 2);
     selection.hover(ElementId(MeshId("nowhere else")));
-    QCOMPARE(changed.count(), 2);  // nothing here was lit before or is now
+    QCOMPARE(changed.count(), 2);  // nothing here was highlighted before or is now
   }
 
   void tracedPathsSurviveAnEditAndFollowIt() {

@@ -310,11 +310,11 @@ class TestPicture : public QObject {
     const Image plain = m_host->picture(frame);
     const std::vector<Highlight> emphasis = {Highlight::none, Highlight::none, Highlight::selected};
     frame.emphasis = emphasis;
-    const Image lit = m_host->picture(frame);
+    const Image highlighted = m_host->picture(frame);
     const Eigen::Vector3d onBox(18, -12, 0), onWheel(-10, 0, 8);
-    QVERIFY(seenAt(lit, frame, onBox) != seenAt(plain, frame, onBox));
-    QCOMPARE(seenAt(lit, frame, onWheel), seenAt(plain, frame, onWheel));
-    QVERIFY(coverage(lit) > coverage(plain) + 0.002);
+    QVERIFY(seenAt(highlighted, frame, onBox) != seenAt(plain, frame, onBox));
+    QCOMPARE(seenAt(highlighted, frame, onWheel), seenAt(plain, frame, onWheel));
+    QVERIFY(coverage(highlighted) > coverage(plain) + 0.002);
   }
 
   void antialiasingSoftensTheOutline() {

@@ -229,8 +229,8 @@ class TrainForcesTest : public QObject {
     }
     // What is pointed at comes first.
     const auto& last = set.forces[arrows.back().force];
-    const auto lit = placeForceLabels(set.forces, arrows, {last.element}, ground, widthOf);
-    QVERIFY(!lit.empty() && set.forces[lit.front().force].element == last.element);
+    const auto highlighted = placeForceLabels(set.forces, arrows, {last.element}, ground, widthOf);
+    QVERIFY(!highlighted.empty() && set.forces[highlighted.front().force].element == last.element);
   }
 };
 

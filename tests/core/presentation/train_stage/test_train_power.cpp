@@ -103,14 +103,16 @@ std::vector<const PowerArrow*> arrowsOf(const StagePower& power, const ElementId
 }
 
 /// The drawing over a picture of 900 x 600.
-DisplayList drawn(const Powered& train, const StagePower& power, const std::set<ElementId>& lit = {}) {
+DisplayList drawn(const Powered& train, const StagePower& power,
+                  const std::set<ElementId>& highlighted = {}) {
   std::vector<Pose> poses;
   for (const Instance& instance : train.stage->scene.instances) poses.push_back(instance.pose);
   const Viewport viewport{900, 600};
   const Bounds bounds = boundsOf(train.stage->scene);
   const std::vector<Eigen::Vector3d> corners{bounds.box.min(), bounds.box.max()};
   const Camera camera = Camera::home().fitted(corners, viewport, 0.4);
-  return powerOver(power, {*train.stage, poses, {}, camera, viewport, 1, nullptr}, Pose::Identity(), 20, lit);
+  return powerOver(power, {*train.stage, poses, {}, camera, viewport, 1, nullptr}, Pose::Identity(), 20,
+                   highlighted);
 }
 
 std::vector<std::string> textsOf(const DisplayList& list) {

@@ -375,7 +375,7 @@ class TestTrainStage : public QObject {
     }
   }
 
-  void wheelsLightUpWithTheirMeshesAndShaftsWithTheirJoints() {
+  void wheelsAreHighlightedWithTheirMeshesAndShaftsWithTheirJoints() {
     GearCache cache;
     const Mechanism robot = paperRobot();
     const StagePtr stage = stageOf(robot, cache);
