@@ -88,7 +88,7 @@ class RenderingReader {
     if (const auto text = m_arguments.value("--explode")) {
       const auto part = numberIn(*text, 0, 1);
       if (!part) return wrong(translated("--explode takes a part from 0 to 1, not \"%1\".", {*text}));
-      m_rendering.view.pulledApart = *part;
+      m_rendering.view.explosion = *part;
     }
     if (const auto text = m_arguments.value("--section")) readSection(*text);
   }
@@ -183,8 +183,8 @@ std::variant<StageRendering, UsageError> renderingFrom(const Arguments& argument
     return UsageError{translated("There is no link \"%1\".", {label})};
   };
   if (const auto label = arguments.value("--ride")) {
-    rendering->view.ridden = linkLabelled(mechanism, *label);
-    if (!rendering->view.ridden) return unknown(*label);
+    rendering->view.referenceLink = linkLabelled(mechanism, *label);
+    if (!rendering->view.referenceLink) return unknown(*label);
   }
   if (const auto labels = arguments.value("--hide")) {
     for (const std::string& label : parts(*labels, ',')) {

@@ -96,7 +96,7 @@ QWidget* SectionBar::makeExplodedRow() {
   row->addWidget(m_apart, 1);
   connect(m_apart, &QSlider::valueChanged, this, [this](int step) {
     ViewOptions options = m_viewer->options();
-    options.pulledApart = std::max(1, step) / double(kSteps);  // at 0 the slider would be gone
+    options.explosion = std::max(1, step) / double(kSteps);  // at 0 the slider would be gone
     m_viewer->setOptions(options);
   });
   return widget;
@@ -105,10 +105,10 @@ QWidget* SectionBar::makeExplodedRow() {
 void SectionBar::refresh() {
   const ViewOptions& options = m_viewer->options();
   m_section->setVisible(options.section.has_value());
-  m_exploded->setVisible(options.pulledApart > 0);
-  setVisible(options.section || options.pulledApart > 0);
+  m_exploded->setVisible(options.explosion > 0);
+  setVisible(options.section || options.explosion > 0);
   const QSignalBlocker quietPlace(m_place), quietApart(m_apart);
-  m_apart->setValue(static_cast<int>(std::lround(options.pulledApart * kSteps)));
+  m_apart->setValue(static_cast<int>(std::lround(options.explosion * kSteps)));
   if (!options.section) return;
   m_place->setValue(static_cast<int>(std::lround(options.section->place * kSteps)));
   for (std::size_t axis = 0; axis < m_axes.size(); ++axis) {

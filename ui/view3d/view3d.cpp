@@ -445,11 +445,11 @@ void View3D::setOptions(const ViewOptions& options) {
   d->viewer.setOptions(options);
 }
 
-const std::optional<ElementId>& View3D::ridden() const {
-  return d->viewer.ridden();
+const std::optional<ElementId>& View3D::referenceLink() const {
+  return d->viewer.referenceLink();
 }
-void View3D::rideAlong(const std::optional<ElementId>& link) {
-  d->viewer.rideAlong(link);
+void View3D::fixReferenceFrame(const std::optional<ElementId>& link) {
+  d->viewer.fixReferenceFrame(link);
 }
 
 const std::set<ElementId>& View3D::hidden() const {
@@ -542,11 +542,11 @@ void View3D::keyPressEvent(QKeyEvent* event) {
       return d->buttons->findChild<QToolButton*>("view3dSection")->click();
     case Qt::Key_E: {
       ViewOptions changed = options();
-      changed.pulledApart = changed.pulledApart > 0 ? 0 : 1;
+      changed.explosion = changed.explosion > 0 ? 0 : 1;
       return setOptions(changed);
     }
     case Qt::Key_R:
-      return rideAlong(ridden() ? std::nullopt : d->selectedLink());
+      return fixReferenceFrame(referenceLink() ? std::nullopt : d->selectedLink());
     case Qt::Key_A:
       if (const auto link = d->selectedLink()) lookAlong(*link);
       return;

@@ -81,8 +81,8 @@ class View3D : public QWidget {
   [[nodiscard]] const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
   /// The link that the reference frame is fixed to; std::nullopt: the ground.
-  [[nodiscard]] const std::optional<ElementId>& ridden() const;
-  void rideAlong(const std::optional<ElementId>& link);
+  [[nodiscard]] const std::optional<ElementId>& referenceLink() const;
+  void fixReferenceFrame(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const;
   void setHidden(std::set<ElementId> links);
   /// Pauses the motion at a time (s), with the inputs turned by their speeds only: ends a trajectory and

@@ -96,8 +96,8 @@ void addNavigation(QMenu& menu, View3D& view) {
 
 /// What undoes riding, hiding and tracing, where there is something of it.
 void addWaysBack(QMenu& menu, View3D& view) {
-  if (view.ridden()) {
-    menu.addAction(tr("Stop riding along"), &view, [&view] { view.rideAlong(std::nullopt); })
+  if (view.referenceLink()) {
+    menu.addAction(tr("Stop riding along"), &view, [&view] { view.fixReferenceFrame(std::nullopt); })
         ->setObjectName("view3dStopRiding");
   }
   if (!view.hidden().empty()) {
@@ -134,8 +134,8 @@ void View3D::fillViewMenu(QMenu& menu) {
            [](ViewOptions& options, bool on) {
              options.section = on ? std::optional(SectionChoice{}) : std::nullopt;
            });
-  addCheck(menu, view, "view3dExploded", tr("Exploded view"), now.pulledApart > 0,
-           [](ViewOptions& options, bool on) { options.pulledApart = on ? 1 : 0; });
+  addCheck(menu, view, "view3dExploded", tr("Exploded view"), now.explosion > 0,
+           [](ViewOptions& options, bool on) { options.explosion = on ? 1 : 0; });
   addCheck(menu, view, "view3dGhosts", tr("Dim what is not selected"), now.translucentOthers,
            [](ViewOptions& options, bool on) { options.translucentOthers = on; });
   addLabels(menu, view);
@@ -150,10 +150,10 @@ void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
   if (hit) {
     const ElementId link = hit->element;
     const bool moves = view.stage()->place != nullptr;
-    QAction* ride = menu.addAction(tr("Follow %1").arg(view.nameOf(link)), &view,
-                                   [&view, link] { view.rideAlong(link); });
-    ride->setObjectName("view3dRide");
-    ride->setEnabled(moves && view.ridden() != std::optional(link));
+    QAction* follow = menu.addAction(tr("Follow %1").arg(view.nameOf(link)), &view,
+                                     [&view, link] { view.fixReferenceFrame(link); });
+    follow->setObjectName("view3dRide");
+    follow->setEnabled(moves && view.referenceLink() != std::optional(link));
     QAction* alongAxis =
         menu.addAction(tr("Look along its axis"), &view, [&view, link] { view.lookAlong(link); });
     alongAxis->setObjectName("view3dLookAlong");

@@ -11,7 +11,7 @@ namespace geargraph::inline view3d {
 struct ViewOptions {
   Faces faces = Faces::shaded;
   std::optional<SectionChoice> section;
-  double pulledApart = 0;          ///< amount of the exploded view, 0..1
+  double explosion = 0;            ///< amount of the exploded view, 0..1
   bool translucentOthers = false;  ///< makes links that are not selected translucent while any is
   bool linkLabels = true;
   bool jointLabels = false;

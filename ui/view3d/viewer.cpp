@@ -28,13 +28,13 @@ void Viewer::setStage(StagePtr stage) {
   const bool first = m_stage == nullptr || m_stage->scene.instances.empty();
   const StagePtr before = std::exchange(m_stage, std::move(stage));
   m_seen = {};
-  m_separations.clear();
+  m_explosionOffsets.clear();
   m_outlines.reset();
   m_bounds.reset();
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) m_seen.poses.push_back(instance.pose);
   }
-  if (!instance(m_view.ridden)) m_view.ridden.reset();
+  if (!instance(m_view.referenceLink)) m_view.referenceLink.reset();
   if (m_gesture == Gesture::turn) m_gesture = Gesture::none;  // what was held is gone
   if (m_stage == nullptr || m_view.turned.size() != m_stage->inputSpeeds.size()) m_view.turned.clear();
   if (before != nullptr && m_stage != nullptr) renewTraces(*before);
@@ -62,7 +62,7 @@ void Viewer::startAnew(const std::optional<Camera>& camera) {
   m_view.traces.clear();
   m_view.turned.clear();
   m_view.hidden.clear();
-  m_view.ridden.reset();
+  m_view.referenceLink.reset();
   if (!camera) m_view.camera = Camera::home();
   emit optionsChanged();
 }
@@ -141,9 +141,9 @@ std::optional<std::size_t> Viewer::instance(const std::optional<ElementId>& link
 void Viewer::place() {
   if (m_stage == nullptr) return;
   if (m_stage->place) m_view.turned.resize(m_stage->inputSpeeds.size(), 0);
-  if (m_view.pulledApart > 0 && m_separations.empty()) m_separations = separations(*m_stage);
-  m_seen = seenPoses(*m_stage, m_view, m_separations);
-  m_floor = floorOf(m_stage->scene, m_separations, m_view.pulledApart);
+  if (m_view.explosion > 0 && m_explosionOffsets.empty()) m_explosionOffsets = explosionOffsets(*m_stage);
+  m_seen = seenPoses(*m_stage, m_view, m_explosionOffsets);
+  m_floor = floorOf(m_stage->scene, m_explosionOffsets, m_view.explosion);
   renewMarks();
   emit viewChanged();
 }
@@ -155,11 +155,11 @@ void Viewer::renewMarks() {
 
 void Viewer::setOptions(const ViewOptions& options) {
   if (options == m_options) return;
-  const bool otherSize = (options.pulledApart > 0) != (m_options.pulledApart > 0);
+  const bool otherSize = (options.explosion > 0) != (m_options.explosion > 0);
   m_options = options;
   m_view.style.faces = options.faces;
   m_view.section = options.section;
-  m_view.pulledApart = options.pulledApart;
+  m_view.explosion = options.explosion;
   m_view.marks = options.marks;
   renewVisibility();
   place();
@@ -167,9 +167,9 @@ void Viewer::setOptions(const ViewOptions& options) {
   emit optionsChanged();
 }
 
-void Viewer::rideAlong(const std::optional<ElementId>& link) {
-  if (link == m_view.ridden || (link && !instance(link))) return;
-  m_view.ridden = link;
+void Viewer::fixReferenceFrame(const std::optional<ElementId>& link) {
+  if (link == m_view.referenceLink || (link && !instance(link))) return;
+  m_view.referenceLink = link;
   place();
   emit optionsChanged();
 }
@@ -216,7 +216,7 @@ std::optional<Eigen::Vector3d> Viewer::axisOf(const ElementId& link) const {
 bool Viewer::trace(const Hit& hit) {
   if (m_stage == nullptr || !m_stage->place || m_stage->inputSpeeds.empty()) return false;
   const TracedPoint point{hit.instance, m_seen.poses[hit.instance].inverse() * hit.point,
-                          instance(m_view.ridden)};
+                          instance(m_view.referenceLink)};
   m_view.traces.push_back({hit.element, point, pathOf(point)});
   place();
   emit optionsChanged();

@@ -78,8 +78,8 @@ class Viewer : public QObject {
   [[nodiscard]] const ViewOptions& options() const { return m_options; }
   void setOptions(const ViewOptions& options);
   /// The link that the reference frame is fixed to; std::nullopt: the ground.
-  [[nodiscard]] const std::optional<ElementId>& ridden() const { return m_view.ridden; }
-  void rideAlong(const std::optional<ElementId>& link);
+  [[nodiscard]] const std::optional<ElementId>& referenceLink() const { return m_view.referenceLink; }
+  void fixReferenceFrame(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const { return m_view.hidden; }
   void setHidden(std::set<ElementId> links);
   /// Sets the forces of the stage, shown according to ViewOptions::marks; null: there are none. `caption`:
@@ -194,7 +194,8 @@ class Viewer : public QObject {
   SeenPoses m_seen;
   std::optional<double> m_floor;  ///< height of the floor, if not the scene's
   // These visit every vertex, so they are computed on demand, not at every step of a drag.
-  std::vector<Eigen::Vector3d> m_separations;  ///< of the stage, after its first exploded view; else empty
+  std::vector<Eigen::Vector3d>
+      m_explosionOffsets;  ///< of the stage, after its first exploded view; else empty
   std::shared_ptr<const SolidOutlines> m_outlines;  ///< of the stage, after it was first fitted
   mutable std::optional<Bounds> m_bounds;           ///< of the scene, after it was first cut
   ViewOptions m_options;

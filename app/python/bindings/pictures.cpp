@@ -56,11 +56,11 @@ struct RequestedPicture {
   std::optional<std::pair<double, double>> camera;  ///< azimuth, elevation in degrees
   double time = 0;
   std::optional<std::pair<int, double>> section;
-  double explode = 0;
+  double explosion = 0;
   std::string faces = "shaded";
   std::vector<std::string> show;
   std::vector<std::string> hide;
-  std::optional<std::string> ride;
+  std::optional<std::string> referenceLink;
   std::string folder;
   std::string reader;
 
@@ -72,11 +72,11 @@ struct RequestedPicture {
         camera(requested["camera"].cast<std::optional<std::pair<double, double>>>()),
         time(requested["time"].cast<double>()),
         section(requested["section"].cast<std::optional<std::pair<int, double>>>()),
-        explode(requested["explode"].cast<double>()),
+        explosion(requested["explode"].cast<double>()),
         faces(requested["faces"].cast<std::string>()),
         show(requested["show"].cast<std::vector<std::string>>()),
         hide(requested["hide"].cast<std::vector<std::string>>()),
-        ride(requested["ride"].cast<std::optional<std::string>>()),
+        referenceLink(requested["ride"].cast<std::optional<std::string>>()),
         folder(requested["folder"].cast<std::string>()),
         reader(requested["reader"].cast<std::string>()) {}
 };
@@ -97,7 +97,7 @@ std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& r
   rendering.view.time = requested.time;
   if (requested.section)
     rendering.view.section = SectionChoice{requested.section->first, requested.section->second, false};
-  rendering.view.pulledApart = requested.explode;
+  rendering.view.explosion = requested.explosion;
   rendering.view.style = pictureStyle(requested.dark ? Theme::dark : Theme::light, requested.transparent);
   const auto faces = facesNamed(requested.faces);
   if (!faces) throw py::value_error("There are no faces \"" + requested.faces + "\".");
@@ -107,7 +107,7 @@ std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& r
       throw py::value_error("A 3D picture shows no \"" + name + "\".");
   }
   for (const std::string& id : requested.hide) rendering.view.hidden.insert(LinkId(id));
-  if (requested.ride) rendering.view.ridden = LinkId(*requested.ride);
+  if (requested.referenceLink) rendering.view.referenceLink = LinkId(*requested.referenceLink);
   return {std::move(rendering), overlay};
 }
 

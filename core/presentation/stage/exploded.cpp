@@ -100,7 +100,7 @@ std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain, c
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> separations(const Stage& stage, const std::stop_token& stop) {
+std::vector<Eigen::Vector3d> explosionOffsets(const Stage& stage, const std::stop_token& stop) {
   std::vector<Eigen::Vector3d> result(stage.scene.instances.size(), Eigen::Vector3d::Zero());
   const double size = boundsOf(stage.scene).radius();
   for (const Row& row : rowsOf(stage, stop)) {
@@ -121,13 +121,13 @@ std::vector<Eigen::Vector3d> separations(const Stage& stage, const std::stop_tok
   return result;
 }
 
-void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part,
-               std::span<Pose> poses) {
+void explode(const Scene& scene, std::span<const Eigen::Vector3d> offsets, double part,
+             std::span<Pose> poses) {
   if (part == 0) return;
-  GEARGRAPH_REQUIRE(poses.size() == scene.instances.size() && poses.size() == separations.size());
+  GEARGRAPH_REQUIRE(poses.size() == scene.instances.size() && poses.size() == offsets.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Matrix3d turned = poses[i].linear() * scene.instances[i].pose.linear().transpose();
-    poses[i].pretranslate(part * (turned * separations[i]));
+    poses[i].pretranslate(part * (turned * offsets[i]));
   }
 }
 

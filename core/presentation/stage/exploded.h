@@ -14,12 +14,13 @@ namespace geargraph::inline stage {
 ///
 /// Identity: all are 0 for a stage that does not move. Incomplete if `stop` was requested. Cost: O(instances
 /// log instances), and for each direction of axes O(its links^2) if all differ.
-[[nodiscard]] std::vector<Eigen::Vector3d> separations(const Stage& stage, const std::stop_token& stop = {});
+[[nodiscard]] std::vector<Eigen::Vector3d> explosionOffsets(const Stage& stage,
+                                                            const std::stop_token& stop = {});
 
-/// Displaces the poses by a part (0..1) of the separations, which turn with the instances. Identity: at 0
-/// nothing changes, and no separations are needed. @pre one pose and, unless part is 0, one separation per
+/// Displaces the poses by a part (0..1) of the offsets, which turn with the instances. Identity: at 0
+/// nothing changes, and no offsets are needed. @pre one pose and, unless part is 0, one offset per
 /// instance
-void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part,
-               std::span<Pose> poses);
+void explode(const Scene& scene, std::span<const Eigen::Vector3d> offsets, double part,
+             std::span<Pose> poses);
 
 }  // namespace geargraph::inline stage

@@ -61,16 +61,16 @@ std::optional<std::size_t> instanceOf(const Stage& stage, const std::optional<El
   return static_cast<std::size_t>(found - instances.begin());
 }
 
-SeenPoses seenPoses(const Stage& stage, const StageView& view, std::span<const Eigen::Vector3d> separations) {
+SeenPoses seenPoses(const Stage& stage, const StageView& view, std::span<const Eigen::Vector3d> offsets) {
   const auto& instances = stage.scene.instances;
   SeenPoses seen;
   for (const Instance& instance : instances) seen.poses.push_back(instance.pose);
   if (stage.place) stage.place(inputAngles(stage, view), seen.poses);
-  if (const auto ridden = instanceOf(stage, view.ridden)) {
-    seen.ground = instances[*ridden].pose * seen.poses[*ridden].inverse();
+  if (const auto referenceLink = instanceOf(stage, view.referenceLink)) {
+    seen.ground = instances[*referenceLink].pose * seen.poses[*referenceLink].inverse();
     for (Pose& pose : seen.poses) pose = seen.ground * pose;
   }
-  pullApart(stage.scene, separations, view.pulledApart, seen.poses);
+  explode(stage.scene, offsets, view.explosion, seen.poses);
   return seen;
 }
 
@@ -78,8 +78,7 @@ std::optional<CutPlane> cutPlane(const Bounds& bounds, std::span<const Pose> pos
                                  const std::optional<SectionChoice>& section) {
   if (!section || bounds.box.isEmpty()) return std::nullopt;
   Eigen::AlignedBox3d box = bounds.box;
-  for (const Pose& pose : poses)
-    box.extend(Eigen::Vector3d(pose.translation()));  // pulled apart, it is longer
+  for (const Pose& pose : poses) box.extend(Eigen::Vector3d(pose.translation()));  // exploded, it is longer
   const double low = box.min()[section->axis], high = box.max()[section->axis];
   // What stands before the viewer of the standard views goes first: front looks along +y, right along -x.
   const double sense = (section->axis == 1) != section->isTurned ? -1 : 1;
@@ -89,11 +88,10 @@ std::optional<CutPlane> cutPlane(const Bounds& bounds, std::span<const Pose> pos
   return plane;
 }
 
-std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part) {
+std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> offsets, double part) {
   if (part == 0 || scene.instances.empty()) return std::nullopt;
   Scene apart = scene;
-  for (std::size_t i = 0; i < separations.size(); ++i)
-    apart.instances[i].pose.pretranslate(part * separations[i]);
+  for (std::size_t i = 0; i < offsets.size(); ++i) apart.instances[i].pose.pretranslate(part * offsets[i]);
   return boundsOf(apart).box.min().z();
 }
 
@@ -105,7 +103,7 @@ std::vector<ForceArrow> seenForces(const Stage& stage, const StageView& view, co
 std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const SeenPoses& seen,
                                 const std::optional<CutPlane>& cut) {
   const std::vector<double> angles = inputAngles(stage, view);
-  const auto watcher = instanceOf(stage, view.ridden);
+  const auto watcher = instanceOf(stage, view.referenceLink);
   const Rgb ink = motionInk(view.style);
   const std::vector<double> speeds = inputSpeeds(stage, view);
   const Moment moment{seen.poses, angles, speeds, seen.ground, watcher, view.style.letters, ink, cut};
@@ -122,11 +120,11 @@ std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const
 SeenStage::SeenStage(StagePtr stage) : m_stage(std::move(stage)), m_bounds(boundsOf(m_stage->scene)) {}
 
 void SeenStage::show(const StageView& view, const std::stop_token& stop) {
-  if (view.pulledApart > 0 && m_separations.empty()) m_separations = separations(*m_stage, stop);
-  if (m_seen.poses.empty() || m_view.pulledApart != view.pulledApart)
-    m_floor = floorOf(m_stage->scene, m_separations, view.pulledApart);
+  if (view.explosion > 0 && m_explosionOffsets.empty()) m_explosionOffsets = explosionOffsets(*m_stage, stop);
+  if (m_seen.poses.empty() || m_view.explosion != view.explosion)
+    m_floor = floorOf(m_stage->scene, m_explosionOffsets, view.explosion);
   m_view = view;
-  m_seen = seenPoses(*m_stage, view, m_separations);
+  m_seen = seenPoses(*m_stage, view, m_explosionOffsets);
   m_lines = seenLines(*m_stage, view, m_seen, cut());
   m_visibility.clear();
   for (const Instance& instance : m_stage->scene.instances)

@@ -39,10 +39,10 @@ struct StageView {
   InputTrajectoryPtr trajectory;
   std::vector<double> turned;  ///< offsets of the inputs by dragging, rad; empty: none
   std::optional<SectionChoice> section;
-  double pulledApart = 0;  ///< 0..1: degree of the exploded view
+  double explosion = 0;  ///< 0..1: degree of the exploded view
   MarkChoice marks;
-  std::optional<ElementId> ridden;  ///< the link that is the reference frame; none: the ground
-  std::set<ElementId> hidden;       ///< links
+  std::optional<ElementId> referenceLink;  ///< the link that is the reference frame; none: the ground
+  std::set<ElementId> hidden;              ///< links
   std::vector<ShownTrace> traces;
   StageForces forces;  ///< shown if marks.forces; null: there are none
 };
@@ -64,16 +64,16 @@ struct SeenPoses {
 };
 
 /// The poses at the view's time, relative to the reference link, displaced for the exploded view by a part of
-/// `separations` (separations(stage); needed only if view.pulledApart > 0).
+/// `offsets` (explosionOffsets(stage); needed only if view.explosion > 0).
 [[nodiscard]] SeenPoses seenPoses(const Stage& stage, const StageView& view,
-                                  std::span<const Eigen::Vector3d> separations);
+                                  std::span<const Eigen::Vector3d> offsets);
 
 /// The cutting plane of a section through the scene in these poses; std::nullopt without a section.
 [[nodiscard]] std::optional<CutPlane> cutPlane(const Bounds& bounds, std::span<const Pose> poses,
                                                const std::optional<SectionChoice>& section);
 
-/// The height of the floor: below the scene's own poses with this part of the separations.
-[[nodiscard]] std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations,
+/// The height of the floor: below the scene's own poses with this part of the offsets.
+[[nodiscard]] std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> offsets,
                                             double part);
 
 /// The arrows of the view's forces; empty if it shows none.
@@ -108,7 +108,7 @@ class SeenStage {
 
  private:
   StagePtr m_stage;
-  std::vector<Eigen::Vector3d> m_separations;  ///< empty until a view is exploded
+  std::vector<Eigen::Vector3d> m_explosionOffsets;  ///< empty until a view is exploded
   std::shared_ptr<const SolidOutlines> m_outlines;
   Bounds m_bounds;
   std::optional<double> m_floor;

@@ -223,9 +223,9 @@ DisplayList powerOver(const StagePower& power, const LabelGround& ground, const 
 }
 
 Pose basePose(const Stage& stage, const StageView& view) {
-  if (!view.ridden) return Pose::Identity();
+  if (!view.referenceLink) return Pose::Identity();
   StageView together = view;
-  together.pulledApart = 0;
+  together.explosion = 0;
   return seenPoses(stage, together, {}).ground;
 }
 

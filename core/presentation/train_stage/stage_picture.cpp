@@ -148,7 +148,7 @@ MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_tok
   scene.name = "view";
   scene.unit = stage.unit;
   const std::vector<Eigen::Vector3d> apart =
-      view.pulledApart > 0 ? separations(stage, stop) : std::vector<Eigen::Vector3d>();
+      view.explosion > 0 ? explosionOffsets(stage, stop) : std::vector<Eigen::Vector3d>();
   const SeenPoses seen = seenPoses(stage, view, apart);
   const std::map<ElementId, std::string> names = namesOf(stage);
   std::map<ElementId, std::size_t> materials;

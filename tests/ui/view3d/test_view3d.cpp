@@ -533,11 +533,11 @@ class TestView3D : public QObject {
     QCOMPARE(shown.view.playback().speed(), -2.0);
   }
 
-  void theLinkThatIsRiddenStandsStillAndTheRestTurnsAboutIt() {
+  void theReferenceLinkStandsStillAndTheRestTurnsAboutIt() {
     Shown shown;
     Viewer* viewer = shown.view.findChild<Viewer*>();
     QVERIFY(viewer != nullptr);
-    shown.view.rideAlong(ElementId(LinkId("1")));
+    shown.view.fixReferenceFrame(ElementId(LinkId("1")));
     const std::vector<Pose> before(viewer->poses().begin(), viewer->poses().end());
     shown.view.playback().setTime(1);
     QVERIFY(viewer->poses()[0].isApprox(before[0], 1e-12));
@@ -547,7 +547,7 @@ class TestView3D : public QObject {
             1e-9);
     shown.selection.select({LinkId("1")});
     QTest::keyClick(&shown.view, Qt::Key_R);
-    QVERIFY(!shown.view.ridden());
+    QVERIFY(!shown.view.referenceLink());
   }
 
   void aRightClickOffersWhatCanBeDoneWithThePart() {
@@ -570,9 +570,9 @@ class TestView3D : public QObject {
     choose(menuAt(shown.at(kOnFirst)), "view3dRide");
     QCOMPARE(meant, std::optional<ElementId>(LinkId("1")));
     QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("1")});
-    QCOMPARE(shown.view.ridden(), std::optional<ElementId>(LinkId("1")));
+    QCOMPARE(shown.view.referenceLink(), std::optional<ElementId>(LinkId("1")));
     choose(menuAt(shown.at(kOnFirst)), "view3dStopRiding");
-    QVERIFY(!shown.view.ridden());
+    QVERIFY(!shown.view.referenceLink());
     choose(menuAt(shown.at(kOnFirst)), "view3dHideOthers");
     QCOMPARE(shown.view.hidden(), (std::set<ElementId>{LinkId("2"), LinkId("3")}));
     choose(menuAt(QPoint(3, 200)), "view3dShowAll");
@@ -628,7 +628,7 @@ class TestView3D : public QObject {
     entry("view3dVelocities")->trigger();
     QVERIFY(shown.view.options().marks.pitchCircles && shown.view.options().marks.velocities);
     entry("view3dExploded")->trigger();
-    QCOMPARE(shown.view.options().pulledApart, 1.0);
+    QCOMPARE(shown.view.options().explosion, 1.0);
     QVERIFY(shown.view.findChild<QSlider*>("view3dApart")->isVisible());
   }
 

@@ -117,7 +117,7 @@ class ViewerTest : public QObject {
     Selection selection;
     Viewer viewer(&selection);
     viewer.setStage(test::toyStage());
-    viewer.rideAlong(ElementId(LinkId("2")));
+    viewer.fixReferenceFrame(ElementId(LinkId("2")));
     QVERIFY(viewer.trace({0, LinkId("1"), {15, -22, 0}}));
     viewer.setStage(test::toyStage());
     QCOMPARE(viewer.traces()[0].point.watcher, std::optional<std::size_t>(1));

@@ -46,7 +46,7 @@ class TestStageMotion : public QObject {
  private slots:
   void partsInOnePlaneComeApartByTheirSizeAndEqualOnesStayTogether() {
     const auto stage = rowStage();
-    const auto apart = separations(*stage);
+    const auto apart = explosionOffsets(*stage);
     QCOMPARE(apart[0], apart[1]);
     QCOMPARE(apart[3], Eigen::Vector3d(0, 0, 0));
     QVERIFY(apart[2].z() - apart[0].z() > 6);  // the thickness of both
@@ -56,23 +56,23 @@ class TestStageMotion : public QObject {
 
   void pullingApartBeginsWithNothingAndTurnsWithTheParts() {
     const auto stage = rowStage();
-    const auto apart = separations(*stage);
+    const auto apart = explosionOffsets(*stage);
     std::vector<Pose> poses;
     for (const Instance& instance : stage->scene.instances) poses.push_back(instance.pose);
     const std::vector<Pose> before = poses;
-    pullApart(stage->scene, apart, 0, poses);
+    explode(stage->scene, apart, 0, poses);
     for (std::size_t i = 0; i < poses.size(); ++i) QVERIFY(poses[i].isApprox(before[i], 0));
     const Pose over(Eigen::AngleAxisd(kTurn / 4, Eigen::Vector3d::UnitX()));
     poses[2] = over * poses[2];
-    pullApart(stage->scene, apart, 0.5, poses);
+    explode(stage->scene, apart, 0.5, poses);
     const Eigen::Vector3d moved = poses[2].translation() - over * before[2].translation();
     QVERIFY((moved - 0.5 * (over * apart[2])).norm() < 1e-12);
   }
 
-  void aStageThatStandsStillIsNotPulledApart() {
+  void aStageThatStandsStillIsNotExploded() {
     Stage still = *rowStage();
     still.handles.clear();
-    for (const Eigen::Vector3d& move : separations(still)) QCOMPARE(move, Eigen::Vector3d(0, 0, 0));
+    for (const Eigen::Vector3d& move : explosionOffsets(still)) QCOMPARE(move, Eigen::Vector3d(0, 0, 0));
   }
 
   // The wheel turns by 1.5 rad/s: in 4 s a point 15 mm out travels 15 * 6 mm.

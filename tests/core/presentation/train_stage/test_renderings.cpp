@@ -177,7 +177,7 @@ class TestRenderings : public QObject {
     for (const AnimationKind kind : {AnimationKind::turntable, AnimationKind::motion}) {
       for (const double part : {0.0, 1.0}) {
         StageRendering rendering = toyRendering(Animation{kind, 8, 24, 0});
-        rendering.view.pulledApart = part;
+        rendering.view.explosion = part;
         const auto painter = StagePainter::create(rendering);
         int largest = 0;
         for (int i = 0; i < 8; ++i) {
@@ -192,7 +192,7 @@ class TestRenderings : public QObject {
     }
   }
 
-  void whatIsHiddenAndRiddenAndCutIsSeen() {
+  void whatIsHiddenAndFixedAndCutIsSeen() {
     const StageRendering plain = toyRendering();
     const Image all = *stagePicture(plain);
     for (const auto& change : std::vector<std::function<void(StageView&)>>{
@@ -200,7 +200,7 @@ class TestRenderings : public QObject {
              [](StageView& view) {
                view.section = SectionChoice{1, 0.4, false};
              },
-             [](StageView& view) { view.time = 0.4; }, [](StageView& view) { view.pulledApart = 1; },
+             [](StageView& view) { view.time = 0.4; }, [](StageView& view) { view.explosion = 1; },
              [](StageView& view) { view.style.faces = Faces::hiddenLine; }}) {
       StageRendering other = plain;
       change(other.view);

@@ -94,7 +94,7 @@ class StoppingTest : public QObject {
     const auto memory = std::make_shared<StageMemory>();
     StageRendering rendering;
     rendering.stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, memory.get());
-    rendering.view.pulledApart = 0.5;
+    rendering.view.explosion = 0.5;
     const auto add = [&](const char* form) {
       QTest::addRow("%s, %s", form, name) << Work([this, rendering](const std::stop_token& stop) {
         RenderingRun run;
