@@ -95,7 +95,7 @@ void ImageCanvas::order(bool draft) {
   double scale = 1;
   if (draft) simplify(frame, scale, m_draftLevel.level());
   if (draft) m_isStep = m_ordered == nullptr || m_ordered->stage() != m_viewer->stage();
-  m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), frame);
+  m_ordered = std::make_shared<const OwningFrame>(m_viewer->stage(), frame);
   if (draft) m_draft = m_ordered;
   PictureOrder order{m_ordered, scale, {}};
   // A map that has been overtaken once is not put off again.
@@ -117,7 +117,7 @@ void ImageCanvas::rehearse() {
   frame.style.edges = frame.style.triad = false;
   std::vector<PictureOrder> orders;
   const auto add = [&] {
-    orders.push_back({std::make_shared<const KeptFrame>(m_viewer->stage(), frame), 1, {}});
+    orders.push_back({std::make_shared<const OwningFrame>(m_viewer->stage(), frame), 1, {}});
   };
   add();
   visibility.assign(visibility.size(), Visibility::solid);
@@ -238,7 +238,7 @@ void ImageCanvas::paintWords(QPainter& painter, const QString& text) const {
 // Into the picture, once: what stands on it, buttons and a clock, has it painted again and again. A map holds
 // for later pictures too, of a train with the same parts.
 void ImageCanvas::addOverlay() {
-  const KeptFrame& kept = *m_shown.frame;
+  const OwningFrame& kept = *m_shown.frame;
   if (kept.stage() == nullptr) return;
   const Frame& frame = kept.frame();
   const std::optional<Map> map = std::exchange(m_map, std::nullopt);
@@ -256,7 +256,7 @@ void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor u
   if (m_shown.frame == nullptr || m_shown.frame->stage() != m_viewer->stage())
     return answer(std::nullopt);  // nothing is seen yet that could be meant
   const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
-  PictureQuestion question{std::make_shared<const KeptFrame>(m_viewer->stage(), frame),
+  PictureQuestion question{std::make_shared<const OwningFrame>(m_viewer->stage(), frame),
                            at.x(),
                            at.y(),
                            use == Viewer::PickFor::hover,

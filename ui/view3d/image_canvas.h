@@ -46,7 +46,7 @@ class ImageCanvas : public QWidget, public BackgroundWork {
 
  private:
   struct Shown {
-    KeptFramePtr frame;
+    OwningFramePtr frame;
     QImage image;  ///< in the format of the screen
     double cost = 0;
   };
@@ -81,8 +81,8 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   bool m_isStep = false;     ///< the last requested draft frame is the first of its stage
   DraftLevel m_draftLevel;
   bool m_hasRehearsed = false;
-  KeptFramePtr m_ordered;
-  KeptFramePtr m_draft;      ///< the last requested draft frame
+  OwningFramePtr m_ordered;
+  OwningFramePtr m_draft;    ///< the last requested draft frame
   Shown m_shown;             ///< includes labels and scale bar once painted
   std::optional<Map> m_map;  ///< not yet used to place labels
   std::mutex m_mutex;

@@ -64,7 +64,7 @@ bool GlRenderer::paint(const Frame& frame) {
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (paintLayer(frame)) {
     Frame rest = frame;
-    rest.visibility = m_still.rest();
+    rest.visibility = m_staticParts.rest();
     paintParts(rest);
   } else {
     bind(m_sampled, size);
@@ -87,7 +87,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
     return false;
   const auto& [width, height] = frame.viewport;
   if (!m_layer.ensure(width, height)) return false;
-  std::vector<StillParts::Part> parts;
+  std::vector<StaticParts::Part> parts;
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
     const Instance& instance = m_scene.instances[i];
     const bool hasLevels = instance.solid < m_scene.levels.size();
@@ -95,16 +95,16 @@ bool GlRenderer::paintLayer(const Frame& frame) {
                      hasLevels ? m_scene.levels[instance.solid] : DetailLevels{}, pose(frame, i),
                      instance.colour, emphasis(frame, i), visibility(frame, i)});
   }
-  const StillParts::Layer layer =
-      m_still.next({width, height, frame.pixelRatio, frame.camera, frame.style, isLitByVertex(frame),
-                    projection(frame) * frame.camera.view().matrix()},
-                   std::move(parts));
-  if (layer == StillParts::Layer::none) return false;
-  if (layer == StillParts::Layer::anew || m_still.hasAdded()) {
+  const StaticParts::Layer layer =
+      m_staticParts.next({width, height, frame.pixelRatio, frame.camera, frame.style, isLitByVertex(frame),
+                          projection(frame) * frame.camera.view().matrix()},
+                         std::move(parts));
+  if (layer == StaticParts::Layer::none) return false;
+  if (layer == StaticParts::Layer::anew || m_staticParts.hasAdded()) {
     m_layer.bind();
-    if (layer == StillParts::Layer::anew) drawBackground(frame);
+    if (layer == StaticParts::Layer::anew) drawBackground(frame);
     Frame added = frame;
-    added.visibility = m_still.added();
+    added.visibility = m_staticParts.added();
     paintParts(added);
   }
   m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_layer.framebuffer());

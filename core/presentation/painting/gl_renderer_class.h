@@ -13,7 +13,7 @@
 #include "core/presentation/painting/gl_renderer.h"
 #include "core/presentation/painting/gl_solid_store.h"
 #include "core/presentation/painting/renderer.h"
-#include "core/presentation/painting/still_parts.h"
+#include "core/presentation/painting/static_parts.h"
 
 namespace geargraph::inline painting {
 
@@ -148,7 +148,7 @@ class GlRenderer final : public Renderer {
 
   GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
   GlTarget m_layer{*m_gl, GlTarget::Colours::rgba, true};
-  StillParts m_still;
+  StaticParts m_staticParts;
   GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
   GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};  ///< of a pick
   GlTarget m_cells{*m_gl, GlTarget::Colours::rgba, true};    ///< of a map

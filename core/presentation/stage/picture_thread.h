@@ -11,13 +11,13 @@
 
 #include "core/foundations/base/ending_thread.h"
 #include "core/presentation/painting/egl_host.h"
-#include "core/presentation/stage/kept_frame.h"
+#include "core/presentation/stage/owning_frame.h"
 
 namespace geargraph::inline stage {
 
 /// A request for a picture.
 struct PictureOrder {
-  KeptFramePtr frame;
+  OwningFramePtr frame;
   /// The scale of the picture's sides relative to the frame, for a draft frame; in (0, 1].
   double scale = 1;
   /// The grid of the SeenMap that is wanted with it; none: no map.
@@ -29,7 +29,7 @@ struct PictureOrder {
 
 /// A pick request: what is under a point of a picture?
 struct PictureQuestion {
-  KeptFramePtr frame;
+  OwningFramePtr frame;
   double x = 0;  ///< as of Renderer::pick()
   double y = 0;
   /// Dropped if a newer question of this kind is asked before its turn: for a hovering pointer only the last

@@ -225,7 +225,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
   if (m_memory != nullptr) {
     m_memory->addFactsTo(m_stage->scene, m_stop);
   } else {
-    SolidFacts().addBoxesTo(m_stage->scene, m_stop);
+    SolidProperties().addBoxesTo(m_stage->scene, m_stop);
   }
   if (m_stop.stop_requested()) return nullptr;
   m_stage->unit = m_mechanism.unit;
@@ -303,10 +303,10 @@ StageMemory::StageMemory() : m_bodies(std::make_unique<BodyCache>()) {}
 StageMemory::~StageMemory() = default;
 
 void StageMemory::addFactsTo(Scene& scene, const std::stop_token& stop) {
-  m_facts.addBoxesTo(scene, stop);
-  m_facts.addOutlinesTo(scene, stop);
-  if (m_findsEdges) m_facts.addEdgesTo(scene, stop);
-  m_facts.forgetOthers();
+  m_properties.addBoxesTo(scene, stop);
+  m_properties.addOutlinesTo(scene, stop);
+  if (m_findsEdges) m_properties.addEdgesTo(scene, stop);
+  m_properties.forgetOthers();
 }
 
 StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,

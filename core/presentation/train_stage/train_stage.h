@@ -5,7 +5,7 @@
 
 #include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/placement/placement.h"
-#include "core/presentation/painting/solid_facts.h"
+#include "core/presentation/painting/solid_properties.h"
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/train_stage/shape_cache.h"
 #include "core/theory/analysis/analysis.h"
@@ -26,15 +26,15 @@ class StageMemory {
   ~StageMemory();
 
   [[nodiscard]] BodyCache& bodies() { return *m_bodies; }
-  /// Adds the precomputed data of the scene's solids (SolidFacts), computing it for new ones unless `stop` is
-  /// requested.
+  /// Adds the precomputed data of the scene's solids (SolidProperties), computing it for new ones unless
+  /// `stop` is requested.
   void addFactsTo(Scene& scene, const std::stop_token& stop = {});
   /// Are feature edges precomputed, as for a window that paints on the GUI thread?
   void setFindsEdges(bool finds) { m_findsEdges = finds; }
 
  private:
   std::unique_ptr<BodyCache> m_bodies;
-  SolidFacts m_facts;
+  SolidProperties m_properties;
   bool m_findsEdges = false;
 };
 
@@ -51,7 +51,7 @@ class StageMemory {
 /// motion are those of the snapshot's live part; nothing is solved again. Cost: O(n + t + c), and that of new
 /// solids.
 ///
-/// `memory`: caches bodies and derived data of solids (SolidFacts), which are then part of the scene.
+/// `memory`: caches bodies and derived data of solids (SolidProperties), which are then part of the scene.
 ///
 /// `shapes`: where attached 3D files are read from; null: they are left out. Files that cannot be shown are
 /// noted in Stage::notes. Wheels of more than kMostShownTeeth are shown without teeth, with a note too.

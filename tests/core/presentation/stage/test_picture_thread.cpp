@@ -11,7 +11,7 @@ namespace {
 constexpr Viewport kSize{160, 100};
 
 /// The toy as its camera sees it after so many rad of its input.
-KeptFramePtr toyAt(const StagePtr& stage, double angle) {
+OwningFramePtr toyAt(const StagePtr& stage, double angle) {
   std::vector<Pose> poses(stage->scene.instances.size());
   stage->place(std::vector{angle}, poses);
   Frame frame;
@@ -19,7 +19,7 @@ KeptFramePtr toyAt(const StagePtr& stage, double angle) {
   frame.camera = Camera::home().fitted(outlineOf(stage->scene), kSize, 0.1);
   frame.style = RenderStyle::light();
   frame.poses = poses;
-  return std::make_shared<const KeptFrame>(stage, frame);
+  return std::make_shared<const OwningFrame>(stage, frame);
 }
 
 /// The painting thread, and what it has delivered.
@@ -36,7 +36,7 @@ struct Studio {
   }
 
   /// The answer to a question, awaited.
-  [[nodiscard]] std::optional<Hit> pick(const KeptFramePtr& frame, double x, double y) {
+  [[nodiscard]] std::optional<Hit> pick(const OwningFramePtr& frame, double x, double y) {
     std::promise<std::optional<Hit>> answer;
     thread->ask({frame, x, y, false, [&](const std::optional<Hit>& hit) { answer.set_value(hit); }});
     return answer.get_future().get();
@@ -51,7 +51,7 @@ class TestPictureThread : public QObject {
  private slots:
   void aPictureIsThatOfAHostOnThisThread() {
     const StagePtr stage = test::toyStage();
-    const KeptFramePtr frame = toyAt(stage, 0.7);
+    const OwningFramePtr frame = toyAt(stage, 0.7);
     Studio studio;
     studio.thread->order({frame, 1, Viewport{8, 5}});
     studio.thread->finish();
@@ -66,7 +66,7 @@ class TestPictureThread : public QObject {
   void theNewestOrderWins() {
     const StagePtr stage = test::toyStage();
     Studio studio;
-    KeptFramePtr last;
+    OwningFramePtr last;
     constexpr std::size_t kOrders = 60;
     for (std::size_t i = 0; i < kOrders; ++i) {
       last = toyAt(stage, 0.1 * static_cast<double>(i));
@@ -78,7 +78,7 @@ class TestPictureThread : public QObject {
   }
 
   void aDraftHasFewerPixelsOfTheSameView() {
-    const KeptFramePtr frame = toyAt(test::toyStage(), 0);
+    const OwningFramePtr frame = toyAt(test::toyStage(), 0);
     Studio studio;
     studio.thread->order({frame, 0.5, kSize});
     studio.thread->finish();
@@ -90,7 +90,7 @@ class TestPictureThread : public QObject {
 
   void aMapMayFollowItsPicture() {
     const StagePtr stage = test::toyStage();
-    const KeptFramePtr frame = toyAt(stage, 0.7);
+    const OwningFramePtr frame = toyAt(stage, 0.7);
     Studio studio;
     studio.thread->order({frame, 1, Viewport{8, 5}, true});
     studio.thread->finish();
@@ -107,7 +107,7 @@ class TestPictureThread : public QObject {
   /// Whoever is ordered while the picture is painted does not wait for the map behind it.
   void aMapThatMayFollowGivesWayToTheNextOrder() {
     const StagePtr stage = test::toyStage();
-    const KeptFramePtr first = toyAt(stage, 0), second = toyAt(stage, 1);
+    const OwningFramePtr first = toyAt(stage, 0), second = toyAt(stage, 1);
     std::vector<PaintedPicture> pictures;
     std::unique_ptr<PictureThread> thread;
     thread = std::move(PictureThread::start([&](PaintedPicture picture) {
@@ -123,7 +123,7 @@ class TestPictureThread : public QObject {
 
   void rehearsalsDeliverNothingAndLeaveNoTrace() {
     const StagePtr stage = test::toyStage();
-    const KeptFramePtr frame = toyAt(stage, 0.7), other = toyAt(stage, 2);
+    const OwningFramePtr frame = toyAt(stage, 0.7), other = toyAt(stage, 2);
     Studio studio;
     studio.thread->order({frame, 1, {}});
     studio.thread->rehearse({{other, 0.1, {}}, {other, 0.5, Viewport{4, 4}}, {other, 1, {}, true}});
@@ -138,11 +138,11 @@ class TestPictureThread : public QObject {
   }
 
   void anotherStageIsTakenUp() {
-    const KeptFramePtr nothing =
-        std::make_shared<const KeptFrame>(nullptr, toyAt(test::toyStage(), 0)->frame());
-    const KeptFramePtr toy = toyAt(test::toyStage(), 0);
+    const OwningFramePtr nothing =
+        std::make_shared<const OwningFrame>(nullptr, toyAt(test::toyStage(), 0)->frame());
+    const OwningFramePtr toy = toyAt(test::toyStage(), 0);
     Studio studio;
-    for (const KeptFramePtr& frame : {toy, nothing, toy}) {
+    for (const OwningFramePtr& frame : {toy, nothing, toy}) {
       studio.thread->order({frame, 1, {}});
       studio.thread->finish();
     }
@@ -152,7 +152,7 @@ class TestPictureThread : public QObject {
 
   void aPickIsAnsweredBetweenPictures() {
     const StagePtr stage = test::toyStage();
-    const KeptFramePtr frame = toyAt(stage, 0);
+    const OwningFramePtr frame = toyAt(stage, 0);
     const ScreenPoint onBox = frame->frame().camera.project({0, 0, 30}, kSize);
     Studio studio;
     for (int i = 0; i < 20; ++i) {
@@ -166,7 +166,7 @@ class TestPictureThread : public QObject {
 
   /// The painting thread is kept in an answer meanwhile, so that the others wait for their turn.
   void ofQuestionsThatGiveWayTheNewestIsAnsweredAndOfTheOthersAll() {
-    const KeptFramePtr frame = toyAt(test::toyStage(), 0);
+    const OwningFramePtr frame = toyAt(test::toyStage(), 0);
     Studio studio;
     std::promise<void> begun, goOn;
     std::vector<int> answered;

@@ -1,4 +1,4 @@
-#include "core/presentation/painting/still_parts.h"
+#include "core/presentation/painting/static_parts.h"
 
 #include <QTest>
 #include <functional>
@@ -10,27 +10,27 @@ using namespace geargraph;
 
 namespace {
 
-using Layer = StillParts::Layer;
+using Layer = StaticParts::Layer;
 
-StillParts::View aView() {
-  StillParts::View view;
+StaticParts::View aView() {
+  StaticParts::View view;
   view.width = kView.width;
   view.height = kView.height;
   view.style = RenderStyle::light().cheaper();
   return view;
 }
 
-std::vector<StillParts::Part> boxes(int count) {
-  std::vector<StillParts::Part> parts;
+std::vector<StaticParts::Part> boxes(int count) {
+  std::vector<StaticParts::Part> parts;
   for (int i = 0; i < count; ++i) {
-    StillParts::Part& part = parts.emplace_back();
+    StaticParts::Part& part = parts.emplace_back();
     part.solid = std::make_shared<const Solid>(boxSolid({-1, -1, -1}, {1, 1, 1}));
     part.pose.translation().x() = 3 * i;
   }
   return parts;
 }
 
-void move(StillParts::Part& part) {
+void move(StaticParts::Part& part) {
   part.pose.translation().z() += 1;
 }
 
@@ -49,17 +49,17 @@ Scene rowScene() {
 
 }  // namespace
 
-class TestStillParts : public QObject {
+class TestStaticParts : public QObject {
   Q_OBJECT
 
  private slots:
   void theFirstPictureKeepsNothing() {
-    StillParts still;
+    StaticParts still;
     QCOMPARE(still.next(aView(), boxes(3)), Layer::none);
   }
 
   void whatStaysIsPaintedOnceAndWhatMovesEachTime() {
-    StillParts still;
+    StaticParts still;
     auto parts = boxes(3);
     (void)still.next(aView(), parts);
     move(parts[1]);
@@ -67,35 +67,35 @@ class TestStillParts : public QObject {
     QCOMPARE(still.added(), (Shown{kPainted, kLeft, kPainted}));
     QCOMPARE(still.rest(), (Shown{kLeft, kPainted, kLeft}));
     move(parts[1]);
-    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QCOMPARE(still.next(aView(), parts), Layer::cached);
     QVERIFY(!still.hasAdded());
     QCOMPARE(still.rest(), (Shown{kLeft, kPainted, kLeft}));
   }
 
   void whatHasComeToRestJoinsTheOthers() {
-    StillParts still;
+    StaticParts still;
     auto parts = boxes(3);
     (void)still.next(aView(), parts);
     move(parts[1]);
     (void)still.next(aView(), parts);
-    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QCOMPARE(still.next(aView(), parts), Layer::cached);
     QVERIFY(still.hasAdded());
     QCOMPARE(still.added(), (Shown{kLeft, kPainted, kLeft}));
     QCOMPARE(still.rest(), Shown(3, kLeft));
   }
 
-  void aChangeOfWhatWasKeptBeginsTheLayerAnew() {
-    const auto changes = std::vector<std::function<void(StillParts::Part&)>>{
+  void aChangeOfWhatWasCachedBeginsTheLayerAnew() {
+    const auto changes = std::vector<std::function<void(StaticParts::Part&)>>{
         move,
-        [](StillParts::Part& part) { part.colour = Rgb::fromHex(kBlue); },
-        [](StillParts::Part& part) { part.emphasis = Highlight::hovered; },
-        [](StillParts::Part& part) { part.visibility = Visibility::hidden; },
-        [](StillParts::Part& part) {
+        [](StaticParts::Part& part) { part.colour = Rgb::fromHex(kBlue); },
+        [](StaticParts::Part& part) { part.emphasis = Highlight::hovered; },
+        [](StaticParts::Part& part) { part.visibility = Visibility::hidden; },
+        [](StaticParts::Part& part) {
           part.levels.finer.push_back({0.1, nullptr});
         },
-        [](StillParts::Part& part) { part.solid = std::make_shared<const Solid>(*part.solid); }};
+        [](StaticParts::Part& part) { part.solid = std::make_shared<const Solid>(*part.solid); }};
     for (const auto& change : changes) {
-      StillParts still;
+      StaticParts still;
       auto parts = boxes(3);
       (void)still.next(aView(), parts);
       (void)still.next(aView(), parts);
@@ -107,7 +107,7 @@ class TestStillParts : public QObject {
   }
 
   void partsThatComeAndGoAreNotTakenForOthers() {
-    StillParts still;
+    StaticParts still;
     auto parts = boxes(3);
     (void)still.next(aView(), parts);
     (void)still.next(aView(), parts);
@@ -115,20 +115,20 @@ class TestStillParts : public QObject {
     QCOMPARE(still.next(aView(), parts), Layer::anew);
     QCOMPARE(still.added(), Shown(2, kPainted));
     parts.push_back(boxes(1).front());
-    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QCOMPARE(still.next(aView(), parts), Layer::cached);
     QCOMPARE(still.rest(), (Shown{kLeft, kLeft, kPainted}));
   }
 
   void anotherCameraKeepsNothingAndAnotherStyleBeginsAnew() {
-    StillParts still;
+    StaticParts still;
     const auto parts = boxes(2);
-    StillParts::View view = aView();
+    StaticParts::View view = aView();
     (void)still.next(view, parts);
     QCOMPARE(still.next(view, parts), Layer::anew);
     view.camera = view.camera.orbited(5, 0);
     QCOMPARE(still.next(view, parts), Layer::none);
     QCOMPARE(still.next(view, parts), Layer::anew);
-    QCOMPARE(still.next(view, parts), Layer::kept);
+    QCOMPARE(still.next(view, parts), Layer::cached);
     view.style = RenderStyle::dark().cheaper();
     QCOMPARE(still.next(view, parts), Layer::anew);
     view.width += 1;
@@ -175,5 +175,5 @@ class TestStillParts : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStillParts)
-#include "test_still_parts.moc"
+QTEST_APPLESS_MAIN(TestStaticParts)
+#include "test_static_parts.moc"

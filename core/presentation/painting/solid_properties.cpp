@@ -1,10 +1,10 @@
-#include "core/presentation/painting/solid_facts.h"
+#include "core/presentation/painting/solid_properties.h"
 
 #include <utility>
 
 namespace geargraph::inline painting {
 
-void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
+void SolidProperties::addBoxesTo(Scene& scene, const std::stop_token& stop) {
   scene.boxes.clear();
   const auto box = [](const Solid& solid) { return boundsOf(solid); };
   for (const auto& solid : scene.solids) {
@@ -13,7 +13,7 @@ void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
   }
 }
 
-void SolidFacts::addOutlinesTo(Scene& scene, const std::stop_token& stop) {
+void SolidProperties::addOutlinesTo(Scene& scene, const std::stop_token& stop) {
   scene.outlines.reset();
   const std::size_t samples = outlineSamples(scene);
   if (std::exchange(m_samples, samples) != samples) m_outlines = {};
@@ -25,7 +25,7 @@ void SolidFacts::addOutlinesTo(Scene& scene, const std::stop_token& stop) {
   scene.outlines = std::move(outlines);
 }
 
-void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
+void SolidProperties::addEdgesTo(Scene& scene, const std::stop_token& stop) {
   constexpr double kWindow = 1000;  // pixels that a train fills
   const double pixels = kWindow / (2 * boundsOf(scene).radius());
   const auto add = [&](const std::shared_ptr<const Solid>& solid) {
@@ -39,7 +39,7 @@ void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
   }
 }
 
-void SolidFacts::forgetOthers() {
+void SolidProperties::forgetOthers() {
   m_edges.forgetOthers();
   m_boxes.forgetOthers();
   m_outlines.forgetOthers();

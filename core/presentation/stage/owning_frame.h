@@ -10,10 +10,10 @@ namespace geargraph::inline stage {
 
 /// A frame that owns everything it refers to, including its stage: for a picture that is painted later, on
 /// another thread. Cost: O(instances).
-class KeptFrame {
+class OwningFrame {
  public:
   /// `stage` may be null: then the scene is empty.
-  KeptFrame(StagePtr stage, const Frame& frame)
+  OwningFrame(StagePtr stage, const Frame& frame)
       : m_stage(std::move(stage)),
         m_poses(frame.poses.begin(), frame.poses.end()),
         m_emphasis(frame.emphasis.begin(), frame.emphasis.end()),
@@ -25,8 +25,8 @@ class KeptFrame {
     m_frame.visibility = m_visibility;
     m_frame.marks = m_marks;
   }
-  KeptFrame(const KeptFrame&) = delete;
-  KeptFrame& operator=(const KeptFrame&) = delete;
+  OwningFrame(const OwningFrame&) = delete;
+  OwningFrame& operator=(const OwningFrame&) = delete;
 
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   [[nodiscard]] const Frame& frame() const { return m_frame; }
@@ -40,6 +40,6 @@ class KeptFrame {
   Frame m_frame;
 };
 
-using KeptFramePtr = std::shared_ptr<const KeptFrame>;
+using OwningFramePtr = std::shared_ptr<const OwningFrame>;
 
 }  // namespace geargraph::inline stage

@@ -12,15 +12,16 @@
 namespace geargraph::inline painting {
 
 /// A cache of derived data of solids, kept while the solid lives. Not thread-safe.
-template <class Fact>
-class KeptFact {
+template <class Property>
+class PropertyCache {
  public:
   /// The data of the solid, computed by `find(const Solid&)` on first use.
   template <class Find>
-  [[nodiscard]] std::shared_ptr<const Fact> of(const std::shared_ptr<const Solid>& solid, const Find& find) {
+  [[nodiscard]] std::shared_ptr<const Property> of(const std::shared_ptr<const Solid>& solid,
+                                                   const Find& find) {
     Known& known = m_known[solid.get()];
-    if (known.solid.lock() != solid) known = {solid, std::make_shared<const Fact>(find(*solid))};
-    return known.fact;
+    if (known.solid.lock() != solid) known = {solid, std::make_shared<const Property>(find(*solid))};
+    return known.property;
   }
   /// Drops the data of solids that no longer exist.
   void forgetOthers() {
@@ -30,14 +31,14 @@ class KeptFact {
  private:
   struct Known {
     std::weak_ptr<const Solid> solid;
-    std::shared_ptr<const Fact> fact;
+    std::shared_ptr<const Property> property;
   };
   std::unordered_map<const Solid*, Known> m_known;
 };
 
 /// Precomputes data of the solids of a scene for the renderer, cached from one scene to the next. Ends early
 /// if `stop` is requested. Not thread-safe.
-class SolidFacts {
+class SolidProperties {
  public:
   /// Adds the bounding boxes of the scene's solids.
   void addBoxesTo(Scene& scene, const std::stop_token& stop = {});
@@ -50,9 +51,9 @@ class SolidFacts {
   void forgetOthers();
 
  private:
-  KeptFact<std::vector<std::uint32_t>> m_edges;
-  KeptFact<Eigen::AlignedBox3d> m_boxes;
-  KeptFact<std::vector<Eigen::Vector3d>> m_outlines;  ///< chosen among m_samples vertices
+  PropertyCache<std::vector<std::uint32_t>> m_edges;
+  PropertyCache<Eigen::AlignedBox3d> m_boxes;
+  PropertyCache<std::vector<Eigen::Vector3d>> m_outlines;  ///< chosen among m_samples vertices
   std::size_t m_samples = 0;
 };
 

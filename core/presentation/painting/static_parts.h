@@ -12,9 +12,9 @@
 namespace geargraph::inline painting {
 
 /// Finds the parts that look the same from one picture to the next, so that they need not be painted again:
-/// most parts of a train whose teeth are being dragged. They are kept in a layer: the background and the
+/// most parts of a train whose teeth are being dragged. They are cached in a layer: the background and the
 /// unchanged parts with their depths, over which the others are painted.
-class StillParts {
+class StaticParts {
  public:
   /// Everything that a picture depends on except its parts.
   struct View {
@@ -36,10 +36,11 @@ class StillParts {
     Visibility visibility = Visibility::solid;
     [[nodiscard]] bool looksLike(const Part& other) const;
   };
-  enum class Layer { none, kept, anew };
+  enum class Layer { none, cached, anew };
 
   /// Decides how to paint the next picture. `none`: the camera has moved, everything is painted and nothing
-  /// kept. `anew`: the layer is begun with the background. `kept`: the layer exists already. Cost: O(parts).
+  /// kept. `anew`: the layer is begun with the background. `cached`: the layer exists already. Cost:
+  /// O(parts).
   Layer next(const View& view, std::vector<Part> parts);
   /// The parts to be painted into the layer now, by instance, the others hidden. May be none.
   [[nodiscard]] const std::vector<Visibility>& added() const { return m_added; }
@@ -50,10 +51,10 @@ class StillParts {
  private:
   void sort(const std::vector<bool>& still);
 
-  bool m_isKept = false;
+  bool m_isCached = false;
   View m_view;
-  std::vector<Part> m_parts;  ///< of the last picture
-  std::vector<bool> m_kept;   ///< those in the layer
+  std::vector<Part> m_parts;   ///< of the last picture
+  std::vector<bool> m_cached;  ///< those in the layer
   std::vector<Visibility> m_added, m_rest;
   std::size_t m_addedTriangles = 0;
 };
