@@ -40,9 +40,9 @@ TtGraphView::~TtGraphView() {
   m_stop.request_stop();
 }
 
-void TtGraphView::tellToEnd() {
+void TtGraphView::requestStop() {
   m_stop.request_stop();
-  m_worker.tellToEnd();
+  m_worker.requestStop();
 }
 
 // --- what is shown ----------------------------------------------------------------------------------------

@@ -25,8 +25,8 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   /// Is the last requested drawing shown? A hidden view requests none.
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
   [[nodiscard]] QString whyNoPicture() const override;
-  void tellToEnd() override;
-  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
+  void requestStop() override;
+  [[nodiscard]] bool hasStopped() const override { return m_worker.hasStopped(); }
 
  signals:
   void drawn();

@@ -14,10 +14,10 @@ const QString kKey = QStringLiteral("exports");
 ExportJobs::ExportJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
 
 ExportJobs::~ExportJobs() {
-  tellToEnd();
+  requestStop();
 }
 
-void ExportJobs::tellToEnd() {
+void ExportJobs::requestStop() {
   m_waiting.clear();
   stop();
 }

@@ -34,8 +34,8 @@ class ExportJobs : public QObject, public BackgroundWork {
   void add(Job job);
   void stop();  ///< stops the current job
   [[nodiscard]] bool isBusy() const { return m_isBusy; }
-  void tellToEnd() override;
-  [[nodiscard]] bool hasEnded() const override { return !m_isBusy; }
+  void requestStop() override;
+  [[nodiscard]] bool hasStopped() const override { return !m_isBusy; }
 
  signals:
   void finished(const QString& path);

@@ -136,13 +136,13 @@ MainWindow::~MainWindow() {
   disconnect(&m_document->undoStack(), nullptr, this, nullptr);
 }
 
-void MainWindow::tellToEnd() {
-  for (BackgroundWork* work : backgroundWork()) work->tellToEnd();
+void MainWindow::requestStop() {
+  for (BackgroundWork* work : backgroundWork()) work->requestStop();
 }
 
-bool MainWindow::hasEnded() const {
+bool MainWindow::hasStopped() const {
   const std::vector<BackgroundWork*> all = backgroundWork();
-  return std::all_of(all.begin(), all.end(), [](const BackgroundWork* work) { return work->hasEnded(); });
+  return std::all_of(all.begin(), all.end(), [](const BackgroundWork* work) { return work->hasStopped(); });
 }
 
 std::vector<BackgroundWork*> MainWindow::backgroundWork() const {

@@ -146,9 +146,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] bool isSettled() const;
 
   /// Requests the end of all background work of the window, to be called when it is closed. Does not wait.
-  void tellToEnd();
+  void requestStop();
   /// Has all background work ended? Then the window can be destroyed without waiting.
-  [[nodiscard]] bool hasEnded() const;
+  [[nodiscard]] bool hasStopped() const;
 
  signals:
   /// Analysis and stage of the current document have reached all views.

@@ -241,13 +241,13 @@ void WindowSet::onClosed(MainWindow* window) {
 }
 
 void WindowSet::leave(std::unique_ptr<MainWindow> window) {
-  window->tellToEnd();
+  window->requestStop();
   m_leaving.push_back(std::move(window));
   m_leaveSoon->start();
 }
 
 void WindowSet::deleteLeft() {
-  if (!m_leaving.front()->hasEnded()) return;
+  if (!m_leaving.front()->hasStopped()) return;
   m_leaving.pop_front();
   if (m_leaving.empty()) m_leaveSoon->stop();
 }

@@ -43,8 +43,8 @@ class LongEdit final : public QObject, public BackgroundWork {
   LongEdit(Document* document, QWidget* window, QString text, quint64 gesture, int elements, Work work);
   ~LongEdit() override;
 
-  void tellToEnd() override { m_service->tellToEnd(); }
-  [[nodiscard]] bool hasEnded() const override { return m_service->hasEnded(); }
+  void requestStop() override { m_service->requestStop(); }
+  [[nodiscard]] bool hasStopped() const override { return m_service->hasStopped(); }
 
  signals:
   /// Why the document rejected the edit, as a sentence; empty if it succeeded or was cancelled.

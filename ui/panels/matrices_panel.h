@@ -29,8 +29,8 @@ class MatricesPanel : public QWidget, public BackgroundWork {
  public:
   explicit MatricesPanel(Selection* selection, QWidget* parent = nullptr);
 
-  void tellToEnd() override { m_writer.tellToEnd(); }
-  [[nodiscard]] bool hasEnded() const override { return m_writer.hasEnded(); }
+  void requestStop() override { m_writer.requestStop(); }
+  [[nodiscard]] bool hasStopped() const override { return m_writer.hasStopped(); }
 
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);

@@ -24,12 +24,12 @@ Autosave::Autosave(Document* document, QString folder, QObject* parent)
 }
 
 Autosave::~Autosave() {
-  tellToEnd();
+  requestStop();
 }
 
-void Autosave::tellToEnd() {
+void Autosave::requestStop() {
   if (m_timer->isActive()) save();
-  m_thread.tellToEnd();
+  m_thread.requestStop();
 }
 
 void Autosave::onChanged() {

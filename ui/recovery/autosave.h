@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/foundations/base/ending_thread.h"
+#include "core/foundations/base/stoppable_thread.h"
 #include "core/mechanism/model/mechanism.h"
 #include "ui/document/document.h"
 #include "ui/recovery/side_file.h"
@@ -36,8 +36,8 @@ class Autosave : public QObject, public BackgroundWork {
   /// Continues with a side file that was left behind, whose document has been restored as unsaved changes.
   void adopt(std::unique_ptr<SideFile> side, const SideNote& note);
   /// Requests the end of the thread, which first completes pending writes. Does not wait.
-  void tellToEnd() override;
-  [[nodiscard]] bool hasEnded() const override { return m_thread.hasEnded(); }
+  void requestStop() override;
+  [[nodiscard]] bool hasStopped() const override { return m_thread.hasStopped(); }
   /// Discards the unsaved changes: removes the side file.
   void discard();
   /// Has the newest state been written, or is there nothing unsaved?
@@ -76,8 +76,8 @@ class Autosave : public QObject, public BackgroundWork {
   bool m_failing = false;
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
-  std::deque<Job> m_jobs;  ///< guarded by m_mutex
-  EndingThread m_thread;   ///< last: started after the members it uses
+  std::deque<Job> m_jobs;    ///< guarded by m_mutex
+  StoppableThread m_thread;  ///< last: started after the members it uses
 };
 
 }  // namespace geargraph::inline recovery

@@ -13,9 +13,9 @@ class BackgroundWork {
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
   /// Requests the current work to stop, and starts none any more. Does not wait.
-  virtual void tellToEnd() = 0;
+  virtual void requestStop() = 0;
   /// Was the end requested, and is no work in progress?
-  [[nodiscard]] virtual bool hasEnded() const = 0;
+  [[nodiscard]] virtual bool hasStopped() const = 0;
 };
 
 }  // namespace geargraph::inline ui_service

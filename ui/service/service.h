@@ -69,8 +69,8 @@ class Service : public ServiceSignals {
     m_isComplete = true;
   }
 
-  void tellToEnd() override { m_worker.tellToEnd(); }
-  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
+  void requestStop() override { m_worker.requestStop(); }
+  [[nodiscard]] bool hasStopped() const override { return m_worker.hasStopped(); }
 
   /// The last answer that arrived; default-constructed before the first.
   [[nodiscard]] const Answer& answer() const { return m_answer; }

@@ -65,8 +65,8 @@ ImageCanvas::~ImageCanvas() {
   m_viewer->setPick({});
 }
 
-void ImageCanvas::tellToEnd() {
-  if (m_thread != nullptr) m_thread->tellToEnd();
+void ImageCanvas::requestStop() {
+  if (m_thread != nullptr) m_thread->requestStop();
 }
 
 QString ImageCanvas::rendererName() const {

@@ -34,8 +34,8 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   void setDark(bool dark) { m_dark = dark; }
   /// Sets the text shown while there are bodies but no frame yet.
   void setWaitingText(const QString& text) { m_waitingText = text; }
-  void tellToEnd() override;
-  [[nodiscard]] bool hasEnded() const override { return m_thread == nullptr || m_thread->hasEnded(); }
+  void requestStop() override;
+  [[nodiscard]] bool hasStopped() const override { return m_thread == nullptr || m_thread->hasStopped(); }
   /// Is the current frame shown?
   [[nodiscard]] bool isUpToDate() const;
 

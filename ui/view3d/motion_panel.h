@@ -31,8 +31,8 @@ class MotionPanel : public QWidget, public BackgroundWork {
   /// Sets the document that names in legends are taken from. Sheets, and files exported from them, have
   /// labels only.
   void setNames(const MechanismPtr& newest);
-  void tellToEnd() override { m_worker.tellToEnd(); }
-  [[nodiscard]] bool hasEnded() const override { return m_worker.hasEnded(); }
+  void requestStop() override { m_worker.requestStop(); }
+  [[nodiscard]] bool hasStopped() const override { return m_worker.hasStopped(); }
   /// Do the sheets show the current choice?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
 

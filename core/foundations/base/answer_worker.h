@@ -108,8 +108,8 @@ class AnswerWorker {
   }
 
   /// As for RequestWorker.
-  void tellToEnd() { m_worker.tellToEnd(); }
-  [[nodiscard]] bool hasEnded() const { return m_worker.hasEnded(); }
+  void requestStop() { m_worker.requestStop(); }
+  [[nodiscard]] bool hasStopped() const { return m_worker.hasStopped(); }
 
   /// Blocks until the last reply to a request has been delivered, and returns it; std::nullopt after `most`,
   /// or if the request was replaced.

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "core/foundations/base/ending_thread.h"
+#include "core/foundations/base/stoppable_thread.h"
 #include "core/foundations/platform/system.h"
 
 namespace geargraph::inline base {
@@ -40,7 +40,7 @@ class RequestWorker {
           if (urgency == Urgency::background) lowerThreadPriority();
           run(quit);
         }) {}
-  ~RequestWorker() { tellToEnd(); }
+  ~RequestWorker() { requestStop(); }
   RequestWorker(const RequestWorker&) = delete;
   RequestWorker& operator=(const RequestWorker&) = delete;
 
@@ -56,13 +56,13 @@ class RequestWorker {
 
   /// Requests the end like the destructor, but does not wait for it, so that many workers can end at the same
   /// time.
-  void tellToEnd() {
-    m_thread.tellToEnd();
+  void requestStop() {
+    m_thread.requestStop();
     const std::lock_guard lock(m_mutex);
     m_underWay.request_stop();
   }
   /// Was the end requested, and is no work in progress?
-  [[nodiscard]] bool hasEnded() const { return m_thread.hasEnded(); }
+  [[nodiscard]] bool hasStopped() const { return m_thread.hasStopped(); }
 
   /// Drops the waiting request and asks the current work to stop.
   void cancel() {
@@ -97,7 +97,7 @@ class RequestWorker {
   std::optional<Request> m_next;                  ///< guarded by m_mutex
   Clock::time_point m_asked;                      ///< guarded by m_mutex
   std::stop_source m_underWay{std::nostopstate};  ///< guarded by m_mutex
-  EndingThread m_thread;                          ///< last member: it starts when the others are initialised
+  StoppableThread m_thread;                       ///< last member: it starts when the others are initialised
 };
 
 }  // namespace geargraph::inline base

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/foundations/base/ending_thread.h"
+#include "core/foundations/base/stoppable_thread.h"
 #include "core/presentation/painting/egl_host.h"
 #include "core/presentation/stage/owning_frame.h"
 
@@ -68,9 +68,9 @@ class PictureThread {
   [[nodiscard]] bool isSoftware() const { return m_isSoftware; }
 
   /// Requests the end like the destructor, but does not wait for it.
-  void tellToEnd() { m_thread->tellToEnd(); }
+  void requestStop() { m_thread->requestStop(); }
   /// Was the end requested, and is no work in progress?
-  [[nodiscard]] bool hasEnded() const { return m_thread->hasEnded(); }
+  [[nodiscard]] bool hasStopped() const { return m_thread->hasStopped(); }
 
   void order(PictureOrder order);
   /// Paints these when idle, without delivering them, so that the driver compiles its shaders ahead of time.
@@ -112,7 +112,7 @@ class PictureThread {
   std::optional<PictureOrder> m_mapDue;     ///< the order whose map is pending; guarded by m_mutex
   std::deque<PictureOrder> m_rehearsals;    ///< guarded by m_mutex
   bool m_isPainting = false;                ///< guarded by m_mutex
-  std::optional<EndingThread> m_thread;     ///< last: stopped before the members it uses are destroyed
+  std::optional<StoppableThread> m_thread;  ///< last: stopped before the members it uses are destroyed
 };
 
 }  // namespace geargraph::inline stage

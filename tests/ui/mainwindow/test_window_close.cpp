@@ -82,7 +82,7 @@ class WindowCloseTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->document().replace(test::deepTrain(1, 1000), {});
     QTest::qWait(40);
-    QVERIFY(!window->hasEnded());
+    QVERIFY(!window->hasStopped());
     QVERIFY(window->close());
     QVERIFY(windows.windows().empty());
     QVERIFY(!window.isNull());  // nothing was waited for

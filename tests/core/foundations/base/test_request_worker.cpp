@@ -151,15 +151,15 @@ void manyAreToldToEndBeforeOneIsWaitedFor() {
   slow.request(0);
   endless.begun.get_future().wait();
   waiting.get_future().wait();
-  check(!quick.hasEnded() && !slow.hasEnded(), "nothing ends by itself");
-  slow.tellToEnd();
-  quick.tellToEnd();
-  while (!quick.hasEnded()) std::this_thread::yield();
+  check(!quick.hasStopped() && !slow.hasStopped(), "nothing ends by itself");
+  slow.requestStop();
+  quick.requestStop();
+  while (!quick.hasStopped()) std::this_thread::yield();
   check(endless.stopped, "what is told to end is asked to stop");
-  check(!slow.hasEnded(), "and nobody has waited for the other");
+  check(!slow.hasStopped(), "and nobody has waited for the other");
   slow.request(1);
   go.set_value();
-  while (!slow.hasEnded()) std::this_thread::yield();
+  while (!slow.hasStopped()) std::this_thread::yield();
   check(begun == 1, "nothing is begun once it is told to end");
 }
 

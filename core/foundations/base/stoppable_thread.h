@@ -7,25 +7,25 @@
 
 namespace geargraph::inline base {
 
-/// A thread whose end can be requested and queried without waiting. The destructor requests the end and waits
-/// for it.
-class EndingThread {
+/// A thread whose stop can be requested and queried without waiting. The destructor requests it and waits
+/// for the end.
+class StoppableThread {
  public:
   /// Starts the thread with `run(quit)`, which must return soon after a stop of `quit` is requested.
   template <class Run>
-  explicit EndingThread(Run run)
+  explicit StoppableThread(Run run)
       : m_thread([this, run = std::move(run)](const std::stop_token& quit) mutable {
           run(quit);
-          m_hasEnded = true;
+          m_hasStopped = true;
         }) {}
 
-  /// Requests the end; does not wait. Thread-safe.
-  void tellToEnd() { m_thread.request_stop(); }
+  /// Requests a stop; does not wait. Thread-safe.
+  void requestStop() { m_thread.request_stop(); }
   /// Has `run` returned? Its captures may not be destroyed yet. Thread-safe.
-  [[nodiscard]] bool hasEnded() const { return m_hasEnded; }
+  [[nodiscard]] bool hasStopped() const { return m_hasStopped; }
 
  private:
-  std::atomic<bool> m_hasEnded = false;
+  std::atomic<bool> m_hasStopped = false;
   std::jthread m_thread;  ///< last: started after and joined before the other members
 };
 
