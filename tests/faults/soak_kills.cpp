@@ -95,7 +95,7 @@ class Kills {
   void checkSideFile(int kept, int edited) {
     const QString folder = QString::fromStdString(m_folder.path());
     int newest = m_version;
-    for (const auto& side : leftBehindOf(QString::fromStdString(m_document), folder)) {
+    for (const auto& side : recoverableFilesOf(QString::fromStdString(m_document), folder)) {
       const auto document = side->read();
       const auto version = document ? test::versionOf(document->mechanism) : std::nullopt;
       if (!version || *version > edited) {

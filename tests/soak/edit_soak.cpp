@@ -258,7 +258,7 @@ void EditSoak::crashAndRecover() {
   const std::string before = bytes();
   const bool unsaved = m_document->isModified();
   m_autosave.reset();  // its thread ends what is being written
-  SideFiles left = leftBehindOf(m_path, m_folder.path());
+  SideFiles left = recoverableFilesOf(m_path, m_folder.path());
   expect(
       left.size() == (unsaved ? 1U : 0U),
       std::to_string(left.size()) + (unsaved ? " side files with unsaved changes" : " side files without"));

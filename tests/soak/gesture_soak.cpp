@@ -132,7 +132,7 @@ void GestureSoak::beginRound() {
   m_ending = false;
   m_sinceGesture.start();
   m_gesturesBefore = m_gestures;
-  m_windows->openNew().files().openForPerson(path);
+  m_windows->openNew().files().openByUser(path);
 }
 
 /// The next event of a gesture, after all that this one brings about. Called before the event, because it may

@@ -24,12 +24,12 @@ Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
 
 }  // namespace
 
-Edit holdEdit(const Mechanism& now, LinkId link) {
+Edit brakeEdit(const Mechanism& now, LinkId link) {
   return {tr("Hold %1").arg(describe(now, {link})),
           [link](const Mechanism& mechanism) { return withLastEngaged(withBrake(mechanism, link)); }, 0};
 }
 
-Edit tieEdit(LinkId one, LinkId other) {
+Edit clutchEdit(LinkId one, LinkId other) {
   return {
       tr("Connect links"),
       [one, other](const Mechanism& mechanism) { return withLastEngaged(withClutch(mechanism, one, other)); },
@@ -45,7 +45,7 @@ Edit toggleBrakeEdit(const Mechanism& now, LinkId link) {
   const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const Coupling& each) {
     return each.kind == CouplingKind::brake && each.links.front() == link;
   });
-  if (brake == now.couplings.end()) return holdEdit(now, link);
+  if (brake == now.couplings.end()) return brakeEdit(now, link);
   const bool isEngaged = std::find(now.engaged.begin(), now.engaged.end(), brake->id) != now.engaged.end();
   return engageEdit(now, brake->id, !isEngaged);
 }

@@ -7,9 +7,9 @@ namespace geargraph::inline canvas {
 // Edits of brakes and clutches, to be applied or only previewed (MenuPreview).
 
 /// Adds an engaged brake that holds the link.
-[[nodiscard]] Edit holdEdit(const Mechanism& now, LinkId link);
+[[nodiscard]] Edit brakeEdit(const Mechanism& now, LinkId link);
 /// Adds an engaged clutch that makes both links turn as one.
-[[nodiscard]] Edit tieEdit(LinkId one, LinkId other);
+[[nodiscard]] Edit clutchEdit(LinkId one, LinkId other);
 [[nodiscard]] Edit engageEdit(const Mechanism& now, CouplingId coupling, bool engaged);
 /// Engages or releases the brake of the link; adds one if it has none.
 [[nodiscard]] Edit toggleBrakeEdit(const Mechanism& now, LinkId link);

@@ -14,8 +14,8 @@ QString tr(const char* text) {
   return QCoreApplication::translate("canvas", text);
 }
 
-Carrying carryingJoint(const Mechanism& mechanism, const Digraph& graph,
-                       const std::optional<SpanningTree>& tree, LinkId link) {
+CarryingJoint carryingJoint(const Mechanism& mechanism, const Digraph& graph,
+                            const std::optional<SpanningTree>& tree, LinkId link) {
   if (link == mechanism.links.front().id) return {{}, tr("the ground does not move")};
   const int node = graph.nodeOf(link);
   if (tree) {
@@ -37,7 +37,7 @@ Carrying carryingJoint(const Mechanism& mechanism, const Digraph& graph,
 
 }  // namespace
 
-Carrying carryingJoint(const Mechanism& mechanism, LinkId link) {
+CarryingJoint carryingJoint(const Mechanism& mechanism, LinkId link) {
   const Digraph graph(mechanism);
   return carryingJoint(mechanism, graph, SpanningTree::of(graph), link);
 }
@@ -68,7 +68,7 @@ std::set<JointId> jointsDrivenBy(const Mechanism& mechanism, const std::set<Elem
   for (const ElementId& element : elements) {
     if (element.kind == ElementKind::turningJoint) joints.insert(JointId(element.id));
     if (element.kind != ElementKind::link) continue;
-    const Carrying carrying = carryingJoint(mechanism, graph, tree, LinkId(element.id));
+    const CarryingJoint carrying = carryingJoint(mechanism, graph, tree, LinkId(element.id));
     if (carrying.joint) joints.insert(*carrying.joint);
   }
   return joints;

@@ -12,11 +12,11 @@ namespace geargraph::inline canvas {
 
 /// The turning joint that carries a link: the one towards the ground, or the only candidate while the tree is
 /// incomplete. Without one, `why` has the reason for a menu.
-struct Carrying {
+struct CarryingJoint {
   std::optional<JointId> joint;
   QString why;
 };
-[[nodiscard]] Carrying carryingJoint(const Mechanism& mechanism, LinkId link);
+[[nodiscard]] CarryingJoint carryingJoint(const Mechanism& mechanism, LinkId link);
 
 [[nodiscard]] bool isInput(const Mechanism& mechanism, JointId joint);
 

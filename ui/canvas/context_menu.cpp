@@ -59,11 +59,12 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
   if (const Coupling* brake = couplingOf(mechanism, CouplingKind::brake, {link})) {
     const ElementId id = brake->id;
     addEngage(menu, mechanism, brake->id, actions);
-    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
+    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
+        [actions, id] { actions.removeCoupling(id); });
   } else {
     QAction* entry = add(menu, tr("Hold it with a brake"), "B", actions.hold,
                          ground ? tr("the ground does not move") : QString());
-    MenuPreview::of(menu).add(entry, holdEdit(mechanism, link));
+    MenuPreview::of(menu).add(entry, brakeEdit(mechanism, link));
   }
 }
 
@@ -82,7 +83,8 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
     const ElementId id = clutch->id;
     addEngage(menu, mechanism, clutch->id, actions);
-    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
+    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
+        [actions, id] { actions.removeCoupling(id); });
     return;
   }
   const bool ground = mechanism.links.front().id == one || mechanism.links.front().id == other;
@@ -91,7 +93,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
       tr("Connect %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})), {},
       [actions, one, other] { actions.tie(one, other); },
       ground ? tr("hold the link with a brake") : QString());
-  MenuPreview::of(menu).add(entry, tieEdit(one, other));
+  MenuPreview::of(menu).add(entry, clutchEdit(one, other));
 }
 
 void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {
@@ -108,14 +110,14 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
   } else {
     const bool internal = *kind == MeshKind::internal;
     add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
-        [actions, internal] { actions.makeKind(internal ? MeshKind::external : MeshKind::internal); });
+        [actions, internal] { actions.setMeshKind(internal ? MeshKind::external : MeshKind::internal); });
   }
   addTick(menu, tr("Pin the module"), isPinned(element), [actions, mesh](bool on) { actions.pin(mesh, on); });
 }
 
 void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
   const bool ground = mechanism.links.front().id == link;
-  const Carrying carrying = carryingJoint(mechanism, link);
+  const CarryingJoint carrying = carryingJoint(mechanism, link);
   const bool driven = carrying.joint && isInput(mechanism, *carrying.joint);
   add(menu, tr("Rename"), "F2", actions.rename);
   add(menu, driven ? tr("Stop driving it") : tr("Drive it"), {}, actions.toggleInput, carrying.why);
@@ -138,7 +140,7 @@ void fillForPin(QMenu& menu, const Mechanism& mechanism, AxisId axis, const Cont
   QMenu* lay = menu.addMenu(layTitle);
   lay->setEnabled(!isPinned(*found));
   fillAxisMenu(*lay, axisChoices(mechanism, {axis}),
-               [actions, axis](const AxisChoice& choice) { actions.layAxis(axis, choice); });
+               [actions, axis](const AxisChoice& choice) { actions.placeAxis(axis, choice); });
   addTick(menu, tr("Axis %1 pinned").arg(QString::fromStdString(axis.text())), isPinned(*found),
           [actions, axis](bool on) { actions.pin(axis, on); });
 }
@@ -188,7 +190,7 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
     fillForAxis(menu, mechanism, AxisId(element->id), actions);
   } else if (element->kind == ElementKind::coupling) {
     addEngage(menu, mechanism, CouplingId(element->id), actions);
-    add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.takeOff(id); });
+    add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.removeCoupling(id); });
   } else if (element->kind == ElementKind::note) {
     add(menu, tr("Change the text"), "F2", actions.open);
     add(menu, tr("Delete"), tr("Del"), actions.remove);

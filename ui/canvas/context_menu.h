@@ -22,13 +22,13 @@ struct ContextActions {
   std::function<void()> attachGear;
   std::function<void()> flip;
   std::function<void(const ElementId&, bool)> pin;  ///< an axis, a link or a mesh
-  std::function<void(AxisId, const AxisChoice&)> layAxis;
-  std::function<void(MeshKind)> makeKind;         ///< of the mesh
-  std::function<void(bool)> flipSide;             ///< of a bevel mesh: its tail or its head
-  std::function<void()> hold;                     ///< the link, with a new brake
-  std::function<void(LinkId, LinkId)> tie;        ///< two links, with a new clutch
-  std::function<void(CouplingId, bool)> engage;   ///< or release a brake or a clutch
-  std::function<void(const ElementId&)> takeOff;  ///< removes a brake or a clutch
+  std::function<void(AxisId, const AxisChoice&)> placeAxis;
+  std::function<void(MeshKind)> setMeshKind;             ///< of the mesh
+  std::function<void(bool)> flipSide;                    ///< of a bevel mesh: its tail or its head
+  std::function<void()> hold;                            ///< the link, with a new brake
+  std::function<void(LinkId, LinkId)> tie;               ///< two links, with a new clutch
+  std::function<void(CouplingId, bool)> engage;          ///< or release a brake or a clutch
+  std::function<void(const ElementId&)> removeCoupling;  ///< removes a brake or a clutch
   std::function<void()> remove;
   std::function<void()> open;  ///< opens the in-place editor of the note
   std::function<void()> addLink;

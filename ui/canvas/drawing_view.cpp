@@ -378,13 +378,13 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.selected = m_selection->selected();
   actions.kindOf = [this](MeshId which) { return shownKind(m_document->placed(), which); };
   actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
-  actions.layAxis = [this](AxisId axis, const AxisChoice& choice) { m_commands.layAxis(axis, choice); };
-  actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
+  actions.placeAxis = [this](AxisId axis, const AxisChoice& choice) { m_commands.placeAxis(axis, choice); };
+  actions.setMeshKind = [this, mesh](MeshKind kind) { m_commands.setMeshKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
   actions.hold = [this, link] { m_commands.hold(link); };
   actions.tie = [this](LinkId one, LinkId other) { m_commands.tie(one, other); };
   actions.engage = [this](CouplingId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
-  actions.takeOff = [this](const ElementId& coupling) { m_commands.takeOff(coupling); };
+  actions.removeCoupling = [this](const ElementId& coupling) { m_commands.removeCoupling(coupling); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };
   actions.fit = [this] { fit(); };

@@ -173,7 +173,7 @@ void ElementCommands::rename(LinkId link, const QString& name) {
 
 QString ElementCommands::attachGear(LinkId link) {
   const Mechanism& now = *m_document.mechanism();
-  const Carrying carrying = carryingJoint(now, link);
+  const CarryingJoint carrying = carryingJoint(now, link);
   if (!carrying.joint) return tr("No gear can be attached: %1").arg(carrying.why);
   const TurningJoint& joint = *now.find(*carrying.joint);
   const LinkId carrier = joint.head == link ? joint.tail : joint.head;
@@ -195,12 +195,12 @@ void ElementCommands::pin(const ElementId& element, bool pinned) {
         [element, pinned](const PlacedMechanism& before) { return withPinned(before, element, pinned); });
 }
 
-void ElementCommands::layAxis(AxisId axis, const AxisChoice& choice) {
+void ElementCommands::placeAxis(AxisId axis, const AxisChoice& choice) {
   apply(tr("Lay axis %1").arg(QString::fromStdString(axis.text())),
         [axis, choice](const PlacedMechanism& before) { return withAxisChosen(before, axis, choice); });
 }
 
-void ElementCommands::makeKind(MeshId mesh, MeshKind kind) {
+void ElementCommands::setMeshKind(MeshId mesh, MeshKind kind) {
   apply(tr("Change kind"),
         [mesh, kind](const PlacedMechanism& before) { return withKindFitted(before, mesh, kind); });
 }
@@ -211,11 +211,11 @@ void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
 }
 
 void ElementCommands::hold(LinkId link) {
-  m_document.apply(holdEdit(*m_document.mechanism(), link));
+  m_document.apply(brakeEdit(*m_document.mechanism(), link));
 }
 
 void ElementCommands::tie(LinkId one, LinkId other) {
-  m_document.apply(tieEdit(one, other));
+  m_document.apply(clutchEdit(one, other));
 }
 
 void ElementCommands::engage(CouplingId coupling, bool engaged) {
@@ -226,7 +226,7 @@ void ElementCommands::toggleBrake(LinkId link) {
   m_document.apply(toggleBrakeEdit(*m_document.mechanism(), link));
 }
 
-void ElementCommands::takeOff(const ElementId& coupling) {
+void ElementCommands::removeCoupling(const ElementId& coupling) {
   apply(tr("Take off %1").arg(describe(*m_document.mechanism(), {coupling})),
         [coupling](const Mechanism& mechanism) -> Expected<Mechanism> {
           Expected<Mechanism> released = withCouplingEngaged(mechanism, CouplingId(coupling.id), false);

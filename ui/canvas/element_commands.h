@@ -34,15 +34,15 @@ class ElementCommands {
   QString attachGear(LinkId link);
   void pin(const ElementId& element,
            bool pinned);  ///< an axis, a link for the teeth of its gears, or a mesh for its module
-  void layAxis(AxisId axis, const AxisChoice& choice);  ///< guessed kinds of its meshes are adapted
-  void makeKind(MeshId mesh, MeshKind kind);            ///< axes and pitch points follow
-  void flipSide(MeshId mesh, bool ofTail);              ///< of a bevel: to the other side of the apex
-  void hold(LinkId link);                               ///< with a new brake that is engaged
-  void tie(LinkId one, LinkId other);                   ///< with a new clutch that is engaged
+  void placeAxis(AxisId axis, const AxisChoice& choice);  ///< guessed kinds of its meshes are adapted
+  void setMeshKind(MeshId mesh, MeshKind kind);           ///< axes and pitch points follow
+  void flipSide(MeshId mesh, bool ofTail);                ///< of a bevel: to the other side of the apex
+  void hold(LinkId link);                                 ///< with a new brake that is engaged
+  void tie(LinkId one, LinkId other);                     ///< with a new clutch that is engaged
   void engage(CouplingId coupling, bool engaged);
   /// Engages or releases the brake of the link; adds one if it has none.
   void toggleBrake(LinkId link);
-  void takeOff(const ElementId& coupling);
+  void removeCoupling(const ElementId& coupling);
   /// Sets the torque in a joint or on a link, "10 Nm"; an empty text removes it. Returns the reason if that
   /// is not possible, else an empty text.
   QString setTorque(const ElementId& element, const QString& text);

@@ -230,7 +230,7 @@ class MainWindow : public QMainWindow {
   void playNextLesson();
   void playLessonNamed(const QString& id);
   void setAnswersOpen(bool isOpen);
-  void goOnWithLesson(const MainWindow& former);
+  void resumeLesson(const MainWindow& former);
 
   Workbench* m_workbench;
   Document* m_document;    ///< the workbench's

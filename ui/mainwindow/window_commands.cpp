@@ -65,7 +65,7 @@ void MainWindow::makeMenus() {
   QMenu* examples = file->addMenu(tr("Open e&xample"));
   for (const QString& path : examplePaths()) {
     examples->addAction(QFileInfo(path).completeBaseName(), this,
-                        [this, path] { m_files->openForPerson(path); });
+                        [this, path] { m_files->openByUser(path); });
   }
   file->addSeparator();
   file->addActions(
@@ -215,13 +215,13 @@ void MainWindow::wireFiles() {
   connect(files, &WindowFiles::rejected, m_status, &StatusLine::showRejection);
   connect(files, &WindowFiles::noted, m_status, &StatusLine::showNote);
   connect(files, &WindowFiles::read, m_problems, &ProblemsPanel::clearFileProblems);
-  connect(files, &WindowFiles::broken, this, [this](const QString& name, const Diagnostics& why) {
+  connect(files, &WindowFiles::unreadable, this, [this](const QString& name, const Diagnostics& why) {
     m_problems->setFileProblems(name, why);
     dock("dock.problems")->show();
     dock("dock.problems")->raise();
   });
-  connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openForPerson);
-  connect(a.newDocument, &QAction::triggered, files, &WindowFiles::newForPerson);
+  connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openByUser);
+  connect(a.newDocument, &QAction::triggered, files, &WindowFiles::newByUser);
   connect(a.newWindow, &QAction::triggered, files, &WindowFiles::newWindow);
   connect(a.startPage, &QAction::triggered, this, [this] { showStartPage(); });
   connect(a.open, &QAction::triggered, files, &WindowFiles::chooseAndOpen);
@@ -231,9 +231,9 @@ void MainWindow::wireFiles() {
   connect(a.restoreSession, &QAction::triggered, files, &WindowFiles::setRestoresSession);
   connect(a.close, &QAction::triggered, this, &QWidget::close);
   connect(a.quit, &QAction::triggered, files, &WindowFiles::quit);
-  connect(m_start, &StartPage::newWanted, files, &WindowFiles::newForPerson);
+  connect(m_start, &StartPage::newWanted, files, &WindowFiles::newByUser);
   connect(m_start, &StartPage::openWanted, files, &WindowFiles::chooseAndOpen);
-  connect(m_start, &StartPage::chosen, files, &WindowFiles::openForPerson);
+  connect(m_start, &StartPage::chosen, files, &WindowFiles::openByUser);
   connect(m_document, &Document::replaced, this, &MainWindow::onOpened);
   // Whoever begins to draw, or opens something, is done with the start page.
   for (const auto signal : {&Document::changed, &Document::replaced}) {
@@ -251,7 +251,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  for (const QString& path : WindowFiles::filesIn(*event->mimeData())) m_files->openForPerson(path);
+  for (const QString& path : WindowFiles::filesIn(*event->mimeData())) m_files->openByUser(path);
   event->acceptProposedAction();
 }
 

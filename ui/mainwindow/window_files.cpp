@@ -54,16 +54,16 @@ bool WindowFiles::open(const QString& path) {
   std::optional<Expected<Mechanism>> opened = readDocument(path, m_window);
   if (!opened) return false;
   if (!*opened) {
-    sayBroken(path, opened->error());
+    reportUnreadable(path, opened->error());
     return false;
   }
   show(std::move(*opened).value(), path);
   return true;
 }
 
-void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
+void WindowFiles::reportUnreadable(const QString& path, const Diagnostics& why) {
   const QString name = QFileInfo(path).fileName();
-  emit broken(name, why);
+  emit unreadable(name, why);
   emit rejected(tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
   offerInterrupted(path);
 }
@@ -78,7 +78,7 @@ void WindowFiles::show(Mechanism mechanism, const QString& path) {
   took(isExample ? QString() : path);
   if (isExample) return;
   offerInterrupted(path);
-  offerLeftBehind();
+  offerRecovery();
 }
 
 /// A table has no place for all of a document, so that nothing is saved to it.
@@ -120,7 +120,7 @@ QString WindowFiles::source() const {
   return m_document->filePath().isEmpty() ? m_example : m_document->filePath();
 }
 
-void WindowFiles::keepNothing(const QString& title) {
+void WindowFiles::makeTransient(const QString& title) {
   m_lessonTitle = title;
   if (m_autosave) m_autosave->discard();
   m_autosave.reset();
@@ -128,19 +128,19 @@ void WindowFiles::keepNothing(const QString& title) {
 }
 
 QString WindowFiles::title() const {
-  if (keepsNothing()) return m_lessonTitle;
+  if (isTransient()) return m_lessonTitle;
   const QString name = QFileInfo(source()).fileName();
   return name.isEmpty() ? tr("Untitled") : name;
 }
 
 bool WindowFiles::isUnused() const {
-  return m_document->filePath().isEmpty() && !m_document->isModified() && !keepsNothing();
+  return m_document->filePath().isEmpty() && !m_document->isModified() && !isTransient();
 }
 
-void WindowFiles::newForPerson() {
+void WindowFiles::newByUser() {
   const bool isEmpty =
       m_document->filePath().isEmpty() && isSameButForView(*m_document->mechanism(), emptyMechanism());
-  if (isEmpty && !keepsNothing()) return startAnew();  // all that was drawn has been deleted: nothing to save
+  if (isEmpty && !isTransient()) return startAnew();  // all that was drawn has been deleted: nothing to save
   if (isUnused() || m_windows == nullptr) {
     if (mayDiscard()) startAnew();
   } else {
@@ -152,7 +152,7 @@ void WindowFiles::newWindow() {
   if (m_windows != nullptr) m_windows->addWindow();
 }
 
-void WindowFiles::openForPerson(const QString& path) {
+void WindowFiles::openByUser(const QString& path) {
   if (m_windows != nullptr) return m_windows->openFrom(path, *this);
   if (mayDiscard() && !open(path)) m_recent->forget(path);
 }
@@ -160,7 +160,7 @@ void WindowFiles::openForPerson(const QString& path) {
 void WindowFiles::chooseAndOpen() {
   const QString folder = QFileInfo(m_document->filePath()).path();
   const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, readableFilter());
-  if (!path.isEmpty()) openForPerson(path);
+  if (!path.isEmpty()) openByUser(path);
 }
 
 void WindowFiles::discard() {
@@ -187,14 +187,14 @@ void WindowFiles::renewActions(const WindowActions& actions) const {
   actions.restoreSession->setChecked(m_windows != nullptr && m_windows->restoresSession());
   for (QAction* save : {actions.save, actions.saveAs})
     WindowActions::setAvailable(
-        save, !keepsNothing(), tr("A lesson's drawing is not kept: copy what you need into another window."));
+        save, !isTransient(), tr("A lesson's drawing is not kept: copy what you need into another window."));
   const bool hasFile = !m_document->filePath().isEmpty();
   WindowActions::setAvailable(
       actions.revert, hasFile && m_document->isModified(),
       hasFile ? tr("Nothing has been changed since it was saved.") : tr("The document has no file yet."));
 }
 
-void WindowFiles::bringForward() {
+void WindowFiles::raiseWindow() {
   m_window->setWindowState(m_window->windowState() & ~Qt::WindowMinimized);
   m_window->show();
   m_window->raise();
@@ -239,9 +239,9 @@ void WindowFiles::takeOver(WindowFiles& former) {
   emit titleChanged();
 }
 
-void WindowFiles::offerLeftBehind() {
+void WindowFiles::offerRecovery() {
   if (m_windows == nullptr) return;
-  for (auto& side : leftBehindOf(m_document->filePath(), m_recoveryFolder)) offer(std::move(side));
+  for (auto& side : recoverableFilesOf(m_document->filePath(), m_recoveryFolder)) offer(std::move(side));
 }
 
 void WindowFiles::offer(std::unique_ptr<SideFile> side) {
@@ -281,7 +281,7 @@ void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
   const bool here = isUnused() || isOwnFile(path);
   if (!here && m_windows != nullptr) {
     if (const auto open = m_windows->filesWith(path, nullptr); !open.empty()) {
-      open.front()->bringForward();
+      open.front()->raiseWindow();
       return open.front()->restore(offered);
     }
     return m_windows->addWindow().restore(offered);

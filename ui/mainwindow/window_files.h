@@ -67,14 +67,14 @@ class WindowFiles : public QObject {
   WindowFiles(Workbench& workbench, QWidget* window, NoticeBar* notices, RecentFiles* recent,
               std::function<Mechanism()> saved);
 
-  /// Opens a file or an example in this window. False if reading failed (broken() gives the diagnostics) or
-  /// was cancelled; then the open document stays.
+  /// Opens a file or an example in this window. False if reading failed (unreadable() gives the diagnostics)
+  /// or was cancelled; then the open document stays.
   bool open(const QString& path);
   /// Shows a document that was read from `path`. One that was imported from a table gets no file: it is an
   /// edit of an empty document.
   void show(Mechanism mechanism, const QString& path);
   /// Reports why a file was not opened.
-  void sayBroken(const QString& path, const Diagnostics& why);
+  void reportUnreadable(const QString& path, const Diagnostics& why);
   /// False if the file was not written; then a notice, ahead of all others, gives the reason, and the
   /// document stays modified. A file that another program has changed meanwhile is not overwritten; the
   /// notice asks what to do.
@@ -88,9 +88,9 @@ class WindowFiles : public QObject {
   void renewActions(const WindowActions& actions) const;
 
   // User commands: in this window if isUnused(), else in another one.
-  void newForPerson();
+  void newByUser();
   void newWindow();
-  void openForPerson(const QString& path);
+  void openByUser(const QString& path);
   void chooseAndOpen();
   bool saveOrChoose();
   bool chooseAndSave();
@@ -108,9 +108,9 @@ class WindowFiles : public QObject {
   void takeOver(WindowFiles& former);
   /// Marks the document as that of a lesson: it has this title, no file and no side file, is discarded
   /// without a question, and nothing is opened in its place.
-  void keepNothing(const QString& title);
+  void makeTransient(const QString& title);
   /// Raises the window, and activates it as far as the desktop permits.
-  void bringForward();
+  void raiseWindow();
   /// Offers to restore a document that an earlier run has left in a side file.
   void offer(std::unique_ptr<SideFile> side);
   /// Was nothing drawn or opened here, or only an example viewed?
@@ -121,27 +121,27 @@ class WindowFiles : public QObject {
   [[nodiscard]] QString title() const;
   /// Is the file open in another window or program, so that this window does not write to it?
   [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
-  [[nodiscard]] bool keepsNothing() const { return !m_lessonTitle.isEmpty(); }
+  [[nodiscard]] bool isTransient() const { return !m_lessonTitle.isEmpty(); }
   [[nodiscard]] Autosave* autosave() const { return m_autosave.get(); }
 
  signals:
   void titleChanged();
   void sourceChanged();
-  /// renewActions() is to be called: after join(), takeOver() and keepNothing().
+  /// renewActions() is to be called: after join(), takeOver() and makeTransient().
   void joined();
   /// Messages for the status bar: why a command was rejected, and what was done.
   void rejected(const QString& why);
   void noted(const QString& note);
   /// A file could not be opened, with the diagnostics.
-  void broken(const QString& name, const geargraph::Diagnostics& why);
-  /// A file was opened: the diagnostics of broken() are obsolete.
+  void unreadable(const QString& name, const geargraph::Diagnostics& why);
+  /// A file was opened: the diagnostics of unreadable() are obsolete.
   void read();
 
  private:
   struct Offered;
   void import(Mechanism mechanism, const QString& table);
   void restore(const std::shared_ptr<Offered>& offered);
-  void offerLeftBehind();
+  void offerRecovery();
   void onForeignChange();
   void onRemoved();
   void postForeignChange(const Expected<Mechanism>& now, bool isSaving);

@@ -57,7 +57,7 @@ std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   renewed.setTime(time);
   renewed.setPlaying(isPlaying);
   if (isStarting) window->showStartPage();
-  if (former.m_lesson != nullptr) window->goOnWithLesson(former);
+  if (former.m_lesson != nullptr) window->resumeLesson(former);
   return window;
 }
 

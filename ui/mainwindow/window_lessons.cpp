@@ -130,7 +130,7 @@ void MainWindow::wantLesson(const std::shared_ptr<const Lesson>& lesson, const Q
 void MainWindow::playLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place,
                             const QString& file) {
   if (m_lesson == nullptr) makeLesson();
-  m_files->keepNothing(QString::fromStdString(lesson->title));
+  m_files->makeTransient(QString::fromStdString(lesson->title));
   m_lessonWatch->watch(file);
   m_lessonFile = file;
   m_lesson->play(lesson, place);
@@ -189,7 +189,7 @@ void MainWindow::playNextLesson() {
 }
 
 /// From its step on: the lesson begins the step anew.
-void MainWindow::goOnWithLesson(const MainWindow& former) {
+void MainWindow::resumeLesson(const MainWindow& former) {
   const auto& lesson = former.m_lesson->lesson();
   const auto& lessons = course();
   const auto found =

@@ -88,7 +88,7 @@ bool WindowFiles::mayReplace(const QString& path) {
 }
 
 bool WindowFiles::mayDiscard() {
-  if (!m_document->isModified() || keepsNothing()) return true;
+  if (!m_document->isModified() || isTransient()) return true;
   // Several windows may be closing; the question is about this one.
   if (!m_window->isActiveWindow()) {
     m_window->raise();
@@ -119,7 +119,7 @@ void WindowFiles::reload() {
   const QString path = m_document->filePath();
   std::optional<Expected<Mechanism>> document = readDocument(path, m_window);
   if (!document) return;
-  if (!*document) return sayBroken(path, document->error());
+  if (!*document) return reportUnreadable(path, document->error());
   emit read();
   m_document->apply(
       takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**document))));

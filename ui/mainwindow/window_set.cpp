@@ -46,7 +46,7 @@ WindowSet::WindowSet(const QString& folder, QObject* parent)
   connect(m_lookSoon, &QTimer::timeout, this, &WindowSet::look);
   m_documents.setShower([this](const QString& path) {
     const auto open = filesWith(path, nullptr);
-    if (!open.empty()) open.front()->bringForward();
+    if (!open.empty()) open.front()->raiseWindow();
     return !open.empty();
   });
 }
@@ -141,7 +141,7 @@ void WindowSet::openLesson(const std::shared_ptr<const Lesson>& lesson, const QS
                                  [](const auto& window) { return window->lesson() != nullptr; });
   MainWindow& window = open != m_windows.end() ? **open : openNew();
   window.playLesson(lesson, place, file);
-  window.files().bringForward();
+  window.files().raiseWindow();
 }
 
 WindowFiles& WindowSet::addWindow() {
@@ -152,7 +152,7 @@ void WindowSet::openFrom(const QString& path, WindowFiles& from) {
   const bool isExample = path.startsWith(QLatin1String(":/"));
   const QString wanted = isExample ? path : QFileInfo(path).absoluteFilePath();
   if (const auto open = filesWith(wanted, nullptr); !open.empty()) {
-    open.front()->bringForward();
+    open.front()->raiseWindow();
     return emit open.front()->noted(tr("%1 is open in this window already.").arg(open.front()->title()));
   }
   MainWindow* const asking = std::find_if(m_windows.begin(), m_windows.end(), [&](const auto& window) {
@@ -162,7 +162,7 @@ void WindowSet::openFrom(const QString& path, WindowFiles& from) {
   if (!opened) return;
   if (!*opened) {
     RecentFiles::forget(wanted);
-    return from.sayBroken(wanted, opened->error());
+    return from.reportUnreadable(wanted, opened->error());
   }
   MainWindow& window = from.isUnused() ? *asking : add();
   window.files().show(std::move(*opened).value(), wanted);
@@ -182,7 +182,7 @@ void WindowSet::start(const QStringList& documents) {
   } else if (!reopenSession()) {
     openNew().showStartPage();
   }
-  offerLeftBehind();
+  offerRecovery();
 }
 
 bool WindowSet::reopenSession() {
@@ -222,8 +222,8 @@ bool WindowSet::reopenSession() {
   return true;
 }
 
-void WindowSet::offerLeftBehind() {
-  SideFiles left = leftBehind(m_folder, RecentFiles::paths());
+void WindowSet::offerRecovery() {
+  SideFiles left = recoverableFiles(m_folder, RecentFiles::paths());
   for (auto& side : left) m_windows.front()->files().offer(std::move(side));
   offerCrashReports(m_folder, *m_windows.front());
 }

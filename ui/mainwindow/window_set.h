@@ -56,7 +56,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   void connectTo(MainWindow& window);
   void chooseLanguage(const QString& code);
   bool reopenSession();
-  void offerLeftBehind();
+  void offerRecovery();
   void onClosed(MainWindow* window);
   /// Hidden until what works for it has ended, so that nothing waits for that.
   void leave(std::unique_ptr<MainWindow> window);

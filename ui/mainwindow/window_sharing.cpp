@@ -91,7 +91,7 @@ void WindowFiles::showElsewhere(const QString& path) {
         tr("%1 is not open in another window any more. This one writes to it now.").arg(title()));
   }
   if (elsewhere->files != nullptr) {
-    elsewhere->files->bringForward();
+    elsewhere->files->raiseWindow();
     return leaveToOther(path);
   }
   m_windows->documents().show(elsewhere->holder, this, [this, path](bool isShown) {
@@ -114,7 +114,7 @@ void WindowFiles::offerInterrupted(const QString& path) {
          Severity::warning,
          tr("Saving %1 was interrupted, so the file may be damaged. What was to be saved is in %2.")
              .arg(QFileInfo(path).fileName(), QFileInfo(left).fileName()),
-         {{tr("Open the copy"), {}, [this, left] { openForPerson(left); }},
+         {{tr("Open the copy"), {}, [this, left] { openByUser(left); }},
           {tr("Delete the copy"), tr("The file is as it should be"), [left] { QFile::remove(left); }},
           {tr("Later"), tr("It will be offered again"), {}}}});
   }

@@ -53,7 +53,7 @@ void MainWindow::wireView3DCommands() {
     showPreviews(*menu, *m_workbench, [this](const QString& hint) {
       m_status->setHint(hint.isEmpty() ? drawing().hint() : hint);
     });
-    const Carrying carrying = carryingJoint(*m_document->mechanism(), LinkId(element->id));
+    const CarryingJoint carrying = carryingJoint(*m_document->mechanism(), LinkId(element->id));
     QAction* axis =
         menu->addAction(carrying.joint ? tr("Move its axis") : tr("Move its axis (%1)").arg(carrying.why),
                         this, [this, joint = carrying.joint] {

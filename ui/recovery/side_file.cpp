@@ -114,13 +114,13 @@ std::unique_ptr<SideFile> freshSideFile(const QString& filePath, const QString& 
   return nullptr;
 }
 
-SideFiles leftBehindOf(const QString& filePath, const QString& folder) {
+SideFiles recoverableFilesOf(const QString& filePath, const QString& folder) {
   SideFiles held;
   for (const QString& path : sidePathsOf(filePath, folder)) addHeld(held, path);
   return held;
 }
 
-SideFiles leftBehind(const QString& folder, const QStringList& documents) {
+SideFiles recoverableFiles(const QString& folder, const QStringList& documents) {
   SideFiles held;
   const QDir all(folder);
   for (const QString& name : all.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {

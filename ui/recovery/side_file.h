@@ -62,7 +62,7 @@ using SideFiles = std::vector<std::unique_ptr<SideFile>>;
 
 /// The side files left by programs that ended without saving or discarding: of this document, or all in
 /// `folder` and beside these documents. Those owned by a running process are not included.
-[[nodiscard]] SideFiles leftBehindOf(const QString& filePath, const QString& folder);
-[[nodiscard]] SideFiles leftBehind(const QString& folder, const QStringList& documents);
+[[nodiscard]] SideFiles recoverableFilesOf(const QString& filePath, const QString& folder);
+[[nodiscard]] SideFiles recoverableFiles(const QString& folder, const QStringList& documents);
 
 }  // namespace geargraph::inline recovery

@@ -140,7 +140,7 @@ class CrashTest : public QObject {
     const auto two = startEditor();
     kill(*one, kLongestSession);
     kill(*two, kLongestSession);
-    const SideFiles left = leftBehindOf(document, app());
+    const SideFiles left = recoverableFilesOf(document, app());
     QCOMPARE(left.size(), std::size_t{2});
     for (const auto& side : left) {
       const auto read = side->read();

@@ -29,7 +29,7 @@ class AutosaveTest : public QObject {
   /// The document's state is in the side file, and nobody holds it any more.
   [[nodiscard]] SideDocument leftBy(const QString& filePath) {
     autosave.reset();
-    const SideFiles left = leftBehindOf(filePath, app());
+    const SideFiles left = recoverableFilesOf(filePath, app());
     if (left.size() != 1) qFatal("%d side files are left", int(left.size()));
     return left.front()->read().value();
   }
@@ -96,7 +96,7 @@ class AutosaveTest : public QObject {
     addLink();
     autosave->discard();
     autosave.reset();
-    QVERIFY(leftBehind(app(), {}).empty());
+    QVERIFY(recoverableFiles(app(), {}).empty());
   }
 
   void restoredChangesGoOnInTheirSideFile() {
@@ -104,7 +104,7 @@ class AutosaveTest : public QObject {
     addLink();
     addLink();
     SideDocument left = leftBy({});
-    SideFiles files = leftBehindOf({}, app());
+    SideFiles files = recoverableFilesOf({}, app());
     const QString path = files.front()->path();
 
     document = std::make_unique<Document>();

@@ -114,14 +114,14 @@ class SideFileTest : public QObject {
     write(freshSideFile(document, app)->path(), bytes(3));
     write(freshSideFile({}, app)->path(), bytes(4));
     {
-      const SideFiles found = leftBehindOf(document, app);
+      const SideFiles found = recoverableFilesOf(document, app);
       QCOMPARE(found.size(), std::size_t{1});
       QCOMPARE(found.front()->read()->note.edits, 3);
       // What is held is not offered twice.
-      QCOMPARE(leftBehind(app, {document}).size(), std::size_t{1});
+      QCOMPARE(recoverableFiles(app, {document}).size(), std::size_t{1});
     }
-    QCOMPARE(leftBehind(app, {document}).size(), std::size_t{2});
-    QCOMPARE(leftBehind(app, {}).size(), std::size_t{1});
+    QCOMPARE(recoverableFiles(app, {document}).size(), std::size_t{2});
+    QCOMPARE(recoverableFiles(app, {}).size(), std::size_t{1});
   }
 
   void aFolderThatCannotBeWrittenToIsPassedBy() {
