@@ -88,7 +88,7 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
       text += translated("State %1: it names no drive and driven link, so it has no ratio.", {state.name});
     } else {
       text +=
-          solution.drivenStands
+          solution.isDrivenAtRest
               ? translated("State %1: the driven link does not move.", {state.name})
               : translated("State %1: the driven link turns about several directions at once.", {state.name});
     }

@@ -23,7 +23,7 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
             respond({request.places, std::make_shared<const DigraphGeometry>(digraphGeometry(
                                          *request.mechanism, request.places, *request.former))});
           },
-          this, {.overtaken = Overtaken::delivered})) {
+          this, {.superseded = Superseded::delivered})) {
   setAccessibleName(tr("Digraph"));
   m_drawings->onAnswer(this, [this](const Drawing& drawing) {
     m_scene->show(drawing.places, drawing.geometry);

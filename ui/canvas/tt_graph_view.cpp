@@ -103,7 +103,7 @@ void TtGraphView::drawNow() {
 }
 
 void TtGraphView::arrived(const Request& request, const TtGraphSheetPtr& sheet) {
-  if (request.number <= m_shown) return;  // of another document, or overtaken
+  if (request.number <= m_shown) return;  // of another document, or superseded
   m_shown = request.number;
   if (request.snapshot == snapshot()) m_layout = sheet->layout;
   m_scene->show(sheet);

@@ -7,7 +7,7 @@ namespace {
 
 void simulateOne(const SimulationRequest& request, const SimulationService::Responder& respond) {
   std::stop_source halt = request.halt;
-  const std::stop_callback overtaken(respond.stop(), [&halt] { halt.request_stop(); });
+  const std::stop_callback superseded(respond.stop(), [&halt] { halt.request_stop(); });
   TrainDynamics dynamics(request.train->train);
   auto motion = std::make_shared<SimulatedMotion>();
   motion->train = request.train;

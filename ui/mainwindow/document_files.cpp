@@ -64,8 +64,8 @@ bool isTable(const QString& path) {
   return suffix == QLatin1String("csv") || suffix == QLatin1String("tsv");
 }
 
-std::optional<Expected<Mechanism>> readPatiently(const std::function<Expected<Mechanism>()>& read,
-                                                 const QString& name, QWidget* window, int silence) {
+std::optional<Expected<Mechanism>> readInBackground(const std::function<Expected<Mechanism>()>& read,
+                                                    const QString& name, QWidget* window, int silence) {
   const QPointer<QWidget> open(window);
   QEventLoop loop;
   QFutureWatcher<ReadResult> watcher;
@@ -91,7 +91,7 @@ std::optional<Expected<Mechanism>> readPatiently(const std::function<Expected<Me
 
 std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* window) {
   if (QFileInfo(path).size() < kReadAtOnce) return readDocument(path);
-  return readPatiently([path] { return readDocument(path); }, QFileInfo(path).fileName(), window);
+  return readInBackground([path] { return readDocument(path); }, QFileInfo(path).fileName(), window);
 }
 
 std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path) {

@@ -22,11 +22,11 @@ namespace geargraph::inline mainwindow {
 
 /// Reads on a background thread while the window stays responsive. After `silence` ms a dialog shows `name`
 /// and offers to cancel. std::nullopt if cancelled, or if the window was closed meanwhile.
-[[nodiscard]] std::optional<Expected<Mechanism>> readPatiently(
+[[nodiscard]] std::optional<Expected<Mechanism>> readInBackground(
     const std::function<Expected<Mechanism>()>& read, const QString& name, QWidget* window,
     int silence = 400);
 
-/// readDocument(), by readPatiently() for large files.
+/// readDocument(), by readInBackground() for large files.
 [[nodiscard]] std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* window);
 
 /// Writes the file atomically. std::nullopt on success, else the reason.

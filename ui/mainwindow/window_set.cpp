@@ -24,7 +24,7 @@ namespace {
 const QString kSession = QStringLiteral("session/windows");
 const QString kRestores = QStringLiteral("session/restore");
 constexpr int kLaidOut = 1000;  ///< ms after which a new window stands as it will
-constexpr int kLook = 5;        ///< ms between looks whether a closed window can go
+constexpr int kLeavePoll = 5;   ///< ms between checks whether a closed window can go
 constexpr int kCascade = 32;    ///< px between a window and the one opened from it
 
 }  // namespace
@@ -32,18 +32,18 @@ constexpr int kCascade = 32;    ///< px between a window and the one opened from
 WindowSet::WindowSet(const QString& folder, QObject* parent)
     : QObject(parent),
       m_folder(folder),
-      m_lookSoon(new QTimer(this)),
+      m_recordSoon(new QTimer(this)),
       m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))),
       m_documents(folder),
       m_leaveSoon(new QTimer(this)) {
-  m_leaveSoon->setInterval(kLook);
+  m_leaveSoon->setInterval(kLeavePoll);
   connect(m_leaveSoon, &QTimer::timeout, this, &WindowSet::deleteLeft);
   QDir().mkpath(folder);
   m_lock.setStaleLockTime(0);
   m_ownsSession = m_lock.tryLock(0);
-  m_lookSoon->setSingleShot(true);
-  m_lookSoon->setInterval(kLaidOut);
-  connect(m_lookSoon, &QTimer::timeout, this, &WindowSet::look);
+  m_recordSoon->setSingleShot(true);
+  m_recordSoon->setInterval(kLaidOut);
+  connect(m_recordSoon, &QTimer::timeout, this, &WindowSet::recordLayouts);
   m_documents.setShower([this](const QString& path) {
     const auto open = filesWith(path, nullptr);
     if (!open.empty()) open.front()->raiseWindow();
@@ -85,7 +85,7 @@ MainWindow& WindowSet::add() {
   if (active != nullptr) window.move(active->pos() + QPoint(kCascade, kCascade));
   window.files().join(this, m_folder);
   connectTo(window);
-  m_lookSoon->start();
+  m_recordSoon->start();
   return window;
 }
 
@@ -124,7 +124,7 @@ void WindowSet::chooseLanguage(const QString& code) {
     window.setVisible(wasVisible);
     if (wasActive) window.activateWindow();
   }
-  m_lookSoon->start();
+  m_recordSoon->start();
 }
 
 MainWindow& WindowSet::openNew() {
@@ -233,7 +233,7 @@ void WindowSet::onClosed(MainWindow* window) {
                                   [&](const auto& each) { return each.get() == window; });
   if (found == m_windows.end()) return;
   const bool wasLast = m_windows.size() == 1;
-  if (wasLast) look();
+  if (wasLast) recordLayouts();
   m_layouts.erase(window);
   leave(std::move(*found));  // it is the one that tells
   m_windows.erase(found);
@@ -252,8 +252,8 @@ void WindowSet::deleteLeft() {
   if (m_leaving.empty()) m_leaveSoon->stop();
 }
 
-/// How the windows stand now. A window that was shown just now has no layout yet.
-void WindowSet::look() {
+/// Records the layouts of the windows. A window that was shown just now has no layout yet.
+void WindowSet::recordLayouts() {
   for (const auto& window : m_windows) {
     if (window->isVisible()) m_layouts[window.get()] = {window->saveGeometry(), window->saveState()};
   }
@@ -279,7 +279,7 @@ void WindowSet::remember() {
 }
 
 void WindowSet::quit() {
-  look();
+  recordLayouts();
   m_quitting = true;
   for (MainWindow* window : windows()) {
     if (!window->close()) break;

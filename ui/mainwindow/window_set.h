@@ -62,7 +62,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   void leave(std::unique_ptr<MainWindow> window);
   void deleteLeft();
   void openLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
-  void look();
+  void recordLayouts();
   void remember();
 
   struct Layout {
@@ -71,7 +71,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   };
 
   QString m_folder;
-  QTimer* m_lookSoon;
+  QTimer* m_recordSoon;
   QLockFile m_lock;
   OpenDocuments m_documents;
   bool m_ownsSession;

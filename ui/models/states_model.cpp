@@ -187,7 +187,7 @@ QString StatesModel::ratioText(int row) const {
     return tr("linkage");
   }
   if (lacksLinks(row)) return QStringLiteral("–");
-  return solution->drivenStands ? tr("stands") : tr("tumbles");
+  return solution->isDrivenAtRest ? tr("stands") : tr("tumbles");
 }
 
 QString StatesModel::tailText(int row, Tail tail) const {

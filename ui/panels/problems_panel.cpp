@@ -167,8 +167,8 @@ void ProblemsPanel::setLoadDiagnostics(const Diagnostics& diagnostics) {
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
   const bool mends =
-      m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksMendedAtOnce;
-  for (int row = 0; mends && row < std::min(m_model->rowCount(), kMostMendedAtOnce); ++row) {
+      m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksWithImmediateFixes;
+  for (int row = 0; mends && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
     offerFixes(m_model->index(row));
   }
   m_list->doItemsLayout();

@@ -20,7 +20,7 @@ Autosave::Autosave(Document* document, QString folder, QObject* parent)
   connect(m_document, &Document::changed, this, &Autosave::onChanged);
   connect(m_document, &Document::modifiedChanged, this, &Autosave::onChanged);
   // Saved under another name: what is beside the old one is not its side file any more.
-  connect(m_document, &Document::filePathChanged, this, &Autosave::drop);
+  connect(m_document, &Document::filePathChanged, this, &Autosave::removeSideFile);
 }
 
 Autosave::~Autosave() {
@@ -33,7 +33,7 @@ void Autosave::requestStop() {
 }
 
 void Autosave::onChanged() {
-  if (!m_document->isModified()) return drop();
+  if (!m_document->isModified()) return removeSideFile();
   ++m_wanted;
   // From the first edit on, not from the last: one who never pauses is safe too.
   if (!m_timer->isActive()) m_timer->start();
@@ -65,10 +65,10 @@ void Autosave::adopt(std::unique_ptr<SideFile> side, const SideNote& note) {
 }
 
 void Autosave::discard() {
-  drop();
+  removeSideFile();
 }
 
-void Autosave::drop() {
+void Autosave::removeSideFile() {
   m_timer->stop();
   m_editsBefore = 0;
   m_written = m_wanted;

@@ -59,7 +59,7 @@ class Autosave : public QObject, public BackgroundWork {
 
   void onChanged();
   void save();
-  void drop();
+  void removeSideFile();
   void enqueue(Job job);
   void run(const std::stop_token& quit);
   void finished(quint64 number, const QString& error);

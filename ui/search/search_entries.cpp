@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/manual/manual.h"
-#include "ui/search/everyday_words.h"
+#include "ui/search/synonyms.h"
 #include "ui/search/word_match.h"
 
 namespace geargraph::inline search {
@@ -36,7 +36,7 @@ void addCommands(const QMenu& menu, const QString& path, std::vector<SearchEntry
     entry.side = action->shortcut().toString(QKeySequence::NativeText);
     if (entry.side.isEmpty()) entry.side = action->text().section(QLatin1Char('\t'), 1);
     entry.haystack = foldedText(entry.title + QLatin1Char(' ') + plainText(menu.title()));
-    entry.everydayWords = everydayWordsFor(action->objectName());
+    entry.synonyms = synonymsFor(action->objectName());
     entry.action = action;
     entries.push_back(std::move(entry));
   }
@@ -120,7 +120,7 @@ std::vector<SearchEntry> pageEntries() {
       if (section.level > 1) entry.side = shown(page.title);
       entry.haystack = foldedText(entry.title + QLatin1Char(' ') + entry.side);
       const QString words = shown(section.words).simplified();
-      entry.everydayWords = foldedText(words);
+      entry.synonyms = foldedText(words);
       entry.summary = words.size() <= kSummary
                           ? words
                           : words.left(kSummary).section(QLatin1Char(' '), 0, -2) + QStringLiteral(" …");

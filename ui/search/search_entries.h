@@ -18,7 +18,7 @@ struct SearchEntry {
   QString title;                     ///< "Turning joint 12"
   QString side;                      ///< shown at the right: a shortcut or a location
   QString haystack;                  ///< the searched text, folded
-  QString everydayWords;             ///< synonyms, folded; searched if nothing else is found
+  QString synonyms;                  ///< synonyms, folded; searched if nothing else is found
   QPointer<QAction> action;          ///< of a command
   std::optional<ElementId> element;  ///< of an element
   std::optional<Term> term;          ///< of a term

@@ -43,9 +43,9 @@ void SearchModel::setQuery(const QString& query) {
   for (std::size_t i = 0; i < m_entries.size(); ++i) {
     const SearchEntry& entry = m_entries[i];
     int score = matchScore(entry.haystack, words, false);
-    if (score == 0 && !entry.everydayWords.isEmpty()) {
+    if (score == 0 && !entry.synonyms.isEmpty()) {
       // A name counts more than another word for it.
-      score = matchScore(entry.haystack + QLatin1Char(' ') + entry.everydayWords, words, false) / 2;
+      score = matchScore(entry.haystack + QLatin1Char(' ') + entry.synonyms, words, false) / 2;
     }
     // What may be mistyped counts least: "film" is no "file" where an animation is made.
     if (score == 0 && !entry.element) score = matchScore(entry.haystack, words, true);

@@ -13,7 +13,7 @@ namespace geargraph::inline ui_service {
 template <class Request, class Answer>
 struct ServiceOptions {
   Urgency urgency = Urgency::prompt;
-  Overtaken overtaken = Overtaken::dropped;
+  Superseded superseded = Superseded::dropped;
   /// Do both requests have the same answer? Then the newer one is not computed. Empty: never.
   std::function<bool(const Request& before, const Request& now)> same = {};
   /// Called with every answer on the thread that computed it, before the GUI thread receives it, so that
@@ -22,7 +22,7 @@ struct ServiceOptions {
 };
 
 /// Answers requests on a background thread (AnswerWorker); only the newest request counts. Answers arrive on
-/// the GUI thread. Answers to superseded requests are dropped unless ServiceOptions::overtaken says
+/// the GUI thread. Answers to superseded requests are dropped unless ServiceOptions::superseded says
 /// otherwise.
 ///
 /// request() is thread-safe; all other members are for the object's thread.
@@ -37,7 +37,7 @@ class Service : public ServiceSignals {
   explicit Service(Work work, QObject* parent = nullptr, Options options = {})
       : ServiceSignals(parent),
         m_same(std::move(options.same)),
-        m_overtaken(options.overtaken),
+        m_superseded(options.superseded),
         m_worker(
             std::move(work),
             [this, ahead = std::move(options.ahead)](const Reply<Answer>& reply) {
@@ -45,7 +45,7 @@ class Service : public ServiceSignals {
               QMetaObject::invokeMethod(
                   this, [this, reply]() mutable { arrived(std::move(reply)); }, Qt::QueuedConnection);
             },
-            options.urgency, options.overtaken) {}
+            options.urgency, options.superseded) {}
 
   /// False if the answer to the last request, arrived or pending, is also the answer to this one.
   bool request(Request request) {
@@ -106,7 +106,7 @@ class Service : public ServiceSignals {
   void arrived(Reply<Answer> reply) {
     const bool isKnown = reply.number < m_arrived || (reply.number == m_arrived && m_isComplete);
     if (isKnown) return;  // from await(), or cancelled
-    if (reply.number != wanted() && m_overtaken == Overtaken::dropped) return;
+    if (reply.number != wanted() && m_superseded == Superseded::dropped) return;
     m_arrived = reply.number;
     m_isComplete = reply.isLast;
     if (reply.answer) return setAnswer(*std::move(reply.answer));
@@ -115,7 +115,7 @@ class Service : public ServiceSignals {
   }
 
   std::function<bool(const Request&, const Request&)> m_same;
-  Overtaken m_overtaken;
+  Superseded m_superseded;
   mutable std::mutex m_asking;
   std::uint64_t m_wanted = 0;        ///< number of the newest request; guarded by m_asking
   std::optional<Request> m_request;  ///< the newest, only if `same` is set; guarded by m_asking

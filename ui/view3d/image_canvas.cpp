@@ -98,7 +98,7 @@ void ImageCanvas::order(bool draft) {
   m_ordered = std::make_shared<const OwningFrame>(m_viewer->stage(), frame);
   if (draft) m_draft = m_ordered;
   PictureOrder order{m_ordered, scale, {}};
-  // A map that has been overtaken once is not put off again.
+  // A map that has been superseded once is not put off again.
   order.mapMayFollow = draft && !m_owesMap && !m_labels->areNew();
   m_owesMap = m_pace.takeMap() || m_owesMap;
   if (m_owesMap) order.cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());

@@ -98,7 +98,7 @@ void MotionPanel::renew() {
 }
 
 void MotionPanel::arrived(std::vector<CurveSheet> sheets, quint64 number) {
-  if (number <= m_shown) return;  // overtaken
+  if (number <= m_shown) return;  // superseded
   m_shown = number;
   m_sheets = std::move(sheets);
   showSheets();

@@ -18,7 +18,7 @@
 namespace geargraph::inline base {
 
 /// What happens to answers to a request that a newer one has replaced.
-enum class Overtaken {
+enum class Superseded {
   dropped,   ///< its work is asked to stop, and no more answers to it are delivered
   delivered  ///< answers that its work still produces are delivered: pictures during a drag, if late
 };
@@ -82,9 +82,9 @@ class AnswerWorker {
   using Work = std::function<void(const Request& request, const Responder& respond)>;
 
   AnswerWorker(Work work, Deliver deliver, Urgency urgency = Urgency::prompt,
-               Overtaken overtaken = Overtaken::dropped)
+               Superseded superseded = Superseded::dropped)
       : m_deliver(std::move(deliver)),
-        m_overtaken(overtaken),
+        m_superseded(superseded),
         m_worker(
             [this, work = std::move(work)](const Numbered& next, const std::stop_token& stop) {
               const Responder respond(this, next.number, stop);
@@ -127,7 +127,7 @@ class AnswerWorker {
 
   void deliver(const Responder& from, Reply<Answer> reply) {
     const std::lock_guard lock(m_delivering);
-    if (m_overtaken == Overtaken::dropped && from.m_stop.stop_requested()) return;
+    if (m_superseded == Superseded::dropped && from.m_stop.stop_requested()) return;
     if (reply.number <= m_cancelled) return;
     m_deliver(reply);
     if (!reply.isLast) return;
@@ -136,7 +136,7 @@ class AnswerWorker {
   }
 
   Deliver m_deliver;
-  Overtaken m_overtaken;
+  Superseded m_superseded;
   std::mutex m_asking;
   std::uint64_t m_newest = 0;                  ///< guarded by m_asking
   std::atomic<std::uint64_t> m_cancelled = 0;  ///< requests up to this one are no longer answered

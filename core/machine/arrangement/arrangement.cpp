@@ -34,7 +34,7 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   PlanTries tries;
   if (train.gears.size() > kMostRoutedGears) {
     PlanDraft draft(mechanism, placement, train, tries, stop);
-    planSimply(draft);
+    planWithoutRouting(draft);
     return std::move(draft.plan);
   }
   struct Tried {

@@ -44,7 +44,7 @@ void placeInRow(PlanDraft& draft, int axisClass) {
 
 }  // namespace
 
-void planSimply(PlanDraft& draft) {
+void planWithoutRouting(PlanDraft& draft) {
   draft.plan.isSimple = true;
   for (std::size_t g = 0; g < draft.train.gears.size(); ++g) {
     const TrainGear& gear = draft.train.gears[g];

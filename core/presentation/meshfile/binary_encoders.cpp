@@ -75,7 +75,7 @@ std::optional<std::string> stlBytes(const MeshScene& scene, const MeshWriteOptio
   bytes.reserve(kHeaderSize + sizeof count + count * kFacetSize);
   appendRaw(bytes, count);
   for (std::size_t i = 0; i < flat.nodes.size(); ++i) {
-    if (!mayGoOn(options, i, flat.nodes.size())) return std::nullopt;
+    if (!reportProgress(options, i, flat.nodes.size())) return std::nullopt;
     const Solid& solid = *flat.nodes[i].solid;
     for (const Triangle& triangle : solid.triangles) appendFacet(bytes, solid, triangle);
   }
@@ -91,7 +91,7 @@ std::optional<std::string> plyBytes(const MeshScene& scene, const MeshWriteOptio
   std::string faces;
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < flat.nodes.size(); ++i) {
-    if (!mayGoOn(options, i, flat.nodes.size())) return std::nullopt;
+    if (!reportProgress(options, i, flat.nodes.size())) return std::nullopt;
     const Solid& solid = *flat.nodes[i].solid;
     appendVertices(bytes, solid, bytesOf(colourOf(flat, flat.nodes[i])));
     for (const Triangle& t : solid.triangles) {

@@ -48,7 +48,8 @@ struct ObjTexts {
                                                       const MeshWriteOptions& options);
 
 /// To be called before piece `place` of `count`: reports progress; false if `stop` was requested.
-[[nodiscard]] inline bool mayGoOn(const MeshWriteOptions& options, std::size_t place, std::size_t count) {
+[[nodiscard]] inline bool reportProgress(const MeshWriteOptions& options, std::size_t place,
+                                         std::size_t count) {
   if (options.stop.stop_requested()) return false;
   if (options.progress) options.progress(static_cast<double>(place) / static_cast<double>(count));
   return true;

@@ -60,7 +60,7 @@ class Buffer {
   [[nodiscard]] bool writeTo(ByteSink& sink, const MeshWriteOptions& options) const {
     BufferedSink out(sink);
     for (std::size_t i = 0; i < m_writes.size() && !sink.failed(); ++i) {
-      if (!mayGoOn(options, i, m_writes.size())) return false;
+      if (!reportProgress(options, i, m_writes.size())) return false;
       m_writes[i](out);
     }
     return !options.stop.stop_requested();

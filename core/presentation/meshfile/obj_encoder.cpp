@@ -81,7 +81,7 @@ std::optional<ObjTexts> objTexts(const MeshScene& scene, const std::string& mate
   std::string text = "# " + inOneLine(unitNote(flat)) + "\nmtllib " + inOneLine(materialsFile) + "\n";
   Counts counts;
   for (std::size_t i = 0; i < flat.nodes.size(); ++i) {
-    if (!mayGoOn(options, i, flat.nodes.size())) return std::nullopt;
+    if (!reportProgress(options, i, flat.nodes.size())) return std::nullopt;
     const MeshNode& node = flat.nodes[i];
     const std::string name = inOneLine(node.name);
     text += "o " + name + "\ng " + name + "\n";  // some readers look at one, some at the other

@@ -129,7 +129,7 @@ std::optional<std::string> threeMfBytes(const MeshScene& scene, const MeshWriteO
   std::string items;
   int id = kMaterialsId;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (!mayGoOn(options, i, scene.nodes.size())) return std::nullopt;
+    if (!reportProgress(options, i, scene.nodes.size())) return std::nullopt;
     if (!scene.nodes[i].solid || scene.nodes[i].solid->empty()) continue;
     archive.write(objectOf(scene, scene.nodes[i], ++id));
     items += itemOf(world[i], scale, id);

@@ -107,7 +107,7 @@ double expectedTriangles(const GearTrain& train, double tolerance) {
          std::sqrt(kExportTolerance / tolerance);  // arcs: chords go with the root of the tolerance
 }
 
-std::vector<Rational> restlessSpeeds(std::size_t count) {
+std::vector<Rational> genericSpeeds(std::size_t count) {
   std::vector<Rational> speeds;
   for (std::size_t k = 0; k < count; ++k) {
     const auto i = static_cast<std::int64_t>(k);

@@ -30,7 +30,7 @@ struct PlacedTrain {
 
 /// Speeds of inputs, rad/s, all different and in no simple ratio, so that a mesh is unlikely to be at rest by
 /// coincidence.
-[[nodiscard]] std::vector<Rational> restlessSpeeds(std::size_t count);
+[[nodiscard]] std::vector<Rational> genericSpeeds(std::size_t count);
 
 /// The tooth pitches that each mesh of the train passes per unit of time, for uniform rates of the joints
 /// (rad per unit of time, by joint): teeth of the tail's gear times its turns against the carrier. Exactly 0

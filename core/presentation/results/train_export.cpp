@@ -18,7 +18,7 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, c
   const MatroidAnalysis* matroid = snapshot.matroid();
   if (matroid == nullptr || !matroid->solution) return motions;
   const std::vector<int>& inputs = matroid->choice.joints;
-  for (const auto& speeds : {matroid->speeds, restlessSpeeds(inputs.size())}) {
+  for (const auto& speeds : {matroid->speeds, genericSpeeds(inputs.size())}) {
     if (auto solution = solveExact(*snapshot.kinematics->model, inputs, speeds, stop)) {
       motions.push_back(std::move(solution->rates));
     }

@@ -67,7 +67,7 @@ class TableCheck {
     if (!own.isDefined()) return undefined(kind);
     if (own.isRight()) return own.verdict();
     own.explain();
-    if (own.badness() <= 1) return own.verdict();
+    if (own.cost() <= 1) return own.verdict();
     if (const WrittenCell* label = own.unknownLabel(); label != nullptr)
       return unknownLabel(*label, kind, own.right());
     if (const auto other = rightAsAnother(kind)) {
@@ -78,7 +78,7 @@ class TableCheck {
                               translated("This is %1, not %2.", {described(*other), described(kind)})}};
       return verdict;
     }
-    if (own.badness() == TableTrial::kNotComparable) {
+    if (own.cost() == TableTrial::kNotComparable) {
       own.verdict().differences = {
           {"another-size",
            {},
@@ -126,8 +126,8 @@ class TableCheck {
         label = own;
         kindOfLabel = tried.verdict().kind;
       }
-      if (tried.badness() >= least) continue;
-      least = tried.badness();
+      if (tried.cost() >= least) continue;
+      least = tried.cost();
       best = tried.verdict();
     }
     if (best) {

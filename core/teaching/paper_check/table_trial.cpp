@@ -92,7 +92,7 @@ void TableTrial::explain() {
   fillEntries(*m_right, alignment);
 }
 
-std::size_t TableTrial::badness() const {
+std::size_t TableTrial::cost() const {
   std::size_t count = 0;
   for (const auto& row : m_verdict.entries)
     count += static_cast<std::size_t>(

@@ -26,7 +26,7 @@ class TableTrial {
   void explain();
 
   /// The number of differing entries, or kNotComparable.
-  [[nodiscard]] std::size_t badness() const;
+  [[nodiscard]] std::size_t cost() const;
   static constexpr std::size_t kNotComparable = 1'000'000;
 
   [[nodiscard]] MatrixVerdict& verdict() { return m_verdict; }

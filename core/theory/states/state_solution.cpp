@@ -130,7 +130,7 @@ class StateSolver {
       turning = &part;
       ++directions;
     }
-    result.drivenStands = directions == 0;
+    result.isDrivenAtRest = directions == 0;
     if (directions != 1) return;
     const int sign = senseOfDriven(m_linkAt.at(*state.drive), driven, turning->axisClass);
     result.ratio = (Rational(sign) * valueOf(field, *turning, phi)).inverse();

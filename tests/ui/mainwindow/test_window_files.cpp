@@ -179,7 +179,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
       if (dialog != nullptr) dialog->findChild<QPushButton*>()->click();
     });
     ticks.start(0);
-    QVERIFY(!readPatiently(never, QStringLiteral("slow.geargraph"), &first(), 1).has_value());
+    QVERIFY(!readInBackground(never, QStringLiteral("slow.geargraph"), &first(), 1).has_value());
     gate->release();
   }
 
@@ -195,7 +195,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
       if (window->findChild<QProgressDialog*>() != nullptr) delete window;
     });
     ticks.start(0);
-    QVERIFY(!readPatiently(never, QStringLiteral("slow.geargraph"), window, 1).has_value());
+    QVERIFY(!readInBackground(never, QStringLiteral("slow.geargraph"), window, 1).has_value());
     gate->release();
   }
 

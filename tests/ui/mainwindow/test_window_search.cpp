@@ -130,7 +130,7 @@ class WindowSearchTest : public QObject {
     QCOMPARE(window->selection().selected(), std::set<ElementId>{MeshId("17")});
   }
 
-  void everydayWordsFindTheirFeature_data() {
+  void synonymsFindTheirFeature_data() {
     QTest::addColumn<QString>("command");
     constexpr std::pair<const char*, const char*> kWanted[] = {
         {"brake", "dock.gearbox|mechanism.hold"},
@@ -221,7 +221,7 @@ class WindowSearchTest : public QObject {
     };
     for (const auto& [word, command] : kWanted) QTest::newRow(word) << QString(command);
   }
-  void everydayWordsFindTheirFeature() {
+  void synonymsFindTheirFeature() {
     QFETCH(QString, command);
     const QStringList wanted = command.split('|');
     ask(QString(QTest::currentDataTag()));

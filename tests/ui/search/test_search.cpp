@@ -50,7 +50,7 @@ class SearchTest : public QObject {
     QCOMPARE(model.rowCount(), 0);
   }
 
-  void commandsAreFoundByEverydayWords() {
+  void commandsAreFoundBySynonyms() {
     for (const char* word : {"brake", "hold", "clutch", "shift"}) QCOMPARE(best(word), QString("Gearbox"));
     QCOMPARE(best("plot"), QString("Speeds"));
     QCOMPARE(best("speeds"), QString("Speeds"));  // a name before another word for something else

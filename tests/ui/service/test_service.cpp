@@ -55,7 +55,7 @@ class ServiceTest : public QObject {
     QCOMPARE(service.answer(), 390);
   }
 
-  void anOvertakenAnswerOnItsWayIsDropped() {
+  void aSupersededAnswerOnItsWayIsDropped() {
     std::promise<void> queued;
     Toy service(
         [](int request, const Toy::Responder& respond) {
@@ -74,7 +74,7 @@ class ServiceTest : public QObject {
     QCOMPARE(answers, (std::vector<int>{2, 2}));
   }
 
-  void overtakenAnswersArriveInOrderWhereTheyAreWanted() {
+  void supersededAnswersArriveInOrderWhereTheyAreWanted() {
     std::promise<void> begun;
     std::promise<void> go;
     Toy service(
@@ -85,7 +85,7 @@ class ServiceTest : public QObject {
           }
           respond(request);
         },
-        nullptr, {.overtaken = Overtaken::delivered});
+        nullptr, {.superseded = Superseded::delivered});
     std::vector<int> answers;
     service.onAnswer(this, [&](int answer) { answers.push_back(answer); });
     service.request(1);

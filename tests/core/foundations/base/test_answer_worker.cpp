@@ -56,7 +56,7 @@ void theNewestRequestIsAnsweredAndAwaited() {
   }
 }
 
-void anOvertakenRequestStopsAndIsNotAnswered() {
+void aSupersededRequestStopsAndIsNotAnswered() {
   Mailbox mailbox;
   std::promise<void> begun;
   {
@@ -86,7 +86,7 @@ void aCancelledRequestIsNotAnswered() {
           while (!respond.stop().stop_requested()) std::this_thread::yield();
           respond(1);
         },
-        mailbox.deliver(), Urgency::prompt, Overtaken::delivered);
+        mailbox.deliver(), Urgency::prompt, Superseded::delivered);
     const std::uint64_t number = worker.request(0);
     begun.get_future().wait();
     worker.cancel();
@@ -144,7 +144,7 @@ void askedFromEverywhereItStaysWhole() {
 
 int main() {
   geargraph::theNewestRequestIsAnsweredAndAwaited();
-  geargraph::anOvertakenRequestStopsAndIsNotAnswered();
+  geargraph::aSupersededRequestStopsAndIsNotAnswered();
   geargraph::aCancelledRequestIsNotAnswered();
   geargraph::partsComeFirstAndExceptionsLast();
   geargraph::askedFromEverywhereItStaysWhole();

@@ -99,7 +99,7 @@ void workInTheBackgroundTakesWhatIsLeft() {
 }
 #endif
 
-void overtakenRequestsAreDropped() {
+void supersededRequestsAreDropped() {
   std::promise<void> begun;
   std::promise<void> go;
   std::promise<void> last;
@@ -173,7 +173,7 @@ int main() {
   geargraph::workInTheBackgroundTakesWhatIsLeft();
 #endif
   geargraph::workInTheBackgroundWaitsUntilNothingNewerComes();
-  geargraph::overtakenRequestsAreDropped();
+  geargraph::supersededRequestsAreDropped();
   geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
   geargraph::manyAreToldToEndBeforeOneIsWaitedFor();
   std::printf("%d failures\n", geargraph::failures);

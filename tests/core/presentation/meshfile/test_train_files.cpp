@@ -39,8 +39,8 @@ struct Example {
     const auto model = KinematicModel::of(graph, tree, placement);
     const auto analysis = analyzeMatroid(mechanism, *model, placement);
     rates = solveExact(*model, analysis->choice.joints, analysis->speeds)->rates;
-    const auto restless = restlessSpeeds(analysis->choice.joints.size());
-    motions = {rates, solveExact(*model, analysis->choice.joints, restless)->rates};
+    const auto generic = genericSpeeds(analysis->choice.joints.size());
+    motions = {rates, solveExact(*model, analysis->choice.joints, generic)->rates};
   }
 
   [[nodiscard]] PlacedTrain placed() const { return {mechanism, *tree, placement, train}; }

@@ -218,7 +218,7 @@ class TestStates : public QObject {
 
   void aDrivenLinkThatStandsHasNoRatio() {
     const StateSolution state = only(bevelDifferential(), {"C"}, 1, 3);
-    QVERIFY(state.isSolved() && state.drivenStands && !state.ratio);
+    QVERIFY(state.isSolved() && state.isDrivenAtRest && !state.ratio);
     QVERIFY(state.diagnostics.empty());
   }
 

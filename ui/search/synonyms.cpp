@@ -1,4 +1,4 @@
-#include "ui/search/everyday_words.h"
+#include "ui/search/synonyms.h"
 
 #include <QHash>
 
@@ -89,7 +89,7 @@ QHash<QString, QString> foldedWords() {
 
 }  // namespace
 
-QString everydayWordsFor(const QString& command) {
+QString synonymsFor(const QString& command) {
   static const QHash<QString, QString> kFolded = foldedWords();
   return kFolded.value(command);
 }
