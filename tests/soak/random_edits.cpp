@@ -160,14 +160,14 @@ Reduce reloaded(Random& random) {
 std::vector<LinkShape> shapes(Random& random) {
   static constexpr std::array<const char*, 4> kFiles = {"parts/arm.stl", "base.obj", "",
                                                         "parts/a b \"c\".glb"};
-  std::vector<LinkShape> worn(static_cast<std::size_t>(random.below(3)));
-  for (LinkShape& shape : worn) {
+  std::vector<LinkShape> attached(static_cast<std::size_t>(random.below(3)));
+  for (LinkShape& shape : attached) {
     shape.file = kFiles[static_cast<std::size_t>(random.below(kFiles.size()))];
     shape.position = random.maybe(random.triple());
     shape.orientation = random.maybe(random.triple());
     shape.scale = random.maybe(random.number());
   }
-  return worn;
+  return attached;
 }
 
 /// A kind of edit of states, where there are any.

@@ -82,9 +82,9 @@ void ShapesDialog::renew() {
   if (!label) return void(close());
   setWindowTitle(tr("3D files of link %1").arg(QString::fromStdString(*label)));
   const QSignalBlocker quiet(m_table);
-  const std::vector<LinkShape> worn = shapes();
-  m_table->setRowCount(static_cast<int>(worn.size()));
-  for (int row = 0; const LinkShape& shape : worn) {
+  const std::vector<LinkShape> attached = shapes();
+  m_table->setRowCount(static_cast<int>(attached.size()));
+  for (int row = 0; const LinkShape& shape : attached) {
     const auto put = [&](int column, const QString& text) {
       auto* item = new QTableWidgetItem(text);
       if (column == kFile) item->setToolTip(text);
@@ -98,7 +98,7 @@ void ShapesDialog::renew() {
     put(kScale, shape.scale ? QString::fromStdString(shape.scale->text()) : QStringLiteral("1"));
     ++row;
   }
-  m_remove->setEnabled(!worn.empty());
+  m_remove->setEnabled(!attached.empty());
 }
 
 bool ShapesDialog::apply(const QString& text, const std::vector<LinkShape>& changed) {

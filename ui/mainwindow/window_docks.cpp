@@ -30,7 +30,7 @@ namespace {
 
 /// What somebody who opens a document has to know before anything else. A harmless remark is not.
 bool isUrgent(const Diagnostic& diagnostic) {
-  if (diagnostic.code == Code::disconnected) return false;  // the next stroke mends it
+  if (diagnostic.code == Code::disconnected) return false;  // the next stroke repairs it
   return diagnostic.severity() == Severity::error || diagnostic.code == Code::locked ||
          diagnostic.code == Code::assembly;
 }

@@ -166,9 +166,9 @@ void ProblemsPanel::setLoadDiagnostics(const Diagnostics& diagnostics) {
 
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
-  const bool mends =
+  const bool offersFixes =
       m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksWithImmediateFixes;
-  for (int row = 0; mends && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
+  for (int row = 0; offersFixes && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
     offerFixes(m_model->index(row));
   }
   m_list->doItemsLayout();

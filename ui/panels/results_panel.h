@@ -47,8 +47,6 @@ class ResultsPanel : public QWidget {
  signals:
   /// These joints (ordinals of the snapshot's digraph) are to become the inputs, with the same motion.
   void inputsWanted(const std::vector<int>& joints);
-
- signals:
   /// A right click on the row of this joint.
   void menuWanted(const geargraph::ElementId& joint, QPoint globalPlace);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kStillAfter = 180;  // ms
 constexpr int kMapAfter = 150;    // ms; less, so that the picture at rest has a map of its own
-constexpr int kDearMapAfter = 600;
+constexpr int kExpensiveMapAfter = 600;
 constexpr int kOneAfterTheOther = 500;  // ms: scenes that follow as soon as this are steps of a drag
 constexpr int kPatience = 2;            // steps of a drag that a hand may hesitate
 
@@ -40,7 +40,7 @@ void PicturePace::shown() {
 
 bool PicturePace::takeMap() {
   if (!m_labels->isShown(LabelKind::link)) return false;
-  const int enough = isDraft() ? kDearMapAfter : kMapAfter;
+  const int enough = isDraft() ? kExpensiveMapAfter : kMapAfter;
   if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < enough) {
     m_mapIsOld = true;
     m_whenStill.start(kStillAfter);

@@ -32,8 +32,8 @@ template <class StillWrong>
 [[nodiscard]] std::vector<Fix> tried(std::vector<Fix> fixes, const Mechanism& mechanism,
                                      const StillWrong& stillWrong) {
   std::erase_if(fixes, [&](const Fix& fix) {
-    const Expected<Mechanism> mended = fix.edit(mechanism);
-    return !mended || *mended == mechanism || stillWrong(*mended);
+    const Expected<Mechanism> repaired = fix.edit(mechanism);
+    return !repaired || *repaired == mechanism || stillWrong(*repaired);
   });
   return fixes;
 }

@@ -96,8 +96,8 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
                        return next ? withMeshKind(std::move(next).value(), id, std::nullopt) : next;
                      }});
   }
-  fixes = tried(std::move(fixes), mechanism, [&](const Mechanism& mended) {
-    const Diagnostics left = placementOf(mended).diagnostics;
+  fixes = tried(std::move(fixes), mechanism, [&](const Mechanism& repaired) {
+    const Diagnostics left = placementOf(repaired).diagnostics;
     return std::any_of(left.begin(), left.end(), [&](const Diagnostic& each) {
       return each.severity() == Severity::error && each.elements == diagnostic.elements;
     });

@@ -118,7 +118,7 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
   }
   if (fixes.size() > 2 * kMostFixes) fixes.resize(2 * kMostFixes);
   return tried(std::move(fixes), mechanism,
-               [](const Mechanism& mended) { return trainSays(mended, Code::assembly); });
+               [](const Mechanism& repaired) { return trainSays(repaired, Code::assembly); });
 }
 
 /// All teeth multiplied: every ratio, and every condition on sums of teeth, stays as it was.
@@ -140,7 +140,7 @@ std::vector<Fix> undercutFixes(const Mechanism& mechanism) {
                      }});
   }
   fixes = tried(std::move(fixes), mechanism,
-                [](const Mechanism& mended) { return trainSays(mended, Code::undercut); });
+                [](const Mechanism& repaired) { return trainSays(repaired, Code::undercut); });
   if (fixes.size() > 1) fixes.resize(1);  // the fewest teeth that do
   return fixes;
 }
@@ -165,8 +165,8 @@ void addAgreeingTeeth(const Mechanism& mechanism, const GearMesh& mesh, std::vec
       const auto edit = [id = mesh.id, ofTail, teeth, mesh](const Mechanism& before) {
         return withTeeth(before, id, ofTail ? teeth : mesh.tailTeeth, ofTail ? mesh.headTeeth : teeth);
       };
-      const Expected<Mechanism> mended = edit(mechanism);
-      if (!mended || isLocked(*mended)) continue;
+      const Expected<Mechanism> repaired = edit(mechanism);
+      if (!repaired || isLocked(*repaired)) continue;
       const std::string gear = labelOf(mechanism, ofTail ? mesh.tail : mesh.head).value_or("");
       fixes.push_back({translated("Use %1 teeth on gear %2 of %3",
                                   {std::to_string(teeth), gear, wordFor(mechanism, mesh.id)}),

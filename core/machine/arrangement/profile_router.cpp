@@ -183,7 +183,7 @@ void Round::findEnds(int net, const std::vector<RouteTerminal>& terminals) {
 }
 
 // Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
-// dearer than a way, no cheaper one will come.
+// more expensive than a route, no cheaper one will come.
 int Round::reach(int net, const std::vector<RouteTerminal>& terminals, Places& sources) {
   if (m_stop.stop_requested()) return -1;
   findEnds(net, terminals);

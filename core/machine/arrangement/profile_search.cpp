@@ -89,7 +89,7 @@ void ProfileSearch::lookAhead(const Places& ends) {
 /// and as much again where it leads away from the ends. A bucket may span more than the cheapest step: its
 /// cells are then settled again as cheaper ways to them are found.
 void ProfileSearch::makeBuckets(const Places& sources) {
-  double low = kFar, high = 0, dearest = 0;
+  double low = kFar, high = 0, highestCost = 0;
   for (const auto& [cell, cost] : sources) {
     const double rank =
         cost + (m_columnAhead[at(m_grid.columnOf(cell))] + m_rowAhead[at(m_grid.rowOf(cell))]);
@@ -97,9 +97,9 @@ void ProfileSearch::makeBuckets(const Places& sources) {
     high = std::max(high, rank);
   }
   for (int r = 0; r < m_grid.rows; ++r)
-    dearest = std::max({dearest, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
-  dearest += *std::max_element(m_extra.begin(), m_extra.end());
-  const double span = std::max(2 * dearest, high - low);
+    highestCost = std::max({highestCost, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
+  highestCost += *std::max_element(m_extra.begin(), m_extra.end());
+  const double span = std::max(2 * highestCost, high - low);
   m_perStep = std::min(1 / m_cheapest, kMostBuckets / span);
   m_buckets.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
   m_fronts.clear();

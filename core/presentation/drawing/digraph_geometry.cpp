@@ -27,9 +27,9 @@ bool standsAlike(const NodePlace& a, const NodePlace& b) {
 }
 
 /// What a drawing has, by element.
-class Former {
+class GeometryIndex {
  public:
-  explicit Former(const DigraphGeometry& geometry) : m_geometry(geometry) {
+  explicit GeometryIndex(const DigraphGeometry& geometry) : m_geometry(geometry) {
     m_nodes.reserve(geometry.nodes.size());
     m_edges.reserve(geometry.edges.size());
     for (const NodePlace& node : geometry.nodes) m_nodes.emplace(node.link, &node);
@@ -65,8 +65,8 @@ class Former {
 /// Everything that stands elsewhere than before, came or went, at its old and its new place.
 class Changes {
  public:
-  Changes(const Extent& area, const Former& former, const DigraphGeometry& now) : m_grid(area) {
-    const Former current(now);
+  Changes(const Extent& area, const GeometryIndex& former, const DigraphGeometry& now) : m_grid(area) {
+    const GeometryIndex current(now);
     for (const NodePlace& node : former.geometry().nodes) {
       const NodePlace* const is = current.node(node.link);
       if (is == nullptr || !standsAlike(node, *is)) add(node);
@@ -117,7 +117,8 @@ void placeLabels(DigraphGeometry& geometry, ObstacleGrid& taken) {
 }
 
 /// The same labels as placeLabels(), taken over from `former` where nothing near them has changed.
-void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const Former& former, Changes changes) {
+void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const GeometryIndex& former,
+                      Changes changes) {
   for (EdgePlace& edge : geometry.edges) {
     const Extent size = labelExtent(edge);
     const auto placed = [&] { return placeBeside(edge.curve, size.halfWidth, size.halfHeight, taken); };
@@ -144,7 +145,8 @@ void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const Form
 }
 
 /// The places that links have left, or taken, since `former`.
-std::vector<SheetPoint> movedPlaces(const Former& former, const Digraph& graph, const Centers& centers) {
+std::vector<SheetPoint> movedPlaces(const GeometryIndex& former, const Digraph& graph,
+                                    const Centers& centers) {
   std::vector<SheetPoint> places;
   std::size_t kept = 0;
   std::vector<char> stays(former.geometry().nodes.size(), 0);
@@ -166,7 +168,7 @@ std::vector<SheetPoint> movedPlaces(const Former& former, const Digraph& graph, 
 }
 
 /// The courses of the arrows, starting from those that `former` has for the same arrows.
-Courses coursesFrom(const Former& former, const Digraph& graph, const Centers& centers,
+Courses coursesFrom(const GeometryIndex& former, const Digraph& graph, const Centers& centers,
                     const ObstacleGrid& nodes) {
   std::unordered_map<int, LinkId> links;  // of the former drawing, by label
   for (const NodePlace& node : former.geometry().nodes) links.emplace(node.label, node.link);
@@ -217,7 +219,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
   const Digraph graph(mechanism);
   const Centers centers = centersOf(graph, positions);
   ObstacleGrid taken = gridWithNodes(centers);
-  const Former known(former);
+  const GeometryIndex known(former);
   const Courses courses = coursesFrom(known, graph, centers, taken);
   for (const auto& course : courses) {
     if (course) taken.addCurve(course->curve);

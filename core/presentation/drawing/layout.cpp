@@ -211,7 +211,7 @@ Places placesOf(const Digraph& graph) {
 }
 
 /// Nodes that are placed, in cells of kNodesApart.
-class Crowd {
+class OccupiedCells {
  public:
   void add(SheetPoint p) { m_cells[cell(p)].push_back(p); }
   [[nodiscard]] bool hasRoom(SheetPoint p) const {
@@ -262,12 +262,12 @@ NodePositions completedPositions(const Mechanism& mechanism) {
   NodePositions positions = mechanism.view.nodes;
   const Digraph graph(mechanism);
   std::vector<int> placed;
-  Crowd crowd;
+  OccupiedCells occupied;
   for (int v = 0; v < graph.nodeCount(); ++v) {
     const auto found = positions.find(graph.nodeId(v));
     if (found == positions.end()) continue;
     placed.push_back(v);
-    crowd.add(onSheet(found->second));
+    occupied.add(onSheet(found->second));
   }
   if (placed.empty()) return layoutOf(mechanism);
   if (placed.size() == static_cast<std::size_t>(graph.nodeCount())) return positions;
@@ -279,9 +279,9 @@ NodePositions completedPositions(const Mechanism& mechanism) {
     // A link that nothing ties to the placed ones goes where it lies seen from the first of those.
     const int anchor = from < 0 ? placed.front() : from;
     const SheetPoint offset = ideal[static_cast<std::size_t>(node)] - ideal[static_cast<std::size_t>(anchor)];
-    const SheetPoint place = crowd.roomNear(onSheet(positions.at(graph.nodeId(anchor))) + offset);
+    const SheetPoint place = occupied.roomNear(onSheet(positions.at(graph.nodeId(anchor))) + offset);
     positions[link] = place;
-    crowd.add(place);
+    occupied.add(place);
   }
   return positions;
 }

@@ -20,7 +20,7 @@ constexpr double kLineRoom = 38;     ///< for one of them with its label
 constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;        ///< centres, at least
 constexpr std::size_t kMostTried = 6;     ///< children whose every order is tried
-constexpr std::size_t kMostSwapped = 60;  ///< children whose order is mended by swaps
+constexpr std::size_t kMostSwapped = 60;  ///< children whose order is improved by swaps
 
 /// The turning joints as a forest: from the ground, then from the first link that is not reached yet, ...
 struct Forest {
@@ -104,7 +104,7 @@ std::size_t stretch(const std::vector<std::size_t>& order, const Ties& ties) {
   return sum;
 }
 
-/// The order of children that stretches the ties least: the best of all for a few, mended by swaps of
+/// The order of children that stretches the ties least: the best of all for a few, improved by swaps of
 /// neighbours for more, as it is for very many.
 std::vector<std::size_t> calmOrder(std::size_t count, const Ties& ties) {
   std::vector<std::size_t> order(count);

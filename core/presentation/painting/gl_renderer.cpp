@@ -80,10 +80,10 @@ bool GlRenderer::paint(const Frame& frame) {
 
 // Only where the processor paints: a card is quicker than any copy.
 bool GlRenderer::paintLayer(const Frame& frame) {
-  const bool isVeiled = std::find(frame.visibility.begin(), frame.visibility.end(),
-                                  Visibility::translucent) != frame.visibility.end();
+  const bool hasTranslucentParts = std::find(frame.visibility.begin(), frame.visibility.end(),
+                                             Visibility::translucent) != frame.visibility.end();
   if (!m_software || m_strip.height > 0 || samplesOf(frame) > 1 || frame.style.contactShadow ||
-      frame.section || isVeiled)
+      frame.section || hasTranslucentParts)
     return false;
   const auto& [width, height] = frame.viewport;
   if (!m_layer.ensure(width, height)) return false;

@@ -21,7 +21,7 @@ struct Row {
 };
 
 /// A link, or several equal ones, as far as it reaches along the direction.
-struct Car {
+struct LinkExtent {
   std::vector<std::size_t> instances;
   double low = 1e300;
   double high = -1e300;
@@ -53,10 +53,10 @@ std::vector<Row> rowsOf(const Stage& stage, const std::stop_token& stop) {
   return rows;
 }
 
-Car carOf(const Scene& scene, const std::vector<std::size_t>& instances, const Eigen::Vector3d& direction,
-          double grain) {
-  Car car;
-  car.instances = instances;
+LinkExtent linkExtentOf(const Scene& scene, const std::vector<std::size_t>& instances,
+                        const Eigen::Vector3d& direction, double grain) {
+  LinkExtent extent;
+  extent.instances = instances;
   for (const std::size_t i : instances) {
     const Instance& instance = scene.instances[i];
     const Eigen::AlignedBox3d box = scene.boxOf(instance.solid);
@@ -64,38 +64,39 @@ Car carOf(const Scene& scene, const std::vector<std::size_t>& instances, const E
     const Eigen::Vector3d along = instance.pose.linear().transpose() * direction;
     const double half = 0.5 * along.cwiseAbs().dot(box.sizes());
     const double middle = direction.dot(instance.pose * box.center());
-    car.low = std::min(car.low, middle - half);
-    car.high = std::max(car.high, middle + half);
+    extent.low = std::min(extent.low, middle - half);
+    extent.high = std::max(extent.high, middle + half);
     const double radius = 0.5 * (box.sizes() - along.cwiseAbs().dot(box.sizes()) * along.cwiseAbs()).norm();
-    if (radius <= car.radius) continue;
-    car.radius = radius;
-    car.middle = std::round(middle / grain);
-    car.solid = instance.solid;
+    if (radius <= extent.radius) continue;
+    extent.radius = radius;
+    extent.middle = std::round(middle / grain);
+    extent.solid = instance.solid;
   }
-  return car;
+  return extent;
 }
 
 /// Cars in the order of the row, equal ones in one plane coupled to one.
-std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain, const std::stop_token& stop) {
-  std::vector<Car> cars;
+std::vector<LinkExtent> extentsInRow(const Scene& scene, const Row& row, double grain,
+                                     const std::stop_token& stop) {
+  std::vector<LinkExtent> extents;
   for (const auto& [link, instances] : row.links) {
     if (stop.stop_requested()) break;
-    Car car = carOf(scene, instances, row.direction, grain);
-    const auto identical = std::find_if(cars.begin(), cars.end(), [&](const Car& known) {
-      return known.solid == car.solid && known.middle == car.middle;
+    LinkExtent extent = linkExtentOf(scene, instances, row.direction, grain);
+    const auto identical = std::find_if(extents.begin(), extents.end(), [&](const LinkExtent& known) {
+      return known.solid == extent.solid && known.middle == extent.middle;
     });
-    if (identical == cars.end()) {
-      cars.push_back(std::move(car));
+    if (identical == extents.end()) {
+      extents.push_back(std::move(extent));
       continue;
     }
-    identical->instances.insert(identical->instances.end(), car.instances.begin(), car.instances.end());
-    identical->low = std::min(identical->low, car.low);
-    identical->high = std::max(identical->high, car.high);
+    identical->instances.insert(identical->instances.end(), extent.instances.begin(), extent.instances.end());
+    identical->low = std::min(identical->low, extent.low);
+    identical->high = std::max(identical->high, extent.high);
   }
-  std::stable_sort(cars.begin(), cars.end(), [](const Car& a, const Car& b) {
+  std::stable_sort(extents.begin(), extents.end(), [](const LinkExtent& a, const LinkExtent& b) {
     return std::tuple(a.middle, a.radius) < std::tuple(b.middle, b.radius);
   });
-  return cars;
+  return extents;
 }
 
 }  // namespace
@@ -104,18 +105,18 @@ std::vector<Eigen::Vector3d> explosionOffsets(const Stage& stage, const std::sto
   std::vector<Eigen::Vector3d> result(stage.scene.instances.size(), Eigen::Vector3d::Zero());
   const double size = boundsOf(stage.scene).radius();
   for (const Row& row : rowsOf(stage, stop)) {
-    const std::vector<Car> cars = trainOfCars(stage.scene, row, kGrain * size, stop);
+    const std::vector<LinkExtent> extents = extentsInRow(stage.scene, row, kGrain * size, stop);
     double end = -1e300, sum = 0;
     std::vector<double> moves;
-    for (const Car& car : cars) {
-      const double move = std::max(0.0, end + kGap * size - car.low);
+    for (const LinkExtent& extent : extents) {
+      const double move = std::max(0.0, end + kGap * size - extent.low);
       moves.push_back(end > -1e299 ? move : 0);
-      end = car.high + moves.back();
+      end = extent.high + moves.back();
       sum += moves.back();
     }
-    for (std::size_t k = 0; k < cars.size(); ++k) {
-      const double move = moves[k] - sum / static_cast<double>(cars.size());
-      for (const std::size_t i : cars[k].instances) result[i] = move * row.direction;
+    for (std::size_t k = 0; k < extents.size(); ++k) {
+      const double move = moves[k] - sum / static_cast<double>(extents.size());
+      for (const std::size_t i : extents[k].instances) result[i] = move * row.direction;
     }
   }
   return result;

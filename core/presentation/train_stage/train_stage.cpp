@@ -168,14 +168,14 @@ Pose poseOf(const LinkShape& shape) {
 }
 
 void StageBuilder::addShapes(int link) {
-  const Link& wearer = m_mechanism.links[static_cast<std::size_t>(link)];
+  const Link& owner = m_mechanism.links[static_cast<std::size_t>(link)];
   const std::string label = std::to_string(m_mechanism.linkLabel(link));
-  for (const LinkShape& shape : wearer.shapes) {
+  for (const LinkShape& shape : owner.shapes) {
     const double scale = shape.scale ? shape.scale->value() : 1;
     const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
     if (const auto* why = std::get_if<std::string>(&found)) {
       m_stage->notes.push_back(
-          {wearer.id, translated("Link %1 wears \"%2\", which is not shown: %3", {label, shape.file, *why})});
+          {owner.id, translated("Link %1 wears \"%2\", which is not shown: %3", {label, shape.file, *why})});
       continue;
     }
     add(link, std::get<std::shared_ptr<const Solid>>(found), poseOf(shape)).isOpen = true;

@@ -184,7 +184,7 @@ class ExamplesTest : public QObject {
     }
   }
 
-  void theRobotToMendIsMendedOneDiagnosticAfterAnother() {
+  void theRobotToMendIsRepairedOneDiagnosticAfterAnother() {
     const std::string bytes = test::exampleText(kToMend);
     Mechanism wrong = readMechanism(bytes).value();
     QCOMPARE(QString::fromStdString(writeMechanism(wrong)), QString::fromStdString(bytes));

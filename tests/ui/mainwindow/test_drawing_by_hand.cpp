@@ -18,7 +18,7 @@ namespace geargraph {
 using test::Person;
 
 /// What the window makes of a drawing while it grows: guesses that give way, and no errors for what the next
-/// stroke mends.
+/// stroke repairs.
 class DrawingByHandTest : public QObject {
   Q_OBJECT
 

@@ -132,7 +132,7 @@ class StoriesTest : public QObject {
     QVERIFY(person.gestures < 40);
   }
 
-  void theRobotDrawnWrongIsMendedInTheProblemsPanel() {
+  void theRobotDrawnWrongIsRepairedInTheProblemsPanel() {
     Person person(*window);
     QVERIFY(window->openDocument(QStringLiteral(":/examples/robot-to-mend.geargraph")));
     QTRY_VERIFY(window->isSettled());
@@ -149,12 +149,12 @@ class StoriesTest : public QObject {
     for (const QString& wrong : {QStringLiteral("turning-loop"), QStringLiteral("teeth-geometry"),
                                  QStringLiteral("invalid-inputs")}) {
       QVERIFY2(codes().contains(wrong), qPrintable(codes().join(' ')));
-      QPushButton* mend = nullptr;
+      QPushButton* fix = nullptr;
       for (auto* button : problems.findChildren<QPushButton*>(QStringLiteral("fix"))) {
-        if (button->isVisible() && mend == nullptr) mend = button;
+        if (button->isVisible() && fix == nullptr) fix = button;
       }
-      QVERIFY(mend != nullptr);
-      person.clickButton(mend);
+      QVERIFY(fix != nullptr);
+      person.clickButton(fix);
       QTRY_VERIFY(window->isSettled());
       QVERIFY2(!codes().contains(wrong), qPrintable(codes().join(' ')));
     }

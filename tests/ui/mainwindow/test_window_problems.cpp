@@ -18,7 +18,7 @@
 
 namespace geargraph {
 
-/// A mechanism is broken by hand and mended from the Problems panel.
+/// A mechanism is broken by hand and repaired from the Problems panel.
 class WindowProblemsTest : public QObject {
   Q_OBJECT
 
@@ -60,7 +60,7 @@ class WindowProblemsTest : public QObject {
   }
   void cleanup() { window.reset(); }
 
-  void aClickMendsAndUndoTakesItBack() {
+  void aClickRepairsAndUndoTakesItBack() {
     const MechanismPtr sound = now();
     change([](const Mechanism& before) { return withTeeth(before, MeshId("15"), 18, 30); });
     const MechanismPtr broken = now();
@@ -238,7 +238,7 @@ class WindowProblemsTest : public QObject {
     QVERIFY(!note->isVisible());
   }
 
-  void problemsOfAFileAreNotMendedHere() {
+  void problemsOfAFileAreNotRepairedHere() {
     change([](const Mechanism& before) { return withTeeth(before, MeshId("15"), 18, 30); });
     QVERIFY(!window->openDocument("/nowhere.geargraph"));
     QVERIFY(fix("Use 36 teeth on gear 1") == nullptr);

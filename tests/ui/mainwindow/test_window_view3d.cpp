@@ -95,7 +95,7 @@ class WindowView3DTest : public QObject {
     QVERIFY(file.readAll().startsWith("time s,\"joint 8 rad/s\""));
   }
 
-  void aLinkWearsAFileThatMovesWithItAndItsLossIsSaid() {
+  void aFileAttachedToALinkMovesWithItAndItsLossIsReported() {
     const std::size_t bare = parts();
     const QString path = saved("dressed.geargraph");
     const std::filesystem::path part = folder->filePath("part.stl").toStdString();

@@ -65,7 +65,7 @@ class PaperCheckDialogTest : public QObject {
     QVERIFY(!m_selection->selected().empty());
   }
 
-  void aWrongEntryIsMarkedUntilItIsMended() {
+  void aWrongEntryIsMarkedUntilItIsCorrected() {
     write("T = [8 9; 1 2; 3 4; 5 6]");
     QVERIFY2(!verdict().startsWith(QStringLiteral("✓")), qPrintable(verdict()));
     write("theta10 = theta8");

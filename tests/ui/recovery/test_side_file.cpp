@@ -98,7 +98,7 @@ class SideFileTest : public QObject {
     QVERIFY(first->path() != second->path());
   }
 
-  void whatWasLeftBehindIsNeverOverwritten() {
+  void recoverableFilesAreNeverOverwritten() {
     const QString document = path(QStringLiteral("robot.geargraph"));
     const QString app = path(QStringLiteral("app"));
     const QString left = freshSideFile(document, app)->path();
@@ -108,7 +108,7 @@ class SideFileTest : public QObject {
     QVERIFY(next->path() != left);
   }
 
-  void whatWasLeftBehindIsFound() {
+  void recoverableFilesAreFound() {
     const QString document = path(QStringLiteral("robot.geargraph"));
     const QString app = path(QStringLiteral("app"));
     write(freshSideFile(document, app)->path(), bytes(3));

@@ -632,15 +632,15 @@ class TestView3D : public QObject {
     QVERIFY(shown.view.findChild<QSlider*>("view3dApart")->isVisible());
   }
 
-  void whatIsNotSelectedBecomesAVeil() {
+  void whatIsNotSelectedBecomesTranslucent() {
     Shown shown;
     ViewOptions options = shown.view.options();
     options.translucentOthers = true;
     shown.view.setOptions(options);
     const QColor plain = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
     shown.selection.select({LinkId("1")});
-    const QColor veiled = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
-    QVERIFY2(veiled.lightness() > plain.lightness() + 50, qPrintable(veiled.name()));
+    const QColor translucent = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
+    QVERIFY2(translucent.lightness() > plain.lightness() + 50, qPrintable(translucent.name()));
     shown.selection.clear();
     QVERIFY(distance(plain, shown.view.grab().toImage().pixelColor(shown.at(kOnBox))) < 6);
   }

@@ -316,7 +316,7 @@ class ViewerTest : public QObject {
     QCOMPARE(canvas.open.size(), std::size_t{2});
   }
 
-  void dearPicturesWaitUntilTheHandRests() {
+  void expensivePicturesWaitUntilTheHandRests() {
     Selection selection;
     Viewer viewer(&selection);
     viewer.setStage(test::toyStage());

@@ -55,17 +55,17 @@ class FixesTest : public QObject {
     }
     return texts;
   }
-  /// Each fix mends; the mechanism after the first of them is the snapshot's then.
-  void eachMends(Code code) {
+  /// Each fix repairs it; the mechanism after the first of them is the snapshot's then.
+  void eachFixRepairs(Code code) {
     const auto found = diagnosticWith(code);
     QVERIFY(found);
     const SnapshotPtr broken = snapshot;
     SnapshotPtr afterFirst;
     for (const Fix& fix : fixesFor(*found, *broken)) {
-      const Expected<Mechanism> mended = fix.edit(*broken->mechanism);
-      QVERIFY2(mended, fix.text.c_str());
-      QVERIFY2(wellFormedDiagnostics(*mended).empty(), fix.text.c_str());
-      provoke(*mended);
+      const Expected<Mechanism> repaired = fix.edit(*broken->mechanism);
+      QVERIFY2(repaired, fix.text.c_str());
+      QVERIFY2(wellFormedDiagnostics(*repaired).empty(), fix.text.c_str());
+      provoke(*repaired);
       const auto same = diagnosticWith(code);
       QVERIFY2(!same || same->elements != found->elements, fix.text.c_str());
       if (!afterFirst) afterFirst = snapshot;
@@ -77,7 +77,7 @@ class FixesTest : public QObject {
   void aLooseLinkIsTiedToTheGround() {
     provoke(*withLink(test::example("robot"), {0, 0}));
     QCOMPARE(offered(Code::disconnected), (QStringList{"Tie link 8 to the ground", "Delete link 8"}));
-    eachMends(Code::disconnected);
+    eachFixRepairs(Code::disconnected);
     QCOMPARE(snapshot->mechanism->t(), 8);
     QVERIFY(snapshot->tree != nullptr);
   }
@@ -88,7 +88,7 @@ class FixesTest : public QObject {
     robot = *withTurningJoint(std::move(robot), robot.links[8].id, robot.links[9].id);
     provoke(robot);
     QCOMPARE(offered(Code::disconnected).first(), QString("Tie links 8, 10 to the ground"));
-    eachMends(Code::disconnected);
+    eachFixRepairs(Code::disconnected);
     QCOMPARE(snapshot->mechanism->t(), 10);
   }
 
@@ -98,7 +98,7 @@ class FixesTest : public QObject {
     provoke(robot);
     QCOMPARE(offered(Code::turningLoop), (QStringList{"Delete joint 15, a second bearing on axis b",
                                                       "Delete joint 10, a second bearing on axis b"}));
-    eachMends(Code::turningLoop);
+    eachFixRepairs(Code::turningLoop);
     QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
@@ -107,35 +107,35 @@ class FixesTest : public QObject {
     robot.turningJoints.push_back({JointId("x"), LinkId("3"), LinkId("6"), AxisId("a"), Number(0), {}});
     provoke(robot);
     QCOMPARE(offered(Code::turningLoop).first(), QString("Delete joint 15"));
-    eachMends(Code::turningLoop);
+    eachFixRepairs(Code::turningLoop);
   }
 
   void teethThatFitThePitchPoint() {
     provoke(*withTeeth(test::example("robot"), MeshId("15"), 18, 30));
     QCOMPARE(offered(Code::teethGeometry), (QStringList{"Use 36 teeth on gear 1", "Use 15 teeth on gear 4",
                                                         "Let the pitch point follow from axes and teeth"}));
-    eachMends(Code::teethGeometry);
+    eachFixRepairs(Code::teethGeometry);
     QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
   void aWrongKindIsFlipped() {
     provoke(*withMeshKind(test::example("robot"), MeshId("15"), MeshKind::internal));
     QCOMPARE(offered(Code::teethGeometry).first(), QString("Make mesh 15 external"));
-    eachMends(Code::teethGeometry);
+    eachFixRepairs(Code::teethGeometry);
     provoke(*withMeshKind(test::example("robot"), MeshId("16"), MeshKind::external));
     QCOMPARE(offered(Code::pitchGeometry).first(), QString("Make mesh 16 bevel"));
-    eachMends(Code::pitchGeometry);
+    eachFixRepairs(Code::pitchGeometry);
     QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
   void aPitchPointElsewhereIsDerived() {
     provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(20, -36, 0)));
     QCOMPARE(offered(Code::pitchGeometry).first(), QString("Let the pitch point follow from axes and teeth"));
-    eachMends(Code::pitchGeometry);
+    eachFixRepairs(Code::pitchGeometry);
     provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(0, 0, 5)));
     QCOMPARE(offered(Code::pitchPointOnAxis).first(),
              QString("Let the pitch point follow from axes and teeth"));
-    eachMends(Code::pitchPointOnAxis);
+    eachFixRepairs(Code::pitchPointOnAxis);
   }
 
   void anInternalPairOfEqualWheelsIsCalledExternal() {
@@ -146,16 +146,16 @@ class FixesTest : public QObject {
     mesh.pitchPoint.reset();
     provoke(robot);
     QCOMPARE(offered(Code::teethGeometry).first(), QString("Make mesh 15 external"));
-    eachMends(Code::teethGeometry);
+    eachFixRepairs(Code::teethGeometry);
   }
 
   void aMeshThatCannotBeIsDropped() {
     provoke(*withGearMesh(test::example("robot"), LinkId("5"), LinkId("1")));
     QCOMPARE(offered(Code::coaxialMesh), QStringList{"Delete mesh 19"});
-    eachMends(Code::coaxialMesh);
+    eachFixRepairs(Code::coaxialMesh);
     provoke(*withGearMesh(test::example("robot"), LinkId("4"), LinkId("3")));
     QCOMPARE(offered(Code::noTransferVertex), QStringList{"Delete mesh 19"});
-    eachMends(Code::noTransferVertex);
+    eachFixRepairs(Code::noTransferVertex);
   }
 
   void aRedundantMeshMayGo() {
@@ -163,7 +163,7 @@ class FixesTest : public QObject {
     const int rank = snapshot->matroid()->rank;
     const auto redundant = snapshot->matroid()->redundancies.size();
     QVERIFY(offered(Code::redundantMesh).first().startsWith("Delete mesh "));
-    eachMends(Code::redundantMesh);
+    eachFixRepairs(Code::redundantMesh);
     QCOMPARE(snapshot->matroid()->rank, rank);
     QCOMPARE(snapshot->matroid()->redundancies.size(), redundant - 1);
   }
@@ -184,15 +184,15 @@ class FixesTest : public QObject {
     provoke(driven({"8", "10", "11"}));
     QCOMPARE(offered(Code::invalidInputs),
              (QStringList{"Exchange input 10 for 9", "Choose the inputs for me"}));
-    eachMends(Code::invalidInputs);
+    eachFixRepairs(Code::invalidInputs);
     QCOMPARE(speeds(), QString("8=3 9=3 11=3"));
     provoke(driven({"8", "11"}));
     QCOMPARE(offered(Code::invalidInputs).first(), QString("Drive 9 too"));
-    eachMends(Code::invalidInputs);
+    eachFixRepairs(Code::invalidInputs);
     QCOMPARE(speeds(), QString("8=3 11=3 9=1"));
     provoke(driven({"8", "9", "10", "11"}));
     QCOMPARE(offered(Code::invalidInputs).first(), QString("Stop driving 10"));
-    eachMends(Code::invalidInputs);
+    eachFixRepairs(Code::invalidInputs);
     QCOMPARE(speeds(), QString("8=3 9=3 11=3"));
   }
 
@@ -200,7 +200,7 @@ class FixesTest : public QObject {
     Mechanism robot = *withJointAxis(test::example("robot"), JointId("13"), AxisId("a"));
     provoke(robot);
     QCOMPARE(offered(Code::splitAxis), QStringList{"Give each its own axis"});
-    eachMends(Code::splitAxis);
+    eachFixRepairs(Code::splitAxis);
     QVERIFY(snapshot->mechanism->find(JointId("13"))->axis != AxisId("a"));
   }
 
@@ -226,7 +226,7 @@ class FixesTest : public QObject {
     QVERIFY(diagnosticWith(Code::undercut));
     QVERIFY2(offered(Code::undercut).first().endsWith("the teeth everywhere"),
              qPrintable(offered(Code::undercut).join(" | ")));
-    eachMends(Code::undercut);
+    eachFixRepairs(Code::undercut);
     const GearMesh& mesh = snapshot->mechanism->gearMeshes.front();
     QCOMPARE(mesh.headTeeth, 2 * mesh.tailTeeth);
   }
@@ -235,7 +235,7 @@ class FixesTest : public QObject {
     provoke(test::example("locked-train"));
     const Code code = diagnosticWith(Code::locked) ? Code::locked : Code::deadJoint;
     QVERIFY(!offered(code).isEmpty());
-    eachMends(code);
+    eachFixRepairs(code);
     QVERIFY(snapshot->matroid()->dof > 0);
   }
 
@@ -245,12 +245,12 @@ class FixesTest : public QObject {
     const std::vector<CouplingId> most{CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("D")};
     provoke(*withEngagement(box, most));
     QCOMPARE(offered(Code::locked).first(), QStringLiteral("Release brake A"));
-    eachMends(Code::locked);
+    eachFixRepairs(Code::locked);
     QCOMPARE(snapshot->matroid()->dof, 1);
     provoke(*withEngagement(*withBrake(*withEngagement(box, {}), LinkId("2"), "A2"),
                             {CouplingId("A"), CouplingId("A2")}));
     QCOMPARE(offered(Code::redundantCoupling), QStringList(QStringLiteral("Release brake A2")));
-    eachMends(Code::redundantCoupling);
+    eachFixRepairs(Code::redundantCoupling);
     QCOMPARE(snapshot->mechanism->engaged, std::vector{CouplingId("A")});
   }
 
@@ -269,7 +269,7 @@ class FixesTest : public QObject {
     provoke(train);
     QVERIFY(diagnosticWith(Code::locked));
     QVERIFY2(offered(Code::locked).first().startsWith("Use "), qPrintable(offered(Code::locked).join(" | ")));
-    eachMends(Code::locked);
+    eachFixRepairs(Code::locked);
   }
 
   /// A coupling closes this loop, not a turning joint: the coupling can be dropped.
@@ -314,8 +314,8 @@ class FixesTest : public QObject {
         QVERIFY2(text.startsWith(QStringLiteral("Move joint ")) && text.endsWith(QStringLiteral(" mm")),
                  qPrintable(text));
         ++provoked;
-        const Mechanism mended = fixes.front().edit(*snapshot->mechanism).value();
-        for (const Diagnostic& left : trainDiagnostics(mended, placementOf(mended)))
+        const Mechanism repaired = fixes.front().edit(*snapshot->mechanism).value();
+        for (const Diagnostic& left : trainDiagnostics(repaired, placementOf(repaired)))
           QVERIFY(left.elements != found->elements || left.detail != found->detail);
       }
     }

@@ -19,7 +19,7 @@ class TestMechanismReader : public QObject {
   void schemaErrors_sayPointerAndWhatWasExpectedAndFound();
   void diagnostics_knowTheirPlaceInTheFile();
   void treeFaults_areForTheEditorToMend_data();
-  void treeFaults_areForTheEditorToMend();
+  void treeFaults_areForTheEditorToFix();
   void manyLongLoops_areAllReported();
   void listsMayBeLeftOut_whereNothingNeedsThem();
   void limits_areRejected();
@@ -130,7 +130,7 @@ void TestMechanismReader::treeFaults_areForTheEditorToMend_data() {
                                      << "turning-loop  [turningJoints:8] [turningJoints:6]";
 }
 
-void TestMechanismReader::treeFaults_areForTheEditorToMend() {
+void TestMechanismReader::treeFaults_areForTheEditorToFix() {
   QFETCH(QString, from);
   QFETCH(QString, to);
   QFETCH(QString, expected);

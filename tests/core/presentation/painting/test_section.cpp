@@ -109,8 +109,8 @@ class TestSection : public QObject {
     frame.visibility = visibility;
     const auto image = m_host->picture(frame);
     QCOMPARE(paintOf(seenAt(image, frame, {0, 0, 4})), Paint::orange);
-    const auto veil = seenAt(image, frame, {11, 0, 4});
-    QVERIFY2(veil[3] > 20 && veil[3] < 120, qPrintable(QString::number(veil[3])));
+    const auto translucent = seenAt(image, frame, {11, 0, 4});
+    QVERIFY2(translucent[3] > 20 && translucent[3] < 120, qPrintable(QString::number(translucent[3])));
     const auto at = [&](const Eigen::Vector3d& point) {
       const ScreenPoint place = frame.camera.project(point, kView);
       return m_host->pick(frame, place.x, place.y);
@@ -159,9 +159,10 @@ class TestSection : public QObject {
     const auto after = m_host->picture(frame);
     const auto redAt = [&](const Eigen::Vector3d& point) { return int(seenAt(after, frame, point)[0]); };
     QVERIFY(redAt({0, -30, -5}) > 240);
-    const auto veiled = seenAt(after, frame, {2, 60, 12});
+    const auto translucent = seenAt(after, frame, {2, 60, 12});
     const auto plain = seenAt(before, frame, {2, 60, 12});
-    QVERIFY2(veiled[0] > plain[0] + 20 && veiled[0] < 200, qPrintable(QString::number(veiled[0])));
+    QVERIFY2(translucent[0] > plain[0] + 20 && translucent[0] < 200,
+             qPrintable(QString::number(translucent[0])));
   }
 
  private:

@@ -102,7 +102,7 @@ class TtMatricesTest : public QObject {
     int shown = 0;
     for (const std::string& name : test::exampleNames()) {
       const Mechanism plain = test::example(name);
-      if (!SpanningTree::of(Digraph(plain))) continue;  // one to mend
+      if (!SpanningTree::of(Digraph(plain))) continue;  // one to repair
       std::vector<std::vector<CouplingId>> engagements{{}};
       for (const ShiftState& state : plain.states) engagements.push_back(state.engaged);
       for (const std::vector<CouplingId>& engaged : engagements) {
