@@ -7,7 +7,7 @@ namespace geargraph::inline solids {
 const std::shared_ptr<const Solid>& DeferredSolid::solid() const {
   std::call_once(m_once, [this] {
     m_solid = std::make_shared<const Solid>(std::exchange(m_make, nullptr)());
-    m_made = m_solid.get();
+    m_ready = m_solid.get();
   });
   return m_solid;
 }

@@ -19,13 +19,13 @@ class DeferredSolid {
   /// Cost: that of making it, once.
   [[nodiscard]] const std::shared_ptr<const Solid>& solid() const;
   /// Null if it has not been made yet.
-  [[nodiscard]] const Solid* made() const { return m_made.load(); }
+  [[nodiscard]] const Solid* solidIfReady() const { return m_ready.load(); }
 
  private:
   mutable std::once_flag m_once;
   mutable Make m_make;  ///< empty once it was called
   mutable std::shared_ptr<const Solid> m_solid;
-  mutable std::atomic<const Solid*> m_made{nullptr};
+  mutable std::atomic<const Solid*> m_ready{nullptr};
 };
 
 }  // namespace geargraph::inline solids

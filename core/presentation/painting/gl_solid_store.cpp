@@ -23,7 +23,7 @@ void GlSolidStore::setScene(const Scene& scene) {
   }
   for (const DetailLevels& levels : scene.levels) {
     for (const DetailLevels::Finer& level : levels.finer) {
-      const auto held = m_solids.find(level.solid->made());
+      const auto held = m_solids.find(level.solid->solidIfReady());
       if (held != m_solids.end() && held->second) solids[held->first] = std::move(held->second);
     }
   }

@@ -35,7 +35,7 @@ class TestBodyRecipe : public QObject {
     const auto first = solid(4);
     QCOMPARE(solid(4), first);
     const auto second = solid(5);
-    QVERIFY(second->made() == nullptr);
+    QVERIFY(second->solidIfReady() == nullptr);
     QVERIFY(*second->solid() == madeBy(recipe(5), 0.01));
     QCOMPARE(solid(4), first);
     QVERIFY(solid(6) != first);  // drops that of 5, the oldest

@@ -253,9 +253,9 @@ class TestGearSolid : public QObject {
   void aDeferredSolidIsMadeWhenSomebodyAsks() {
     GearCache cache;
     const auto later = cache.deferred(gear(0, 20, 0, 5), 0.01).value();
-    QVERIFY(later->made() == nullptr);
+    QVERIFY(later->solidIfReady() == nullptr);
     const auto solid = later->solid();
-    QCOMPARE(later->made(), solid.get());
+    QCOMPARE(later->solidIfReady(), solid.get());
     QVERIFY(*solid == *gearSolid(gear(0, 20, 0, 5), 0.01));
     QCOMPARE(cache.solid(gear(0, 20, 0, 5), 0.01).value(), solid);  // not made again
     QCOMPARE(cache.deferred(gear(0, 20, 0, 5), 0.01).value(), later);
@@ -270,7 +270,7 @@ class TestGearSolid : public QObject {
       std::vector<std::jthread> threads;
       for (auto& each : got) threads.emplace_back([&each, &later] { each = later->solid(); });
     }
-    for (const auto& each : got) QCOMPARE(each.get(), later->made());
+    for (const auto& each : got) QCOMPARE(each.get(), later->solidIfReady());
   }
 
   void impossibleGearsAreRejectedWithASentence_data() {

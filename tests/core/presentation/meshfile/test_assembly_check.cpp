@@ -91,7 +91,7 @@ Assembly bevelPair() {
   return assembly;
 }
 
-AssemblyMeasurements diagnostics(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
+AssemblyMeasurements measurements(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
   const QTemporaryDir folder;
   if (const auto error = writeAssembly(assembly, folder.path().toStdString(), false)) {
     qFatal("%s", error->message.c_str());
@@ -112,7 +112,7 @@ class TestAssemblyCheck : public QObject {
   }
   void goodPairsPass() {
     QFETCH(int, which);
-    const AssemblyMeasurements found = diagnostics(pair(which));
+    const AssemblyMeasurements found = measurements(pair(which));
     QCOMPARE(found.problem, QString());
     QCOMPARE(found.gears, 2);
     QCOMPARE(found.pairs, 1);
@@ -127,7 +127,7 @@ class TestAssemblyCheck : public QObject {
     QFETCH(int, which);
     const Assembly assembly = pair(which);
     const AssemblyMeasurements found =
-        diagnostics(assembly, QString::fromStdString(assembly.gears[1].name), 0.1);
+        measurements(assembly, QString::fromStdString(assembly.gears[1].name), 0.1);
     QVERIFY(std::abs(found.phaseError - 0.1) < 1e-6);
     QVERIFY2(found.penetration > 0.05, qPrintable(QString::number(found.penetration)));
   }
@@ -138,7 +138,7 @@ class TestAssemblyCheck : public QObject {
     Assembly assembly = pair(which);
     assembly.frames.clear();
     addFrames(assembly, which == 1 ? -1 : 1);
-    const AssemblyMeasurements found = diagnostics(assembly);
+    const AssemblyMeasurements found = measurements(assembly);
     QVERIFY(found.phaseError > 0.35 && found.penetration > 0.1);
   }
 
@@ -147,7 +147,7 @@ class TestAssemblyCheck : public QObject {
     GearSpec wrong = standardGear(GearKind::bevel, 30, kModule, 8);
     wrong.coneAngle = assembly.gears[1].coneAngle * 1.02;
     assembly.gears[1].solid = std::make_shared<const Solid>(gearSolid(wrong, kExportTolerance).value());
-    QVERIFY(diagnostics(assembly).penetration > 0.02);
+    QVERIFY(measurements(assembly).penetration > 0.02);
   }
 
   void aHoleIsNoticed() {
@@ -155,7 +155,7 @@ class TestAssemblyCheck : public QObject {
     Solid holed = *assembly.gears[0].solid;
     holed.triangles.pop_back();
     assembly.gears[0].solid = std::make_shared<const Solid>(holed);
-    QVERIFY(!diagnostics(assembly).closed);
+    QVERIFY(!measurements(assembly).closed);
   }
 
  private:

@@ -22,10 +22,10 @@ class TestSolids : public QObject {
     QCOMPARE(levels.chosen(own, 0), own);
     QCOMPARE(levels.chosen(own, 1), own);  // 0.1 of a pixel
     QCOMPARE(levels.chosen(own, 3.3), own);
-    QVERIFY(levels.finer[0].solid->made() == nullptr);
+    QVERIFY(levels.finer[0].solid->solidIfReady() == nullptr);
     QCOMPARE(levels.chosen(own, 3.4), levels.finer[0].solid->solid());
     QCOMPARE(levels.chosen(own, 11), levels.finer[0].solid->solid());
-    QVERIFY(levels.finer[1].solid->made() == nullptr);
+    QVERIFY(levels.finer[1].solid->solidIfReady() == nullptr);
     QCOMPARE(levels.chosen(own, 12), levels.finer[1].solid->solid());
     QCOMPARE(levels.chosen(own, 500), levels.finer[1].solid->solid());  // there is none closer
     QCOMPARE(levels.within(0.03, own), levels.finer[0].solid->solid());

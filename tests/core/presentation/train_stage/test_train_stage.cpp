@@ -138,7 +138,7 @@ class TestTrainStage : public QObject {
       double error = levels.error;
       std::size_t triangles = stage->scene.solids[i]->triangles.size();
       for (const DetailLevels::Finer& level : levels.finer) {
-        QVERIFY(level.solid->made() == nullptr);
+        QVERIFY(level.solid->solidIfReady() == nullptr);
         QVERIFY(level.error < error);
         QVERIFY(level.solid->solid()->triangles.size() > triangles);
         QCOMPARE(signedVolume(*level.solid->solid()) > 0, true);
