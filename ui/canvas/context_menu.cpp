@@ -62,7 +62,7 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
         [actions, id] { actions.removeCoupling(id); });
   } else {
-    QAction* entry = add(menu, tr("Hold it with a brake"), "B", actions.hold,
+    QAction* entry = add(menu, tr("Hold it with a brake"), "B", actions.addBrake,
                          ground ? tr("the ground does not move") : QString());
     MenuPreview::of(menu).add(entry, brakeEdit(mechanism, link));
   }
@@ -91,7 +91,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   QAction* entry = add(
       menu,
       tr("Connect %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})), {},
-      [actions, one, other] { actions.tie(one, other); },
+      [actions, one, other] { actions.addClutch(one, other); },
       ground ? tr("hold the link with a brake") : QString());
   MenuPreview::of(menu).add(entry, clutchEdit(one, other));
 }

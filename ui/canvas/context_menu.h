@@ -25,8 +25,8 @@ struct ContextActions {
   std::function<void(AxisId, const AxisChoice&)> placeAxis;
   std::function<void(MeshKind)> setMeshKind;             ///< of the mesh
   std::function<void(bool)> flipSide;                    ///< of a bevel mesh: its tail or its head
-  std::function<void()> hold;                            ///< the link, with a new brake
-  std::function<void(LinkId, LinkId)> tie;               ///< two links, with a new clutch
+  std::function<void()> addBrake;                        ///< the link, with a new brake
+  std::function<void(LinkId, LinkId)> addClutch;         ///< two links, with a new clutch
   std::function<void(CouplingId, bool)> engage;          ///< or release a brake or a clutch
   std::function<void(const ElementId&)> removeCoupling;  ///< removes a brake or a clutch
   std::function<void()> remove;

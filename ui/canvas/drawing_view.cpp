@@ -381,8 +381,8 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.placeAxis = [this](AxisId axis, const AxisChoice& choice) { m_commands.placeAxis(axis, choice); };
   actions.setMeshKind = [this, mesh](MeshKind kind) { m_commands.setMeshKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
-  actions.hold = [this, link] { m_commands.hold(link); };
-  actions.tie = [this](LinkId one, LinkId other) { m_commands.tie(one, other); };
+  actions.addBrake = [this, link] { m_commands.addBrake(link); };
+  actions.addClutch = [this](LinkId one, LinkId other) { m_commands.addClutch(one, other); };
   actions.engage = [this](CouplingId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
   actions.removeCoupling = [this](const ElementId& coupling) { m_commands.removeCoupling(coupling); };
   actions.remove = [this] { deleteSelected(); };

@@ -210,11 +210,11 @@ void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
         [mesh, ofTail](const PlacedMechanism& before) { return withBevelSideFlipped(before, mesh, ofTail); });
 }
 
-void ElementCommands::hold(LinkId link) {
+void ElementCommands::addBrake(LinkId link) {
   m_document.apply(brakeEdit(*m_document.mechanism(), link));
 }
 
-void ElementCommands::tie(LinkId one, LinkId other) {
+void ElementCommands::addClutch(LinkId one, LinkId other) {
   m_document.apply(clutchEdit(one, other));
 }
 

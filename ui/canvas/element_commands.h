@@ -37,8 +37,8 @@ class ElementCommands {
   void placeAxis(AxisId axis, const AxisChoice& choice);  ///< guessed kinds of its meshes are adapted
   void setMeshKind(MeshId mesh, MeshKind kind);           ///< axes and pitch points follow
   void flipSide(MeshId mesh, bool ofTail);                ///< of a bevel: to the other side of the apex
-  void hold(LinkId link);                                 ///< with a new brake that is engaged
-  void tie(LinkId one, LinkId other);                     ///< with a new clutch that is engaged
+  void addBrake(LinkId link);                             ///< with a new brake that is engaged
+  void addClutch(LinkId one, LinkId other);               ///< with a new clutch that is engaged
   void engage(CouplingId coupling, bool engaged);
   /// Engages or releases the brake of the link; adds one if it has none.
   void toggleBrake(LinkId link);

@@ -144,10 +144,10 @@ class WindowCloseTest : public QObject {
   }
 
   static PictureOptions pictureIn3d(SolidForm form) {
-    PictureOptions wish;
-    wish.view = QStringLiteral("3d");
-    wish.solid = form;
-    return wish;
+    PictureOptions options;
+    options.view = QStringLiteral("3d");
+    options.solid = form;
+    return options;
   }
 
   static bool hasItsStage(MainWindow& window) {
