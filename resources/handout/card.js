@@ -5,7 +5,7 @@ const BESIDE = 10;     // of the arrow of the walk from the edge, in units of th
 const STATIONS = 12;   // points along that arrow
 
 // The paper's minus for what the script writes itself.
-const labelOfElement = key => elements.get(key).name.split(' ').at(-1);
+const labelOfElement = key => String(elements.get(key).label);
 const printedSign = sign => (sign < 0 ? '\u22121' : '1');
 
 // ---- Equations: copies of those in the page that speak of this element alone ----
@@ -125,13 +125,13 @@ class CycleWalk {
     this.arrows = drawn('g', {class: 'cycle-arrows', 'aria-hidden': 'true', 'font-family': 'DejaVu Sans, Verdana, Arial, sans-serif'});
     this.status = make('p', {role: 'status', class: 'step'});
     this.stations = this.steps.map(() => make('li'));
-    this.back = make('button', {type: 'button'}, '\u2039 Back');
-    this.next = make('button', {type: 'button'}, 'Next \u203a');
-    const end = make('button', {type: 'button'}, 'End');
+    this.back = make('button', {type: 'button'}, say('back'));
+    this.next = make('button', {type: 'button'}, say('next'));
+    const end = make('button', {type: 'button'}, say('endWalk'));
     this.back.addEventListener('click', () => this.go(this.at - 1));
     this.next.addEventListener('click', () => this.go(this.at + 1));
     end.addEventListener('click', () => this.leave());
-    this.node = make('div', {class: 'cycle-walk', role: 'group', 'aria-label': 'Walk round the cycle: left and right arrow keys step, Escape ends'},
+    this.node = make('div', {class: 'cycle-walk', role: 'group', 'aria-label': say('walkKeys')},
                      make('ol', {class: 'stations', 'aria-hidden': 'true'}, ...this.stations), this.status,
                      make('div', {class: 'bar'}, this.back, this.next, end));
     this.node.addEventListener('keydown', event => {
@@ -175,8 +175,8 @@ class CycleWalk {
       station.replaceChildren(labelOfElement(edge), make('b', {}, i > to ? '\u00b7' : printedSign(sign)));
     });
     const isLast = to === this.steps.length - 1;
-    this.status.textContent = `${to + 1} of ${this.steps.length}. ${this.steps[to][2]}` +
-                              (isLast ? ` The walk is closed: row C${labelOfElement(this.key)} has no other entries.` : '');
+    this.status.textContent = say('walkStep', to + 1, this.steps.length, this.steps[to][2]) +
+                              (isLast ? ' ' + say('walkClosed', labelOfElement(this.key)) : '');
     this.back.disabled = to === 0;
     this.next.disabled = isLast;
     // A button that can no longer be pressed loses the focus.
@@ -201,7 +201,7 @@ class CycleWalk {
 // ---- The card ----
 
 // Within the page's main part, at the bottom of what is seen of it: nothing stays hidden under it.
-const card = make('div', {class: 'card', role: 'region', 'aria-label': 'Selection', hidden: ''});
+const card = make('div', {class: 'card', role: 'region', 'aria-label': say('selection'), hidden: ''});
 document.querySelector('main').append(card);
 let walk = null;
 const rateLine = make('p', {class: 'rate'});
@@ -209,7 +209,7 @@ const showRate = () => {
   const [list, id] = (selected || '').split(/\/(.*)/);
   const joint = list === 'turningJoints' && motion ? data.joints.findIndex(each => each.id === id) : -1;
   rateLine.hidden = joint < 0;
-  if (joint >= 0) rateLine.textContent = `Now ${motion.rates[joint].toString().replace('-', '\u2212')} rad/s.`;
+  if (joint >= 0) rateLine.textContent = say('now', motion.rates[joint]);
 };
 motionWatchers.push(showRate);
 const showCard = key => {
@@ -219,13 +219,13 @@ const showCard = key => {
   card.hidden = !key;
   if (!key) return;
   const element = elements.get(key);
-  const close = make('button', {type: 'button', class: 'close', 'aria-label': 'Clear the selection'}, '\u00d7');
+  const close = make('button', {type: 'button', class: 'close', 'aria-label': say('clear')}, '\u00d7');
   close.addEventListener('click', () => select(null));
   const about = make('div', {class: 'about'}, make('div', {role: 'status'}, make('h2', {}, element.name),
                      ...element.lines.map(line => make('p', {}, line))), rateLine);
   const equations = equationsOf(key);
   if (element.walk && digraph) {
-    const begin = make('button', {type: 'button', class: 'begin'}, '\u25b6 Walk the cycle');
+    const begin = make('button', {type: 'button', class: 'begin'}, '\u25b6 ' + say('walk'));
     begin.addEventListener('click', () => {
       walk = new CycleWalk(key, () => {
         walk.node.replaceWith(begin);

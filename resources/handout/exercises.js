@@ -40,9 +40,9 @@ const fieldFor = (field, label) => {
   return textField(field, label);
 };
 const labelOf = ({table, fields}, at) => {
-  if (!table) return fields[at].name;
+  if (!table) return shownName(fields[at]);
   const wide = table.columns.length;
-  return `Row ${table.rows[Math.floor(at / wide)]}, column ${table.columns[at % wide]}`;
+  return say('cell', table.rows[Math.floor(at / wide)], table.columns[at % wide]);
 };
 
 // ---- What is kept: in the browser, where it may be; else until the page is closed ----
@@ -61,8 +61,6 @@ const keep = (key, value) => {
     // Nothing is kept where the browser forbids it.
   }
 };
-
-const pointsText = count => count + (count === 1 ? ' point' : ' points');
 
 // ---- One question ----
 
@@ -89,10 +87,10 @@ class Exercise {
     this.at = 0;
     this.verdict = null;
     this.told = make('div', {class: 'verdict', role: 'status', tabindex: '-1'});
-    this.check = this.button('Check', () => this.tell());
-    this.again = this.button('Try again', () => this.retry());
+    this.check = this.button(say('check'), () => this.tell());
+    this.again = this.button(say('tryAgain'), () => this.retry());
     for (const main of [this.check, this.again]) main.classList.add('primary');
-    this.show = this.button('Show', () => this.reveal());
+    this.show = this.button(say('show'), () => this.reveal());
     this.takeHint();
     const parts = [this.told, this.hint, make('div', {class: 'bar'}, this.check, this.again, this.ask, this.show)];
     if (question.table && question.fields.every(field => field.kind === 'integer')) parts.unshift(this.keys());
@@ -119,7 +117,7 @@ class Exercise {
     this.hint = make('div', {class: 'hint', id: this.node.getAttribute('aria-labelledby') + '-hint'},
                      ...[...folded.children].filter(each => each.tagName !== 'SUMMARY'), this.place);
     folded.remove();
-    this.ask = this.button('Hint', () => {
+    this.ask = this.button(say('hint'), () => {
       this.state.isHinted = !this.state.isHinted;
       this.showHint();
       this.changed();
@@ -132,9 +130,9 @@ class Exercise {
     const isOpen = Boolean(this.state.isHinted) && !this.ask.hidden;
     this.hint.hidden = !isOpen;
     this.ask.setAttribute('aria-expanded', String(isOpen));
-    const names = this.asked().map(key => elements.get(key)?.name).filter(Boolean);
+    const names = this.asked().map(key => elements.get(key)?.mention).filter(Boolean);
     this.place.hidden = !names.length;
-    this.place.textContent = `Look at ${names.map(name => name[0].toLowerCase() + name.slice(1)).join(' and ')} in the drawing.`;
+    this.place.textContent = say('lookAt', listed(names));
     if (isOpen && !this.verdict && this.node.classList.contains('here')) this.light(this.asked(), 'asked');
   }
   // For those who have no keyboard at hand.
@@ -145,7 +143,7 @@ class Exercise {
       this.write();
       this.fields[Math.min(at + 1, this.fields.length - 1)].focus();
     };
-    return make('div', {class: 'bar keys', role: 'group', 'aria-label': 'Fills the cell and goes on to the next'},
+    return make('div', {class: 'bar keys', role: 'group', 'aria-label': say('fillKeys')},
                 ...['\u22121', '0', '1'].map(text => this.button(text, () => put(text))));
   }
   move(event, at) {
@@ -202,14 +200,14 @@ class Exercise {
     state.points = Math.max(state.points, verdict.points);  // it never falls
     this.mark(verdict.wrongFields);
     const names = verdict.wrongFields.map(i => labelOf(question, i));
-    const title = verdict.isRight ? `Right, ${verdict.points} of ${pointsText(question.points)}`
-                : names.length ? 'Wrong: ' + names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : '')
-                               : 'Wrong';
+    const title = verdict.isRight ? say(question.points === 1 ? 'rightOfOne' : 'rightOf', verdict.points, question.points)
+                : names.length ? say('wrongAt', names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : ''))
+                               : say('wrong');
     const reasons = verdict.mistakes.length ? verdict.mistakes.map(mistake => mistake.reason) : [verdict.isRight ? verdict.reason : ''];
     const rest = question.fields.length - names.length;
     if (names.length && rest > 0 && hasOneAnswer(question))
-      reasons.push(rest === 1 ? 'The other field is right.' : `The other ${rest} fields are right.`);
-    if (!verdict.isRight && !verdict.mistakes.length) reasons.push('No known mistake explains it. Walk through it once more, or let it be shown.');
+      reasons.push(rest === 1 ? say('otherField') : say('otherFields', rest));
+    if (!verdict.isRight && !verdict.mistakes.length) reasons.push(say('unknownMistake'));
     this.told.className = 'verdict ' + (verdict.isRight ? 'right' : 'wrong');
     this.told.replaceChildren(make('h4', {}, title), ...reasons.filter(Boolean).map(reason => make('p', {}, reason)));
     this.light(verdict.isRight ? [] : (verdict.mistakes[0]?.elements || []), 'wrong');
@@ -234,7 +232,7 @@ class Exercise {
     for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
       control.disabled = true;
     this.told.className = 'verdict shown';
-    this.told.replaceChildren(make('h4', {}, 'Shown, no points'), make('p', {}, question.rule));
+    this.told.replaceChildren(make('h4', {}, say('shown')), make('p', {}, question.rule));
     this.light([], 'wrong');
     this.arrange();
     this.changed();
@@ -252,11 +250,11 @@ const answersText = (sheet, states, student) => JSON.stringify({
 // A drawing beside the question, on which nothing can be asked: its elements light up with the cells and the mistakes.
 const askedDrawings = () => {
   const drawings = [...document.querySelectorAll('#drawings figure')].slice(0, 2).map(figure => {
-    const name = figure.querySelector('figcaption').textContent.split('.')[0];
+    const name = figure.dataset.title;
     const svg = figure.querySelector('svg').cloneNode(true);
     for (const attribute of ['tabindex', 'aria-label']) svg.removeAttribute(attribute);
     svg.setAttribute('role', 'img');
-    svg.setAttribute('aria-label', name + ' of the mechanism');
+    svg.setAttribute('aria-label', say('drawingOf', name));
     for (const node of svg.querySelectorAll('[data-id]')) addPlace(keyOf(node.dataset.list, node.dataset.id), node);
     return {name, svg};
   });
@@ -267,7 +265,7 @@ const askedDrawings = () => {
   };
   views.forEach((view, i) => view.addEventListener('click', () => show(i)));
   show(0);
-  return make('div', {class: 'asked-drawing'}, make('div', {class: 'bar', role: 'group', 'aria-label': 'Drawing'}, ...views),
+  return make('div', {class: 'asked-drawing'}, make('div', {class: 'bar', role: 'group', 'aria-label': say('drawing')}, ...views),
               ...drawings.map(({svg}) => svg));
 };
 
@@ -294,7 +292,7 @@ const showSheet = sheet => {
     keep(key, {states, student: student.value, at});
     const points = states.reduce((sum, state) => sum + state.points, 0);
     const done = states.filter(state => state.isChecked || state.isShown).length;
-    score.textContent = `${points} of ${pointsText(of)}; ${done} of ${questions.length} checked`;
+    score.textContent = of === 1 ? say('scoreOfOne', points, done, questions.length) : say('scoreOf', points, of, done, questions.length);
     Object.assign(section.dataset, {points: String(points), of: String(of), open: String(questions.length - done)});
     section.dispatchEvent(new Event('points'));
   };
@@ -308,7 +306,7 @@ const showSheet = sheet => {
     light([], 'wrong');
     nodes.forEach((node, i) => node.classList.toggle('here', i === at));
     nodes[at].querySelector('.wide').before(drawings);  // below the question, above its blanks
-    place.textContent = `Question ${at + 1} of ${questions.length}`;
+    place.textContent = say('question', at + 1, questions.length);
     back.disabled = at === 0;
     next.disabled = at === questions.length - 1;
     const verdict = exercises[at].verdict;
@@ -317,20 +315,20 @@ const showSheet = sheet => {
     keep(key, {states, student: student.value, at});
     reachWide();
   };
-  const back = make('button', {type: 'button', 'aria-label': 'Question before'}, '\u2039 Back');
-  const next = make('button', {type: 'button', 'aria-label': 'Next question'}, 'Next \u203a');
+  const back = make('button', {type: 'button', 'aria-label': say('questionBefore')}, say('back'));
+  const next = make('button', {type: 'button', 'aria-label': say('nextQuestion')}, say('next'));
   back.addEventListener('click', () => go(at - 1));
   next.addEventListener('click', () => go(at + 1));
   student.addEventListener('input', changed);
-  const save = make('a', {class: 'button', href: '#exercises', download: `answers-${sheet.variant}.json`}, 'Save answers');
+  const save = make('a', {class: 'button', href: '#exercises', download: `answers-${sheet.variant}.json`}, say('save'));
   save.addEventListener('click', () => {
     save.href = 'data:application/json;charset=utf-8,' + encodeURIComponent(answersText(sheet, states, student.value));
   });
 
   nodes.forEach((node, i) => exercises.push(new Exercise(node, questions[i], states[i], {changed, light})));
   nodes[0].before(make('div', {class: 'bar walk'}, back, place, next));
-  section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, 'Name'), student, save),
-                 make('p', {class: 'note'}, 'What you write stays in this browser. Saved answers are a small file to hand in.'));
+  section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, say('name')), student, save),
+                 make('p', {class: 'note'}, say('kept')));
   section.classList.add('live');
   go(at);
   changed();
@@ -338,7 +336,14 @@ const showSheet = sheet => {
 
 if (byId('exercises-key')) {
   unpacked(byId('exercises-key').textContent.trim())
-      .then(bytes => showSheet(JSON.parse(new TextDecoder().decode(bytes))))
+      .then(bytes => {
+        const sheet = JSON.parse(new TextDecoder().decode(bytes));
+        sheet.questions.forEach(({fields, table}, i) => {
+          fields.forEach((field, j) => { field.title = sheet.shown[i].fields[j]; });
+          if (table) table.columns = sheet.shown[i].columns;
+        });
+        showSheet(sheet);
+      })
       .catch(error => byId('exercises').append(make('p', {class: 'reason', role: 'status'},
-          'This browser cannot grade the answers (' + error.message + '): write them on paper.')));
+          say('cannotGrade', error.message))));
 }

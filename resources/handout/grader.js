@@ -105,13 +105,15 @@ const holds = ({test, fields: at, values}, answer) => {
 };
 const allHold = (conditions, answer) => conditions.every(condition => holds(condition, answer));
 
+// The name of the mistake, and what is said of it: of the text and the field.
 const UNREADABLE = {
-  empty: ['unanswered', (text, name) => `The field ${name} is empty.`],
-  ambiguous: ['ambiguous-number', text => `\u201c${text}\u201d can be read as a thousand or as a decimal: ` +
-      'write it without the comma, or as a fraction.'],
-  number: ['not-a-number', text => `\u201c${text}\u201d is not a number: write a whole number, a fraction such as \u22123/4 or a decimal.`],
-  choice: ['not-a-choice', (text, name) => `\u201c${text}\u201d is not among what the question offers for ${name}.`],
+  empty: ['unanswered', (text, name) => say('empty', name)],
+  ambiguous: ['ambiguous-number', text => say('ambiguous', text)],
+  number: ['not-a-number', text => say('notANumber', text)],
+  choice: ['not-a-choice', (text, name) => say('notAChoice', text, name)],
 };
+// The field's name in the page's language; where there is none, that of files of answers.
+const shownName = ({title, name}) => title ?? name;
 
 const hasOneAnswer = ({accepted}) => accepted.length === 1 && accepted[0].test === 'values' && accepted[0].values.length === 1;
 // Where an answer differs from the only right one; nothing where several are right.
@@ -128,8 +130,8 @@ const grade = (question, answer) => {
   read.forEach(({fault}, i) => {
     if (!fault) return;
     const [name, reason] = UNREADABLE[fault];
-    const {name: of, elements = []} = question.fields[i];
-    found.push({name, fields: [i], elements, reason: reason(answer[i], of)});
+    const {elements = []} = question.fields[i];
+    found.push({name, fields: [i], elements, reason: reason(answer[i], shownName(question.fields[i]))});
   });
   for (const {name, when, fields = [], elements = [], reason} of question.mistakes) {
     const isMarked = found.some(mistake => mistake.fields.some(field => fields.includes(field)));

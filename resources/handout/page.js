@@ -78,7 +78,7 @@ for (const svg of document.querySelectorAll('figure svg')) {
   if (!walk.length) continue;
   svg.setAttribute('tabindex', '0');
   const caption = svg.parentNode.querySelector('figcaption');
-  svg.setAttribute('aria-label', (caption ? caption.textContent + ' ' : '') + 'Arrow keys walk its elements.');
+  svg.setAttribute('aria-label', (caption ? caption.textContent + ' ' : '') + say('arrowKeys'));
   const status = make('p', {role: 'status', class: 'skip'});
   svg.after(status);
   let at = -1;
@@ -111,17 +111,17 @@ const showRates = () => {
   for (const cell of document.querySelectorAll('[data-now]')) {
     const rate = motion.rates[Number(cell.dataset.now)];
     cell.textContent = rate.toString();
-    cell.title = rate.toNumber().toPrecision(6) + ' rad/s';
+    cell.title = spoken(rate.toNumber().toPrecision(6)) + ' rad/s';
   }
-  const speeds = inputs.map((joint, i) => `joint ${data.joints[joint].label} at ${motion.speeds[i]} rad/s`);
-  document.querySelector('#inputs .onpaper').textContent = 'Inputs: ' + speeds.join(', ') + '.';
+  const speeds = inputs.map((joint, i) => say('input', data.joints[joint].label, motion.speeds[i]));
+  document.querySelector('#inputs .onpaper').textContent = say('inputs', speeds.join(', '));
   for (const watcher of motionWatchers) watcher();
 };
 
 const inputRow = (joint, i) => {
-  const name = data.joints[joint].name;
-  const range = make('input', {type: 'range', min: '-36', max: '36', step: '1', 'aria-label': 'Speed of ' + name});
-  const field = make('input', {type: 'text', inputmode: 'text', 'aria-label': 'Speed of ' + name + ', exact, rad/s'});
+  const {name, label} = data.joints[joint];
+  const range = make('input', {type: 'range', min: '-36', max: '36', step: '1', 'aria-label': say('speed', label)});
+  const field = make('input', {type: 'text', inputmode: 'text', 'aria-label': say('exactSpeed', label)});
   const reason = make('p', {class: 'reason', role: 'status', hidden: ''});
   // A slider reaches three rad/s, or what was given where that is more.
   const reach = speed => {
@@ -146,14 +146,14 @@ const inputRow = (joint, i) => {
     const speed = Rational.from(field.value);
     if (speed) return take(speed, true);
     field.setAttribute('aria-invalid', 'true');
-    reason.textContent = 'A number such as 2, -3/4 or 0.75.';
+    reason.textContent = say('numbers');
     reason.hidden = false;
   });
   field.addEventListener('change', () => { field.value = motion.speeds[i].toString(); reason.hidden = true;
     field.setAttribute('aria-invalid', 'false'); });
   field.value = motion.speeds[i].toString();
   show();
-  return make('div', {class: 'input', 'data-input': data.joints[joint].label}, make('span', {}, name), range, field,
+  return make('div', {class: 'input', 'data-input': label}, make('span', {}, name), range, field,
               make('span', {}, 'rad/s'), reason);
 };
 
@@ -165,7 +165,7 @@ const placed = (node, joint) => {
   return node;
 };
 const resultTable = () => {
-  const heads = inputs.map(joint => placed(make('th', {scope: 'col'}, 'of ' + data.joints[joint].label), joint));
+  const heads = inputs.map(joint => placed(make('th', {scope: 'col'}, say('ofJoint', data.joints[joint].label)), joint));
   const body = make('tbody');
   data.joints.forEach((joint, at) => {
     if (inputs.includes(at)) return;
@@ -173,8 +173,8 @@ const resultTable = () => {
     body.append(placed(make('tr', {}, make('th', {scope: 'row'}, String(joint.label)), ...cells,
                             make('td', {class: 'now', 'data-now': String(at)})), at));
   });
-  return [make('thead', {}, make('tr', {}, make('th', {scope: 'col'}, 'joint'), ...heads,
-                                 make('th', {scope: 'col'}, 'now, rad/s'))), body];
+  return [make('thead', {}, make('tr', {}, make('th', {scope: 'col'}, say('joint')), ...heads,
+                                 make('th', {scope: 'col'}, say('nowHead')))), body];
 };
 
 // The rows hold, and these joints are driven. False where they are no valid inputs: nothing changes then.
@@ -195,12 +195,12 @@ drive(allRows, data.inputs, data.speeds.map(text => Rational.from(text)));
 
 // ---- Header and tabs ----
 
-const theme = make('button', {type: 'button', 'aria-label': 'Light or dark'}, '\u25d0');
+const theme = make('button', {type: 'button', 'aria-label': say('theme')}, '\u25d0');
 theme.addEventListener('click', () => {
   const dark = getComputedStyle(document.documentElement).colorScheme === 'dark';
   document.documentElement.dataset.theme = dark ? 'light' : 'dark';
 });
-const print = make('button', {type: 'button'}, 'Print');
+const print = make('button', {type: 'button'}, say('print'));
 print.addEventListener('click', () => window.print());
 document.querySelector('header').append(theme, print);
 
@@ -225,14 +225,16 @@ const chooser = (id, label, pieces, first) => {
   show((pieces.find(([name]) => name.startsWith(first)) || pieces[0])[1][0]);
   return show;
 };
-const showDrawing = chooser('drawings', 'Drawing', [...document.querySelectorAll('#drawings figure')].map(figure => [figure.dataset.name, [figure]]), 'D');
+const figures = [...document.querySelectorAll('#drawings figure')];
+const showDrawing = chooser('drawings', say('drawing'), figures.map(figure => [figure.dataset.title, [figure]]),
+                            figures.find(figure => figure.dataset.name === 'Digraph')?.dataset.title ?? '');
 // A matrix is all that follows its heading.
 const matrixPieces = [];
 for (const node of document.querySelectorAll('#matrices > *')) {
   if (node.dataset.name) matrixPieces.push([node.dataset.name, []]);
   matrixPieces.at(-1)?.[1].push(node);
 }
-chooser('matrices', 'Matrix', matrixPieces, 'C');
+chooser('matrices', say('matrix'), matrixPieces, 'C');
 
 const tabs = [...document.querySelectorAll('nav a')];
 const narrow = window.matchMedia('(max-width: 900px)');

@@ -75,7 +75,7 @@ const showScene = async place => {
   const geometries = readSolids(await unpacked(byId('geometry').textContent.trim()), solids);
   const edges = geometries.map(() => null);
   const canvas = make('canvas', {tabindex: '0', role: 'img',
-    'aria-label': 'The train in three dimensions. Arrow keys turn it, plus and minus zoom, Space plays, comma and full stop step.'});
+    'aria-label': say('trainKeys')});
   const renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
   renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
   const scene = new THREE.Scene();
@@ -196,9 +196,9 @@ const showScene = async place => {
 
   // ---- Time ----
   const status = make('p', {class: 'time', role: 'status'});
-  const play = make('button', {type: 'button'}, '\u25b6 Play');
-  const scrub = make('input', {type: 'range', min: '0', max: '1000', step: '1', 'aria-label': 'Time'});
-  const toStart = make('button', {type: 'button', 'aria-label': 'To the reference pose'}, '|\u25c0');
+  const play = make('button', {type: 'button'}, '\u25b6 ' + say('play'));
+  const scrub = make('input', {type: 'range', min: '0', max: '1000', step: '1', 'aria-label': say('time')});
+  const toStart = make('button', {type: 'button', 'aria-label': say('toReference')}, '|\u25c0');
   const seconds = time => 2 * Math.PI * time;
   const hasPeriod = () => motion.period !== null && seconds(motion.period.toNumber()) <= LONGEST;
   const span = () => (hasPeriod() ? motion.period.toNumber() : STRETCH / (2 * Math.PI));
@@ -206,7 +206,8 @@ const showScene = async place => {
     const time = motion.time.toNumber();
     const along = ((time % span()) + span()) % span();
     scrub.value = String(Math.round(1000 * along / span()));
-    const text = seconds(along).toFixed(1) + ' s' + (hasPeriod() ? ' of ' + seconds(span()).toFixed(1) + ' s' : '');
+    const [passed, whole] = [along, span()].map(each => spoken(seconds(each).toFixed(1)));
+    const text = hasPeriod() ? say('secondsOf', passed, whole) : say('seconds', passed);
     scrub.setAttribute('aria-valuetext', text);
     scrub.title = text;
   };
@@ -218,7 +219,7 @@ const showScene = async place => {
       const angle = ratesOf(gains, motion.inputTurns())[joint].toNumber() * 360;
       const limit = [low, high].filter(each => each !== undefined).map(each => each * 180 / Math.PI)
                         .sort((a, b) => Math.abs(a - angle) - Math.abs(b - angle))[0];
-      status.textContent = `${name} is at its limit of ${limit.toFixed(0)}\u00b0.`;
+      status.textContent = say('atLimit', name, limit.toFixed(0));
     } else {
       status.textContent = '';
     }
@@ -228,7 +229,7 @@ const showScene = async place => {
   };
   const rest = () => {
     last = null;
-    play.textContent = '\u25b6 Play';
+    play.textContent = '\u25b6 ' + say('play');
   };
   const frame = now => {
     if (last === null) return;
@@ -240,7 +241,7 @@ const showScene = async place => {
   const toggle = () => {
     if (last !== null) return rest();
     last = performance.now();
-    play.textContent = '\u23f8 Pause';
+    play.textContent = '\u23f8 ' + say('pause');
     requestAnimationFrame(frame);
   };
   play.addEventListener('click', toggle);
@@ -291,11 +292,12 @@ const showScene = async place => {
   look('3D');
   pose();
   const views = Object.keys(VIEWS).map(name => {
-    const button = make('button', {type: 'button', 'aria-label': name === '3D' ? 'Whole train, from the corner' : 'Along ' + name}, name);
+    const button = make('button', {type: 'button', 'aria-label': name === '3D' ? say('wholeTrain') : say('alongAxis', name)},
+                        name === '3D' ? say('view3d') : name);
     button.addEventListener('click', () => look(name));
     return button;
   });
-  const named = make('button', {type: 'button', 'aria-pressed': 'true'}, 'Labels');
+  const named = make('button', {type: 'button', 'aria-pressed': 'true'}, say('labels'));
   named.addEventListener('click', () => {
     const on = named.getAttribute('aria-pressed') !== 'true';
     named.setAttribute('aria-pressed', String(on));
@@ -303,7 +305,7 @@ const showScene = async place => {
     render();
   });
   const controlsOfTime = motion ? [make('div', {class: 'bar'}, toStart, play, scrub), status] : [];
-  place.append(make('div', {class: 'bar views'}, make('span', {class: 'unit'}, 'in ' + unit), ...views, named));
+  place.append(make('div', {class: 'bar views'}, make('span', {class: 'unit'}, say('unit', unit)), ...views, named));
   place.after(...controlsOfTime);
   controls.addEventListener('change', render);
   watchers.push(light);
@@ -320,7 +322,7 @@ const showScene = async place => {
     if (still) still.hidden = true;
     render();
   });
-  const printed = make('img', {alt: 'The train in three dimensions', class: 'printed', hidden: ''});
+  const printed = make('img', {alt: say('train'), class: 'printed', hidden: ''});
   place.append(printed);
   window.addEventListener('beforeprint', () => {
     render();
@@ -337,6 +339,6 @@ if (data.scene) {
     for (const canvas of place.querySelectorAll('canvas')) canvas.remove();
     if (still) still.hidden = false;
     place.after(make('p', {class: 'reason', role: 'status'},
-                     'This browser cannot show the train in three dimensions (' + error.message + ').'));
+                     say('noScene', error.message)));
   });
 }

@@ -6,10 +6,13 @@ import fs from 'node:fs';
 import path from 'node:path';
 import readline from 'node:readline';
 import test from 'node:test';
+import {handout} from './pages.mjs';
 
 const resources = process.env.GEARGRAPH_HANDOUT;
-const script = ['rational', 'solver', 'answers', 'grader'].map(name => fs.readFileSync(path.join(resources, name + '.js'), 'utf8'));
-const {grade, readNumber} = new Function(script.join('\n') + '\nreturn {grade, readNumber};')();
+const page = fs.readFileSync(new URL(handout('robot', '--exercises')), 'utf8');
+const data = JSON.parse(/<script type="application\/json" id="mechanism">([^<]*)<\/script>/.exec(page)[1]);
+const script = ['texts', 'rational', 'solver', 'answers', 'grader'].map(name => fs.readFileSync(path.join(resources, name + '.js'), 'utf8'));
+const {grade, readNumber} = new Function('data', script.join('\n') + '\nreturn {grade, readNumber};')(data);
 
 test('both graders agree about every answer', async t => {
   const corpus = spawn(process.env.GEARGRAPH_CORPUS, {stdio: ['ignore', 'pipe', 'inherit']});

@@ -17,11 +17,14 @@ namespace {
 
 std::string counts(const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  std::string text = counted(mechanism.n(), "moving link", "moving links") + ", " +
-                     counted(mechanism.t(), "turning joint", "turning joints") + ", " +
-                     counted(mechanism.c(), "mesh", "meshes");
-  if (const MatroidAnalysis* matroid = snapshot.matroid())
-    text += ", " + counted(matroid->dof, "degree", "degrees") + " of freedom";
+  std::string text =
+      counted(mechanism.n(), toTranslate("%1 moving link"), toTranslate("%1 moving links")) + ", " +
+      counted(mechanism.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints")) + ", " +
+      counted(mechanism.c(), toTranslate("%1 mesh"), toTranslate("%1 meshes"));
+  if (const MatroidAnalysis* matroid = snapshot.matroid()) {
+    text += ", " +
+            counted(matroid->dof, toTranslate("%1 degree of freedom"), toTranslate("%1 degrees of freedom"));
+  }
   return text;
 }
 
@@ -63,36 +66,58 @@ std::string script(std::string_view text) {
   return "<script>" + std::string(text) + "</script>\n";
 }
 
+/// The translation of a text that toTranslate() marks, as content of an element or attribute.
+std::string shown(const char* text) {
+  return escapedXml(translated(std::string_view(text)));
+}
+
+std::string partLink(const char* id, const char* title) {
+  return std::string("<a href=\"#") + id + "\">" + shown(title) + "</a>";
+}
+
+std::string navigation(bool hasExercises) {
+  return "<nav aria-label=\"" + shown(toTranslate("Parts")) + "\">" +
+         partLink("drawings", toTranslate("Drawings")) + partLink("matrices", toTranslate("Matrices")) +
+         partLink("solution", toTranslate("Solution")) + partLink("derivation", toTranslate("Derivation")) +
+         (hasExercises ? partLink("exercises", toTranslate("Exercises")) : std::string()) + "</nav>\n";
+}
+
+std::string pageHead(const std::string& title, bool reports) {
+  return "<!DOCTYPE html>\n<html lang=\"" + shown(toTranslate("en")) +
+         "\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+         pagePolicy(reports) + "\">\n<title>" + title +
+         "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n<style>" +
+         std::string(pageStyle()) + "</style>\n</head>\n";
+}
+
+/// What the page does with the network, a note on its solids, and the program that made it.
+std::string footer(bool reports, const std::string& note) {
+  const std::string promise =
+      reports ? translated(
+                    "Tells the learning platform which parts were seen, and points; loads nothing and sends "
+                    "nothing else.")
+              : translated("Works offline: this file loads nothing and sends nothing.");
+  return "<footer>" + escapedXml(promise) + (note.empty() ? "" : " " + escapedXml(note)) + " " +
+         shown(toTranslate("Made by GearGraph.")) + "</footer>\n";
+}
+
 std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title, const Parts& parts,
                       const std::string& note, HandoutUse use) {
   const bool hasScene = !parts.geometry.empty();
   const bool reports = use == HandoutUse::learningPlatform;
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-      pagePolicy(reports) + "\">\n<title>" + title +
-      "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<style>" +
-      std::string(pageStyle()) +
-      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#drawings\">To the drawings</a>\n<header>\n<div "
-      "class=\"title\"><h1>" +
-      title + "</h1>\n<p>" + counts(snapshot) +
-      "</p></div>\n</header>\n<nav aria-label=\"Parts\"><a href=\"#drawings\">Drawings</a><a "
-      "href=\"#matrices\">Matrices</a>"
-      "<a href=\"#solution\">Solution</a><a href=\"#derivation\">Derivation</a>" +
-      (parts.exercises.empty() ? "" : "<a href=\"#exercises\">Exercises</a>") +
-      "</nav>\n<div class=\"columns\">\n<main>\n";
+  std::string page = pageHead(title, reports) + "<body>\n<a class=\"skip\" href=\"#drawings\">" +
+                     shown(toTranslate("To the drawings")) + "</a>\n<header>\n<div class=\"title\"><h1>" +
+                     title + "</h1>\n<p>" + escapedXml(counts(snapshot)) + "</p></div>\n</header>\n" +
+                     navigation(!parts.exercises.empty()) + "<div class=\"columns\">\n<main>\n";
   page += section("drawings", parts.drawings) + section("matrices", parts.matrices) +
           section("derivation", parts.derivation);
   if (!parts.exercises.empty()) page += section("exercises", parts.exercises);
-  page += "</main>\n<aside aria-label=\"The train and its solution\">\n";
+  page += "</main>\n<aside aria-label=\"" + shown(toTranslate("The train and its solution")) + "\">\n";
   if (hasScene) page += section("train", trainSection(parts.still));
-  const char* const promise = reports ? "Tells the learning platform which parts were seen, and points; "
-                                        "loads nothing and sends nothing else."
-                                      : "Works offline: this file loads nothing and sends nothing.";
-  page += section("solution", parts.solution) + "</aside>\n</div>\n<footer>" + promise + note +
-          " Made by GearGraph.</footer>\n<script type=\"application/json\" id=\"mechanism\">" + parts.data +
-          "</script>\n";
+  page += section("solution", parts.solution) + "</aside>\n</div>\n" + footer(reports, note) +
+          "<script type=\"application/json\" id=\"mechanism\">" + parts.data + "</script>\n";
   if (hasScene) {
     page += "<script type=\"application/octet-stream\" id=\"geometry\">" + parts.geometry + "</script>\n" +
             script(pageLibrary());
@@ -130,7 +155,7 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
     parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, stop);
     bytes = parts.bytes() + pageStyle().size() + pageScript().size() + (hasScene ? pageLibrary().size() : 0);
     if (bytes <= kMostHandoutBytes || !hasScene) break;
-    note = " The wheels are coarse: finer ones would make the file too large.";
+    note = translated("The wheels are coarse: finer ones would make the file too large.");
   }
   if (bytes > kMostHandoutBytes) {
     return Diagnostic{

@@ -3,10 +3,13 @@
 #include <cmath>
 
 #include "core/foundations/base/rational.h"
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/handout/page_scene.h"
+#include "core/presentation/handout/script_texts.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/pose/joint_limits.h"
@@ -27,6 +30,8 @@ class DataWriter {
     m_json.beginObject();
     m_json.member("format", "geargraph-handout");
     m_json.member("version", 1);
+    m_json.member("decimal", std::string(1, decimalSign()));
+    writeTexts();
     writeElements();
     writeJoints();
     writeRows();
@@ -41,32 +46,53 @@ class DataWriter {
   }
 
  private:
+  void writeTexts() {
+    m_json.key("texts");
+    m_json.beginObject();
+    for (const ScriptText& each : scriptTexts()) m_json.member(each.name, translated(each.text));
+    m_json.endObject();
+  }
+
   void writeElements() {
     m_json.key("elements");
     m_json.beginArray();
     for (int link = 0; link <= m_mechanism.n(); ++link) {
-      element(m_graph.nodeId(link), linkName(link), linkLines(link));
+      const std::string name = linkName(link);
+      element(m_graph.nodeId(link), m_graph.nodeLabel(link), {name, name, linkLines(link)});
     }
     for (int joint = 0; joint < m_mechanism.t(); ++joint) {
       const DigraphEdge& edge = m_graph.turningEdge(joint);
-      element(m_graph.edgeId(joint), jointName(joint),
-              {"From " + linkName(edge.tail) + " to " + linkName(edge.head) + "."});
+      const std::string label = std::to_string(m_mechanism.jointLabel(joint));
+      element(m_graph.edgeId(joint), m_mechanism.jointLabel(joint),
+              {jointName(joint),
+               translated("joint %1", {label}),
+               {translated("From %1 to %2.", {linkName(edge.tail), linkName(edge.head)})}});
     }
     for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
-      element(m_graph.edgeId(m_mechanism.t() + mesh), "Mesh " + std::to_string(m_mechanism.meshLabel(mesh)),
-              meshLines(mesh), mesh);
+      const std::string label = std::to_string(m_mechanism.meshLabel(mesh));
+      element(m_graph.edgeId(m_mechanism.t() + mesh), m_mechanism.meshLabel(mesh),
+              {translated("Mesh %1", {label}), translated("mesh %1", {label}), meshLines(mesh)}, mesh);
     }
     m_json.endArray();
   }
 
-  void element(ElementId id, const std::string& name, const std::vector<std::string>& lines, int mesh = -1) {
+  /// What the page says of an element.
+  struct Wording {
+    std::string name;     ///< alone: "Joint 8"
+    std::string mention;  ///< within a sentence: "joint 8"
+    std::vector<std::string> lines;
+  };
+
+  void element(ElementId id, int label, const Wording& wording, int mesh = -1) {
     m_json.beginObject(Layout::row);
     m_json.member("list", listName(id.kind));
     m_json.member("id", id.id.text());
-    m_json.member("name", name);
+    m_json.member("label", label);
+    m_json.member("name", wording.name);
+    m_json.member("mention", wording.mention);
     m_json.key("lines");
     m_json.beginArray(Layout::row);
-    for (const std::string& line : lines) m_json.string(line);
+    for (const std::string& line : wording.lines) m_json.string(line);
     m_json.endArray();
     if (mesh >= 0 && m_snapshot.tree) writeWalk(mesh);
     m_json.endObject();
@@ -95,27 +121,37 @@ class DataWriter {
       m_json.beginArray(Layout::row);
       m_json.string(keyOf(m_graph.edgeId(edge)));
       m_json.number(static_cast<std::int64_t>(direction));
-      m_json.string((direction > 0 ? "Along " : "Against ") +
-                    std::string(edge < m_mechanism.t() ? "joint " : "mesh ") +
-                    std::to_string(m_graph.edgeLabel(edge)) + ", from " + nodeName(node) + " to " +
-                    nodeName(next) + ": " + printedEntry(direction) + ".");
+      m_json.string(stepText(edge, direction, nodeName(node), nodeName(next)));
       m_json.endArray();
       node = next;
     }
     m_json.endArray();
   }
 
+  [[nodiscard]] std::string stepText(int edge, int direction, const std::string& from,
+                                     const std::string& to) const {
+    const std::string label = std::to_string(m_graph.edgeLabel(edge));
+    const std::string entry(printedEntry(direction));
+    if (edge < m_mechanism.t()) {
+      return direction > 0 ? translated("Along joint %1, from %2 to %3: %4.", {label, from, to, entry})
+                           : translated("Against joint %1, from %2 to %3: %4.", {label, from, to, entry});
+    }
+    return direction > 0 ? translated("Along mesh %1, from %2 to %3: %4.", {label, from, to, entry})
+                         : translated("Against mesh %1, from %2 to %3: %4.", {label, from, to, entry});
+  }
+
   [[nodiscard]] std::string nodeName(int link) const {
-    return link == 0 ? "the ground" : "link " + std::to_string(m_mechanism.linkLabel(link));
+    return link == 0 ? translated("the ground")
+                     : translated("link %1", {std::to_string(m_mechanism.linkLabel(link))});
   }
 
   [[nodiscard]] std::string linkName(int link) const {
-    if (link == 0) return "the ground";
     const std::string& name = m_mechanism.links[static_cast<std::size_t>(link)].name;
-    return "link " + std::to_string(m_mechanism.linkLabel(link)) + (name.empty() ? "" : " (" + name + ")");
+    if (link == 0 || name.empty()) return nodeName(link);
+    return translated("link %1 (%2)", {std::to_string(m_mechanism.linkLabel(link)), name});
   }
   [[nodiscard]] std::string jointName(int joint) const {
-    return "Joint " + std::to_string(m_mechanism.jointLabel(joint));
+    return translated("Joint %1", {std::to_string(m_mechanism.jointLabel(joint))});
   }
 
   [[nodiscard]] std::vector<std::string> linkLines(int link) const {
@@ -129,8 +165,8 @@ class DataWriter {
         meshes.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
     }
     std::vector<std::string> lines;
-    if (!joints.empty()) lines.push_back("Turning joints: " + listed(joints, kAllNames) + ".");
-    if (!meshes.empty()) lines.push_back("Gear meshes: " + listed(meshes, kAllNames) + ".");
+    if (!joints.empty()) lines.push_back(translated("Turning joints: %1.", {listed(joints, kAllNames)}));
+    if (!meshes.empty()) lines.push_back(translated("Gear meshes: %1.", {listed(meshes, kAllNames)}));
     return lines;
   }
 
@@ -146,27 +182,45 @@ class DataWriter {
   }
 
   [[nodiscard]] std::vector<std::string> meshLines(int mesh) const {
-    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
-    const DigraphEdge& edge = m_graph.meshEdge(mesh);
-    std::string sentence = "Gears of " + linkName(edge.tail) + " and " + linkName(edge.head);
-    if (m_snapshot.kinematics) {
-      const auto& vertices = m_snapshot.kinematics->ttGraph->transferVertices().ofMesh;
-      if (const auto& vertex = vertices[static_cast<std::size_t>(mesh)])
-        sentence += " on " + linkName(vertex->carrier);
-    }
-    if (gears.kind) sentence += ", " + std::string(meshKindName(*gears.kind));
-    sentence += ", " + std::to_string(gears.tailTeeth) + " : " + std::to_string(gears.headTeeth) + " teeth.";
-    std::vector<std::string> lines{sentence};
+    std::vector<std::string> lines{gearsText(mesh)};
     std::vector<std::string> along;
     std::vector<std::string> against;
     for (const auto& [joint, sign] : cycleOf(mesh))
       (sign > 0 ? along : against).push_back(std::to_string(m_mechanism.jointLabel(joint)));
-    std::string walk = "Its cycle runs";
-    if (!along.empty()) walk += " along " + listed(along, kAllNames);
-    if (!against.empty())
-      walk += std::string(along.empty() ? "" : " and") + " against " + listed(against, kAllNames);
-    if (!along.empty() || !against.empty()) lines.push_back(walk + ".");
+    const std::string ahead = listed(along, kAllNames);
+    const std::string back = listed(against, kAllNames);
+    if (!along.empty() && !against.empty()) {
+      lines.push_back(translated("Its cycle runs along %1 and against %2.", {ahead, back}));
+    } else if (!along.empty()) {
+      lines.push_back(translated("Its cycle runs along %1.", {ahead}));
+    } else if (!against.empty()) {
+      lines.push_back(translated("Its cycle runs against %1.", {back}));
+    }
     return lines;
+  }
+
+  /// "Gears of link 1 and link 2 on link 3, external, 20 : 30 teeth."
+  [[nodiscard]] std::string gearsText(int mesh) const {
+    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+    const DigraphEdge& edge = m_graph.meshEdge(mesh);
+    const std::string tail = linkName(edge.tail), head = linkName(edge.head);
+    const std::string tailTeeth = std::to_string(gears.tailTeeth),
+                      headTeeth = std::to_string(gears.headTeeth);
+    const std::string kind = gears.kind ? translated(meshKindName(*gears.kind)) : std::string();
+    std::optional<int> carrier;
+    if (m_snapshot.kinematics) {
+      const auto& vertices = m_snapshot.kinematics->ttGraph->transferVertices().ofMesh;
+      if (const auto& vertex = vertices[static_cast<std::size_t>(mesh)]) carrier = vertex->carrier;
+    }
+    if (carrier && gears.kind)
+      return translated("Gears of %1 and %2 on %3, %4, %5 : %6 teeth.",
+                        {tail, head, linkName(*carrier), kind, tailTeeth, headTeeth});
+    if (carrier)
+      return translated("Gears of %1 and %2 on %3, %4 : %5 teeth.",
+                        {tail, head, linkName(*carrier), tailTeeth, headTeeth});
+    if (gears.kind)
+      return translated("Gears of %1 and %2, %3, %4 : %5 teeth.", {tail, head, kind, tailTeeth, headTeeth});
+    return translated("Gears of %1 and %2, %3 : %4 teeth.", {tail, head, tailTeeth, headTeeth});
   }
 
   void writeJoints() {

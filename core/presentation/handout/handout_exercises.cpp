@@ -25,6 +25,10 @@ std::string headCell(const std::string& text, const char* scope, bool beginsPart
          escapedXml(text) + "</th>";
 }
 
+std::string points(int number) {
+  return counted(number, toTranslate("%1 point"), toTranslate("%1 points"));
+}
+
 /// Blanks in rows and columns.
 std::string blankTable(const Question& question) {
   const auto begins = [&](std::size_t column) {
@@ -32,7 +36,7 @@ std::string blankTable(const Question& question) {
   };
   std::string text = "<table class=\"matrix asked\"><thead><tr><td></td>";
   for (std::size_t column = 0; column < question.table.columns.size(); ++column)
-    text += headCell(question.table.columns[column], "col", begins(column));
+    text += headCell(translated(std::string_view(question.table.columns[column])), "col", begins(column));
   text += "</tr></thead>\n<tbody>\n";
   std::size_t field = 0;
   for (const std::string& row : question.table.rows) {
@@ -65,7 +69,7 @@ std::string blankList(const Question& question) {
 
 /// Folded until it is asked for, also without scripts.
 std::string hintText(ExerciseKind kind) {
-  return "<details class=\"hint\"><summary>Hint</summary>\n" +
+  return "<details class=\"hint\"><summary>" + escapedXml(translated("Hint")) + "</summary>\n" +
          reportHtmlBlocks({ReportParagraph{reportWords(kindHint(kind))}}) + "</details>\n";
 }
 
@@ -76,11 +80,25 @@ std::string questionText(const Question& question, int number) {
   const std::string place = "question-" + std::to_string(number);
   return "<article class=\"question\" aria-labelledby=\"" + place + "\">\n<h3 id=\"" + place + "\">" +
          std::to_string(number) + ". " + escapedXml(kindTitle(kind)) + " (" +
-         counted(question.points, "point", "points") + ")</h3>\n" + reportHtmlBlocks(blocks) +
-         "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Answer to question " +
-         std::to_string(number) + "\">" +
+         escapedXml(points(question.points)) + ")</h3>\n" + reportHtmlBlocks(blocks) +
+         "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+         escapedXml(translated("Answer to question %1", {std::to_string(number)})) + "\">" +
          (question.table.columns.empty() ? blankList(question) : blankTable(question)) + "</div>\n" +
          hintText(kind) + "</article>\n";
+}
+
+/// Names of fields and columns as the page shows them.
+void writeShown(JsonWriter& json, const Question& question) {
+  json.beginObject();
+  json.key("fields");
+  json.beginArray(JsonWriter::Layout::row);
+  for (const AnswerField& field : question.fields) json.string(field.shownName());
+  json.endArray();
+  json.key("columns");
+  json.beginArray(JsonWriter::Layout::row);
+  for (const std::string& column : question.table.columns) json.string(translated(std::string_view(column)));
+  json.endArray();
+  json.endObject();
 }
 
 }  // namespace
@@ -92,13 +110,16 @@ HandoutExercises handoutExercises(const ExerciseSource& source, const SheetPlan&
 std::string exercisesSection(const HandoutExercises& exercises) {
   const SheetVariant& sheet = exercises.sheet;
   std::string title = exercises.plan.title;
-  if (exercises.plan.variants > 1) title += ", variant " + std::to_string(sheet.variant);
-  std::string text =
-      "<h2>" + escapedXml(title) + "</h2>\n<p>" +
-      counted(static_cast<int>(sheet.questions.size()), "question", "questions") + ", " +
-      counted(sheet.points(), "point", "points") +
-      ". The answers are hidden in this file, not secret, and other parts of it help: try first."
-      "</p>\n<p class=\"onpaper\">Name: ______________________________</p>\n";
+  if (exercises.plan.variants > 1)
+    title = translated("%1, variant %2", {title, std::to_string(sheet.variant)});
+  const std::string size = counted(static_cast<int>(sheet.questions.size()), toTranslate("%1 question"),
+                                   toTranslate("%1 questions")) +
+                           ", " + points(sheet.points());
+  const std::string advice =
+      translated("The answers are hidden in this file, not secret, and other parts of it help: try first.");
+  std::string text = "<h2>" + escapedXml(title) + "</h2>\n<p>" + escapedXml(size) + ". " +
+                     escapedXml(advice) + "</p>\n<p class=\"onpaper\">" + escapedXml(translated("Name")) +
+                     ": ______________________________</p>\n";
   int number = 0;
   for (const Question& question : sheet.questions) text += questionText(question, ++number);
   return text;
@@ -115,6 +136,10 @@ std::string exercisesKey(const HandoutExercises& exercises) {
     json.beginArray();
     for (const Question& question : exercises.sheet.questions)
       writeQuestion(json, question, QuestionPart::withKey);
+    json.endArray();
+    json.key("shown");
+    json.beginArray();
+    for (const Question& question : exercises.sheet.questions) writeShown(json, question);
     json.endArray();
     json.endObject();
   }

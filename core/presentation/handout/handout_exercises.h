@@ -21,8 +21,9 @@ struct HandoutExercises {
 /// of a question has the class "question", that of a blank the attribute data-field with its position.
 [[nodiscard]] std::string exercisesSection(const HandoutExercises& exercises);
 
-/// The data for grading in the page's script: {"sheet": mark, "variant": ..., "questions": [...]} with keys
-/// as in exercises.schema.json, gzipped and in base64, so that answers are not readable in the file.
+/// The data for grading in the page's script: {"sheet": mark, "variant": ..., "questions": [...], "shown":
+/// [...]}, with keys as in exercises.schema.json, and for each question the names of its "fields" and
+/// "columns" in the current language, gzipped and in base64, so that answers are not readable in the file.
 [[nodiscard]] std::string exercisesKey(const HandoutExercises& exercises);
 
 }  // namespace geargraph::inline handout

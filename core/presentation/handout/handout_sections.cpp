@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdio>
 
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/states/state_solution.h"
@@ -14,6 +16,10 @@ namespace {
 std::string elementAttribute(const ElementId& element) {
   if (element.id.empty()) return {};
   return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
+}
+
+std::string heading(const std::string& title) {
+  return "<h2>" + escapedXml(title) + "</h2>\n";
 }
 
 /// With the minus of print.
@@ -40,7 +46,7 @@ std::string scrolled(const std::string& name, const std::string& table) {
 }
 
 std::string matrixTable(const IntegerMatrix& matrix) {
-  const std::string name(matrixTitle(matrix.kind()));
+  const std::string name = translated(matrixTitle(matrix.kind()));
   const std::string symbol = escapedXml(matrixSymbol(matrix.kind()));
   std::string text = "<h3 data-name=\"" + symbol + "\">" + escapedXml(name) + " " + symbol;
   if (const int number = matrixEquation(matrix.kind()); number > 0)
@@ -71,7 +77,7 @@ std::string lengthText(const CoefficientMatrix& matrix, int mesh, const Coeffici
     return (entry.length < 0 ? "-" : "") + radius->toString();
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", entry.length);
-  return text.data();
+  return spokenNumber(text.data());
 }
 
 /// "20 \dot{\theta}_{9} - 30 \dot{\theta}_{12} = 0": radii where both are fractions, else the gear ratio.
@@ -95,7 +101,7 @@ std::string rowEquations(const AnalysisSnapshot& snapshot, const CoefficientMatr
   constexpr int kMostListed = 100;
   if (matrix.rows() == 0 || matrix.rows() > kMostListed) return {};
   const Digraph& graph = *snapshot.graph;
-  std::vector<ReportBlock> blocks{ReportHeading{2, "Rows of P times the rates (17)"}};
+  std::vector<ReportBlock> blocks{ReportHeading{2, translated("Rows of P times the rates (17)")}};
   for (int mesh = 0; mesh < matrix.rows(); ++mesh)
     blocks.emplace_back(
         ReportEquation{rowEquation(graph, matrix, mesh), std::nullopt, {graph.edgeId(graph.t() + mesh)}});
@@ -124,45 +130,48 @@ std::string coefficientTable(const AnalysisSnapshot& snapshot) {
     }
     table += "</tr>\n";
   }
-  return "<h3 data-name=\"P\">Coefficient matrix P (18), (19), in " + escapedXml(snapshot.mechanism->unit) +
-         "</h3>\n" + scrolled("Coefficient matrix", table + "</tbody></table>") +
+  const std::string title = translated("Coefficient matrix P (18), (19), in %1", {snapshot.mechanism->unit});
+  return "<h3 data-name=\"P\">" + escapedXml(title) + "</h3>\n" +
+         scrolled(translated("Coefficient matrix"), table + "</tbody></table>") +
          rowEquations(snapshot, matrix);
 }
 
-std::string figure(const char* name, const std::string& svg, const char* caption) {
+/// `name` is what the page's script calls it by.
+std::string figure(const char* name, const std::string& title, const std::string& svg,
+                   const std::string& caption) {
   const std::size_t start = svg.find("<svg");
   if (svg.empty() || start == std::string::npos) return {};
-  return "<figure data-name=\"" + std::string(name) + "\">\n" + svg.substr(start) + "<figcaption>" + caption +
-         "</figcaption>\n</figure>\n";
+  return "<figure data-name=\"" + std::string(name) + "\" data-title=\"" + escapedXml(title) + "\">\n" +
+         svg.substr(start) + "<figcaption>" + escapedXml(caption) + "</figcaption>\n</figure>\n";
 }
 
 }  // namespace
 
 std::string counted(int number, const char* one, const char* several) {
-  return std::to_string(number) + " " + (number == 1 ? one : several);
+  return filled(translated(std::string_view(number == 1 ? one : several)), {std::to_string(number)});
 }
 
 std::string drawingsSection(const ReportDrawings& drawings) {
-  return "<h2>Drawings</h2>\n" +
-         figure("Digraph", drawings.digraph, "Digraph. Solid arrows: turning joints; dashed: gear meshes.") +
-         figure("Schematic", drawings.schematic, "Schematic.") +
-         figure("T-T graph", drawings.ttGraph, "T-T graph.");
+  return heading(translated("Drawings")) +
+         figure("Digraph", translated("Digraph"), drawings.digraph,
+                translated("Digraph. Solid arrows: turning joints; dashed: gear meshes.")) +
+         figure("Schematic", translated("Schematic"), drawings.schematic, translated("Schematic.")) +
+         figure("T-T graph", translated("T-T graph"), drawings.ttGraph, translated("T-T graph."));
 }
 
 std::string trainSection(const std::string& still) {
-  std::string text = "<h2 class=\"skip\">The train</h2>\n<div id=\"scene\" class=\"scene\">";
+  std::string text = "<h2 class=\"skip\">" + escapedXml(translated("The train")) +
+                     "</h2>\n<div id=\"scene\" class=\"scene\">";
   if (!still.empty())
-    text +=
-        "<img alt=\"The train in three dimensions\" width=\"720\" height=\"480\" "
-        "src=\"data:image/png;base64," +
-        still + "\">";
-  return text +
-         "</div>\n<noscript><p>The train turns where scripts may run: open the file in a "
-         "browser.</p></noscript>\n";
+    text += "<img alt=\"" + escapedXml(translated("The train in three dimensions")) +
+            "\" width=\"720\" height=\"480\" src=\"data:image/png;base64," + still + "\">";
+  const std::string withoutScripts =
+      translated("The train turns where scripts may run: open the file in a browser.");
+  return text + "</div>\n<noscript><p>" + escapedXml(withoutScripts) + "</p></noscript>\n";
 }
 
 std::string matricesSection(const AnalysisSnapshot& snapshot) {
-  std::string text = "<h2>Matrices</h2>\n";
+  std::string text = heading(translated("Matrices"));
   for (const MatrixKind kind : allMatrixKinds()) {
     if (const IntegerMatrixPtr& matrix = snapshot.matrix(kind)) text += matrixTable(*matrix);
   }
@@ -179,43 +188,47 @@ std::string statesTable(const AnalysisSnapshot& snapshot, const std::stop_token&
   const auto solved =
       solveStates(mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(), false, stop);
   if (!solved) return {};
-  std::string table =
-      "<table class=\"plain\"><thead><tr><th scope=\"col\">state</th><th scope=\"col\">engaged</th>"
-      "<th scope=\"col\">ratio</th></tr></thead>\n<tbody>\n";
+  std::string table = "<table class=\"plain\"><thead><tr>" + head(translated("state"), {}, "col") +
+                      head(translated("engaged"), {}, "col") + head(translated("ratio"), {}, "col") +
+                      "</tr></thead>\n<tbody>\n";
   for (const StateSolution& solution : *solved) {
     const ShiftState& state = mechanism.states[static_cast<std::size_t>(solution.state)];
     std::vector<std::string> engaged;
     for (const CouplingId coupling : state.engaged) engaged.push_back(coupling.text());
     table += "<tr data-state=\"" + std::to_string(solution.state) + "\"><th scope=\"row\">" +
              escapedXml(state.name) + "</th><td>" + escapedXml(listed(engaged, kAllNames)) + "</td><td>" +
-             (solution.ratio ? printed(solution.ratio->toString()) : std::string("none")) + "</td></tr>\n";
+             (solution.ratio ? printed(solution.ratio->toString()) : escapedXml(translated("none"))) +
+             "</td></tr>\n";
   }
-  return "<h3>States</h3>\n" + scrolled("States", table + "</tbody></table>");
+  const std::string title = translated("States");
+  return "<h3>" + escapedXml(title) + "</h3>\n" + scrolled(title, table + "</tbody></table>");
 }
 
 }  // namespace
 
 std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  std::string text = "<h2>Solution</h2>\n";
+  std::string text = heading(translated("Solution"));
   if (!snapshot.solved || !snapshot.solved->exact)
-    return text +
-           "<div id=\"inputs\"><p>The mechanism has no solution: its derivation says why.</p></div>\n" +
-           statesTable(snapshot, stop);
+    return text + "<div id=\"inputs\"><p>" +
+           escapedXml(translated("The mechanism has no solution: its derivation says why.")) +
+           "</p></div>\n" + statesTable(snapshot, stop);
   const ExactSolution& exact = *snapshot.solved->exact;
   const Digraph& graph = *snapshot.graph;
-  text += "<div id=\"inputs\"><p>Inputs: ";
+  std::string inputs;
   for (std::size_t i = 0; i < exact.inputs.size(); ++i) {
-    text += (i == 0 ? "joint " : ", joint ") + std::to_string(graph.edgeLabel(exact.inputs[i])) + " at " +
-            printed(snapshot.matroid()->speeds[i].toString()) + " rad/s";
+    inputs += (i == 0 ? "" : ", ") +
+              translated("joint %1 at %2 rad/s", {std::to_string(graph.edgeLabel(exact.inputs[i])),
+                                                  printed(snapshot.matroid()->speeds[i].toString())});
   }
-  text += ".</p></div>\n";
-  std::string table = "<table class=\"plain\"><thead><tr><th scope=\"col\">joint</th>";
+  text += "<div id=\"inputs\"><p>" + escapedXml(translated("Inputs: %1.", {inputs})) + "</p></div>\n";
+  std::string table = "<table class=\"plain\"><thead><tr>" + head(translated("joint"), {}, "col");
   const bool hasMatrix = !exact.matrix.empty();
   if (hasMatrix) {
     for (const int input : exact.inputs)
-      table += head("of " + std::to_string(graph.edgeLabel(input)), graph.edgeId(input), "col");
+      table +=
+          head(translated("of %1", {std::to_string(graph.edgeLabel(input))}), graph.edgeId(input), "col");
   }
-  table += "<th scope=\"col\">now, rad/s</th></tr></thead>\n<tbody>\n";
+  table += head(translated("now, rad/s"), {}, "col") + "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
     const int joint = exact.outputs[row];
     table += "<tr" + elementAttribute(graph.edgeId(joint)) + ">" +
@@ -227,15 +240,17 @@ std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_to
     table += "<td class=\"now\" data-now=\"" + std::to_string(joint) + "\">" +
              printed(exact.rates[static_cast<std::size_t>(joint)].toString()) + "</td></tr>\n";
   }
-  text += scrolled("Speeds of the joints", table + "</tbody></table>");
+  text += scrolled(translated("Speeds of the joints"), table + "</tbody></table>");
   if (snapshot.solved->agreement && snapshot.solved->agreement->equal)
-    text += "<p class=\"agreement\">Matroid method = T\u2013T graph method, exactly, for all " +
-            std::to_string(exact.outputs.size()) + " joints.</p>\n";
+    text += "<p class=\"agreement\">" +
+            escapedXml(translated("Matroid method = T–T graph method, exactly, for all %1 joints",
+                                  {std::to_string(exact.outputs.size())})) +
+            ".</p>\n";
   return text + statesTable(snapshot, stop);
 }
 
 std::string derivationSection(const Report& report) {
-  return "<h2>Derivation</h2>\n" + reportHtmlBlocks(report.blocks);
+  return heading(translated("Derivation")) + reportHtmlBlocks(report.blocks);
 }
 
 }  // namespace geargraph::inline handout

@@ -8,7 +8,7 @@
 
 namespace geargraph::inline handout {
 
-/// "1 mesh", "4 meshes".
+/// "1 mesh", "4 meshes", in the current language: of "%1 mesh" and "%1 meshes", which toTranslate() marks.
 [[nodiscard]] std::string counted(int number, const char* one, const char* several);
 
 // The parts of a page, each the content of a section with its heading.

@@ -1,6 +1,8 @@
 #include <zlib.h>
 
 #include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -8,13 +10,16 @@
 #include <QTest>
 #include <set>
 
+#include "core/foundations/base/spoken.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/handout/handout.h"
 #include "core/presentation/handout/page_scene.h"
+#include "core/presentation/handout/script_texts.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/train_stage/train_stage.h"
 #include "core/teaching/grading/question_json.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/pseudo_language.h"
 
 namespace geargraph {
 namespace {
@@ -63,6 +68,60 @@ QJsonObject dataOf(const QString& page) {
   return QJsonDocument::fromJson(
              between(page, "<script type=\"application/json\" id=\"mechanism\">", "</script>").toUtf8())
       .object();
+}
+
+/// What a page shows without scripts, in text and attributes, apart from drawings and formulas.
+QString frameOf(QString page) {
+  static const QRegularExpression hidden("<(style|script|svg|math)\\b.*?</\\1>",
+                                         QRegularExpression::DotMatchesEverythingOption);
+  static const QRegularExpression told("(?:aria-label|alt|data-title|title)=\"([^\"]*)\"");
+  static const QRegularExpression tag("<[^>]*>");
+  page.remove(hidden);
+  QString text;
+  for (auto each = told.globalMatch(page); each.hasNext();) text += each.next().captured(1) + '\n';
+  text += page.replace(tag, " ");
+  return text.replace("&quot;", "\"");
+}
+
+QString english(const QString& text, const std::vector<std::string>& names) {
+  QStringList words;
+  for (const std::string& word : test::PseudoLanguage::english(text.toStdString(), names))
+    words << QString::fromStdString(word);
+  return words.join(' ');
+}
+
+/// The files of the page's script by name, without the library.
+std::vector<std::pair<QString, QString>> scripts() {
+  const QDir folder(QString::fromStdString(test::sourcePath("resources/handout")));
+  std::vector<std::pair<QString, QString>> all;
+  for (const QString& name : folder.entryList({"*.js"})) {
+    QFile file(folder.filePath(name));
+    if (!name.startsWith("three.") && file.open(QIODevice::ReadOnly))
+      all.emplace_back(name, QString::fromUtf8(file.readAll()));
+  }
+  return all;
+}
+
+/// The literals of a script that are texts for people: words in a row, one with a capital letter, or one that
+/// is joined with something. Selectors, classes, keys and fonts are none.
+QStringList textsIn(const QString& script) {
+  static const QRegularExpression tokens(R"re(//[^\n]*|'((?:\\.|[^'\\\n])*)'|`((?:\\.|[^`\\])*)`)re");
+  static const QRegularExpression place(R"re(\$\{[^}]*\})re");
+  static const QRegularExpression words(
+      "[A-Za-z]{2,} [A-Za-z]{2,}|[A-Za-z]{2,} $|^ [A-Za-z]{2,}|^[A-Z][a-z]+");
+  static const QRegularExpression noText(
+      R"re((querySelector(All)?\(|matches\(|class: |className = |\.key [!=]== |font(-family)?'?(:| =) |)re"
+      R"re(dataset\.name === |RangeError\()$)re");
+  QStringList texts;
+  for (auto each = tokens.globalMatch(script); each.hasNext();) {
+    const QRegularExpressionMatch token = each.next();
+    if (!token.hasCaptured(1) && !token.hasCaptured(2)) continue;
+    const QString literal = token.captured(token.hasCaptured(2) ? 2 : 1);
+    const bool isUnitOrClass = literal == " rad/s" || literal == " here" || literal == "use strict";
+    if (isUnitOrClass || !words.match(QString(literal).remove(place)).hasMatch()) continue;
+    if (!noText.match(script.left(token.capturedStart()).right(40)).hasMatch()) texts << literal;
+  }
+  return texts;
 }
 
 }  // namespace
@@ -304,6 +363,99 @@ class TestHandout : public QObject {
     QVERIFY(!page.contains("</script><b>"));
     QCOMPARE(page.count("</script>"), 4);
     QVERIFY(dataOf(page)["elements"].toArray()[3].toObject()["name"].toString().contains("</script><b>\"'&"));
+  }
+
+  /// Nothing of the frame, of what the script shows, or of the exercises stays English.
+  void everyTextIsInTheLanguageOfThePage() {
+    Mechanism gearbox = test::example("eight-speed-gearbox");
+    Mechanism open = test::example("robot");
+    open.turningJoints.pop_back();
+    for (const Mechanism& mechanism : {test::example("robot"), gearbox, open}) {
+      std::vector<std::string> names{mechanism.name, mechanism.notes, mechanism.unit, "rad"};
+      for (const Link& link : mechanism.links) names.push_back(link.name);
+      for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+      for (const ShiftState& state : mechanism.states) names.push_back(state.name);
+      const test::PseudoLanguage pseudo;
+      const QString page = pageOf(mechanism);
+      QCOMPARE(english(frameOf(page), names), QString());
+      const QString code = QString::fromStdString(test::PseudoLanguage::accented("en"));
+      QVERIFY(page.contains("<html lang=\"" + code + "\">"));
+      const QJsonObject data = dataOf(page);
+      for (const QJsonValue& text : data["texts"].toObject())
+        QCOMPARE(english(text.toString(), {}), QString());
+      for (const QJsonValue& value : data["elements"].toArray()) {
+        const QJsonObject element = value.toObject();
+        QString told = element["name"].toString() + '\n' + element["mention"].toString();
+        for (const QJsonValue& line : element["lines"].toArray()) told += '\n' + line.toString();
+        for (const QJsonValue& step : element["walk"].toArray()) told += '\n' + step.toArray()[2].toString();
+        QCOMPARE(english(told, names), QString());
+      }
+    }
+  }
+
+  void exercisesAreInTheLanguageOfThePage() {
+    const Mechanism robot = test::example("robot");
+    const test::PseudoLanguage pseudo;
+    const ExerciseSource source(robot);
+    const SheetPlan plan{"Title", offeredKinds(source), 3, 30};
+    const HandoutExercises exercises = handoutExercises(source, plan, 12);
+    const QString page = pageOf(robot, exercises);
+    std::vector<std::string> names{robot.name, robot.notes, robot.unit, "rad", "Title"};
+    for (const Link& link : robot.links) names.push_back(link.name);
+    for (const Question& question : exercises.sheet.questions) {
+      for (const AnswerField& field : question.fields) {
+        names.insert(names.end(), field.options.begin(), field.options.end());
+        if (field.title.empty()) names.push_back(field.name);
+      }
+    }
+    QCOMPARE(english(frameOf(page), names), QString());
+    const QJsonArray shown =
+        QJsonDocument::fromJson(unpacked(page, "exercises-key")).object()["shown"].toArray();
+    QCOMPARE(static_cast<std::size_t>(shown.size()), exercises.sheet.questions.size());
+    for (qsizetype i = 0; i < shown.size(); ++i) {
+      const Question& question = exercises.sheet.questions[static_cast<std::size_t>(i)];
+      for (std::size_t field = 0; field < question.fields.size(); ++field)
+        QCOMPARE(shown[i].toObject()["fields"].toArray()[static_cast<int>(field)].toString().toStdString(),
+                 question.fields[field].shownName());
+    }
+  }
+
+  void thePageHasTheCurrentDecimalSign() {
+    QCOMPARE(dataOf(pageOf(test::example("robot")))["decimal"].toString(), ".");
+    setDecimalSign(',');
+    const QString page = pageOf(test::example("robot"));
+    setDecimalSign('.');
+    QCOMPARE(dataOf(page)["decimal"].toString(), ",");
+  }
+
+  void textsOfScriptsAreFound() {
+    QCOMPARE(textsIn("make('button', {'aria-label': 'To the start'}, 'Print'); // 'a note'\n"),
+             (QStringList{"To the start", "Print"}));
+    QCOMPARE(textsIn("name + ' of the train'; `${n} points`; 'It\\'s '"),
+             (QStringList{" of the train", "${n} points", "It\\'s "}));
+    QCOMPARE(textsIn("find.querySelector('nav a'); make('p', {class: 'bar keys'}); event.key === 'Escape'"),
+             QStringList());
+  }
+
+  /// Texts of the script come from its table, and the table has no others.
+  void theScriptHasNoTextsOfItsOwn() {
+    static const QRegularExpression asked(R"re(\bsay\((?:[\w.]+ === 1 \? '(\w+)' : )?'(\w+)')re");
+    std::set<QString> used;
+    for (const auto& [name, script] : scripts()) {
+      const QStringList texts = textsIn(script);
+      QVERIFY2(texts.isEmpty(), qPrintable(name + ": " + texts.join(" | ")));
+      QCOMPARE(script.count(QRegularExpression("\\bsay\\(")), script.count(asked));
+      for (auto each = asked.globalMatch(script); each.hasNext();) {
+        const auto match = each.next();
+        for (const int group : {1, 2})
+          if (match.hasCaptured(group)) used.insert(match.captured(group));
+      }
+    }
+    used.erase(QString());
+    std::set<QString> known;
+    for (const ScriptText& text : scriptTexts()) known.insert(text.name);
+    QCOMPARE(known.size(), scriptTexts().size());
+    QCOMPARE(QStringList(used.begin(), used.end()), QStringList(known.begin(), known.end()));
   }
 
   /// Matrices and drawings of what cannot be solved are shown all the same.
