@@ -34,13 +34,14 @@ Expected<Mechanism> bevelDifferentialSet(int sideTeeth, int pinionTeeth, int pin
         0,
         0};
   }
-  SetSketch set("Bevel differential");
-  const int casing = set.link(0, "a", "case");
-  const int left = set.link(0, "a", "left wheel");
-  const int right = set.link(0, "a", "right wheel");
+  SetSketch set(translated("Bevel differential"));
+  const int casing = set.link(0, "a", translated("case"));
+  const int left = set.link(0, "a", translated("left wheel"));
+  const int right = set.link(0, "a", translated("right wheel"));
   for (int i = 0; i < pinions; ++i) {
-    const std::string number = pinions == 1 ? "" : " " + std::to_string(i + 1);
-    const int pinion = set.link(casing, "b" + std::to_string(i + 1), "pinion" + number);
+    const std::string number = std::to_string(i + 1);
+    const int pinion = set.link(casing, "b" + number,
+                                pinions == 1 ? translated("pinion") : translated("pinion %1", {number}));
     set.mesh(left, pinion, sideTeeth, pinionTeeth, MeshKind::bevel);
     set.mesh(right, pinion, sideTeeth, pinionTeeth, MeshKind::bevel);
   }
@@ -50,19 +51,19 @@ Expected<Mechanism> bevelDifferentialSet(int sideTeeth, int pinionTeeth, int pin
 }
 
 Mechanism bevelWrist(const WristTeeth& teeth) {
-  SetSketch set("Bevel wrist");
+  SetSketch set(translated("Bevel wrist"));
   const NumberTriple apex{Number(0), Number(0), Number(0)};
   const NumberTriple y{Number(0), Number(1), Number(0)};
   const NumberTriple z{Number(0), Number(0), Number(1)};
   set.axis("a", apex, z);
   set.axis("b", apex, y);
   set.axis("c", apex, z);
-  const int housing = set.link(0, "a", "housing");
-  const int bendShaft = set.link(0, "a", "bend shaft");
-  const int bend = set.link(housing, "b", "bend");
-  const int rollShaft = set.link(0, "a", "roll shaft");
-  const int idler = set.link(housing, "b", "idler");
-  const int tool = set.link(bend, "c", "tool");
+  const int housing = set.link(0, "a", translated("housing"));
+  const int bendShaft = set.link(0, "a", translated("bend shaft"));
+  const int bend = set.link(housing, "b", translated("bend"));
+  const int rollShaft = set.link(0, "a", translated("roll shaft"));
+  const int idler = set.link(housing, "b", translated("idler"));
+  const int tool = set.link(bend, "c", translated("tool"));
   // Module 2: a pitch radius is the number of teeth. The shafts come from below, the tool is above.
   const auto at = [](int across, int along) {
     return NumberTriple{Number(0), Number(across), Number(along)};

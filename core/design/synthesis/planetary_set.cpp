@@ -9,6 +9,7 @@
 
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline synthesis {
 namespace {
@@ -41,11 +42,12 @@ Members addMembers(SetSketch& set, const PlanetaryTeeth& teeth, int planets,
                    std::optional<PlanetaryMember> cut) {
   using enum PlanetaryMember;
   Members members;
-  for (const auto& [member, name] : {std::pair(sun, "sun"), {ring, "ring"}, {carrier, "carrier"}})
-    members[member] = member == cut ? 0 : set.link(0, "a", name);
+  for (const auto& [member, name] :
+       {std::pair(sun, toTranslate("sun")), {ring, toTranslate("ring")}, {carrier, toTranslate("carrier")}})
+    members[member] = member == cut ? 0 : set.link(0, "a", translated(std::string_view(name)));
   for (int i = 0; i < planets; ++i) {
-    const std::string number = planets == 1 ? "" : " " + std::to_string(i + 1);
-    const int planet = set.link(members[carrier], "b" + std::to_string(i), "planet" + number);
+    std::string name = planets == 1 ? translated("planet") : translated("planet %1", {std::to_string(i + 1)});
+    const int planet = set.link(members[carrier], "b" + std::to_string(i), std::move(name));
     set.mesh(members[sun], planet, teeth.sun, teeth.planet, MeshKind::external);
     set.mesh(planet, members[ring], teeth.planet, teeth.ring(), MeshKind::internal);
   }
@@ -93,7 +95,7 @@ std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryRequirements& requi
 }
 
 Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets) {
-  SetSketch set("Planetary set");
+  SetSketch set(translated("Planetary set"));
   const Members members = addMembers(set, teeth, planets, {});
   set.input(members.at(PlanetaryMember::sun), Number(1));
   set.input(members.at(PlanetaryMember::ring), Number(0));
@@ -103,7 +105,7 @@ Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets) {
 Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets, const PlanetaryUse& use) {
   const PlanetaryMember held = heldMember(use);
   const bool isCut = use.holding == PlanetaryHolding::ground;
-  SetSketch set("Planetary set");
+  SetSketch set(translated("Planetary set"));
   const Members members = addMembers(set, teeth, planets, isCut ? std::optional(held) : std::nullopt);
   set.input(members.at(use.drive), Number(1));
   if (!isCut) {

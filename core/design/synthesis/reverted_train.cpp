@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/design/synthesis/set_sketch.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline synthesis {
 namespace {
@@ -52,10 +53,10 @@ std::vector<RevertedChoice> revertedChoices(const RevertedRequirements& requirem
 }
 
 Mechanism revertedTrain(const RevertedTeeth& teeth) {
-  SetSketch set("Reverted train");
-  const int input = set.link(0, "a", "input");
-  const int counter = set.link(0, "b", "countershaft");
-  const int output = set.link(0, "a", "output");
+  SetSketch set(translated("Reverted train"));
+  const int input = set.link(0, "a", translated("input"));
+  const int counter = set.link(0, "b", translated("countershaft"));
+  const int output = set.link(0, "a", translated("output"));
   set.mesh(input, counter, teeth.first, teeth.second, MeshKind::external);
   set.mesh(counter, output, teeth.third, teeth.fourth, MeshKind::external);
   set.input(input, Number(1));

@@ -100,13 +100,13 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
             {std::to_string(teeth.ring() + teeth.largeSun), std::to_string(teeth.ring() - teeth.smallSun),
              std::to_string(pairs)}));
   }
-  SetSketch set("Ravigneaux set");
+  SetSketch set(translated("Ravigneaux set"));
   const NumberTriple z{Number(0), Number(0), Number(1)};
   set.axis("a", {Number(0), Number(0), Number(0)}, z);
-  const int small = set.link(0, "a", "small sun");
-  const int large = set.link(0, "a", "large sun");
-  const int ring = set.link(0, "a", "ring");
-  const int carrier = set.link(0, "a", "carrier");
+  const int small = set.link(0, "a", translated("small sun"));
+  const int large = set.link(0, "a", translated("large sun"));
+  const int ring = set.link(0, "a", translated("ring"));
+  const int carrier = set.link(0, "a", translated("carrier"));
   for (int k = 0; k < pairs; ++k) {
     const double angle = 2 * std::numbers::pi * k / pairs;
     const std::string number = std::to_string(k + 1);
@@ -114,8 +114,8 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
     const Point longAt = turned(places->longPlanet, angle);
     set.axis("b" + number, {coordinate(shortAt.x), coordinate(shortAt.y), Number(0)}, z);
     set.axis("c" + number, {coordinate(longAt.x), coordinate(longAt.y), Number(0)}, z);
-    const int shorter = set.link(carrier, "b" + number, "short planet " + number);
-    const int longer = set.link(carrier, "c" + number, "long planet " + number);
+    const int shorter = set.link(carrier, "b" + number, translated("short planet %1", {number}));
+    const int longer = set.link(carrier, "c" + number, translated("long planet %1", {number}));
     const auto mesh = [&](int tail, int head, int tailTeeth, int headTeeth,
                           const NumberTriple& point) -> GearMesh& {
       const MeshKind kind = head == ring ? MeshKind::internal : MeshKind::external;
@@ -160,22 +160,24 @@ Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
     return rejection(
         Code::teethGeometry,
         translated("The planets collide. What fits: fewer or smaller planets, or a larger sun."));
-  SetSketch set("Simpson set");
-  const int suns = set.link(0, "a", "suns");
-  const int ring = set.link(0, "a", "first ring");
-  const int output = set.link(0, "a", "output");
-  const int carrier = set.link(0, "a", "second carrier");
-  const auto stage = [&](int on, int around, const std::string& axis, const std::string& name) {
-    const WheelId sun = set.wheel(name + "-sun", suns);
+  SetSketch set(translated("Simpson set"));
+  const int suns = set.link(0, "a", translated("suns"));
+  const int ring = set.link(0, "a", translated("first ring"));
+  const int output = set.link(0, "a", translated("output"));
+  const int carrier = set.link(0, "a", translated("second carrier"));
+  const auto stage = [&](int on, int around, const std::string& axis, const std::string& id,
+                         const char* planetName) {
+    const WheelId sun = set.wheel(id + "-sun", suns);
     for (int i = 0; i < planets; ++i) {
       const std::string number = std::to_string(i + 1);
-      const int planet = set.link(on, axis + number, name + " planet " + number);
+      const int planet =
+          set.link(on, axis + number, filled(translated(std::string_view(planetName)), {number}));
       set.mesh(suns, planet, teeth.sun, teeth.planet, MeshKind::external).tailWheel = sun;
       set.mesh(planet, around, teeth.planet, teeth.ring(), MeshKind::internal);
     }
   };
-  stage(output, ring, "b", "first");
-  stage(carrier, output, "c", "second");
+  stage(output, ring, "b", "first", toTranslate("first planet %1"));
+  stage(carrier, output, "c", "second", toTranslate("second planet %1"));
   set.input(ring, Number(1));
   set.input(carrier, Number(0));
   set.brake("B1", suns);

@@ -12,6 +12,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/state_solution.h"
 #include "tests/core/support/matroid_fixture.h"
+#include "tests/core/support/pseudo_language.h"
 #include "tests/core/support/trains.h"
 
 using namespace geargraph;
@@ -69,6 +70,43 @@ class TestSynthesis : public QObject {
     QCOMPARE(planetaryRatio(teeth, sun, ring), Rational(-60, 24));     // carrier held
     const Mechanism set = planetarySet(teeth, 3);
     QCOMPARE(ratesOf(set)[2], Rational(24, 84));  // the carrier, the sun at 1
+  }
+
+  /// Names of what is inserted are in the current language; ids, which files and scripts read, are not.
+  void namesOfSetsAreTranslated() {
+    const auto all = [] {
+      using enum PlanetaryMember;
+      const PlanetaryTeeth teeth{24, 18};
+      return std::vector<Mechanism>{planetarySet(teeth, 1),
+                                    planetarySet(teeth, 3),
+                                    planetarySet(teeth, 3, PlanetaryUse{sun, carrier}),
+                                    *bevelDifferentialSet(20, 12, 1),
+                                    *bevelDifferentialSet(20, 12, 2),
+                                    bevelWrist({}),
+                                    revertedTrain({20, 40, 18, 42}),
+                                    *ravigneauxSet({}, 3),
+                                    *simpsonSet(teeth, 3)};
+    };
+    const std::vector<Mechanism> english = all();
+    QCOMPARE(english[1].links[3].name, std::string("carrier"));
+    QCOMPARE(english[1].links[5].name, std::string("planet 2"));
+    QCOMPARE(english[0].links[4].name, std::string("planet"));
+    QCOMPARE(english.back().links.back().name, std::string("second planet 3"));
+    std::vector<Mechanism> translated;
+    {
+      const PseudoLanguage pseudo;
+      translated = all();
+    }
+    for (std::size_t i = 0; i < english.size(); ++i) {
+      QCOMPARE(translated[i].name, PseudoLanguage::accented(english[i].name));
+      for (std::size_t link = 1; link < english[i].links.size(); ++link) {  // 0: the document's ground
+        Link& there = translated[i].links[link];
+        QCOMPARE(there.name, PseudoLanguage::accented(english[i].links[link].name));
+        there.name = english[i].links[link].name;
+      }
+      translated[i].name = english[i].name;
+      QVERIFY(translated[i] == english[i]);
+    }
   }
 
   void everyUseOfAPlanetarySetHasItsRatio() {
