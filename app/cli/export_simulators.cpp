@@ -109,7 +109,7 @@ int exportSimulator(const Arguments& arguments, SimulatorForm form) {
   const auto error = writeFolder(folder, files, {arguments.has("--force"), arguments.stop, {}});
   if (error)
     return error->isStopped ? outOfTime(arguments, translated("the folder")) : fileFailure(error->message);
-  for (const std::string& note : model.notes) std::cerr << "geargraph-cli: " << note << '\n';
+  for (const SimulatorNote& note : model.notes) std::cerr << "geargraph-cli: " << note.text << '\n';
   tellFreedom(train, arguments);
   return kFine;
 }

@@ -65,6 +65,7 @@ class MjcfWriter {
   }
   void comment(const std::string& text) { line(xmlComment(text)); }
 
+  /// English in every language of the program: users of other programs read them.
   void comments() {
     comment(
         "Written by GearGraph. Lengths in m, masses in kg, angles in rad. Bodies and joints bear the ids of "
@@ -90,7 +91,7 @@ class MjcfWriter {
           "Shifting while it runs: set eq_data[0] of a coupling to its tendon's present length, less "
           "tendon_length0, before it becomes active; else it turns the links back.");
     }
-    for (const std::string& note : m_model.notes) comment(note);
+    for (const SimulatorNote& note : m_model.notes) comment(note.inEnglish);
   }
 
   void assets() {

@@ -52,6 +52,7 @@ class ModelicaWriter {
         m_matroid(*snapshot.matroid()),
         m_matrix(m_mechanism, m_model, snapshot.kinematics->placement()) {}
 
+  /// The comments are English in every language of the program: users of other programs read them.
   std::string write() {
     addMeshes();
     addCouplings();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/machine/train/train_parts.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/theory/dynamics/dynamics_report.h"
@@ -18,6 +19,11 @@ namespace {
 
 /// Simulators take no less: MuJoCo's least mass and moment of inertia.
 constexpr double kLeastInertia = 1e-15;
+
+/// Of a text that toTranslate() marks.
+SimulatorNote noteOf(std::string_view text, std::string_view first, std::string_view second = {}) {
+  return {filled(translated(text), {first, second}), filled(text, {first, second})};
+}
 
 class ModelMaker {
  public:
@@ -80,7 +86,9 @@ class ModelMaker {
     for (SimulatedLink& link : m_model.links) {
       if (link.name == "world") link.name = "link world";
     }
-    if (hasWorld) m_model.notes.emplace_back("The link \"world\" is written as \"link world\".");
+    if (hasWorld)
+      m_model.notes.push_back(
+          noteOf(toTranslate("The link \"%1\" is written as \"%2\"."), "world", "link world"));
   }
 
   void makeBall(SimulatedLink& link) const {
@@ -102,9 +110,9 @@ class ModelMaker {
       if (least >= kLeastInertia) continue;
       return SimulatorError{
           SimulatorError::Kind::model,
-          "Link " + std::to_string(link.link) +
-              " has too little mass or inertia for simulators, which take 1e-15 kg and kg m² "
-              "and more. Is the unit of length right?"};
+          translated("Link %1 has too little mass or inertia for simulators, which take 1e-15 kg and kg m² "
+                     "and more. Is the unit of length right?",
+                     {std::to_string(link.link)})};
     }
     return std::nullopt;
   }
@@ -129,7 +137,8 @@ class ModelMaker {
     for (int coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size()); ++coupling) {
       const std::string id = m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text();
       if (!closesWithoutLinkage(m_mechanism, m_placement, coupling)) {
-        m_model.notes.push_back("Coupling " + id + " would close a linkage and is left out.");
+        m_model.notes.push_back(
+            noteOf(toTranslate("Coupling %1 would close a linkage and is left out."), id));
         continue;
       }
       int number = 0;

@@ -62,6 +62,13 @@ struct SimulatedInput {
   double inertia = 0;  ///< reflected inertia in the reference pose, the other inputs at rest, kg m²
 };
 
+/// A sentence for people: the program's language where it is shown, English in the files, whose comments are
+/// for users of other programs.
+struct SimulatorNote {
+  std::string text;
+  std::string inEnglish;
+};
+
 /// A mechanism for rigid-body simulators.
 struct SimulatorModel {
   std::string name;
@@ -76,7 +83,7 @@ struct SimulatorModel {
   /// K by joint and input, exact: theta_joint = K theta_inputs.
   std::vector<std::vector<Rational>> gains;
   FolderFiles meshes;
-  std::vector<std::string> notes;  ///< notes for the reader of the file, as sentences
+  std::vector<SimulatorNote> notes;  ///< on what the files leave out or rename
 };
 
 /// Why there is no model, as a sentence.

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"
 
@@ -28,14 +29,14 @@ std::string severalLeaders(const SimulatorModel& model, std::size_t joint) {
     sum += sum.empty() ? (isNegative ? "-" : "") : (isNegative ? " - " : " + ");
     sum += (isNegative ? -gain : gain).toString() + " q" + name;
   }
-  return "Joint " + model.joints[joint] + " follows " + listed(names, kAllNames) + " (q" +
-         model.joints[joint] + " = " + sum + ")";
+  return translated("Joint %1 follows %2 (q%1 = %3)", {model.joints[joint], listed(names, kAllNames), sum});
 }
 
 class UrdfWriter {
  public:
   explicit UrdfWriter(const SimulatorModel& model) : m_model(model) {}
 
+  /// The comments are English in every language of the program: users of other programs read them.
   std::string write() {
     m_text = "<?xml version=\"1.0\"?>\n<robot" +
              xmlAttribute("name", m_model.name.empty() ? "mechanism" : m_model.name) + ">\n";
@@ -50,7 +51,7 @@ class UrdfWriter {
     const bool hasFixed = std::any_of(m_model.order.begin(), m_model.order.end(),
                                       [this](int link) { return leadersOf(gainsOf(link)).empty(); });
     if (hasFixed) comment("Joints that cannot turn are fixed; Gazebo joins their links to their parents.");
-    for (const std::string& note : m_model.notes) comment(note);
+    for (const SimulatorNote& note : m_model.notes) comment(note.inEnglish);
     m_text += "  <link name=\"world\"/>\n";
     m_text += "  <joint name=\"world joint\" type=\"fixed\">\n    <parent link=\"world\"/>\n    <child" +
               xmlAttribute("link", m_model.links.front().name) + "/>\n  </joint>\n";
@@ -131,12 +132,15 @@ std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model) 
     if (++count <= kMostNamed) several.push_back(severalLeaders(model, joint));
   }
   if (count > 0) {
-    std::string sentences;
-    for (const std::string& each : several) sentences += (sentences.empty() ? "" : "; ") + each;
-    if (count > kMostNamed) sentences += "; and " + std::to_string(count - kMostNamed) + " more";
-    return SimulatorError{SimulatorError::Kind::model, "A joint of URDF can follow one other joint. " +
-                                                           sentences +
-                                                           ". Use --to mjcf, or --state with one freedom."};
+    std::string named;
+    for (const std::string& each : several) named += (named.empty() ? "" : "; ") + each;
+    if (count > kMostNamed)
+      named = translated("%1; and %2 more", {named, std::to_string(count - kMostNamed)});
+    return SimulatorError{
+        SimulatorError::Kind::model,
+        translated(
+            "A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.",
+            {named})};
   }
   return UrdfWriter(model).write();
 }

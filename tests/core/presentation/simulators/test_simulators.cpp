@@ -7,6 +7,7 @@
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/pseudo_language.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {
@@ -22,6 +23,23 @@ SimulatorModel modelOf(Mechanism mechanism) {
   Made result = made(std::move(mechanism));
   if (const auto* error = std::get_if<SimulatorError>(&result)) qFatal("%s", error->message.c_str());
   return std::get<SimulatorModel>(std::move(result));
+}
+
+Mechanism robotWithWorld() {
+  Mechanism robot = test::robot();
+  const auto rename = [](LinkId& id) {
+    if (id == LinkId("3")) id = LinkId("world");
+  };
+  for (Link& link : robot.links) rename(link.id);
+  for (TurningJoint& joint : robot.turningJoints) {
+    rename(joint.tail);
+    rename(joint.head);
+  }
+  for (GearMesh& mesh : robot.gearMeshes) {
+    rename(mesh.tail);
+    rename(mesh.head);
+  }
+  return robot;
 }
 
 /// The elements of a name, each with its attributes; a text that is no XML gives none.
@@ -135,22 +153,38 @@ class TestSimulators : public QObject {
   }
 
   void aLinkCalledWorldGetsAnotherName() {
-    Mechanism robot = test::robot();
-    for (Link& link : robot.links) {
-      if (link.id != LinkId("3")) continue;
-      link.id = LinkId("world");
-    }
-    for (TurningJoint& joint : robot.turningJoints) {
-      if (joint.tail == LinkId("3")) joint.tail = LinkId("world");
-      if (joint.head == LinkId("3")) joint.head = LinkId("world");
-    }
-    for (GearMesh& mesh : robot.gearMeshes) {
-      if (mesh.tail == LinkId("3")) mesh.tail = LinkId("world");
-      if (mesh.head == LinkId("3")) mesh.head = LinkId("world");
-    }
-    const SimulatorModel model = modelOf(std::move(robot));
+    const SimulatorModel model = modelOf(robotWithWorld());
     QCOMPARE(model.links[3].name, std::string("link world"));
     QCOMPARE(model.notes.size(), std::size_t{1});
+    QCOMPARE(model.notes[0].text, std::string("The link \"world\" is written as \"link world\"."));
+  }
+
+  /// What the program shows is in its language; comments in the files are English, for other programs' users.
+  void sentencesAreTranslatedAndFilesAreNot() {
+    using test::PseudoLanguage;
+    const Mechanism gearbox = test::example("planetary-ring-held");
+    const std::string inEnglish = mjcfText(modelOf(gearbox), {});
+    const SimulatorModel robot = modelOf(test::robot());
+    const std::string refusal = std::get<SimulatorError>(urdfText(robot)).message;
+    Mechanism tiny = test::robot();
+    tiny.unit = "um";
+    const std::string light = std::get<SimulatorError>(made(tiny)).message;
+    const PseudoLanguage pseudo;
+    QCOMPARE(mjcfText(modelOf(gearbox), {}), inEnglish);
+    const auto words = [](const std::string& text) { return PseudoLanguage::english(text).size(); };
+    const std::string there = std::get<SimulatorError>(urdfText(robot)).message;
+    QVERIFY2(words(refusal) > 10 && words(there) == 0, there.c_str());
+    const std::string lightThere = std::get<SimulatorError>(made(tiny)).message;
+    QVERIFY2(words(light) > 10 && words(lightThere) == 0, lightThere.c_str());
+  }
+
+  void notesAreTranslatedAndCommentsAreNot() {
+    const test::PseudoLanguage pseudo;
+    const SimulatorModel model = modelOf(robotWithWorld());
+    QCOMPARE(model.notes.size(), std::size_t{1});
+    QVERIFY(test::PseudoLanguage::english(model.notes[0].text, {"world", "link"}).empty());
+    const std::string comment = xmlComment("The link \"world\" is written as \"link world\".");
+    QVERIFY(mjcfText(model, {}).find(comment) != std::string::npos);
   }
 
   void whatIsTooLightIsRejected() {
