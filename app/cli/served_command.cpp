@@ -13,6 +13,8 @@
 #include <iostream>
 #include <new>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::cli {
 namespace {
 
@@ -69,7 +71,7 @@ class MemoryFile {
   try {
     status = runCommand(command, words, limits.seconds);
   } catch (const std::bad_alloc&) {
-    std::cerr << "geargraph-cli: The memory does not suffice for this mechanism.\n";
+    std::cerr << "geargraph-cli: " << translated("The memory does not suffice for this mechanism.") << '\n';
   }
   std::cerr.flush();
   _exit(status);

@@ -9,6 +9,7 @@
 #include <new>
 #include <string>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/byte_sink.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/sandbox/sandbox.h"
@@ -31,13 +32,13 @@ int read(const char* format, std::size_t mostBytes, std::size_t mostTriangles) {
   const auto known = meshFormatFromName(format);
   if (!known) return kUnreadable;
   const auto input = readFile("-", mostBytes);
-  if (const auto* error = std::get_if<FileError>(&input)) {
-    std::cerr << error->message;
+  if (std::holds_alternative<FileError>(input)) {
+    std::cerr << readerReport(toTranslate("It could not be read."), {});
     return kUnreadable;
   }
   const auto& bytes = std::get<std::string>(input);
   if (bytes.size() > mostBytes) {
-    std::cerr << "It has more than " << mostBytes << " bytes.";
+    std::cerr << readerReport(toTranslate("It has more than %1 bytes."), {std::to_string(mostBytes)});
     return kLimit;
   }
   const auto read = readForeignBytes(bytes, *known, mostTriangles);
@@ -60,16 +61,18 @@ int run(int count, char** words) {
     numbers[i] = *value;
   }
   if (const auto why = enterSandbox({numbers[2], static_cast<long>(numbers[3])})) {
-    std::cerr << *why;
+    std::cerr << readerReport(toTranslate("This system cannot confine the program that reads 3D files (%1)."),
+                              {*why});
     return kUnreadable;
   }
   try {
     return read(words[1], numbers[0], numbers[1]);
   } catch (const std::bad_alloc&) {
-    std::cerr << "Reading it takes more than " << numbers[2] / (1U << 20U) << " MiB of memory.";
+    std::cerr << readerReport(toTranslate("Reading it takes more than %1 MiB of memory."),
+                              {std::to_string(numbers[2] / (1U << 20U))});
     return kLimit;
   } catch (const std::exception& error) {
-    std::cerr << "It is damaged: " << error.what();
+    std::cerr << readerReport(toTranslate("It is damaged: %1"), {error.what()});
     return kUnreadable;
   }
 }

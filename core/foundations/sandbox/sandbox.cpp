@@ -23,8 +23,7 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 }
 
 std::string failure(const char* wall, int error) {
-  return std::string("This system cannot confine the program that reads 3D files (") + wall + ": " +
-         std::generic_category().message(error) + ").";
+  return std::string(wall) + ": " + std::generic_category().message(error);
 }
 
 }  // namespace

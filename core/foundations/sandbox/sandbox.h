@@ -24,9 +24,10 @@ struct SandboxLimits {
 /// Three layers of defence: a filter of system calls with an allow-list (seccomp), an empty list of
 /// accessible files (Landlock, if the kernel has it), and resource limits.
 ///
-/// std::nullopt on success. Else the reason why the system cannot enforce it; the process must then not
-/// continue. Only Landlock may be missing. Portable version: never fails; a thread ends the process after
-/// `mostSeconds` of wall-clock time, and nothing else is enforced. @pre the process has one thread
+/// std::nullopt on success. Else what the system cannot enforce, and why ("seccomp: Invalid argument"); the
+/// process must then not continue. Only Landlock may be missing. Portable version: never fails; a thread ends
+/// the process after `mostSeconds` of wall-clock time, and nothing else is enforced. @pre the process has one
+/// thread
 [[nodiscard]] std::optional<std::string> enterSandbox(const SandboxLimits& limits);
 
 // The single layers, for tests. @pre NO_NEW_PRIVS is set

@@ -50,10 +50,24 @@ std::string sentenceOf(std::string_view report) {
   return sentence;
 }
 
+/// A readerReport() in the current language. Its text may be any other: a hostile file can have written it.
+std::string translatedReport(std::string_view report) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= report.size() && parts.size() < 3;) {
+    const std::size_t to = std::min(report.find(kReportSeparator, from), report.size());
+    parts.push_back(sentenceOf(report.substr(from, to - from)));
+    from = to + 1;
+  }
+  const std::string text = translated(std::string_view(parts.front()));
+  if (parts.size() == 1) return text;
+  if (parts.size() == 2) return filled(text, {parts[1]});
+  return filled(text, {parts[1], parts[2]});
+}
+
 /// Why the reader gave no solid.
 MeshFileError failureOf(const ChildResult& result, const ForeignLimits& limits) {
   constexpr int kBeyondLimit = 3;  // geargraph-mesh's exit status
-  const std::string sentence = sentenceOf(result.errors);
+  const std::string sentence = translatedReport(result.errors);
   switch (result.end) {
     case ChildEnd::exited:
       break;

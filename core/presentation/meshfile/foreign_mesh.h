@@ -37,10 +37,15 @@ struct ForeignLimits {
 /// or where the build puts it. Empty if there is none.
 [[nodiscard]] std::filesystem::path foreignMeshReader();
 
-// For the reader's process:
+// For the reader's process, which has no catalogue: its parent translates what it reports.
+
+constexpr char kReportSeparator = '\x1f';  ///< between the parts of a report
+/// A text that toTranslate() marks with what goes into its placeholders %1 and %2, as the parent reads it.
+[[nodiscard]] std::string readerReport(std::string_view text, std::initializer_list<std::string_view> places);
 
 /// All meshes of the bytes as assimp reads them, triangles only; without normals in the file, edges below 35
-/// degrees are smoothed. Opens no other file. May crash on a malicious file.
+/// degrees are smoothed. Opens no other file. May crash on a malicious file. The message of an error is a
+/// readerReport().
 [[nodiscard]] std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, MeshFormat format,
                                                                   std::size_t mostTriangles);
 /// The format between the two processes: counts and arrays as in memory.

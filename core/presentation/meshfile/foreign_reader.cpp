@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/meshfile/foreign_mesh.h"
 
 namespace geargraph::inline meshfile {
@@ -34,13 +35,19 @@ bool hasPlyHeader(std::string_view bytes) {
          bytes.find("end_header\r") != std::string_view::npos;
 }
 
-MeshFileError damaged(const std::string& why) {
-  return {MeshFileError::Kind::file, "It is damaged: " + why};
+MeshFileError fileError(std::string_view text) {
+  return {MeshFileError::Kind::file, readerReport(text, {})};
+}
+
+/// `why`: assimp's words.
+MeshFileError damaged(std::string_view why) {
+  return {MeshFileError::Kind::file, readerReport(toTranslate("It is damaged: %1"), {why})};
 }
 
 MeshFileError tooMany(std::size_t triangles, std::size_t most) {
-  return {MeshFileError::Kind::limit, "The 3D file has " + std::to_string(triangles) +
-                                          " faces, more than the limit of " + std::to_string(most) + "."};
+  return {MeshFileError::Kind::limit,
+          readerReport(toTranslate("The 3D file has %1 faces, more than the limit of %2."),
+                       {std::to_string(triangles), std::to_string(most)})};
 }
 
 /// assimp passes on what a broken file says, and its further steps trust it.
@@ -93,7 +100,8 @@ bool isSound(const Solid& solid) {
 
 std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, MeshFormat format,
                                                     std::size_t mostTriangles) {
-  if (format == MeshFormat::ply && !hasPlyHeader(bytes)) return damaged("its header has no end.");
+  if (format == MeshFormat::ply && !hasPlyHeader(bytes))
+    return fileError(toTranslate("It is damaged: its header has no end."));
   Assimp::Importer importer;
   importer.SetIOHandler(new NoFiles);  // NOLINT: the importer's
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCrease);
@@ -108,16 +116,22 @@ std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, Mesh
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) triangles += scene->mMeshes[i]->mNumFaces;
   if (triangles > mostTriangles) return tooMany(triangles, mostTriangles);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-    if (!hasSoundFaces(*scene->mMeshes[i])) return damaged("a face names a vertex that is not there.");
+    if (!hasSoundFaces(*scene->mMeshes[i]))
+      return fileError(toTranslate("It is damaged: a face names a vertex that is not there."));
   }
   scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return damaged(importer.GetErrorString());
   Solid solid;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) appendMesh(solid, *scene->mMeshes[i]);
   if (solid.triangles.size() > mostTriangles) return tooMany(solid.triangles.size(), mostTriangles);
-  if (solid.empty() || !isSound(solid))
-    return MeshFileError{MeshFileError::Kind::file, "It has no faces that could be shown."};
+  if (solid.empty() || !isSound(solid)) return fileError(toTranslate("It has no faces that could be shown."));
   return solid;
+}
+
+std::string readerReport(std::string_view text, std::initializer_list<std::string_view> places) {
+  std::string report(text);
+  for (const std::string_view place : places) (report += kReportSeparator) += place;
+  return report;
 }
 
 std::string packedSolid(const Solid& solid) {

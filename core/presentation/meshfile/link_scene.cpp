@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 #include "core/presentation/meshfile/turn_keys.h"
 #include "core/theory/pose/period.h"
 
@@ -28,9 +29,11 @@ struct Period {
 };
 
 MeshFileError tooLong(const Rational& turns) {
-  return {MeshFileError::Kind::limit,
-          "The motion repeats only after " + turns.toString() +
-              " turns of what turns at 1 rad/s; that is too long for an animation."};
+  return {
+      MeshFileError::Kind::limit,
+      translated("The motion repeats only after %1 turns of what turns at 1 rad/s; that is too long for an "
+                 "animation.",
+                 {turns.toString()})};
 }
 
 std::variant<Period, MeshFileError> stretchOf(const UniformMotion& motion) {
@@ -42,7 +45,8 @@ std::variant<Period, MeshFileError> stretchOf(const UniformMotion& motion) {
     keys += std::abs(period.rates.back()) * period.seconds * 2 / std::numbers::pi + 2;
   }
   if (keys <= static_cast<double>(kMostKeys)) return period;
-  return MeshFileError{MeshFileError::Kind::limit, "The motion is too fast for an animation that long."};
+  return MeshFileError{MeshFileError::Kind::limit,
+                       translated("The motion is too fast for an animation that long.")};
 }
 
 /// How the joint turns; no keys where it stands still.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/encoders.h"
 
@@ -22,7 +23,7 @@ constexpr std::size_t kChunk = std::size_t{1} << 20U;
 constexpr double kEncoded = 0.8;  // of the progress; writing is the rest
 
 MeshFileError stopped() {
-  return {MeshFileError::Kind::stopped, "Stopped; nothing was written."};
+  return {MeshFileError::Kind::stopped, translated("Stopped; nothing was written.")};
 }
 
 Progress partOf(const Progress& progress, double from, double to) {
@@ -61,7 +62,8 @@ std::optional<MeshFileError> writeBytes(ByteSink& sink, const std::string& bytes
 std::optional<MeshFileError> toStandardOutput(const Write& write) {
   StandardOutput sink;
   if (auto error = write(sink)) return error;
-  if (sink.failed()) return MeshFileError{MeshFileError::Kind::file, "Standard output could not be written."};
+  if (sink.failed())
+    return MeshFileError{MeshFileError::Kind::file, translated("Standard output could not be written.")};
   return std::nullopt;
 }
 
@@ -133,18 +135,19 @@ bool isWithinFloats(const MeshScene& scene, const std::stop_token& stop) {
 std::optional<MeshFileError> whyNot(const MeshScene& scene, const MeshWriteOptions& options) {
   const std::size_t triangles = triangleCount(scene);
   if (triangles > options.mostTriangles) {
-    return MeshFileError{MeshFileError::Kind::limit, "The scene has " + std::to_string(triangles) +
-                                                         " triangles, more than the limit of " +
-                                                         std::to_string(options.mostTriangles) +
-                                                         "; choose a coarser tolerance."};
+    return MeshFileError{
+        MeshFileError::Kind::limit,
+        translated("The scene has %1 triangles, more than the limit of %2; choose a coarser tolerance.",
+                   {std::to_string(triangles), std::to_string(options.mostTriangles)})};
   }
   if (options.stop.stop_requested()) return stopped();
   const bool isWithin = isWithinFloats(scene, options.stop);
   if (options.stop.stop_requested()) return stopped();
   if (!isWithin) {
-    return MeshFileError{MeshFileError::Kind::limit,
-                         "The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the "
-                         "parts nearer to each other, or scale them down."};
+    return MeshFileError{
+        MeshFileError::Kind::limit,
+        translated("The scene has coordinates beyond 3.4e38, the largest that 3D files hold; "
+                   "bring the parts nearer to each other, or scale them down.")};
   }
   return std::nullopt;
 }

@@ -9,6 +9,7 @@
 
 #include "core/foundations/platform/child_process.h"
 #include "core/presentation/meshfile/foreign_mesh.h"
+#include "tests/core/support/pseudo_language.h"
 
 using namespace geargraph;
 
@@ -192,6 +193,39 @@ class TestForeignMesh : public QObject {
              std::string("a [31mb\xC3\xA9 c"));
     const std::string longest = said("head -c 100000 /dev/zero | tr '\\0' x >&2");
     QCOMPARE(longest, std::string(300, 'x') + "...");
+  }
+
+  /// The reader's process has no catalogue: what it reports is translated where it is shown.
+  void whatTheReaderReportsIsTranslated() {
+    const auto broken = written("broken.ply", "ply\nformat ascii 1.0\n");
+    const auto empty = written("empty.stl", "solid\nendsolid\n");
+    const auto two = written("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n");
+    ForeignLimits few;
+    few.mostTriangles = 1;
+    QCOMPARE(refusal(broken).message, std::string("It is damaged: its header has no end."));
+    QCOMPARE(refusal(two, few).message, std::string("The 3D file has 2 faces, more than the limit of 1."));
+    const std::string english = refusal(empty).message;
+    const test::PseudoLanguage pseudo;
+    QCOMPARE(refusal(broken).message,
+             test::PseudoLanguage::accented("It is damaged: its header has no end."));
+    QCOMPARE(refusal(two, few).message,
+             test::PseudoLanguage::accented("The 3D file has 2 faces, more than the limit of 1."));
+    QVERIFY(refusal(empty).message != english);
+  }
+
+  /// A hostile file can have written any report.
+  void aReportWithTooFewOrTooManyPartsIsASentence() {
+    const auto path = written("any.stl", "solid\nendsolid\n");
+    const auto said = [&](const QByteArray& text) {
+      const auto place = written("says", "#!/bin/sh\nprintf '" + text + "' >&2\nexit 2\n");
+      QFile(QString::fromStdString(place.string()))
+          .setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner);
+      return std::get<MeshFileError>(readForeignMesh(place, path)).message;
+    };
+    QCOMPARE(said("%%1 of %%2\\037a\\037b"), std::string("a of b"));
+    QCOMPARE(said("%%1 of %%2\\037%%2"), std::string("%2 of %2"));
+    QCOMPARE(said("%%1 of %%2\\037a\\037b\\037c\\037"), std::string("a of b"));
+    QCOMPARE(said("a\\037"), std::string("a"));
   }
 
   void noOtherFileIsRead() {
