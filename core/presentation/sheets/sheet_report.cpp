@@ -123,7 +123,8 @@ class SheetWriter {
     std::size_t field = 0;
     for (std::size_t column = 0; column < question.table.columns.size(); ++column) {
       const bool isParted = question.table.partition == static_cast<int>(column);
-      table.head.push_back((isParted ? "\u00a6 " : "") + question.table.columns[column]);
+      table.head.push_back((isParted ? "\u00a6 " : "") +
+                           translated(std::string_view(question.table.columns[column])));
     }
     for (const std::string& name : question.table.rows) {
       table.rows.push_back({plainWords(name)});

@@ -7,6 +7,7 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "tests/core/presentation/meshfile/cogs.h"
 #include "tests/core/support/aborts.h"
+#include "tests/core/support/pseudo_language.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -106,6 +107,9 @@ class TestMeshWriting : public QObject {
     const auto& error = std::get<MeshFileError>(result);
     QCOMPARE(int(error.kind), int(MeshFileError::Kind::limit));
     QVERIFY(error.message.find(std::to_string(triangleCount(movingScene()))) != std::string::npos);
+    const PseudoLanguage pseudo;
+    const auto there = encodedMesh(movingScene(), MeshFormat::stl, "wheels", options);
+    QCOMPARE(std::get<MeshFileError>(there).message, PseudoLanguage::accented(error.message));
   }
 
   void numbersBeyondFloatsAreRejected_data() { addFormats(); }

@@ -4,6 +4,7 @@
 #include "core/presentation/sheets/sheet_report.h"
 #include "core/presentation/typeset/tex_reader.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/pseudo_language.h"
 
 namespace geargraph {
 
@@ -79,6 +80,21 @@ class SheetsTest : public QObject {
     QCOMPARE(rules, static_cast<int>(made.variant.questions.size()));
     QCOMPARE(made.report(SheetForm::questions).blocks.size() + made.variant.questions.size(),
              made.report(SheetForm::solution).blocks.size());
+  }
+
+  void headsOfTablesAreTranslated() {
+    const Made made("robot");
+    const test::PseudoLanguage pseudo;
+    int words = 0;
+    for (const ReportBlock& block : made.report(SheetForm::questions).blocks) {
+      const auto* table = std::get_if<ReportTable>(&block);
+      if (table == nullptr) continue;
+      for (const std::string& head : table->head) {
+        QVERIFY2(test::PseudoLanguage::english(head).empty(), head.c_str());
+        words += head.find(test::PseudoLanguage::accented("from")) != std::string::npos ? 1 : 0;
+      }
+    }
+    QVERIFY(words > 0);
   }
 
   /// The sheet of another solution with the same questions would be the same: blanks do not depend on
