@@ -70,6 +70,16 @@ const graded = (sheet, text) => {
   return geargraph('exercises', 'grade', sheet, file).trim().split(/\r?\n/).slice(1).map(line => line.split(','));
 };
 
+test('a page in another language asks, grades and prints in it', async () => {
+  const each = await open('robot', {words: ['--language', 'de']});
+  const {page} = each;
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');
+  assert.ok(await page.evaluate(() => [...document.querySelectorAll('header button')].some(button => button.textContent === 'Drucken')));
+  await page.evaluate(() => [...document.querySelectorAll('.question.here .controls button')].find(button => button.textContent === 'Pr\u00fcfen').click());
+  assert.match(await page.$eval('.question.here .verdict', node => node.textContent), /Das Feld \u201e.*\u201c ist leer\./);
+  await closed(each);
+});
+
 // How the three-dimensional train of each is opened, browser.mjs sees.
 test('every example is opened and driven, with its exercises, without a complaint', async () => {
   const files = fs.readdirSync(examples).filter(each => each.endsWith('.geargraph')).map(each => path.basename(each, '.geargraph'));

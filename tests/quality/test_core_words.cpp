@@ -70,7 +70,6 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/teaching/comparison/comparison_families.cpp", "names of documents"},
     {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
     {"core/mechanism/graph_format/graph_text.cpp", "formats"},
-    {"core/foundations/base/answer_worker.h", "what an exception says, for developers"},
     {"core/foundations/base/contract.cpp", "for developers"},
     {"core/foundations/sandbox/", "for developers"},
     {"core/presentation/drawing/", "formats"},

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/foundations/base/request_worker.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline base {
 
@@ -53,12 +54,13 @@ class AnswerWorker {
     /// Delivers a partial answer; another one follows.
     void partly(Answer answer) const { m_worker->deliver(*this, {m_number, false, std::move(answer), {}}); }
     /// Runs a part of the work; an exception is delivered as the last reply, with its text as the failure.
+    /// Lack of memory is reported in the current language.
     template <class Part>
     void guard(const Part& part) const {
       try {
         part();
       } catch (const std::bad_alloc&) {
-        fail("there is not enough memory");
+        fail(translated("there is not enough memory"));
       } catch (const std::exception& error) {
         fail(error.what());
       }
@@ -68,7 +70,9 @@ class AnswerWorker {
 
    private:
     friend class AnswerWorker;
-    void fail(const char* why) const { m_worker->deliver(*this, {m_number, true, std::nullopt, why}); }
+    void fail(std::string why) const {
+      m_worker->deliver(*this, {m_number, true, std::nullopt, std::move(why)});
+    }
     Responder(AnswerWorker* worker, std::uint64_t number, std::stop_token stop)
         : m_worker(worker), m_number(number), m_stop(std::move(stop)) {}
 

@@ -30,6 +30,9 @@ enum class HandoutUse { alone, learningPlatform };
 /// everywhere), drive the inputs, in fractions, by elimination on the rows of P, and turn the train in 3D. A
 /// Content-Security-Policy in the page forbids everything else.
 ///
+/// Texts and the decimal sign are those of the current language, also those of the script, which the page's
+/// data hold.
+///
 /// With exercises the page asks the questions, grades them by the same data as the program, with the location
 /// and reason of mistakes, and saves files of answers that the program can grade.
 ///

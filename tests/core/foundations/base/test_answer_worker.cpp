@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdio>
 #include <future>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -109,6 +110,19 @@ void partsComeFirstAndExceptionsLast() {
   check(mailbox.replies().front().answer == 1 && !mailbox.replies().front().isLast, "the part comes first");
 }
 
+void lackOfMemoryIsToldInTheCurrentLanguage() {
+  const auto failure = [] {
+    Mailbox mailbox;
+    Worker worker([](int, const Worker::Responder&) { throw std::bad_alloc(); }, mailbox.deliver());
+    const auto last = worker.await(worker.request(0), kLong);
+    return last ? last->failure : std::string();
+  };
+  check(failure() == "there is not enough memory", "lack of memory is told");
+  setCatalogue([](const char* text, int) { return "<" + std::string(text) + ">"; });
+  check(failure() == "<there is not enough memory>", "in the current language");
+  setCatalogue(nullptr);
+}
+
 /// Several threads ask, cancel and wait, and the worker goes while it works.
 void askedFromEverywhereItStaysWhole() {
   for (int round = 0; round < 30; ++round) {
@@ -147,6 +161,7 @@ int main() {
   geargraph::aSupersededRequestStopsAndIsNotAnswered();
   geargraph::aCancelledRequestIsNotAnswered();
   geargraph::partsComeFirstAndExceptionsLast();
+  geargraph::lackOfMemoryIsToldInTheCurrentLanguage();
   geargraph::askedFromEverywhereItStaysWhole();
   std::printf("%d failures\n", geargraph::failures);
   return geargraph::failures == 0 ? 0 : 1;
