@@ -14066,6 +14066,530 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>Orientation:</source>
         <translation>Ausrichtung:</translation>
     </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Sie konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>It has more than %1 bytes.</source>
+        <translation>Sie hat mehr als %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>This system cannot confine the program that reads 3D files (%1).</source>
+        <translation>Dieses System kann das Programm, das 3D-Dateien liest, nicht einschließen (%1).</translation>
+    </message>
+    <message>
+        <source>Reading it takes more than %1 MiB of memory.</source>
+        <translation>Sie zu lesen braucht mehr als %1 MiB Speicher.</translation>
+    </message>
+    <message>
+        <source>It is damaged: %1</source>
+        <translation>Sie ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Korb</translation>
+    </message>
+    <message>
+        <source>left wheel</source>
+        <translation>linkes Rad</translation>
+    </message>
+    <message>
+        <source>right wheel</source>
+        <translation>rechtes Rad</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>Ausgleichsrad</translation>
+    </message>
+    <message>
+        <source>pinion %1</source>
+        <translation>Ausgleichsrad %1</translation>
+    </message>
+    <message>
+        <source>housing</source>
+        <translation>Gehäuse</translation>
+    </message>
+    <message>
+        <source>bend shaft</source>
+        <translation>Beugewelle</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Beugeglied</translation>
+    </message>
+    <message>
+        <source>roll shaft</source>
+        <translation>Rollwelle</translation>
+    </message>
+    <message>
+        <source>idler</source>
+        <translation>Zwischenrad</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>planet %1</source>
+        <translation>Planet %1</translation>
+    </message>
+    <message>
+        <source>countershaft</source>
+        <translation>Vorgelegewelle</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Abtrieb</translation>
+    </message>
+    <message>
+        <source>small sun</source>
+        <translation>kleine Sonne</translation>
+    </message>
+    <message>
+        <source>large sun</source>
+        <translation>große Sonne</translation>
+    </message>
+    <message>
+        <source>short planet %1</source>
+        <translation>kurzer Planet %1</translation>
+    </message>
+    <message>
+        <source>long planet %1</source>
+        <translation>langer Planet %1</translation>
+    </message>
+    <message>
+        <source>suns</source>
+        <translation>Sonnen</translation>
+    </message>
+    <message>
+        <source>first ring</source>
+        <translation>erstes Hohlrad</translation>
+    </message>
+    <message>
+        <source>second carrier</source>
+        <translation>zweiter Steg</translation>
+    </message>
+    <message>
+        <source>first planet %1</source>
+        <translation>erster Planet %1</translation>
+    </message>
+    <message>
+        <source>second planet %1</source>
+        <translation>zweiter Planet %1</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht aus</translation>
+    </message>
+    <message>
+        <source>%1 mesh</source>
+        <translation>%1 Eingriff</translation>
+    </message>
+    <message>
+        <source>%1 meshes</source>
+        <translation>%1 Eingriffe</translation>
+    </message>
+    <message>
+        <source>%1 degree of freedom</source>
+        <translation>%1 Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom</source>
+        <translation>%1 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Drawings</source>
+        <translation>Zeichnungen</translation>
+    </message>
+    <message>
+        <source>Tells the learning platform which parts were seen, and points; loads nothing and sends nothing else.</source>
+        <translation>Meldet der Lernplattform, welche Teile angesehen wurden, und die Punkte; lädt nichts und sendet sonst nichts.</translation>
+    </message>
+    <message>
+        <source>Works offline: this file loads nothing and sends nothing.</source>
+        <translation>Funktioniert offline: Diese Datei lädt nichts und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Made by GearGraph.</source>
+        <translation>Erstellt mit GearGraph.</translation>
+    </message>
+    <message>
+        <source>To the drawings</source>
+        <translation>Zu den Zeichnungen</translation>
+    </message>
+    <message>
+        <source>The train and its solution</source>
+        <translation>Das Getriebe und seine Lösung</translation>
+    </message>
+    <message>
+        <source>The wheels are coarse: finer ones would make the file too large.</source>
+        <translation>Die Räder sind grob: Feinere würden die Datei zu groß machen.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>%1 → %2.</translation>
+    </message>
+    <message>
+        <source>Along joint %1, from %2 to %3: %4.</source>
+        <translation>Mit Gelenk %1 (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against joint %1, from %2 to %3: %4.</source>
+        <translation>Gegen Gelenk %1 (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Along mesh %1, from %2 to %3: %4.</source>
+        <translation>Mit Eingriff %1 (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against mesh %1, from %2 to %3: %4.</source>
+        <translation>Gegen Eingriff %1 (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Turning joints: %1.</source>
+        <translation>Drehgelenke: %1.</translation>
+    </message>
+    <message>
+        <source>Gear meshes: %1.</source>
+        <translation>Zahneingriffe: %1.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1 and against %2.</source>
+        <translation>Sein Zyklus läuft mit %1 und gegen %2.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1.</source>
+        <translation>Sein Zyklus läuft mit %1.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs against %1.</source>
+        <translation>Sein Zyklus läuft gegen %1.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4, %5 : %6 teeth.</source>
+        <translation>Räder: %1 und %2; Steg: %3; %4, %5 : %6 Zähne.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4 : %5 teeth.</source>
+        <translation>Räder: %1 und %2; Steg: %3; %4 : %5 Zähne.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3, %4 : %5 teeth.</source>
+        <translation>Räder: %1 und %2; %3, %4 : %5 Zähne.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3 : %4 teeth.</source>
+        <translation>Räder: %1 und %2; %3 : %4 Zähne.</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Answer to question %1</source>
+        <translation>Antwort auf Frage %1</translation>
+    </message>
+    <message>
+        <source>The answers are hidden in this file, not secret, and other parts of it help: try first.</source>
+        <translation>Die Antworten sind in dieser Datei versteckt, nicht geheim, und andere Teile davon helfen: Versuchen Sie es zuerst selbst.</translation>
+    </message>
+    <message>
+        <source>Rows of P times the rates (17)</source>
+        <translation>Zeilen von P mal Drehzahlen (17)</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix P (18), (19), in %1</source>
+        <translation>Koeffizientenmatrix P (18), (19), in %1</translation>
+    </message>
+    <message>
+        <source>Digraph. Solid arrows: turning joints; dashed: gear meshes.</source>
+        <translation>Digraph. Durchgezogene Pfeile: Drehgelenke; gestrichelte: Zahneingriffe.</translation>
+    </message>
+    <message>
+        <source>Schematic.</source>
+        <translation>Schema.</translation>
+    </message>
+    <message>
+        <source>T-T graph.</source>
+        <translation>T-T-Graph.</translation>
+    </message>
+    <message>
+        <source>The train</source>
+        <translation>Das Getriebe</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions</source>
+        <translation>Das Getriebe in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>The train turns where scripts may run: open the file in a browser.</source>
+        <translation>Das Getriebe dreht sich, wo Skripte laufen dürfen: Öffnen Sie die Datei in einem Browser.</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>The mechanism has no solution: its derivation says why.</source>
+        <translation>Der Mechanismus hat keine Lösung: Den Grund nennt die Herleitung.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 rad/s</source>
+        <translation>Gelenk %1 mit %2 rad/s</translation>
+    </message>
+    <message>
+        <source>Inputs: %1.</source>
+        <translation>Antriebe: %1.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>now, rad/s</source>
+        <translation>jetzt, rad/s</translation>
+    </message>
+    <message>
+        <source>Speeds of the joints</source>
+        <translation>Drehzahlen der Gelenke</translation>
+    </message>
+    <message>
+        <source>Arrow keys walk its elements.</source>
+        <translation>Pfeiltasten gehen durch ihre Elemente.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>Drehzahl von Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, exact, rad/s</source>
+        <translation>Drehzahl von Gelenk %1, exakt, rad/s</translation>
+    </message>
+    <message>
+        <source>A number such as 2, -3/4 or 0.75.</source>
+        <translation>Eine Zahl wie 2, -3/4 oder 0,75.</translation>
+    </message>
+    <message>
+        <source>Light or dark</source>
+        <translation>Hell oder dunkel</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Walk round the cycle: left and right arrow keys step, Escape ends</source>
+        <translation>Umlauf des Zyklus: Pfeiltasten links und rechts gehen Schritt für Schritt, Escape beendet</translation>
+    </message>
+    <message>
+        <source>%1 of %2. %3</source>
+        <translation>%1 von %2. %3</translation>
+    </message>
+    <message>
+        <source>The walk is closed: row C%1 has no other entries.</source>
+        <translation>Der Umlauf ist geschlossen: Zeile C%1 hat keine weiteren Einträge.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle</source>
+        <translation>Zyklus durchlaufen</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Now %1 rad/s.</source>
+        <translation>Jetzt %1 rad/s.</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions. Arrow keys turn it, plus and minus zoom, Space plays, comma and full stop step.</source>
+        <translation>Das Getriebe in drei Dimensionen. Pfeiltasten drehen es, Plus und Minus zoomen, die Leertaste spielt ab, Komma und Punkt gehen schrittweise.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s</source>
+        <translation>%1 s von %2 s</translation>
+    </message>
+    <message>
+        <source>To the reference pose</source>
+        <translation>Zur Bezugslage</translation>
+    </message>
+    <message>
+        <source>%1 is at its limit of %2°.</source>
+        <translation>%1 ist an der Grenze von %2°.</translation>
+    </message>
+    <message>
+        <source>Whole train, from the corner</source>
+        <translation>Ganzes Getriebe, schräg von oben</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Entlang %1</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>This browser cannot show the train in three dimensions (%1).</source>
+        <translation>Dieser Browser kann das Getriebe nicht in drei Dimensionen zeigen (%1).</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>Look at %1 in the drawing.</source>
+        <translation>Sehen Sie in der Zeichnung nach: %1.</translation>
+    </message>
+    <message>
+        <source>Fills the cell and goes on to the next</source>
+        <translation>Füllt die Zelle und geht zur nächsten</translation>
+    </message>
+    <message>
+        <source>Right, %1 of 1 point</source>
+        <translation>Richtig, %1 von 1 Punkt</translation>
+    </message>
+    <message>
+        <source>Right, %1 of %2 points</source>
+        <translation>Richtig, %1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Falsch</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <translation>Falsch: %1</translation>
+    </message>
+    <message>
+        <source>The other field is right.</source>
+        <translation>Das andere Feld ist richtig.</translation>
+    </message>
+    <message>
+        <source>The other %1 fields are right.</source>
+        <translation>Die anderen %1 Felder sind richtig.</translation>
+    </message>
+    <message>
+        <source>No known mistake explains it. Walk through it once more, or let it be shown.</source>
+        <translation>Kein bekannter Fehler erklärt es. Gehen Sie es noch einmal durch oder lassen Sie sich die Lösung zeigen.</translation>
+    </message>
+    <message>
+        <source>Shown, no points</source>
+        <translation>Gezeigt, keine Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of the mechanism</source>
+        <translation>%1 des Mechanismus</translation>
+    </message>
+    <message>
+        <source>%1 of 1 point; %2 of %3 checked</source>
+        <translation>%1 von 1 Punkt; %2 von %3 geprüft</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points; %3 of %4 checked</source>
+        <translation>%1 von %2 Punkten; %3 von %4 geprüft</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Frage %1 von %2</translation>
+    </message>
+    <message>
+        <source>Previous question</source>
+        <translation>Vorige Frage</translation>
+    </message>
+    <message>
+        <source>Next question</source>
+        <translation>Nächste Frage</translation>
+    </message>
+    <message>
+        <source>Save answers</source>
+        <translation>Antworten speichern</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
+        <translation>Was Sie schreiben, bleibt in diesem Browser. Gespeicherte Antworten sind eine kleine Datei zum Abgeben.</translation>
+    </message>
+    <message>
+        <source>This browser cannot grade the answers (%1): write them on paper.</source>
+        <translation>Dieser Browser kann die Antworten nicht bewerten (%1): Schreiben Sie sie auf Papier.</translation>
+    </message>
+    <message>
+        <source>The 3D file has %1 faces, more than the limit of %2.</source>
+        <translation>Die 3D-Datei hat %1 Flächen, mehr als die Grenze von %2.</translation>
+    </message>
+    <message>
+        <source>It is damaged: its header has no end.</source>
+        <translation>Sie ist beschädigt: Ihr Kopf hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>It is damaged: a face names a vertex that is not there.</source>
+        <translation>Sie ist beschädigt: Eine Fläche nennt einen Eckpunkt, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>It has no faces that could be shown.</source>
+        <translation>Sie hat keine Flächen, die sich zeigen ließen.</translation>
+    </message>
+    <message>
+        <source>The motion repeats only after %1 turns of what turns at 1 rad/s; that is too long for an animation.</source>
+        <translation>Die Bewegung wiederholt sich erst nach %1 Umdrehungen dessen, was mit 1 rad/s dreht; das ist zu lang für eine Animation.</translation>
+    </message>
+    <message>
+        <source>The motion is too fast for an animation that long.</source>
+        <translation>Die Bewegung ist für eine so lange Animation zu schnell.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Angehalten; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The scene has %1 triangles, more than the limit of %2; choose a coarser tolerance.</source>
+        <translation>Die Szene hat %1 Dreiecke, mehr als die Grenze von %2; wählen Sie eine gröbere Toleranz.</translation>
+    </message>
+    <message>
+        <source>The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the parts nearer to each other, or scale them down.</source>
+        <translation>Die Szene hat Koordinaten über 3,4e38, den größten, die 3D-Dateien fassen; rücken Sie die Teile näher zusammen oder verkleinern Sie sie.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; is written as &quot;%2&quot;.</source>
+        <translation>Das Glied „%1“ heißt in der Datei „%2“.</translation>
+    </message>
+    <message>
+        <source>Link %1 has too little mass or inertia for simulators, which take 1e-15 kg and kg m² and more. Is the unit of length right?</source>
+        <translation>Glied %1 hat zu wenig Masse oder Trägheit für Simulatoren, die 1e-15 kg und kg m² und mehr annehmen. Stimmt die Längeneinheit?</translation>
+    </message>
+    <message>
+        <source>Coupling %1 would close a linkage and is left out.</source>
+        <translation>Schaltelement %1 würde ein Gelenkgetriebe schließen und wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Joint %1 follows %2 (q%1 = %3)</source>
+        <translation>Gelenk %1 folgt %2 (q%1 = %3)</translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation>%1; und %2 weitere</translation>
+    </message>
+    <message>
+        <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
+        <translation>Ein Gelenk in URDF kann einem anderen Gelenk folgen. %1. Nehmen Sie --to mjcf oder --state mit einem Freiheitsgrad.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14066,6 +14066,530 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>Orientation:</source>
         <translation>Orientación:</translation>
     </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>No se pudo leer.</translation>
+    </message>
+    <message>
+        <source>It has more than %1 bytes.</source>
+        <translation>Tiene más de %1 bytes.</translation>
+    </message>
+    <message>
+        <source>This system cannot confine the program that reads 3D files (%1).</source>
+        <translation>Este sistema no puede confinar el programa que lee archivos 3D (%1).</translation>
+    </message>
+    <message>
+        <source>Reading it takes more than %1 MiB of memory.</source>
+        <translation>Leerlo requiere más de %1 MiB de memoria.</translation>
+    </message>
+    <message>
+        <source>It is damaged: %1</source>
+        <translation>Está dañado: %1</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>caja</translation>
+    </message>
+    <message>
+        <source>left wheel</source>
+        <translation>planetario izquierdo</translation>
+    </message>
+    <message>
+        <source>right wheel</source>
+        <translation>planetario derecho</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>satélite</translation>
+    </message>
+    <message>
+        <source>pinion %1</source>
+        <translation>satélite %1</translation>
+    </message>
+    <message>
+        <source>housing</source>
+        <translation>carcasa</translation>
+    </message>
+    <message>
+        <source>bend shaft</source>
+        <translation>eje de flexión</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>flexión</translation>
+    </message>
+    <message>
+        <source>roll shaft</source>
+        <translation>eje de giro</translation>
+    </message>
+    <message>
+        <source>idler</source>
+        <translation>intermedia</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>herramienta</translation>
+    </message>
+    <message>
+        <source>planet %1</source>
+        <translation>satélite %1</translation>
+    </message>
+    <message>
+        <source>countershaft</source>
+        <translation>contraeje</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>small sun</source>
+        <translation>solar pequeño</translation>
+    </message>
+    <message>
+        <source>large sun</source>
+        <translation>solar grande</translation>
+    </message>
+    <message>
+        <source>short planet %1</source>
+        <translation>satélite corto %1</translation>
+    </message>
+    <message>
+        <source>long planet %1</source>
+        <translation>satélite largo %1</translation>
+    </message>
+    <message>
+        <source>suns</source>
+        <translation>solares</translation>
+    </message>
+    <message>
+        <source>first ring</source>
+        <translation>primera corona</translation>
+    </message>
+    <message>
+        <source>second carrier</source>
+        <translation>segundo portasatélites</translation>
+    </message>
+    <message>
+        <source>first planet %1</source>
+        <translation>primer satélite %1</translation>
+    </message>
+    <message>
+        <source>second planet %1</source>
+        <translation>segundo satélite %1</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>no hay memoria suficiente</translation>
+    </message>
+    <message>
+        <source>%1 mesh</source>
+        <translation>%1 engrane</translation>
+    </message>
+    <message>
+        <source>%1 meshes</source>
+        <translation>%1 engranes</translation>
+    </message>
+    <message>
+        <source>%1 degree of freedom</source>
+        <translation>%1 grado de libertad</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom</source>
+        <translation>%1 grados de libertad</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Drawings</source>
+        <translation>Dibujos</translation>
+    </message>
+    <message>
+        <source>Tells the learning platform which parts were seen, and points; loads nothing and sends nothing else.</source>
+        <translation>Informa a la plataforma de aprendizaje de las partes vistas y de los puntos; no carga nada ni envía nada más.</translation>
+    </message>
+    <message>
+        <source>Works offline: this file loads nothing and sends nothing.</source>
+        <translation>Funciona sin conexión: este archivo no carga ni envía nada.</translation>
+    </message>
+    <message>
+        <source>Made by GearGraph.</source>
+        <translation>Hecho con GearGraph.</translation>
+    </message>
+    <message>
+        <source>To the drawings</source>
+        <translation>Ir a los dibujos</translation>
+    </message>
+    <message>
+        <source>The train and its solution</source>
+        <translation>El tren y su solución</translation>
+    </message>
+    <message>
+        <source>The wheels are coarse: finer ones would make the file too large.</source>
+        <translation>Las ruedas son toscas: unas más finas harían el archivo demasiado grande.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>%1 → %2.</translation>
+    </message>
+    <message>
+        <source>Along joint %1, from %2 to %3: %4.</source>
+        <translation>Por el par %1, en su sentido (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against joint %1, from %2 to %3: %4.</source>
+        <translation>Por el par %1, en sentido contrario (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Along mesh %1, from %2 to %3: %4.</source>
+        <translation>Por el engrane %1, en su sentido (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against mesh %1, from %2 to %3: %4.</source>
+        <translation>Por el engrane %1, en sentido contrario (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Turning joints: %1.</source>
+        <translation>Pares de revolución: %1.</translation>
+    </message>
+    <message>
+        <source>Gear meshes: %1.</source>
+        <translation>Engranes: %1.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1 and against %2.</source>
+        <translation>Su ciclo recorre %1 en su sentido y %2 en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1.</source>
+        <translation>Su ciclo recorre %1 en su sentido.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs against %1.</source>
+        <translation>Su ciclo recorre %1 en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4, %5 : %6 teeth.</source>
+        <translation>Ruedas: %1 y %2; portasatélites: %3; %4, %5 : %6 dientes.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4 : %5 teeth.</source>
+        <translation>Ruedas: %1 y %2; portasatélites: %3; %4 : %5 dientes.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3, %4 : %5 teeth.</source>
+        <translation>Ruedas: %1 y %2; %3, %4 : %5 dientes.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3 : %4 teeth.</source>
+        <translation>Ruedas: %1 y %2; %3 : %4 dientes.</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Pista</translation>
+    </message>
+    <message>
+        <source>Answer to question %1</source>
+        <translation>Respuesta a la pregunta %1</translation>
+    </message>
+    <message>
+        <source>The answers are hidden in this file, not secret, and other parts of it help: try first.</source>
+        <translation>Las respuestas están ocultas en este archivo, no son secretas, y otras partes de él ayudan: inténtelo primero.</translation>
+    </message>
+    <message>
+        <source>Rows of P times the rates (17)</source>
+        <translation>Filas de P por las velocidades (17)</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix P (18), (19), in %1</source>
+        <translation>Matriz de coeficientes P (18), (19), en %1</translation>
+    </message>
+    <message>
+        <source>Digraph. Solid arrows: turning joints; dashed: gear meshes.</source>
+        <translation>Dígrafo. Flechas continuas: pares de revolución; discontinuas: engranes.</translation>
+    </message>
+    <message>
+        <source>Schematic.</source>
+        <translation>Esquema.</translation>
+    </message>
+    <message>
+        <source>T-T graph.</source>
+        <translation>Grafo T-T.</translation>
+    </message>
+    <message>
+        <source>The train</source>
+        <translation>El tren</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions</source>
+        <translation>El tren en tres dimensiones</translation>
+    </message>
+    <message>
+        <source>The train turns where scripts may run: open the file in a browser.</source>
+        <translation>El tren gira donde se permiten scripts: abra el archivo en un navegador.</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Estados</translation>
+    </message>
+    <message>
+        <source>The mechanism has no solution: its derivation says why.</source>
+        <translation>El mecanismo no tiene solución: la deducción dice por qué.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 rad/s</source>
+        <translation>par %1 a %2 rad/s</translation>
+    </message>
+    <message>
+        <source>Inputs: %1.</source>
+        <translation>Entradas: %1.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>now, rad/s</source>
+        <translation>ahora, rad/s</translation>
+    </message>
+    <message>
+        <source>Speeds of the joints</source>
+        <translation>Velocidades de los pares</translation>
+    </message>
+    <message>
+        <source>Arrow keys walk its elements.</source>
+        <translation>Las teclas de flecha recorren sus elementos.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>Velocidad del par %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, exact, rad/s</source>
+        <translation>Velocidad del par %1, exacta, rad/s</translation>
+    </message>
+    <message>
+        <source>A number such as 2, -3/4 or 0.75.</source>
+        <translation>Un número como 2, -3/4 o 0,75.</translation>
+    </message>
+    <message>
+        <source>Light or dark</source>
+        <translation>Claro u oscuro</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dibujo</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Walk round the cycle: left and right arrow keys step, Escape ends</source>
+        <translation>Recorrido del ciclo: las flechas izquierda y derecha avanzan paso a paso, Escape termina</translation>
+    </message>
+    <message>
+        <source>%1 of %2. %3</source>
+        <translation>%1 de %2. %3</translation>
+    </message>
+    <message>
+        <source>The walk is closed: row C%1 has no other entries.</source>
+        <translation>El recorrido está cerrado: la fila C%1 no tiene otras entradas.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle</source>
+        <translation>Recorrer el ciclo</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Quitar la selección</translation>
+    </message>
+    <message>
+        <source>Now %1 rad/s.</source>
+        <translation>Ahora %1 rad/s.</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions. Arrow keys turn it, plus and minus zoom, Space plays, comma and full stop step.</source>
+        <translation>El tren en tres dimensiones. Las flechas lo giran, más y menos amplían y reducen, Espacio reproduce, coma y punto avanzan paso a paso.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s</source>
+        <translation>%1 s de %2 s</translation>
+    </message>
+    <message>
+        <source>To the reference pose</source>
+        <translation>A la posición de referencia</translation>
+    </message>
+    <message>
+        <source>%1 is at its limit of %2°.</source>
+        <translation>%1 está en su límite de %2°.</translation>
+    </message>
+    <message>
+        <source>Whole train, from the corner</source>
+        <translation>Todo el tren, desde la esquina</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>A lo largo de %1</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>This browser cannot show the train in three dimensions (%1).</source>
+        <translation>Este navegador no puede mostrar el tren en tres dimensiones (%1).</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Fila %1, columna %2</translation>
+    </message>
+    <message>
+        <source>Look at %1 in the drawing.</source>
+        <translation>Mire en el dibujo: %1.</translation>
+    </message>
+    <message>
+        <source>Fills the cell and goes on to the next</source>
+        <translation>Rellena la celda y pasa a la siguiente</translation>
+    </message>
+    <message>
+        <source>Right, %1 of 1 point</source>
+        <translation>Correcto, %1 de 1 punto</translation>
+    </message>
+    <message>
+        <source>Right, %1 of %2 points</source>
+        <translation>Correcto, %1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Incorrecto</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <translation>Incorrecto: %1</translation>
+    </message>
+    <message>
+        <source>The other field is right.</source>
+        <translation>El otro campo es correcto.</translation>
+    </message>
+    <message>
+        <source>The other %1 fields are right.</source>
+        <translation>Los otros %1 campos son correctos.</translation>
+    </message>
+    <message>
+        <source>No known mistake explains it. Walk through it once more, or let it be shown.</source>
+        <translation>Ningún error conocido lo explica. Repáselo una vez más o haga que se muestre la solución.</translation>
+    </message>
+    <message>
+        <source>Shown, no points</source>
+        <translation>Mostrado, sin puntos</translation>
+    </message>
+    <message>
+        <source>%1 of the mechanism</source>
+        <translation>%1 del mecanismo</translation>
+    </message>
+    <message>
+        <source>%1 of 1 point; %2 of %3 checked</source>
+        <translation>%1 de 1 punto; %2 de %3 comprobadas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points; %3 of %4 checked</source>
+        <translation>%1 de %2 puntos; %3 de %4 comprobadas</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Pregunta %1 de %2</translation>
+    </message>
+    <message>
+        <source>Previous question</source>
+        <translation>Pregunta anterior</translation>
+    </message>
+    <message>
+        <source>Next question</source>
+        <translation>Pregunta siguiente</translation>
+    </message>
+    <message>
+        <source>Save answers</source>
+        <translation>Guardar respuestas</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
+        <translation>Lo que escribe queda en este navegador. Las respuestas guardadas son un archivo pequeño para entregar.</translation>
+    </message>
+    <message>
+        <source>This browser cannot grade the answers (%1): write them on paper.</source>
+        <translation>Este navegador no puede calificar las respuestas (%1): escríbalas en papel.</translation>
+    </message>
+    <message>
+        <source>The 3D file has %1 faces, more than the limit of %2.</source>
+        <translation>El archivo 3D tiene %1 caras, más que el límite de %2.</translation>
+    </message>
+    <message>
+        <source>It is damaged: its header has no end.</source>
+        <translation>Está dañado: su cabecera no tiene fin.</translation>
+    </message>
+    <message>
+        <source>It is damaged: a face names a vertex that is not there.</source>
+        <translation>Está dañado: una cara nombra un vértice que no existe.</translation>
+    </message>
+    <message>
+        <source>It has no faces that could be shown.</source>
+        <translation>No tiene caras que puedan mostrarse.</translation>
+    </message>
+    <message>
+        <source>The motion repeats only after %1 turns of what turns at 1 rad/s; that is too long for an animation.</source>
+        <translation>El movimiento solo se repite tras %1 vueltas de lo que gira a 1 rad/s; es demasiado largo para una animación.</translation>
+    </message>
+    <message>
+        <source>The motion is too fast for an animation that long.</source>
+        <translation>El movimiento es demasiado rápido para una animación tan larga.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Detenido; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>The scene has %1 triangles, more than the limit of %2; choose a coarser tolerance.</source>
+        <translation>La escena tiene %1 triángulos, más que el límite de %2; elija una tolerancia más gruesa.</translation>
+    </message>
+    <message>
+        <source>The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the parts nearer to each other, or scale them down.</source>
+        <translation>La escena tiene coordenadas mayores que 3,4e38, las mayores que admiten los archivos 3D; acerque las piezas o redúzcalas.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; is written as &quot;%2&quot;.</source>
+        <translation>El eslabón «%1» se escribe como «%2».</translation>
+    </message>
+    <message>
+        <source>Link %1 has too little mass or inertia for simulators, which take 1e-15 kg and kg m² and more. Is the unit of length right?</source>
+        <translation>El eslabón %1 tiene muy poca masa o inercia para los simuladores, que admiten desde 1e-15 kg y kg m². ¿Es correcta la unidad de longitud?</translation>
+    </message>
+    <message>
+        <source>Coupling %1 would close a linkage and is left out.</source>
+        <translation>El acoplamiento %1 cerraría un mecanismo articulado y se omite.</translation>
+    </message>
+    <message>
+        <source>Joint %1 follows %2 (q%1 = %3)</source>
+        <translation>El par %1 sigue a %2 (q%1 = %3)</translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation>%1; y %2 más</translation>
+    </message>
+    <message>
+        <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
+        <translation>Un par de URDF puede seguir a un solo par. %1. Use --to mjcf, o --state con un grado de libertad.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

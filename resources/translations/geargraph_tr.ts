@@ -14065,6 +14065,530 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>Orientation:</source>
         <translation>Yönlendirme:</translation>
     </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Okunamadı.</translation>
+    </message>
+    <message>
+        <source>It has more than %1 bytes.</source>
+        <translation>%1 bayttan fazla.</translation>
+    </message>
+    <message>
+        <source>This system cannot confine the program that reads 3D files (%1).</source>
+        <translation>Bu sistem 3B dosyaları okuyan programı yalıtamıyor (%1).</translation>
+    </message>
+    <message>
+        <source>Reading it takes more than %1 MiB of memory.</source>
+        <translation>Okumak %1 MiB&apos;den fazla bellek gerektiriyor.</translation>
+    </message>
+    <message>
+        <source>It is damaged: %1</source>
+        <translation>Bozuk: %1</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>kafes</translation>
+    </message>
+    <message>
+        <source>left wheel</source>
+        <translation>sol dişli</translation>
+    </message>
+    <message>
+        <source>right wheel</source>
+        <translation>sağ dişli</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>pinyon</translation>
+    </message>
+    <message>
+        <source>pinion %1</source>
+        <translation>pinyon %1</translation>
+    </message>
+    <message>
+        <source>housing</source>
+        <translation>gövde</translation>
+    </message>
+    <message>
+        <source>bend shaft</source>
+        <translation>bükme mili</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>bükme uzvu</translation>
+    </message>
+    <message>
+        <source>roll shaft</source>
+        <translation>yuvarlanma mili</translation>
+    </message>
+    <message>
+        <source>idler</source>
+        <translation>ara dişli</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>takım</translation>
+    </message>
+    <message>
+        <source>planet %1</source>
+        <translation>gezegen %1</translation>
+    </message>
+    <message>
+        <source>countershaft</source>
+        <translation>ara mil</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>çıkış</translation>
+    </message>
+    <message>
+        <source>small sun</source>
+        <translation>küçük güneş</translation>
+    </message>
+    <message>
+        <source>large sun</source>
+        <translation>büyük güneş</translation>
+    </message>
+    <message>
+        <source>short planet %1</source>
+        <translation>kısa gezegen %1</translation>
+    </message>
+    <message>
+        <source>long planet %1</source>
+        <translation>uzun gezegen %1</translation>
+    </message>
+    <message>
+        <source>suns</source>
+        <translation>güneşler</translation>
+    </message>
+    <message>
+        <source>first ring</source>
+        <translation>birinci çember</translation>
+    </message>
+    <message>
+        <source>second carrier</source>
+        <translation>ikinci taşıyıcı</translation>
+    </message>
+    <message>
+        <source>first planet %1</source>
+        <translation>birinci gezegen %1</translation>
+    </message>
+    <message>
+        <source>second planet %1</source>
+        <translation>ikinci gezegen %1</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>yeterli bellek yok</translation>
+    </message>
+    <message>
+        <source>%1 mesh</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 meshes</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 degree of freedom</source>
+        <translation>%1 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom</source>
+        <translation>%1 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Bölümler</translation>
+    </message>
+    <message>
+        <source>Drawings</source>
+        <translation>Çizimler</translation>
+    </message>
+    <message>
+        <source>Tells the learning platform which parts were seen, and points; loads nothing and sends nothing else.</source>
+        <translation>Öğrenme platformuna hangi bölümlerin görüldüğünü ve puanları bildirir; hiçbir şey yüklemez ve başka hiçbir şey göndermez.</translation>
+    </message>
+    <message>
+        <source>Works offline: this file loads nothing and sends nothing.</source>
+        <translation>Çevrimdışı çalışır: bu dosya hiçbir şey yüklemez ve göndermez.</translation>
+    </message>
+    <message>
+        <source>Made by GearGraph.</source>
+        <translation>GearGraph ile yapıldı.</translation>
+    </message>
+    <message>
+        <source>To the drawings</source>
+        <translation>Çizimlere git</translation>
+    </message>
+    <message>
+        <source>The train and its solution</source>
+        <translation>Dişli takımı ve çözümü</translation>
+    </message>
+    <message>
+        <source>The wheels are coarse: finer ones would make the file too large.</source>
+        <translation>Dişliler kaba: daha incesi dosyayı çok büyütürdü.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>%1 → %2.</translation>
+    </message>
+    <message>
+        <source>Along joint %1, from %2 to %3: %4.</source>
+        <translation>%1 mafsalı boyunca (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against joint %1, from %2 to %3: %4.</source>
+        <translation>%1 mafsalına ters (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Along mesh %1, from %2 to %3: %4.</source>
+        <translation>%1 dişli çifti boyunca (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Against mesh %1, from %2 to %3: %4.</source>
+        <translation>%1 dişli çiftine ters (%2 → %3): %4.</translation>
+    </message>
+    <message>
+        <source>Turning joints: %1.</source>
+        <translation>Döner mafsallar: %1.</translation>
+    </message>
+    <message>
+        <source>Gear meshes: %1.</source>
+        <translation>Dişli çiftleri: %1.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1 and against %2.</source>
+        <translation>Çevrimi %1 boyunca, şunlara ters gider: %2.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs along %1.</source>
+        <translation>Çevrimi %1 boyunca gider.</translation>
+    </message>
+    <message>
+        <source>Its cycle runs against %1.</source>
+        <translation>Çevrimi şunlara ters gider: %1.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4, %5 : %6 teeth.</source>
+        <translation>Dişliler: %1 ve %2; taşıyıcı: %3; %4, %5 : %6 diş.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2 on %3, %4 : %5 teeth.</source>
+        <translation>Dişliler: %1 ve %2; taşıyıcı: %3; %4 : %5 diş.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3, %4 : %5 teeth.</source>
+        <translation>Dişliler: %1 ve %2; %3, %4 : %5 diş.</translation>
+    </message>
+    <message>
+        <source>Gears of %1 and %2, %3 : %4 teeth.</source>
+        <translation>Dişliler: %1 ve %2; %3 : %4 diş.</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>İpucu</translation>
+    </message>
+    <message>
+        <source>Answer to question %1</source>
+        <translation>%1. sorunun yanıtı</translation>
+    </message>
+    <message>
+        <source>The answers are hidden in this file, not secret, and other parts of it help: try first.</source>
+        <translation>Yanıtlar bu dosyada gizlidir ama sır değildir, dosyanın öteki bölümleri de yardım eder: önce kendiniz deneyin.</translation>
+    </message>
+    <message>
+        <source>Rows of P times the rates (17)</source>
+        <translation>P satırları çarpı hızlar (17)</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix P (18), (19), in %1</source>
+        <translation>Katsayı matrisi P (18), (19), %1 cinsinden</translation>
+    </message>
+    <message>
+        <source>Digraph. Solid arrows: turning joints; dashed: gear meshes.</source>
+        <translation>Yönlü graf. Düz oklar: döner mafsallar; kesikli oklar: dişli çiftleri.</translation>
+    </message>
+    <message>
+        <source>Schematic.</source>
+        <translation>Şema.</translation>
+    </message>
+    <message>
+        <source>T-T graph.</source>
+        <translation>T-T grafı.</translation>
+    </message>
+    <message>
+        <source>The train</source>
+        <translation>Dişli takımı</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions</source>
+        <translation>Dişli takımı üç boyutta</translation>
+    </message>
+    <message>
+        <source>The train turns where scripts may run: open the file in a browser.</source>
+        <translation>Dişli takımı betiklerin çalışabildiği yerde döner: dosyayı bir tarayıcıda açın.</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Durumlar</translation>
+    </message>
+    <message>
+        <source>The mechanism has no solution: its derivation says why.</source>
+        <translation>Mekanizmanın çözümü yok: nedeni türetimde.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 rad/s</source>
+        <translation>%1 mafsalı: %2 rad/s</translation>
+    </message>
+    <message>
+        <source>Inputs: %1.</source>
+        <translation>Girişler: %1.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>%1 katı</translation>
+    </message>
+    <message>
+        <source>now, rad/s</source>
+        <translation>şimdi, rad/s</translation>
+    </message>
+    <message>
+        <source>Speeds of the joints</source>
+        <translation>Mafsalların hızları</translation>
+    </message>
+    <message>
+        <source>Arrow keys walk its elements.</source>
+        <translation>Ok tuşları öğelerini gezer.</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>%1 mafsalının hızı</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1, exact, rad/s</source>
+        <translation>%1 mafsalının hızı, tam, rad/s</translation>
+    </message>
+    <message>
+        <source>A number such as 2, -3/4 or 0.75.</source>
+        <translation>2, -3/4 ya da 0,75 gibi bir sayı.</translation>
+    </message>
+    <message>
+        <source>Light or dark</source>
+        <translation>Açık ya da koyu</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Çizim</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Bitir</translation>
+    </message>
+    <message>
+        <source>Walk round the cycle: left and right arrow keys step, Escape ends</source>
+        <translation>Çevrimde tur: sol ve sağ ok tuşları adım atar, Escape bitirir</translation>
+    </message>
+    <message>
+        <source>%1 of %2. %3</source>
+        <translation>%1 / %2. %3</translation>
+    </message>
+    <message>
+        <source>The walk is closed: row C%1 has no other entries.</source>
+        <translation>Tur kapandı: C%1 satırının başka öğesi yok.</translation>
+    </message>
+    <message>
+        <source>Walk the cycle</source>
+        <translation>Çevrimi dolaş</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Seçim</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Seçimi kaldır</translation>
+    </message>
+    <message>
+        <source>Now %1 rad/s.</source>
+        <translation>Şimdi %1 rad/s.</translation>
+    </message>
+    <message>
+        <source>The train in three dimensions. Arrow keys turn it, plus and minus zoom, Space plays, comma and full stop step.</source>
+        <translation>Dişli takımı üç boyutta. Ok tuşları döndürür, artı ve eksi yakınlaştırıp uzaklaştırır, Boşluk oynatır, virgül ve nokta adım atar.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zaman</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>To the reference pose</source>
+        <translation>Referans konuma</translation>
+    </message>
+    <message>
+        <source>%1 is at its limit of %2°.</source>
+        <translation>%1 sınırında: %2°.</translation>
+    </message>
+    <message>
+        <source>Whole train, from the corner</source>
+        <translation>Bütün takım, köşeden</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>%1 boyunca</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>%1 cinsinden</translation>
+    </message>
+    <message>
+        <source>This browser cannot show the train in three dimensions (%1).</source>
+        <translation>Bu tarayıcı dişli takımını üç boyutta gösteremiyor (%1).</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>Satır %1, sütun %2</translation>
+    </message>
+    <message>
+        <source>Look at %1 in the drawing.</source>
+        <translation>Çizimde şuraya bakın: %1.</translation>
+    </message>
+    <message>
+        <source>Fills the cell and goes on to the next</source>
+        <translation>Hücreyi doldurur ve sonrakine geçer</translation>
+    </message>
+    <message>
+        <source>Right, %1 of 1 point</source>
+        <translation>Doğru, %1 / 1 puan</translation>
+    </message>
+    <message>
+        <source>Right, %1 of %2 points</source>
+        <translation>Doğru, %1 / %2 puan</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Yanlış</translation>
+    </message>
+    <message>
+        <source>Wrong: %1</source>
+        <translation>Yanlış: %1</translation>
+    </message>
+    <message>
+        <source>The other field is right.</source>
+        <translation>Öteki alan doğru.</translation>
+    </message>
+    <message>
+        <source>The other %1 fields are right.</source>
+        <translation>Öteki %1 alan doğru.</translation>
+    </message>
+    <message>
+        <source>No known mistake explains it. Walk through it once more, or let it be shown.</source>
+        <translation>Bilinen bir hata bunu açıklamıyor. Bir kez daha üzerinden geçin ya da çözümü gösterin.</translation>
+    </message>
+    <message>
+        <source>Shown, no points</source>
+        <translation>Gösterildi, puan yok</translation>
+    </message>
+    <message>
+        <source>%1 of the mechanism</source>
+        <translation>Mekanizma: %1</translation>
+    </message>
+    <message>
+        <source>%1 of 1 point; %2 of %3 checked</source>
+        <translation>%1 / 1 puan; %2 / %3 denetlendi</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points; %3 of %4 checked</source>
+        <translation>%1 / %2 puan; %3 / %4 denetlendi</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Soru %1 / %2</translation>
+    </message>
+    <message>
+        <source>Previous question</source>
+        <translation>Önceki soru</translation>
+    </message>
+    <message>
+        <source>Next question</source>
+        <translation>Sonraki soru</translation>
+    </message>
+    <message>
+        <source>Save answers</source>
+        <translation>Yanıtları kaydet</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
+        <translation>Yazdıklarınız bu tarayıcıda kalır. Kaydedilen yanıtlar, teslim edilecek küçük bir dosyadır.</translation>
+    </message>
+    <message>
+        <source>This browser cannot grade the answers (%1): write them on paper.</source>
+        <translation>Bu tarayıcı yanıtları değerlendiremiyor (%1): kâğıda yazın.</translation>
+    </message>
+    <message>
+        <source>The 3D file has %1 faces, more than the limit of %2.</source>
+        <translation>3B dosyada %1 yüz var; sınır olan %2 aşılıyor.</translation>
+    </message>
+    <message>
+        <source>It is damaged: its header has no end.</source>
+        <translation>Bozuk: başlığının sonu yok.</translation>
+    </message>
+    <message>
+        <source>It is damaged: a face names a vertex that is not there.</source>
+        <translation>Bozuk: bir yüz, var olmayan bir köşeyi adlandırıyor.</translation>
+    </message>
+    <message>
+        <source>It has no faces that could be shown.</source>
+        <translation>Gösterilebilecek yüzü yok.</translation>
+    </message>
+    <message>
+        <source>The motion repeats only after %1 turns of what turns at 1 rad/s; that is too long for an animation.</source>
+        <translation>Hareket, 1 rad/s ile dönenin ancak %1 turundan sonra yineleniyor; bu bir animasyon için çok uzun.</translation>
+    </message>
+    <message>
+        <source>The motion is too fast for an animation that long.</source>
+        <translation>Hareket bu kadar uzun bir animasyon için çok hızlı.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Durduruldu; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>The scene has %1 triangles, more than the limit of %2; choose a coarser tolerance.</source>
+        <translation>Sahnede %1 üçgen var; sınır olan %2 aşılıyor; daha kaba bir tolerans seçin.</translation>
+    </message>
+    <message>
+        <source>The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the parts nearer to each other, or scale them down.</source>
+        <translation>Sahnede 3B dosyaların alabildiği en büyük değer olan 3,4e38&apos;i aşan koordinatlar var; parçaları birbirine yaklaştırın ya da küçültün.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; is written as &quot;%2&quot;.</source>
+        <translation>&quot;%1&quot; uzvu dosyaya &quot;%2&quot; olarak yazıldı.</translation>
+    </message>
+    <message>
+        <source>Link %1 has too little mass or inertia for simulators, which take 1e-15 kg and kg m² and more. Is the unit of length right?</source>
+        <translation>%1 uzvunun kütlesi ya da ataleti simülatörler için çok küçük; en az 1e-15 kg ve kg m² gerekir. Uzunluk birimi doğru mu?</translation>
+    </message>
+    <message>
+        <source>Coupling %1 would close a linkage and is left out.</source>
+        <translation>%1 elemanı bir çubuk mekanizmasını kapatırdı, bu yüzden yazılmadı.</translation>
+    </message>
+    <message>
+        <source>Joint %1 follows %2 (q%1 = %3)</source>
+        <translation>%1 mafsalı şunları izler: %2 (q%1 = %3)</translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation>%1; ve %2 tane daha</translation>
+    </message>
+    <message>
+        <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
+        <translation>URDF&apos;de bir mafsal yalnız bir mafsalı izleyebilir. %1. --to mjcf ya da bir serbestlik dereceli --state kullanın.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
