@@ -14590,6 +14590,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
         <translation>Ein Gelenk in URDF kann einem anderen Gelenk folgen. %1. Nehmen Sie --to mjcf oder --state mit einem Freiheitsgrad.</translation>
     </message>
+    <message>
+        <source>2→3: from link 2 to link 3</source>
+        <translation>2→3: von Glied 2 zu Glied 3</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

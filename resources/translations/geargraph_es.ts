@@ -14590,6 +14590,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
         <translation>Un par de URDF puede seguir a un solo par. %1. Use --to mjcf, o --state con un grado de libertad.</translation>
     </message>
+    <message>
+        <source>2→3: from link 2 to link 3</source>
+        <translation>2→3: del eslabón 2 al eslabón 3</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14589,6 +14589,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>A joint of URDF can follow one other joint. %1. Use --to mjcf, or --state with one freedom.</source>
         <translation>URDF&apos;de bir mafsal yalnız bir mafsalı izleyebilir. %1. --to mjcf ya da bir serbestlik dereceli --state kullanın.</translation>
     </message>
+    <message>
+        <source>2→3: from link 2 to link 3</source>
+        <translation>2→3: 2 numaralı uzuvdan 3 numaralı uzva</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -87,8 +87,9 @@ void GlCanvas::paintGL() {
   device.setDevicePixelRatio(ratio);
   QPainter painter(&device);
   painter.setFont(font());
-  const LabelGround ground{*m_viewer->stage(), frame.poses, frame.visibility,       frame.camera,
-                           viewport,           ratio,       seen ? &*seen : nullptr};
+  const LabelGround ground{*m_viewer->stage(), frame.poses, frame.visibility,        frame.camera,
+                           viewport,           ratio,       seen ? &*seen : nullptr, m_labels->above(),
+                           m_labels->below()};
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
   paintLayer(painter, ground, *m_viewer, m_dark);
 }

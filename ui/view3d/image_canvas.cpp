@@ -244,8 +244,15 @@ void ImageCanvas::addOverlay() {
   const std::optional<Map> map = std::exchange(m_map, std::nullopt);
   const bool fits = map && map->parts == kept.stage()->scene.instances.size();
   if (map && !fits) m_owesMap = true;
-  const LabelGround ground{*kept.stage(),  frame.poses,      frame.visibility,           frame.camera,
-                           frame.viewport, frame.pixelRatio, fits ? &map->seen : nullptr};
+  const LabelGround ground{*kept.stage(),
+                           frame.poses,
+                           frame.visibility,
+                           frame.camera,
+                           frame.viewport,
+                           frame.pixelRatio,
+                           fits ? &map->seen : nullptr,
+                           m_labels->above(),
+                           m_labels->below()};
   QPainter painter(&m_shown.image);
   painter.setFont(font());
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());

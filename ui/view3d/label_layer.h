@@ -26,8 +26,12 @@ class LabelLayer {
   [[nodiscard]] bool areNew() const { return m_places.areNew(); }
   /// Sets the heights at the top and bottom to keep free of labels, in logical pixels of the window.
   void setBorders(double above, double below) {
+    m_above = above;
+    m_below = below;
     m_places.setBorders(above / overlayScale(), below / overlayScale());
   }
+  [[nodiscard]] double above() const { return m_above; }
+  [[nodiscard]] double below() const { return m_below; }
 
   /// Places the labels, without those of hidden instances. Cost: O(labels²), for the separation of
   /// overlapping plates.
@@ -41,6 +45,7 @@ class LabelLayer {
 
  private:
   LabelPlaces m_places;
+  double m_above = 0, m_below = 0;
   std::vector<LabelPlate> m_plates;  ///< as last placed
   QHash<QString, QImage> m_images;   ///< by text, colours, font and pixel ratio
 };

@@ -159,9 +159,7 @@ void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labe
   if (ground.stage.scene.instances.empty()) return;
   // In larger pixels, so that plates, gaps and type keep their proportions.
   const double scale = overlayScale();
-  const LabelGround enlarged{ground.stage,  ground.poses,    ground.visibility,
-                             ground.camera, ground.viewport, ground.pixelRatio * scale,
-                             ground.seen};
+  const LabelGround enlarged = ground.enlarged(scale);
   painter.save();
   painter.scale(scale, scale);
   QFont font = painter.font();

@@ -21,9 +21,7 @@ void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& view
   const auto* layer = viewer.findChild<const OverlayLayer*>();
   if (layer == nullptr || !layer->painting() || ground.stage.scene.instances.empty()) return;
   const double scale = overlayScale();
-  const LabelGround enlarged{ground.stage,  ground.poses,    ground.visibility,
-                             ground.camera, ground.viewport, ground.pixelRatio * scale,
-                             ground.seen};
+  const LabelGround enlarged = ground.enlarged(scale);
   const ShownForces forces = viewer.shownForces();
   painter.save();
   painter.scale(scale, scale);

@@ -23,7 +23,13 @@ struct LabelGround {
   const Viewport& viewport;
   double pixelRatio = 1;
   const SeenMap* seen = nullptr;  ///< what is visible in the picture; null: no new map
+  double above = 0, below = 0;    ///< logical pixels at the top and bottom that labels of forces keep free
 
+  /// The same with logical pixels that are `scale` times as large.
+  [[nodiscard]] LabelGround enlarged(double scale) const {
+    return {stage, poses,         visibility,   camera, viewport, pixelRatio * scale,
+            seen,  above / scale, below / scale};
+  }
   [[nodiscard]] bool isShown(const StageLabel& label) const {
     return visibility.empty() || visibility[label.instance] == Visibility::solid;
   }

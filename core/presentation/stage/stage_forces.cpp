@@ -123,7 +123,8 @@ std::vector<ForceLabel> placeForceLabels(std::span<const StageForce> forces,
       const Box box{tip + reach * out, half};
       const Eigen::Vector2d low = box.middle - half;
       const Eigen::Vector2d high = box.middle + half;
-      if (low.minCoeff() < 2 || (corner - high).minCoeff() < 2) continue;
+      if (low.x() < 2 || low.y() < 2 + ground.above) continue;
+      if (high.x() > corner.x() - 2 || high.y() > corner.y() - 2 - ground.below) continue;
       const bool isFree =
           std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) &&
           std::none_of(seen.begin(), seen.end(),

@@ -134,11 +134,14 @@ class Painter {
     std::vector<LegendLine> lines =
         powerLegend(m_power.picture, m_largest, any([](const PowerArrow& each) { return !each.isKnown; }),
                     any([](const PowerArrow& each) { return each.isAssumed; }));
-    lines.push_back(
-        {LegendLine::Mark::none,
-         {},
-         base::translated("2→3: from link 2 to link 3; in the colour of the link that delivers")});
     constexpr double kMarkRoom = 40;
+    // In a small view the plate would hide the train.
+    const std::string full =
+        base::translated("2→3: from link 2 to link 3; in the colour of the link that delivers");
+    const double room = m_ground.viewport.width / m_ground.pixelRatio / 2 - kFromEdge - kMarkRoom;
+    const bool isRoomy = textWidth(full, kTextSize, false) <= room;
+    lines.push_back(
+        {LegendLine::Mark::none, {}, isRoomy ? full : base::translated("2→3: from link 2 to link 3")});
     double widest = 0;
     const auto gapOf = [](const LegendLine& line) { return line.bold.empty() ? 0.0 : 8.0; };
     for (const LegendLine& line : lines)

@@ -227,6 +227,15 @@ class TrainForcesTest : public QObject {
         QVERIFY(set.forces[labels[i].force].force.norm() <=
                 set.forces[labels[i - 1].force].force.norm() * (1 + 1e-6));
     }
+    // Strips for controls stay free: one that ends where the lowest of these labels does.
+    LabelGround narrow = ground;
+    for (const ForceLabel& label : labels)
+      narrow.above = std::max(narrow.above, label.middle.y() + label.half.y());
+    narrow.below = 30;
+    for (const ForceLabel& label : placeForceLabels(set.forces, arrows, {}, narrow, widthOf)) {
+      QVERIFY(label.middle.y() - label.half.y() >= narrow.above);
+      QVERIFY(label.middle.y() + label.half.y() <= 600 - narrow.below);
+    }
     // What is pointed at comes first.
     const auto& last = set.forces[arrows.back().force];
     const auto highlighted = placeForceLabels(set.forces, arrows, {last.element}, ground, widthOf);
