@@ -88,9 +88,9 @@ int shaftCollisions(const PlanDraft& draft, const ArmPlan& arm) {
     const double along = to.coordinate(p);
     return to.isBelow(low, along) && to.isBelow(along, high) && to.isBelow((p - to.at(along)).norm(), reach);
   };
-  constexpr int kPlaces = 24;
-  for (int i = 1; i <= kPlaces; ++i) {
-    const double part = static_cast<double>(i) / kPlaces;
+  constexpr int kSamples = 24;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double part = static_cast<double>(i) / kSamples;
     const Vector3d onStandoff = end + part * (foot - end);
     const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onStandoff) - arm.at)) ||
                            to.isBelow((onStandoff - boss).norm(), nearest);
