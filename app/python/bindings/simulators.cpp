@@ -67,7 +67,9 @@ std::vector<std::string> writeModel(const Snapshot& self, const std::string& fol
     return writeFolder(folder, files, {overwrite, stop, {}});
   });
   if (error) raise("file", error->message);
-  return model.notes;
+  std::vector<std::string> notes;
+  for (const SimulatorNote& note : model.notes) notes.push_back(note.text);
+  return notes;
 }
 
 }  // namespace
