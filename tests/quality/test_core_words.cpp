@@ -22,7 +22,7 @@ struct Literal {
 std::vector<Literal> literalsOf(const QString& source) {
   static const QRegularExpression kTokens(
       R"lex(//[^\n]*|/\*.*?\*/|#include[^\n]*|R"([^(]*)\(.*?\)\1"|)lex"
-      R"lex((?<![0-9A-Za-z])'(?:\\.|[^'\\\n])*'|"((?:\\.|[^"\\\n])*)")lex",
+      "(?<![0-9A-Za-z])'(?:\\\\.|[^'\\\\\\n])*'|\"((?:\\\\.|[^\"\\\\\\n])*)\"",
       QRegularExpression::DotMatchesEverythingOption);
   std::vector<Literal> literals;
   for (auto found = kTokens.globalMatch(source); found.hasNext();) {
@@ -93,8 +93,9 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
 
 /// Names in files, which stay as they are, heads of a command's options, and words that English alone needs.
 const QRegularExpression kNames(
-    R"re(^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s| part|mesh |coupling |link world|)re"
-    R"re(geargraph-cli.*|file,status,.*|--(to|view|show)\b.*| --view |((kinds|check) )?FILE\b.*)$)re");
+    "^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s| part|"
+    "mesh |coupling |link world|geargraph-cli.*|file,status,.*|--(to|view|show)\\b.*| --view |"
+    "((kinds|check) )?FILE\\b.*)$");
 
 }  // namespace
 

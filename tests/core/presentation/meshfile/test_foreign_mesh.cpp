@@ -202,15 +202,15 @@ class TestForeignMesh : public QObject {
     const auto two = written("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n");
     ForeignLimits few;
     few.mostTriangles = 1;
-    QCOMPARE(refusal(broken).message, std::string("It is damaged: its header has no end."));
-    QCOMPARE(refusal(two, few).message, std::string("The 3D file has 2 faces, more than the limit of 1."));
-    const std::string english = refusal(empty).message;
+    QCOMPARE(rejection(broken).message, std::string("It is damaged: its header has no end."));
+    QCOMPARE(rejection(two, few).message, std::string("The 3D file has 2 faces, more than the limit of 1."));
+    const std::string english = rejection(empty).message;
     const test::PseudoLanguage pseudo;
-    QCOMPARE(refusal(broken).message,
+    QCOMPARE(rejection(broken).message,
              test::PseudoLanguage::accented("It is damaged: its header has no end."));
-    QCOMPARE(refusal(two, few).message,
+    QCOMPARE(rejection(two, few).message,
              test::PseudoLanguage::accented("The 3D file has 2 faces, more than the limit of 1."));
-    QVERIFY(refusal(empty).message != english);
+    QVERIFY(rejection(empty).message != english);
   }
 
   /// A hostile file can have written any report.
