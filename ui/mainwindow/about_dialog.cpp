@@ -42,7 +42,8 @@ void showAboutDialog(QWidget* parent) {
   box->setIconPixmap(parent->windowIcon().pixmap(64, 64));
   box->setInformativeText(details.trimmed());
   QPushButton* copy = box->addButton(tr("Copy details"), QMessageBox::ActionRole);
-  copy->disconnect();  // copying does not close the box
+  box->setEscapeButton(QMessageBox::Ok);  // with two buttons Esc and the frame's cross would do nothing
+  copy->disconnect();                     // copying does not close the box
   QObject::connect(copy, &QPushButton::clicked, copy, [copy, details] {
     QApplication::clipboard()->setText(details);
     copy->setText(tr("Copied"));
