@@ -49,6 +49,19 @@ class RateChip : public QToolButton {
   }
 };
 
+/// The least width of the card at which its text is not cut off, as long as the matrix keeps most of the
+/// room.
+void fitCard(QFrame& card, int height, int most) {
+  int width = scaledPixels(kCardWidth);
+  for (const int wider : {kCardWidth, kCardWidth * 4 / 3, kCardWidth * 5 / 3}) {
+    if (scaledPixels(wider) > std::max(most, width)) break;
+    width = scaledPixels(wider);
+    const bool isWideEnough = card.layout()->minimumSize().width() <= width;
+    if (isWideEnough && card.layout()->totalHeightForWidth(width) <= height) break;
+  }
+  card.setFixedWidth(width);
+}
+
 QString formName(EntryForm form) {
   switch (form) {
     case EntryForm::decimals:
@@ -238,6 +251,7 @@ QFrame* MatricesPanel::makeCard() {
   m_cardText = new QLabel(m_card);
   m_cardText->setProperty("look", "hint");
   m_cardText->setWordWrap(true);
+  m_cardText->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_cardText->setObjectName(QStringLiteral("cellText"));
   auto* layout = new QVBoxLayout(m_card);
   layout->setContentsMargins(11, 8, 9, 9);
@@ -281,13 +295,14 @@ void MatricesPanel::explain(const QModelIndex& index) {
       const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(m_cardTitle->text(), m_cardText->text());
       QToolTip::showText(QCursor::pos(), tip, m_view);
     }
-    return;
+    return fitCard(*m_card, m_pages->height(), width() * 2 / 5);
   }
   const auto quantity = m_model->quantityKind();
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
   m_cardTitle->setText(shownText(base::translated(definition.name)));
   m_cardText->setText(shownText(base::translated(definition.text)) +
                       (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
+  fitCard(*m_card, m_pages->height(), width() * 2 / 5);
 }
 
 void MatricesPanel::renew() {
@@ -348,7 +363,7 @@ QString MatricesPanel::whyEmpty() const {
 
 void MatricesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  m_card->setFixedWidth(scaledPixels(kCardWidth));
+  fitCard(*m_card, m_pages->height(), width() * 2 / 5);
   m_card->setVisible(width() >= kWidthForCard);
 }
 
