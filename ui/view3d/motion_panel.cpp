@@ -40,6 +40,7 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
   auto* hint = new QLabel(tr("Select joints or links; trace points in the 3D view."), this);
   hint->setProperty("look", "hint");
   hint->setWordWrap(true);
+  m_empty->setProperty("look", "empty");
   m_empty->setAlignment(Qt::AlignCenter);
   m_empty->setWordWrap(true);
   m_empty->hide();  // until it is known that there is nothing
@@ -58,6 +59,8 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
   sheets->setContentsMargins(0, 0, 0, 0);
   sheets->setSpacing(1);
   whole->addLayout(sheets, 1);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
   for (int i = 0; i < 2; ++i) {
     auto* plot = new MotionPlot(this);
     plot->setObjectName(QStringLiteral("motionPlot%1").arg(i));

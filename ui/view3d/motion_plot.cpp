@@ -8,12 +8,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/foundations/base/spoken.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // px at the normal type size
+constexpr int kLegendInset = 112;  // px of a legend without its names: a piece of the curve, and the value
 constexpr int kLeastWithLegend = 360;
 constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall of lines
 constexpr double kZoomPerNotch = 1.25;
@@ -24,12 +26,22 @@ constexpr std::size_t kMostFineCurves = 40;
 constexpr double kMargin = 0.08;  // of the values, above and below
 
 QString text(double value, int digits = 5) {
-  return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', digits)
+  const QByteArray number = QByteArray::number(std::abs(value) < 1e-12 ? 0 : value, 'g', digits);
+  return QString::fromStdString(spokenNumber(number.toStdString()))
       .replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Base).lightness() < 128;
+}
+
+/// "joint 12 (carrier)" in so much room: the label of the joint is seen, whatever happens to the name.
+QString shortened(const QString& name, int room, const QFontMetrics& metrics) {
+  if (metrics.horizontalAdvance(name) <= room) return name;
+  const QString label = name.section(QStringLiteral(" ("), 0, 0);
+  const QString elided = metrics.elidedText(name, Qt::ElideRight, room);
+  if (elided.size() > label.size() + 3) return elided;
+  return metrics.elidedText(label, Qt::ElideMiddle, room);
 }
 
 }  // namespace
@@ -87,6 +99,11 @@ void MotionPlot::setSheet(const CurveSheet& sheet) {
   ++m_sheetNumber;
   if (!sameTimes) m_times = {0, sheet.times.empty() ? 1 : std::min(sheet.times.back(), kSeenAtFirst)};
   fitValues();
+  m_longestName = 0;
+  for (const MotionCurve& curve : sheet.curves) {
+    const QString name = QString::fromStdString(curve.name);
+    m_longestName = std::max(m_longestName, fontMetrics().horizontalAdvance(name));
+  }
   update();
 }
 
@@ -114,10 +131,17 @@ void MotionPlot::fitValues() {
   m_values = {range.low < 0 ? range.low - margin : 0, range.high + margin};
 }
 
+/// As wide as the longest name asks for, but a third of the plot at most where that is wider than usual.
+double MotionPlot::legendWidth() const {
+  const double usual = scaledPixels(kLegend);
+  const double wanted = scaledPixels(kLegendInset) + m_longestName;
+  return std::clamp(wanted, usual, std::max(usual, width() / 3.0));
+}
+
 QRectF MotionPlot::area() const {
   const bool hasLegend = width() > scaledPixels(kLeastWithLegend);
   return QRectF(rect()).adjusted(scaledPixels(kLeft), scaledPixels(kTop),
-                                 -scaledPixels(hasLegend ? kLegend : kRight), -scaledPixels(kBelow));
+                                 -(hasLegend ? legendWidth() : scaledPixels(kRight)), -scaledPixels(kBelow));
 }
 
 QPointF MotionPlot::placeOf(double time, double value) const {
@@ -180,8 +204,8 @@ void MotionPlot::renewPainted() {
 void MotionPlot::paintAxes(QPainter& painter) const {
   const QRectF inside = area();
   const QColor ink = palette().color(QPalette::Text),
-               quiet = isDark(palette()) ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80);
-  const QColor hair = isDark(palette()) ? QColor(0x3A, 0x41, 0x4B) : QColor(0xD9, 0xDD, 0xE3);
+               quiet = qColor(ColorRole::secondary, themeOf(palette()));
+  const QColor hair = qColor(ColorRole::hairline, themeOf(palette()));
   painter.setPen(ink);
   painter.drawText(
       QRectF(inside.left(), 2, inside.width(), scaledPixels(kTop) - 4), Qt::AlignLeft | Qt::AlignVCenter,
@@ -235,7 +259,7 @@ void MotionPlot::paintCurves(QPainter& painter) const {
 
 void MotionPlot::paintMoments(QPainter& painter) const {
   const QRectF inside = area();
-  const QColor accent = isDark(palette()) ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2F, 0x6F, 0xED);
+  const QColor accent = qColor(ColorRole::accent, themeOf(palette()));
   const auto line = [&](double time, const QColor& colour, Qt::PenStyle style) {
     if (time < m_times.low || time > m_times.high) return;
     painter.setPen(QPen(colour, 1, style));
@@ -249,11 +273,12 @@ void MotionPlot::paintMoments(QPainter& painter) const {
 void MotionPlot::paintLegend(QPainter& painter) const {
   const QRectF inside = area();
   if (inside.right() > width() - scaledPixels(kLegend) / 2) return;
+  const double whole = width() - inside.right();
   const double time = m_pointed.value_or(std::clamp(m_time, 0.0, m_sheet.times.back()));
   const double row = painter.fontMetrics().height() + 1;
   double y = inside.top();
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(inside.right() + 12, 2, scaledPixels(kLegend) - 16, scaledPixels(kTop) - 4),
+  painter.drawText(QRectF(inside.right() + 12, 2, whole - 16, scaledPixels(kTop) - 4),
                    Qt::AlignLeft | Qt::AlignVCenter, tr("at %1 s").arg(text(time)));
   int coordinate = 0;
   for (const MotionCurve& curve : m_sheet.curves) {
@@ -264,12 +289,11 @@ void MotionPlot::paintLegend(QPainter& painter) const {
     painter.drawLine(QPointF(inside.right() + 12, y + row / 2), QPointF(inside.right() + 30, y + row / 2));
     painter.setPen(palette().color(QPalette::Text));
     const QString value = text(valueAt(curve, time), 4);
-    const QRectF line(inside.right() + 34, y, scaledPixels(kLegend) - 42, row);
+    const QRectF line(inside.right() + 34, y, whole - 42, row);
     const double room = line.width() - painter.fontMetrics().horizontalAdvance(value) - 6;
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, value);
-    painter.drawText(
-        line, Qt::AlignLeft | Qt::AlignVCenter,
-        painter.fontMetrics().elidedText(QString::fromStdString(curve.name), Qt::ElideRight, qRound(room)));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     shortened(QString::fromStdString(curve.name), qRound(room), painter.fontMetrics()));
     y += row;
   }
 }

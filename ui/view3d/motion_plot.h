@@ -69,6 +69,7 @@ class MotionPlot : public QWidget {
   [[nodiscard]] QPointF placeOf(double time, double value, const QRectF& inside) const;
   [[nodiscard]] QColor inkOf(const MotionCurve& curve) const;
   [[nodiscard]] double valueAt(const MotionCurve& curve, double time) const;
+  [[nodiscard]] double legendWidth() const;
   void fitValues();
   void moveTimes(double low, double size);
   void paintAxes(QPainter& painter) const;
@@ -95,6 +96,7 @@ class MotionPlot : public QWidget {
   CurveSheet m_sheet;
   quint64 m_sheetNumber = 0;  ///< incremented with every sheet
   Painted m_painted;
+  int m_longestName = 0;  ///< px, of the legend
   Range m_times;
   Range m_values;
   double m_time = 0;
