@@ -7,27 +7,45 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "core/foundations/base/spoken.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_dynamics {
 namespace {
 
-constexpr double kLeft = 76, kRight = 124;  // logical pixels, for titles and sums
+constexpr double kLeft = 76, kRight = 124;  // logical pixels, for titles and sums at least
 constexpr double kGap = 1;
 
 /// With the minus sign of print.
 QString printed(double inertia) {
-  return QString::number(inertia, 'g', 4).replace(QLatin1Char('-'), QStringLiteral("−"));
+  return QString::fromStdString(spokenNumber(QByteArray::number(inertia, 'g', 4).toStdString()))
+      .replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
 }  // namespace
 
 InertiaBars::InertiaBars(Selection* selection, QWidget* parent) : QWidget(parent), m_selection(selection) {
+  measure();
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Inertia at the motors"));
   connect(selection, &Selection::selectionChanged, this, qOverload<>(&QWidget::update));
   connect(selection, &Selection::hoverChanged, this, qOverload<>(&QWidget::update));
+}
+
+QString InertiaBars::sumOf(const Bar& bar) {
+  return bar.parts.empty() ? tr("moves no mass") : tr("%1 kg m²").arg(printed(bar.inertia));
+}
+
+/// The longest title and sum decide where the bars begin and end.
+void InertiaBars::measure() {
+  m_left = kLeft;
+  m_right = kRight;
+  const QFontMetricsF metrics(font());
+  for (const Bar& bar : m_bars) {
+    m_left = std::max(m_left, metrics.horizontalAdvance(bar.title) + 22);
+    m_right = std::max(m_right, metrics.horizontalAdvance(sumOf(bar)) + 22);
+  }
 }
 
 void InertiaBars::show(const DynamicsPtr& dynamics) {
@@ -57,6 +75,7 @@ void InertiaBars::show(const DynamicsPtr& dynamics) {
   for (std::size_t bar = 0; bar < m_bars.size(); ++bar)
     for (std::size_t part = 0; part < m_bars[bar].parts.size(); ++part) words += tipOf(bar, part);
   setAccessibleDescription(words.join(QLatin1Char(' ')));
+  measure();
   updateGeometry();
   update();
 }
@@ -70,12 +89,12 @@ QSize InertiaBars::sizeHint() const {
 }
 
 QSize InertiaBars::minimumSizeHint() const {
-  return {static_cast<int>(kLeft + kRight) + 80, sizeHint().height()};
+  return {static_cast<int>(m_left + m_right) + 80, sizeHint().height()};
 }
 
 QRectF InertiaBars::barAt(std::size_t bar) const {
   const double height = rowHeight();
-  return {kLeft, 4 + height * static_cast<double>(bar) + 3, width() - kLeft - kRight, height - 6};
+  return {m_left, 4 + height * static_cast<double>(bar) + 3, width() - m_left - m_right, height - 6};
 }
 
 QRectF InertiaBars::placeOf(std::size_t bar, std::size_t part) const {
@@ -90,7 +109,7 @@ QString InertiaBars::tipOf(std::size_t bar, std::size_t part) const {
   return tr("Link %1: %2 kg m² at %3, %4 % of all.")
       .arg(shown.label)
       .arg(printed(shown.inertia), m_bars[bar].title)
-      .arg(100 * shown.share, 0, 'f', 1);
+      .arg(QString::fromStdString(spokenNumber(QByteArray::number(100 * shown.share, 'f', 1).toStdString())));
 }
 
 std::optional<InertiaBars::Place> InertiaBars::placeAt(const QPointF& at) const {
@@ -129,10 +148,9 @@ void InertiaBars::paintEvent(QPaintEvent*) {
     const Bar& shown = m_bars[bar];
     const QRectF room = barAt(bar);
     painter.setPen(qColor(ColorRole::ink, theme));
-    painter.drawText(QRectF(12, room.top(), kLeft - 16, room.height()), Qt::AlignVCenter, shown.title);
-    const QString sum =
-        shown.parts.empty() ? tr("moves no mass") : tr("%1 kg m²").arg(printed(shown.inertia));
-    painter.drawText(QRectF(room.right() + 8, room.top(), kRight - 12, room.height()), Qt::AlignVCenter, sum);
+    painter.drawText(QRectF(12, room.top(), m_left - 16, room.height()), Qt::AlignVCenter, shown.title);
+    painter.drawText(QRectF(room.right() + 8, room.top(), m_right - 12, room.height()), Qt::AlignVCenter,
+                     sumOf(shown));
     for (std::size_t part = 0; part < shown.parts.size(); ++part) paintPart(painter, bar, part);
     if (!shown.parts.empty()) continue;
     painter.setPen(qColor(ColorRole::hairline, theme));
@@ -141,6 +159,7 @@ void InertiaBars::paintEvent(QPaintEvent*) {
 }
 
 bool InertiaBars::event(QEvent* event) {
+  if (event->type() == QEvent::FontChange) measure();
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const auto place = placeAt(help->pos());

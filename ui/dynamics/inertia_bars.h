@@ -53,6 +53,8 @@ class InertiaBars : public QWidget {
     std::size_t bar = 0;
     std::size_t part = 0;
   };
+  [[nodiscard]] static QString sumOf(const Bar& bar);
+  void measure();
   [[nodiscard]] int rowHeight() const;
   [[nodiscard]] QRectF barAt(std::size_t bar) const;
   [[nodiscard]] std::optional<Place> placeAt(const QPointF& at) const;
@@ -60,6 +62,7 @@ class InertiaBars : public QWidget {
 
   Selection* m_selection;
   std::vector<Bar> m_bars;
+  double m_left = 0, m_right = 0;  ///< px beside the bars, for titles and sums
 };
 
 }  // namespace geargraph::inline ui_dynamics
