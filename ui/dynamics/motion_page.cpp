@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <algorithm>
 
 #include "core/theory/dynamics/motion_table.h"
 #include "core/theory/pose/joint_limits.h"
@@ -89,7 +90,7 @@ QWidget* MotionPage::makeLeft() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(scaledPixels(74 * 4 + 76));
+  scroll->setFixedWidth(std::max(scaledPixels(74 * 4 + 76), m_motors->sizeHint().width()));
   auto* row = new QHBoxLayout;
   row->setContentsMargins(12, 0, 8, 4);
   row->addWidget(m_run);

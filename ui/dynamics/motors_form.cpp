@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 40;  // the motors of further inputs give no torque
 constexpr int kSamples = 1000;
+constexpr int kFieldWidths[] = {92, 76, 62, 62};  // px: a torque has more digits than an angle
 constexpr double kLeastSeconds = 1e-6, kMostSeconds = 1e6;
 constexpr double kUsualAcceleration = 10;  // rad/s²
 
@@ -45,6 +46,8 @@ MotorsForm::MotorsForm(QWidget* parent) : QWidget(parent), m_grid(new QGridLayou
     head->setToolTip(meaning);
     m_grid->addWidget(head, 0, column++);
   }
+  for (int each = 0; const int width : kFieldWidths)
+    m_grid->setColumnMinimumWidth(++each, scaledPixels(width));  // also before there are rows
   const QString meaning = tr("How long the motion is followed, in seconds.");
   auto* label = new QLabel(tr("for, s"), this);
   label->setToolTip(meaning);
@@ -67,7 +70,7 @@ NumberField* MotorsForm::makeField(const QString& name, const QString& meaning) 
   field->setObjectName(name);
   field->setAccessibleName(meaning);
   field->setToolTip(meaning);
-  field->setFixedWidth(scaledPixels(74));
+  field->setFixedWidth(scaledPixels(kFieldWidths[0]));
   field->setAlignment(Qt::AlignRight);
   return field;
 }
@@ -122,6 +125,7 @@ void MotorsForm::addField(const QString& name, const QString& meaning, int row, 
   NumberField* field = makeField(name, meaning);
   field->setNumber(m_rows[static_cast<std::size_t>(row)].*number);
   const bool isDamping = number == &Row::damping;
+  field->setFixedWidth(scaledPixels(kFieldWidths[column - 1]));
   connect(field, &NumberField::edited, this,
           [this, field, row, number, isDamping](const std::optional<Number>& value) {
             if (!value) return;
