@@ -12,6 +12,10 @@ QVariant alignmentOf(const ForceColumn& column) {
   return QVariant::fromValue(Qt::AlignVCenter | (column.isNumber ? Qt::AlignRight : Qt::AlignLeft));
 }
 
+QString withPrintedMinus(QString text) {
+  return text.replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
 }  // namespace
 
 void ValueTableModel::showTable(std::shared_ptr<const ValueTable> table, bool isOther) {
@@ -54,7 +58,7 @@ QVariant ValueTableModel::data(const QModelIndex& index, int role) const {
       m_table->rows[static_cast<std::size_t>(index.row())].cells[static_cast<std::size_t>(index.column())];
   switch (role) {
     case Qt::DisplayRole:
-      return shownText(cell.text);
+      return column.isNumber ? withPrintedMinus(shownText(cell.text)) : shownText(cell.text);
     case Qt::ToolTipRole:
       return shownText(column.meaning);
     case Qt::TextAlignmentRole:

@@ -58,7 +58,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QCOMPARE(panel->model().rowCount(), 4);
     QCOMPARE(cell(0, "carried by"), QStringLiteral("load"));
     QCOMPARE(cell(1, "exact torque"), QStringLiteral("25"));
-    QCOMPARE(cell(2, "torque"), QStringLiteral("-35"));
+    QCOMPARE(cell(2, "torque"), QStringLiteral("−35"));
     QCOMPARE(panel->total(QStringLiteral("fed")), QStringLiteral("1000"));
     QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("–"));
     QCOMPARE(panel->remark(), QString());
