@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/load_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
@@ -110,7 +111,8 @@ QString lockingTip(const LockingLimits& limits) {
   const std::optional<LockingBracket>& bracket = limits.forward ? limits.forward : limits.backward;
   if (!bracket) return tip;
   const auto value = [&](double limit) {
-    return QString::number(areStated ? 100 * limit : limit, 'f', areStated ? 4 : 6);
+    const QByteArray text = QByteArray::number(areStated ? 100 * limit : limit, 'f', areStated ? 4 : 6);
+    return QString::fromStdString(spokenNumber(text.toStdString()));
   };
   tip += QLatin1Char('\n');
   tip += areStated ? EfficiencyCard::tr("At %1 % it moves, at %2 % no choice of driving gears solves it.")
@@ -208,6 +210,7 @@ void EfficiencyCard::makeMover() {
     setEfficiency(eta);
   });
   auto* row = new QHBoxLayout;
+  row->setSpacing(6);
   row->addWidget(title);
   row->addWidget(m_slider, 1);
   row->addWidget(m_field);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/foundations/base/spoken.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/motion_plot.h"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double kLeft = 52, kTop = 22, kBelow = 34, kRight = 12;  // logical pixels
 
 QString number(double value) {
-  return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 5)
+  const QByteArray text = QByteArray::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 5);
+  return QString::fromStdString(spokenNumber(text.toStdString()))
       .replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
@@ -26,7 +28,7 @@ QString number(double value) {
 EfficiencyPlot::EfficiencyPlot(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::TabFocus);
-  setMinimumSize(180, 110);
+  setMinimumSize(180, 96);
   setAccessibleName(tr("Plot of the efficiency"));
   setToolTip(tr("The pointer, or the left and right arrow keys, read the values"));
 }

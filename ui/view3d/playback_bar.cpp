@@ -28,14 +28,17 @@ QString seconds(double value, double span) {
                          span < kShort                ? 3
                          : value < kMostTenths + 0.05 ? 1
                                                       : 0)
-      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
+      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()))
+      .replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
 /// "1/4×", "2×"; backwards with a minus.
 QString speedText(double speed) {
   const double size = std::abs(speed);
-  const QString number = size < 1 && std::round(1 / size) == 1 / size ? QStringLiteral("1/%1").arg(1 / size)
-                                                                      : QString::number(size, 'g', 3);
+  const QString number =
+      size < 1 && std::round(1 / size) == 1 / size
+          ? QStringLiteral("1/%1").arg(1 / size)
+          : QString::number(size, 'g', 3).replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
   return (speed < 0 ? QStringLiteral("−") : QString()) + number + QStringLiteral("×");
 }
 
