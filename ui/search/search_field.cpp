@@ -17,6 +17,21 @@ constexpr int kPopupWidth = 520;
 constexpr int kPopupHeight = 400;
 constexpr int kPage = 10;
 
+/// The inset of the text on both sides.
+constexpr int kInset = 24;
+
+/// What the field is for, with its key where it fits.
+QString placeholderFor(const QLineEdit& field) {
+  const QString whole = SearchField::tr("Search a command or a term  Ctrl+K");
+  const QString key = whole.section(QStringLiteral("  "), -1);
+  const QString word = SearchField::tr("Search");
+  const int room = field.width() - kInset;
+  for (const QString& text : {whole, word + QStringLiteral("  ") + key}) {
+    if (field.fontMetrics().horizontalAdvance(text) <= room) return text;
+  }
+  return word;
+}
+
 }  // namespace
 
 SearchField::SearchField(const Document* document, Selection* selection, QMenuBar* menus, QWidget* parent)
@@ -27,7 +42,6 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
       m_model(new SearchModel(this)),
       m_popup(new SearchPopup(m_model, menus->window())) {
   setObjectName(QStringLiteral("search"));
-  setPlaceholderText(tr("Search a command or a term  Ctrl+K"));
   setToolTip(tr("Find a command, an element, a term or a page of the manual (Ctrl+K)"));
   setAccessibleName(tr("Search"));
   setMinimumWidth(kWidth / 3);
@@ -129,6 +143,8 @@ void SearchField::end() {
 }
 
 bool SearchField::event(QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
+    setPlaceholderText(placeholderFor(*this));
   if (event->type() == QEvent::ShortcutOverride) {
     // While something is typed, single-letter commands rest.
     const auto* key = static_cast<QKeyEvent*>(event);
