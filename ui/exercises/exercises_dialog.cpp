@@ -64,6 +64,8 @@ ExercisesDialog::ExercisesDialog(QWidget* parent)
   m_count->setProperty("look", "hint");
   m_kinds->setObjectName(QStringLiteral("exerciseKinds"));
   m_kinds->setAccessibleName(tr("Kinds of questions"));
+  m_kinds->setWordWrap(true);
+  m_kinds->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_seed->setValue(1);
   m_practise->setObjectName(QStringLiteral("exercisePractise"));
   m_practise->setDefault(true);

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "core/design/synthesis/bevel_sets.h"
 #include "core/design/synthesis/shifting_sets.h"
@@ -110,6 +111,7 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
     emit insertWanted(*set);
     accept();
   });
+  m_kinds->setFixedWidth(std::max(m_kinds->width(), m_kinds->sizeHintForColumn(0) + 4 * m_kinds->spacing()));
   m_kinds->setCurrentRow(0);
 }
 
