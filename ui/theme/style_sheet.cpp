@@ -13,7 +13,7 @@ QMenuBar::item:selected { background: @halo@; color: @ink@; }
 QMenu { background: @sheet@; border: 1px solid @hairline@; padding: 4px; }
 QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: @halo@; color: @ink@; }
-QMenu::item:disabled { color: @secondary@; }
+QMenu::item:disabled { color: @disabled@; }
 QMenu::separator { height: 1px; background: @hairline@; margin: 4px 6px; }
 
 QToolBar { background: @sheet@; border: none; border-bottom: 1px solid @hairline@; padding: 2px 8px;
@@ -22,7 +22,7 @@ QToolBar::separator { width: 1px; background: @hairline@; margin: 4px 6px; }
 QToolBar QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px 9px; }
 QToolBar QToolButton:hover { background: @panel@; border-color: @hairline@; }
 QToolBar QToolButton:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
-QToolBar QToolButton:disabled { color: @secondary@; }
+QToolBar QToolButton:disabled { color: @disabled@; }
 
 QTabBar { background: @panel@; qproperty-drawBase: 0; }
 QTabBar::tab { background: transparent; color: @secondary@; padding: 6px 18px; border: none;
@@ -65,7 +65,7 @@ QToolButton[look="control"] { background: @sheet@; border: 1px solid @hairline@;
                               color: @ink@; padding: 2px 6px; }
 QToolButton[look="control"]:hover { border-color: @accent@; }
 QToolButton[look="control"]:checked { color: @accent@; border-color: @accent@; }
-QToolButton[look="control"]:disabled { color: @secondary@; }
+QToolButton[look="control"]:disabled { color: @disabled@; }
 QWidget#view3dButtons, QWidget#view3dStrip, QLabel#view3dPainter { background: @veil@; border-radius: 5px; }
 QLabel#view3dPainter { padding: 2px 6px; }
 QToolButton#view3dMore::menu-indicator { image: none; width: 0px; }
@@ -77,7 +77,7 @@ QLineEdit:focus, QAbstractSpinBox[look="number"]:focus { border-color: @accent@;
 QLineEdit[look="cell"] { padding: 3px 0px; }
 QLineEdit[mark="wrong"] { border: 2px solid @error@; }
 QLineEdit[mark="right"] { border-color: @fine@; }
-QLineEdit:disabled, QAbstractSpinBox[look="number"]:disabled { background: @panel@; color: @secondary@; }
+QLineEdit:disabled, QAbstractSpinBox[look="number"]:disabled { background: @panel@; color: @disabled@; }
 QLineEdit[look="cell"]:disabled { color: @ink@; }
 QAbstractSpinBox[look="number"] { padding-right: 16px; }
 QAbstractSpinBox[look="number"] QLineEdit { border: none; padding: 0px; }
@@ -91,12 +91,12 @@ QAbstractSpinBox[look="number"]::up-arrow, QAbstractSpinBox[look="number"]::down
 QPushButton { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 4px 16px; }
 QPushButton:hover { border-color: @accent@; }
 QPushButton:pressed, QPushButton:default { background: @chosen@; }
-QPushButton:disabled { background: @panel@; color: @secondary@; }
+QPushButton:disabled { background: @panel@; color: @disabled@; }
 QPushButton[look="fix"] { padding: 1px 11px; border-radius: 11px; }
 QPushButton[look="fix"]:focus { border-color: @accent@; color: @accent@; }
 QComboBox { background: @sheet@; border: 1px solid @control@; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent@; }
-QComboBox:disabled { background: @panel@; color: @secondary@; }
+QComboBox:disabled { background: @panel@; color: @disabled@; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: @sheet@; border: 1px solid @hairline@; selection-background-color: @halo@;
@@ -110,6 +110,7 @@ QToolBar#noticeBar { background: @chosen@; }
 QHeaderView { background: @sheet@; border: none; }
 QTableCornerButton::section { background: @sheet@; border: none; }
 
+QSlider:horizontal { min-height: 16px; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @control@; }
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent@; }
 QSlider::sub-page:horizontal:disabled { background: @control@; }
@@ -150,6 +151,9 @@ QString styleSheetOf(Theme theme) {
   for (const NamedColor& named : kNames) {
     sheet.replace(QLatin1String(named.name), qColor(named.role, theme).name());
   }
+  // At high contrast, the secondary colour is hardly darker than the ink.
+  const ColorRole disabled = theme == Theme::highContrast ? ColorRole::hairline : ColorRole::secondary;
+  sheet.replace(QLatin1String("@disabled@"), qColor(disabled, theme).name());
   sheet.replace(QLatin1String("@small@"), QString::number(smallPixels()));
   // What is chosen stands on the halo, thinned with the sheet so that type on it stays readable.
   const QColor sheetColor = qColor(ColorRole::sheet, theme);
