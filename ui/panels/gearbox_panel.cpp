@@ -49,7 +49,7 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
 
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(12, 6, 12, 0);
-  buttons->setSpacing(2);
+  buttons->setSpacing(6);
   for (QToolButton* button : {m_brake, m_clutch, m_state}) buttons->addWidget(button);
   buttons->addStretch(1);
   buttons->addWidget(m_release);

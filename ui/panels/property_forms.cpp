@@ -71,6 +71,7 @@ void PropertyForm::addWide(QWidget* widget) {
 
 void PropertyForm::addButtons(const std::vector<QAbstractButton*>& buttons, const QString& name) {
   auto* line = new QHBoxLayout;
+  line->setSpacing(8);
   for (QAbstractButton* button : buttons) line->addWidget(button);
   line->addStretch(1);
   if (name.isEmpty()) return m_rows->addRow(line);
