@@ -97,7 +97,8 @@ void StatusLine::renewMessage() {
   m_shown = message;
   m_message->setText(text());
   announce(rejected || !m_note.isEmpty());
-  m_message->setToolTip(rejected ? text() : QString());
+  const bool isCut = m_message->fontMetrics().horizontalAdvance(text()) > m_message->width();
+  m_message->setToolTip(rejected || isCut ? text() : QString());
   const QString look = rejected ? QStringLiteral("problem") : QStringLiteral("hint");
   if (m_message->property("look") != look) {
     m_message->setProperty("look", look);
