@@ -21,8 +21,8 @@ constexpr double kUsualAcceleration = 10;  // rad/s²
 /// With one digit, so that it reads well.
 Number rounded(double value) {
   if (!(value > 0) || !std::isfinite(value)) return Number(0);
-  const double decade = std::pow(10, std::floor(std::log10(value)));
-  return Number::fromDouble(std::round(value / decade) * decade);
+  // By way of its text: a product of powers of ten has a tail of digits.
+  return Number::fromDouble(QByteArray::number(value, 'g', 1).toDouble());
 }
 
 }  // namespace
