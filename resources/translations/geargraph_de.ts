@@ -14594,6 +14594,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>2→3: from link 2 to link 3</source>
         <translation>2→3: von Glied 2 zu Glied 3</translation>
     </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

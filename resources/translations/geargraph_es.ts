@@ -14594,6 +14594,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>2→3: from link 2 to link 3</source>
         <translation>2→3: del eslabón 2 al eslabón 3</translation>
     </message>
+    <message>
+        <source>exact</source>
+        <translation>exacto</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

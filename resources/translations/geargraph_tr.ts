@@ -14593,6 +14593,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>2→3: from link 2 to link 3</source>
         <translation>2→3: 2 numaralı uzuvdan 3 numaralı uzva</translation>
     </message>
+    <message>
+        <source>exact</source>
+        <translation>tam</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
