@@ -18,7 +18,7 @@ class TestMechanismReader : public QObject {
   void syntaxErrors_sayLineAndColumn();
   void schemaErrors_sayPointerAndWhatWasExpectedAndFound();
   void diagnostics_knowTheirPlaceInTheFile();
-  void treeFaults_areForTheEditorToMend_data();
+  void treeFaults_areForTheEditorToFix_data();
   void treeFaults_areForTheEditorToFix();
   void manyLongLoops_areAllReported();
   void listsMayBeLeftOut_whereNothingNeedsThem();
@@ -112,7 +112,7 @@ void TestMechanismReader::diagnostics_knowTheirPlaceInTheFile() {
   QCOMPARE(read.error().at(0).column, 56);
 }
 
-void TestMechanismReader::treeFaults_areForTheEditorToMend_data() {
+void TestMechanismReader::treeFaults_areForTheEditorToFix_data() {
   QTest::addColumn<QString>("from");
   QTest::addColumn<QString>("to");
   QTest::addColumn<QString>("expected");
