@@ -86,7 +86,17 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
       m_model(new DiagnosticModel(this)),
       m_list(new QListView(this)),
       m_pages(new QStackedWidget(this)),
-      m_motionNote(new QLabel(this)) {
+      m_motionNote(new QLabel(this)),
+      m_fixFinder(new FixFinder(
+          [](const FixRequest& request, const FixFinder::Responder& respond) {
+            std::vector<std::vector<Fix>> found;
+            for (const Diagnostic& diagnostic : request.diagnostics) {
+              found.push_back(fixesFor(diagnostic, *request.snapshot));
+              if (respond.stop().stop_requested()) return;
+            }
+            respond(std::move(found));
+          },
+          this)) {
   m_list->setModel(m_model);
   m_list->setObjectName(QStringLiteral("problemList"));
   m_list->setAccessibleName(tr("Problems"));
@@ -105,7 +115,10 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
     m_selection->select(m_model->elementsOf(index));
     const auto time = m_model->diagnostics()[static_cast<std::size_t>(index.row())].time;
     if (time) emit momentWanted(*time);
-    if (m_list->indexWidget(index) == nullptr) offerFixes(index);
+    if (m_list->indexWidget(index) != nullptr) return;
+    offerFixes(index);
+    requestFixes();
+    m_list->doItemsLayout();
   });
 
   m_motionNote->setObjectName(QStringLiteral("motionNote"));
@@ -125,6 +138,10 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   layout->addWidget(m_motionNote);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
+  m_fixFinder->onAnswer(this, [this](const std::vector<std::vector<Fix>>& found) {
+    for (std::size_t i = 0; i < found.size(); ++i) showFixes(m_rowsAsked[i], found[i]);
+    m_list->doItemsLayout();
+  });
   renew();
 }
 
@@ -166,26 +183,39 @@ void ProblemsPanel::setLoadDiagnostics(const Diagnostics& diagnostics) {
 
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
-  const bool offersFixes =
+  m_rowsAsked.clear();
+  const bool fixes =
       m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksWithImmediateFixes;
-  for (int row = 0; offersFixes && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
+  for (int row = 0; fixes && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
     offerFixes(m_model->index(row));
   }
+  requestFixes();
   m_list->doItemsLayout();
 }
 
 void ProblemsPanel::offerFixes(const QModelIndex& index) {
   if (!m_fileName.isEmpty() || !m_snapshot || !index.isValid()) return;
-  const std::vector<Fix> fixes =
-      fixesFor(m_model->diagnostics()[static_cast<std::size_t>(index.row())], *m_snapshot);
+  const Diagnostic& diagnostic = m_model->diagnostics()[static_cast<std::size_t>(index.row())];
+  if (triesBodies(diagnostic)) return m_rowsAsked.push_back(index.row());
+  showFixes(index.row(), fixesFor(diagnostic, *m_snapshot));
+}
+
+void ProblemsPanel::requestFixes() {
+  if (m_rowsAsked.empty()) return m_fixFinder->cancel();
+  FixRequest request{m_snapshot, {}};
+  for (const int row : m_rowsAsked)
+    request.diagnostics.push_back(m_model->diagnostics()[static_cast<std::size_t>(row)]);
+  m_fixFinder->request(std::move(request));
+}
+
+void ProblemsPanel::showFixes(int row, const std::vector<Fix>& fixes) {
   if (fixes.empty()) return;
-  auto* row = new FixRow(kIconRoom, m_list->viewport());
+  auto* buttons = new FixRow(kIconRoom, m_list->viewport());
   for (const Fix& fix : fixes) {
-    QPushButton* button = row->addButton(shownText(fix.text));
+    QPushButton* button = buttons->addButton(shownText(fix.text));
     connect(button, &QPushButton::clicked, this, [this, fix] { emit fixWanted(fix); });
   }
-  m_list->setIndexWidget(index, row);
-  m_list->doItemsLayout();
+  m_list->setIndexWidget(m_model->index(row), buttons);
 }
 
 void ProblemsPanel::setFileProblems(const QString& fileName, const Diagnostics& problems) {

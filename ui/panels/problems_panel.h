@@ -5,6 +5,7 @@
 #include "core/design/fixes/fixes.h"
 #include "ui/models/diagnostic_model.h"
 #include "ui/selection/selection.h"
+#include "ui/service/service.h"
 
 class QFrame;
 class QLabel;
@@ -49,9 +50,18 @@ class ProblemsPanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  struct FixRequest {
+    SnapshotPtr snapshot;
+    Diagnostics diagnostics;
+  };
+  using FixFinder = Service<FixRequest, std::vector<std::vector<Fix>>>;
+
   void renew();
   void offerFixes();
+  /// Adds the fixes of this row, or the row to those whose fixes requestFixes() asks for.
   void offerFixes(const QModelIndex& index);
+  void requestFixes();
+  void showFixes(int row, const std::vector<Fix>& fixes);
   QFrame* makeBanner();
 
   Selection* m_selection;
@@ -66,6 +76,8 @@ class ProblemsPanel : public QWidget {
   Diagnostics m_motionDiagnostics;
   Diagnostics m_loadDiagnostics;
   SnapshotPtr m_snapshot;
+  std::vector<int> m_rowsAsked;  ///< whose fixes are found in the background
+  FixFinder* m_fixFinder;
 };
 
 }  // namespace geargraph::inline panels

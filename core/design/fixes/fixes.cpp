@@ -43,6 +43,10 @@ std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& 
 
 }  // namespace
 
+bool triesBodies(const Diagnostic& diagnostic) {
+  return diagnostic.code == Code::interference;
+}
+
 std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
   const std::string label = labelOf(mechanism, element).value_or(element.id.text());
   switch (element.kind) {

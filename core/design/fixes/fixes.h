@@ -22,6 +22,10 @@ struct Fix {
 /// Cost: near linear in n + t + c per try; some dozen tries for teeth that do not fit.
 [[nodiscard]] std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 
+/// Do the fixes for this diagnostic take the bodies of several trains to try? Of large trains that takes a
+/// second: not for the GUI thread.
+[[nodiscard]] bool triesBodies(const Diagnostic& diagnostic);
+
 constexpr std::size_t kMostFixes = 3;
 
 }  // namespace geargraph::inline fixes

@@ -7,7 +7,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/design/fixes/fixes.h"
+#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/panels/matrices_panel.h"
@@ -289,6 +292,33 @@ class MatricesPanelTest : public QObject {
     QTRY_COMPARE(selection.hovered(), culprits);
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
     QCOMPARE(selection.selected(), culprits);
+  }
+
+  /// The robot with bevels on the other side of their apex, where links overlap.
+  void fixesThatTryBodiesAreFoundInTheBackground() {
+    panel->hide();
+    const Mechanism robot = test::example("robot");
+    for (const GearMesh& mesh : robot.gearMeshes) {
+      const Expected<PlacedMechanism> flipped = withBevelSideFlipped(robot, mesh.id, true);
+      if (!flipped) continue;
+      const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(flipped->mechanism()));
+      ProblemsPanel problems(&selection);
+      problems.setSnapshot(snapshot);
+      const Diagnostics& listed = problems.model().diagnostics();
+      const auto found = std::find_if(listed.begin(), listed.end(), [&](const Diagnostic& each) {
+        return triesBodies(each) && !fixesFor(each, *snapshot).empty();
+      });
+      const auto row = static_cast<int>(found - listed.begin());
+      if (found == listed.end() || row >= ProblemsPanel::kMostImmediateFixes) continue;
+      const QModelIndex index = problems.model().index(row);
+      QVERIFY(problems.list().indexWidget(index) == nullptr);
+      QTRY_VERIFY(problems.list().indexWidget(index) != nullptr);
+      problems.setSnapshot(snapshot);  // asks again, and is superseded by a document without overlaps
+      problems.setSnapshot(snapshotOf(test::robotTopology()));
+      QTest::qWait(0);
+      return;
+    }
+    QFAIL("No flipped bevel gives an overlap with a fix.");
   }
 
   void manyProblemsAreMeasuredInSeveralEvents() {
