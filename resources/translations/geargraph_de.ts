@@ -14598,6 +14598,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>exact</source>
         <translation>exakt</translation>
     </message>
+    <message>
+        <source>%1 more: select links in a drawing first</source>
+        <translation>%1 weitere: Wählen Sie die Glieder zuerst in einer Zeichnung aus</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14598,6 +14598,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>exact</source>
         <translation>exacto</translation>
     </message>
+    <message>
+        <source>%1 more: select links in a drawing first</source>
+        <translation>%1 más: seleccione antes los eslabones en un dibujo</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

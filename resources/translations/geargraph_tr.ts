@@ -14597,6 +14597,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>exact</source>
         <translation>tam</translation>
     </message>
+    <message>
+        <source>%1 more: select links in a drawing first</source>
+        <translation>%1 tane daha: önce uzuvları bir çizimde seçin</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

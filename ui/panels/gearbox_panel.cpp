@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <algorithm>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
@@ -20,6 +21,23 @@
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline panels {
+namespace {
+
+constexpr std::size_t kMostListedLinks = 200;  // a menu of thousands takes half a second, and nobody reads it
+
+/// The end of the links that a menu lists.
+std::size_t listedLinks(const Mechanism& mechanism) {
+  return std::min(mechanism.links.size(), kMostListedLinks + 1);
+}
+
+/// Says how the links are chosen that the menu does not list.
+void sayUnlisted(QMenu& menu, const Mechanism& mechanism) {
+  const std::size_t count = mechanism.links.size() - listedLinks(mechanism);
+  if (count == 0) return;
+  menu.addAction(GearboxPanel::tr("%1 more: select links in a drawing first").arg(count))->setEnabled(false);
+}
+
+}  // namespace
 
 GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent),
@@ -215,7 +233,7 @@ std::vector<LinkId> GearboxPanel::selectedLinks() const {
 void GearboxPanel::chooseLink(QMenu& menu, const std::function<void(LinkId)>& chosen,
                               std::optional<LinkId> without) {
   const Mechanism& mechanism = *m_document->mechanism();
-  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+  for (std::size_t i = 1; i < listedLinks(mechanism); ++i) {
     const Link& link = mechanism.links[i];
     if (link.id == without) continue;
     const QString name = shownText(link.name);
@@ -223,6 +241,7 @@ void GearboxPanel::chooseLink(QMenu& menu, const std::function<void(LinkId)>& ch
     QAction* action = menu.addAction(text, this, [chosen, id = link.id] { chosen(id); });
     connect(action, &QAction::hovered, this, [this, id = link.id] { m_selection->hover(ElementId(id)); });
   }
+  sayUnlisted(menu, mechanism);
 }
 
 void GearboxPanel::addBrake() {
@@ -245,7 +264,7 @@ void GearboxPanel::addClutch() {
   if (links.size() == 2) return add(links[0], links[1]);
   QMenu menu(this);
   const Mechanism& mechanism = *m_document->mechanism();
-  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+  for (std::size_t i = 1; i < listedLinks(mechanism); ++i) {
     const LinkId one = mechanism.links[i].id;
     QMenu* others = menu.addMenu(tr("Link %1 with").arg(i));
     connect(others, &QMenu::aboutToShow, this, [this, others, one, add] {
@@ -254,6 +273,7 @@ void GearboxPanel::addClutch() {
             *others, [one, add](LinkId other) { add(one, other); }, one);
     });
   }
+  sayUnlisted(menu, mechanism);
   menu.exec(m_clutch->mapToGlobal(QPoint(0, m_clutch->height())));
   m_selection->unhover();
 }
