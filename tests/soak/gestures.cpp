@@ -52,11 +52,16 @@ void move(const QPointer<QWidget>& widget, QPoint at) {
   if (widget && hits(widget, at)) QTest::mouseMove(handleOf(widget), inWindow(widget, at));
 }
 
-/// Pressing may be the end of the window; QTest would release the key there nevertheless.
+/// Each event may be the end of the window. With modifiers QTest sends several, whatever has become of it.
 void key(const QPointer<QWidget>& widget, int code, Qt::KeyboardModifiers keys = {}) {
   const QPointer<QWindow> handle(widget ? handleOf(widget) : nullptr);
-  if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code), keys);
-  if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code), keys);
+  if (keys == Qt::NoModifier) {
+    if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code));
+    if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code));
+    return;
+  }
+  if (handle) qt_handleKeyEvent(handle, QEvent::KeyPress, code, keys);
+  if (handle) qt_handleKeyEvent(handle, QEvent::KeyRelease, code, keys);
 }
 
 /// What would end the round, or the program.
