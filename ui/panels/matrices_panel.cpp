@@ -49,19 +49,6 @@ class RateChip : public QToolButton {
   }
 };
 
-/// The least width of the card at which its text is not cut off, as long as the matrix keeps most of the
-/// room.
-void fitCard(QFrame& card, int height, int most) {
-  int width = scaledPixels(kCardWidth);
-  for (const int wider : {kCardWidth, kCardWidth * 4 / 3, kCardWidth * 5 / 3}) {
-    if (scaledPixels(wider) > std::max(most, width)) break;
-    width = scaledPixels(wider);
-    const bool isWideEnough = card.layout()->minimumSize().width() <= width;
-    if (isWideEnough && card.layout()->totalHeightForWidth(width) <= height) break;
-  }
-  card.setFixedWidth(width);
-}
-
 QString formName(EntryForm form) {
   switch (form) {
     case EntryForm::decimals:
@@ -295,14 +282,26 @@ void MatricesPanel::explain(const QModelIndex& index) {
       const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(m_cardTitle->text(), m_cardText->text());
       QToolTip::showText(QCursor::pos(), tip, m_view);
     }
-    return fitCard(*m_card, m_pages->height(), width() * 2 / 5);
+    return fitCard();
   }
   const auto quantity = m_model->quantityKind();
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
   m_cardTitle->setText(shownText(base::translated(definition.name)));
   m_cardText->setText(shownText(base::translated(definition.text)) +
                       (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
-  fitCard(*m_card, m_pages->height(), width() * 2 / 5);
+  fitCard();
+}
+
+void MatricesPanel::fitCard() {
+  const int most = width() * 2 / 5, height = m_pages->height();
+  int fitting = scaledPixels(kCardWidth);
+  for (const int wider : {kCardWidth, kCardWidth * 4 / 3, kCardWidth * 5 / 3}) {
+    if (scaledPixels(wider) > std::max(most, fitting)) break;
+    fitting = scaledPixels(wider);
+    const bool isWideEnough = m_card->layout()->minimumSize().width() <= fitting;
+    if (isWideEnough && m_card->layout()->totalHeightForWidth(fitting) <= height) break;
+  }
+  m_card->setFixedWidth(fitting);
 }
 
 void MatricesPanel::renew() {
@@ -363,7 +362,7 @@ QString MatricesPanel::whyEmpty() const {
 
 void MatricesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitCard(*m_card, m_pages->height(), width() * 2 / 5);
+  fitCard();
   m_card->setVisible(width() >= kWidthForCard);
 }
 

@@ -63,6 +63,9 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void chooseForm(EntryForm form);
   QFrame* makeCard();
   void explain(const QModelIndex& index);
+  /// Gives the card the least width at which its text is not cut off, as long as the matrix keeps most of the
+  /// room.
+  void fitCard();
   void renew();
   void renewForm();
   [[nodiscard]] QString whyEmpty() const;
