@@ -355,7 +355,8 @@ Solid arm(const Boss& a, const Boss& b, double from, double to, double tolerance
 }
 
 Solid spider(const Boss& hub, std::span<const Boss> allEnds, double from, double to, double tolerance) {
-  constexpr double kPart = 0.985;  // of the hub of the piece before: no two have a vertex in common
+  // Each piece has a smaller hub than the one before, by this factor, so that no two share a vertex.
+  constexpr double kPart = 0.985;
   const double least = std::pow(kPart, static_cast<double>(allEnds.size()));
   std::vector<Boss> ends;
   for (const Boss& end : allEnds) {
