@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "core/foundations/base/spoken.h"
+#include "ui/models/printed_number.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_dynamics {
@@ -16,10 +16,8 @@ namespace {
 constexpr double kLeft = 76, kRight = 124;  // logical pixels, for titles and sums at least
 constexpr double kGap = 1;
 
-/// With the minus sign of print.
 QString printed(double inertia) {
-  return QString::fromStdString(spokenNumber(QByteArray::number(inertia, 'g', 4).toStdString()))
-      .replace(QLatin1Char('-'), QStringLiteral("−"));
+  return printedNumber(inertia, 4);
 }
 
 }  // namespace
@@ -109,7 +107,7 @@ QString InertiaBars::tipOf(std::size_t bar, std::size_t part) const {
   return tr("Link %1: %2 kg m² at %3, %4 % of all.")
       .arg(shown.label)
       .arg(printed(shown.inertia), m_bars[bar].title)
-      .arg(QString::fromStdString(spokenNumber(QByteArray::number(100 * shown.share, 'f', 1).toStdString())));
+      .arg(printedNumber(100 * shown.share, 1, 'f'));
 }
 
 std::optional<InertiaBars::Place> InertiaBars::placeAt(const QPointF& at) const {

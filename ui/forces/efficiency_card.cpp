@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/load_edits.h"
+#include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/style_sheet.h"
@@ -111,8 +111,7 @@ QString lockingTip(const LockingLimits& limits) {
   const std::optional<LockingBracket>& bracket = limits.forward ? limits.forward : limits.backward;
   if (!bracket) return tip;
   const auto value = [&](double limit) {
-    const QByteArray text = QByteArray::number(areStated ? 100 * limit : limit, 'f', areStated ? 4 : 6);
-    return QString::fromStdString(spokenNumber(text.toStdString()));
+    return printedNumber(areStated ? 100 * limit : limit, areStated ? 4 : 6, 'f');
   };
   tip += QLatin1Char('\n');
   tip += areStated ? EfficiencyCard::tr("At %1 % it moves, at %2 % no choice of driving gears solves it.")

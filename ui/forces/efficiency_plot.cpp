@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/spoken.h"
+#include "ui/models/printed_number.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/motion_plot.h"
 
@@ -18,9 +18,7 @@ namespace {
 constexpr double kLeft = 52, kTop = 22, kBelow = 34, kRight = 12;  // logical pixels
 
 QString number(double value) {
-  const QByteArray text = QByteArray::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 5);
-  return QString::fromStdString(spokenNumber(text.toStdString()))
-      .replace(QLatin1Char('-'), QStringLiteral("−"));
+  return printedNumber(std::abs(value) < 1e-12 ? 0 : value, 5);
 }
 
 }  // namespace

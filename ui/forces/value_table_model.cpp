@@ -3,6 +3,7 @@
 #include <QFont>
 #include <algorithm>
 
+#include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 
 namespace geargraph::inline forces {
@@ -10,10 +11,6 @@ namespace {
 
 QVariant alignmentOf(const ForceColumn& column) {
   return QVariant::fromValue(Qt::AlignVCenter | (column.isNumber ? Qt::AlignRight : Qt::AlignLeft));
-}
-
-QString withPrintedMinus(QString text) {
-  return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
 }  // namespace

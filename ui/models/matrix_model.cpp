@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/spoken.h"
+#include "ui/models/printed_number.h"
 
 namespace geargraph::inline models {
 namespace {
@@ -216,8 +217,7 @@ QVariant MatrixModel::quantityData(int row, int column, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (zero) return QStringLiteral("0");
-      return formula ? shownText(entry->text)
-                     : shownText(spokenNumber(entry->text)).replace(QLatin1Char('-'), QStringLiteral("−"));
+      return formula ? shownText(entry->text) : withPrintedMinus(shownText(spokenNumber(entry->text)));
     case Qt::TextAlignmentRole:
       return int(Qt::AlignCenter);
     case Qt::AccessibleTextRole:

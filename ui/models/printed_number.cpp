@@ -7,15 +7,15 @@ namespace {
 
 constexpr int kLongestFraction = 9;  // characters; longer ones are told in digits
 
+}  // namespace
+
 QString withPrintedMinus(QString text) {
   return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
-}  // namespace
-
-QString printedNumber(double value) {
+QString printedNumber(double value, int digits, char format) {
   return withPrintedMinus(
-      QString::fromStdString(spokenNumber(QByteArray::number(value, 'g', 6).toStdString())));
+      QString::fromStdString(spokenNumber(QByteArray::number(value, format, digits).toStdString())));
 }
 
 QString printedFraction(const Rational& value) {

@@ -8,7 +8,9 @@ namespace geargraph::inline models {
 
 /// A number with a Unicode minus sign; a long fraction is given to about six digits.
 [[nodiscard]] QString printedFraction(const Rational& value);
-/// With the decimal sign of the window's language.
-[[nodiscard]] QString printedNumber(double value);
+/// With the decimal sign of the window's language. `digits` and `format` as for QString::number().
+[[nodiscard]] QString printedNumber(double value, int digits = 6, char format = 'g');
+/// The same text with Unicode minus signs.
+[[nodiscard]] QString withPrintedMinus(QString text);
 
 }  // namespace geargraph::inline models

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "ui/models/printed_number.h"
 
@@ -15,9 +14,7 @@ QString shown(const std::string& text) {
 }
 
 QString decimalText(double value, int digits) {
-  return QString::number(value, 'f', digits)
-      .replace(QLatin1Char('-'), QStringLiteral("−"))
-      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
+  return printedNumber(value, digits, 'f');
 }
 
 QString decimalText(const Rational& value, int digits) {

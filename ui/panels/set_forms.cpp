@@ -8,7 +8,6 @@
 
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/reverted_train.h"
-#include "core/foundations/base/spoken.h"
 #include "ui/models/printed_number.h"
 #include "ui/panels/number_field.h"
 
@@ -17,8 +16,7 @@ namespace {
 
 QString errorText(double error) {
   if (error == 0) return SetForm::tr("exact");
-  return QString::fromStdString(spokenNumber(QByteArray::number(100 * error, 'g', 2).toStdString())) +
-         QStringLiteral(" %");
+  return printedNumber(100 * error, 2) + QStringLiteral(" %");
 }
 
 /// Which members drive and are driven, in the order of the combo box; the third is held.

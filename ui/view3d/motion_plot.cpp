@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/foundations/base/spoken.h"
+#include "ui/models/printed_number.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline view3d {
@@ -26,9 +26,7 @@ constexpr std::size_t kMostFineCurves = 40;
 constexpr double kMargin = 0.08;  // of the values, above and below
 
 QString text(double value, int digits = 5) {
-  const QByteArray number = QByteArray::number(std::abs(value) < 1e-12 ? 0 : value, 'g', digits);
-  return QString::fromStdString(spokenNumber(number.toStdString()))
-      .replace(QLatin1Char('-'), QStringLiteral("−"));
+  return printedNumber(std::abs(value) < 1e-12 ? 0 : value, digits);
 }
 
 bool isDark(const QPalette& palette) {

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/foundations/base/spoken.h"
+#include "ui/models/printed_number.h"
 #include "ui/theme/icons.h"
 
 namespace geargraph::inline view3d {
@@ -24,21 +24,15 @@ constexpr double kMostTenths = 99.9;       // s: longer times are told in second
 /// `span`: of the times that are shown; short ones are told in milliseconds.
 QString seconds(double value, double span) {
   constexpr double kShort = 0.5;
-  return QString::number(value, 'f',
-                         span < kShort                ? 3
-                         : value < kMostTenths + 0.05 ? 1
-                                                      : 0)
-      .replace(QLatin1Char('.'), QLatin1Char(decimalSign()))
-      .replace(QLatin1Char('-'), QStringLiteral("−"));
+  const int digits = span < kShort ? 3 : value < kMostTenths + 0.05 ? 1 : 0;
+  return printedNumber(value, digits, 'f');
 }
 
 /// "1/4×", "2×"; backwards with a minus.
 QString speedText(double speed) {
   const double size = std::abs(speed);
-  const QString number =
-      size < 1 && std::round(1 / size) == 1 / size
-          ? QStringLiteral("1/%1").arg(1 / size)
-          : QString::number(size, 'g', 3).replace(QLatin1Char('.'), QLatin1Char(decimalSign()));
+  const QString number = size < 1 && std::round(1 / size) == 1 / size ? QStringLiteral("1/%1").arg(1 / size)
+                                                                      : printedNumber(size, 3);
   return (speed < 0 ? QStringLiteral("−") : QString()) + number + QStringLiteral("×");
 }
 
