@@ -3,6 +3,7 @@
 
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/mechanisms.h"
@@ -131,6 +132,14 @@ class MechanismTest : public QObject {
     Mechanism mechanism = robotTopology();
     mechanism = withLink(mechanism, {}).value();
     QCOMPARE(mechanism.links.back().id.text(), std::string("19"));
+  }
+
+  void newIdsAreTheSmallestNumbersThatAreFree() {
+    Mechanism odd = emptyMechanism();
+    for (const char* id : {"2", "03", "+4", "5x", "99999999999999999999", "-1", "7"})
+      odd.links.push_back({LinkId(id), {}, {}});
+    const std::vector<std::string> wanted{"1", "3", "4", "5", "6", "8"};
+    QCOMPARE(freshIds(odd, 6), wanted);
   }
 
   void aJointThatClosesALoopIsRejected() {
