@@ -13,7 +13,8 @@ namespace {
 constexpr double kSmallestText = 4;     ///< px on screen
 constexpr double kSmallestArrow = 0.2;  ///< scale
 constexpr double kSmallestDash = 0.3;
-constexpr double kThinnestLine = 0.7;  ///< px on screen
+constexpr double kThinnestLine = 0.7;    ///< px on screen
+constexpr double kSmallestCircle = 1.2;  ///< px on screen, its radius: a smaller one is a dot
 
 QPen penOf(const Stroke& stroke, Theme theme, double scale) {
   const double width = std::max(stroke.width, kThinnestLine / scale);
@@ -110,7 +111,17 @@ struct MarkPainter {
   double scale;
   MarkRole role;
 
+  /// A circle of a pixel or two: Qt paints a square in a fraction of the time, and nobody sees a difference.
+  bool paintedAsDot(const Shape& shape, const QColor& color) const {
+    const auto* circle = std::get_if<Circle>(&shape);
+    if (circle == nullptr || circle->radius * scale >= kSmallestCircle) return false;
+    const QPointF corner(circle->radius, circle->radius);
+    painter.fillRect(QRectF(toQPoint(circle->center) - corner, toQPoint(circle->center) + corner), color);
+    return true;
+  }
+
   void operator()(const Stroke& stroke) const {
+    if (paintedAsDot(stroke.shape, toQColor(colorOf(stroke.tint, theme)))) return;
     QPen pen = penOf(stroke, theme, scale);
     painter.setBrush(Qt::NoBrush);
     const auto* curve = std::get_if<Curve>(&stroke.shape);
@@ -127,8 +138,10 @@ struct MarkPainter {
   }
   void operator()(const Fill& fill) const {
     if (role == MarkRole::arrowhead && scale < kSmallestArrow) return;
+    const QColor color = toQColor(colorOf(fill.tint, theme));
+    if (paintedAsDot(fill.shape, color)) return;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(toQColor(colorOf(fill.tint, theme)));
+    painter.setBrush(color);
     std::visit(ShapePainter{painter}, fill.shape);
   }
   void operator()(const Text& text) const {
