@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "ui/panels/number_field.h"
+#include "ui/theme/laid_out_at_once.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_dynamics {
@@ -102,6 +104,7 @@ void MotorsForm::showRows(const Mechanism& mechanism, const std::vector<int>& jo
     widget->deleteLater();
   }
   m_widgets.clear();
+  const LaidOutAtOnce added(this);
   for (int row = 0; row < static_cast<int>(std::min(m_rows.size(), kMostRows)); ++row) {
     const QString label = QString::number(mechanism.jointLabel(joints[static_cast<std::size_t>(row)]));
     auto* title = new QLabel(label, this);

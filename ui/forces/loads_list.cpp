@@ -7,12 +7,14 @@
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+#include <optional>
 
 #include "core/mechanism/model/load_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/laid_out_at_once.h"
 
 namespace geargraph::inline forces {
 namespace {
@@ -157,6 +159,7 @@ void LoadsList::showRows() {
     }
   }
   m_rows.clear();
+  const LaidOutAtOnce added(this);
   const std::size_t count = std::min(kMostRows, m_document->mechanism()->loads.size());
   for (std::size_t load = 0; load < count; ++load)
     m_rows.push_back(makeRow(static_cast<int>(load), static_cast<int>(load)));

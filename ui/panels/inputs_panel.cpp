@@ -9,6 +9,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
@@ -22,6 +23,7 @@
 #include "ui/panels/speed_slider.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/laid_out_at_once.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -107,8 +109,11 @@ void InputsPanel::renew() {
                  [](const Row& row, const Input& input) { return row.joint == input.joint; }) &&
       std::equal(m_shownTitles.begin(), m_shownTitles.end(), titles.begin());
   if (!areFirst) clearRows();
+  std::optional<LaidOutAtOnce> added;
+  if (m_rows.size() < shown) added.emplace(this);
   while (m_rows.size() < shown)
     m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
+  added.reset();
   m_shownTitles = std::move(titles);
   for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
   m_more->setText(tr("Show more: %1 of %2 inputs are listed").arg(shown).arg(inputs.size()));

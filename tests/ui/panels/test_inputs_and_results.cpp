@@ -333,6 +333,20 @@ class InputsAndResultsTest : public QObject {
     QVERIFY(!more->isVisibleTo(inputs.get()));
   }
 
+  void rowsAreShownTogether() {
+    inputs->show();
+    document->replace(test::randomTrain(7, 40, 0), {});
+    settle();
+    inputs->drive(snapshot->matroid()->choice.joints);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    const QList<SpeedSlider*> sliders = inputs->findChildren<SpeedSlider*>();
+    QCOMPARE(sliders.size(), 30);
+    for (const SpeedSlider* slider : sliders)
+      QVERIFY(slider->isVisible());  // before another event is handled
+    QVERIFY(!inputs->findChild<QToolButton*>(QStringLiteral("releaseAll"))->isVisible());
+    QVERIFY(sliders.back()->y() > sliders.front()->y());
+  }
+
   void aJumpToTheEndMeasuresNoColumnOnTheWay() {
     results->setSnapshot(analyzeLive(std::make_shared<const Mechanism>(test::randomTrain(7, 1000, 400)), 1));
     results->resize(500, 300);
