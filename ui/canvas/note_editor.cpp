@@ -21,7 +21,7 @@ qsizetype unitsOf(const QString& text, std::size_t count) {
 }  // namespace
 
 NoteEditor::NoteEditor(const QString& text, QPoint middle, QWidget* parent)
-    : QPlainTextEdit(text, parent), m_middle(middle) {
+    : PlainTextField(text, parent), m_middle(middle) {
   setObjectName(QStringLiteral("noteEditor"));
   setAccessibleName(tr("Text of the note"));
   setPlaceholderText(tr("Text"));
@@ -83,12 +83,12 @@ void NoteEditor::keyPressEvent(QKeyEvent* event) {
       finish(false);
       return;
     default:
-      QPlainTextEdit::keyPressEvent(event);
+      PlainTextField::keyPressEvent(event);
   }
 }
 
 void NoteEditor::focusOutEvent(QFocusEvent* event) {
-  QPlainTextEdit::focusOutEvent(event);
+  PlainTextField::focusOutEvent(event);
   // The clipboard's menu takes the focus for a moment only.
   if (event->reason() != Qt::PopupFocusReason) finish(true);
 }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <QPlainTextEdit>
+#include "ui/theme/plain_text_field.h"
 
 namespace geargraph::inline canvas {
 
 /// An in-place editor for the text of a note: Enter or losing the focus accepts the text, Shift+Enter starts
 /// a new line, Esc cancels. A text longer than kLongestNote is truncated, and limited() is emitted. Deletes
 /// itself.
-class NoteEditor final : public QPlainTextEdit {
+class NoteEditor final : public PlainTextField {
   Q_OBJECT
 
  public:

@@ -1,11 +1,11 @@
 #include "ui/panels/note_form.h"
 
 #include <QEvent>
-#include <QPlainTextEdit>
 #include <QSignalBlocker>
 
 #include "core/mechanism/model/notes.h"
 #include "ui/models/term_tips.h"
+#include "ui/theme/plain_text_field.h"
 
 namespace geargraph::inline panels {
 
@@ -18,7 +18,7 @@ NoteForm::NoteForm(Document* document, std::vector<ElementId> notes)
   }
   setTitle(tr("Note"));
   constexpr int kLines = 6;
-  m_text = new QPlainTextEdit(this);
+  m_text = new PlainTextField(this);
   m_text->setObjectName(QStringLiteral("noteText"));
   m_text->setAccessibleName(tr("Text of the note"));
   m_text->setToolTip(tr("The text on the sheet of the digraph"));

@@ -110,6 +110,23 @@ class TestDigraphNotes : public QObject {
     QCOMPARE(d.document.undoStack().undoText(), QStringLiteral("Delete note"));
   }
 
+  void selectedTextIsNotDragged() {
+    ViewDriver d(noted());
+    d.view.openNoteEditor({}, NoteId("N1"));
+    NoteEditor& editor = *editorOf(d);
+    QCOMPARE(editor.textCursor().selectedText(), QStringLiteral("sun"));
+    const QPoint on = editor.cursorRect().center() - QPoint(1, 0);
+    QTest::mousePress(editor.viewport(), Qt::LeftButton, {}, on);
+    QVERIFY(!editor.textCursor().hasSelection());
+    QTest::mouseMove(editor.viewport(), on - QPoint(60, 0));  // would not come back from a drag
+    QCOMPARE(editor.textCursor().selectedText(), QStringLiteral("sun"));
+    QTest::mouseRelease(editor.viewport(), Qt::LeftButton, {}, on - QPoint(60, 0));
+    QTest::mouseClick(editor.viewport(), Qt::LeftButton, {}, on - QPoint(60, 0));
+    QTest::mousePress(editor.viewport(), Qt::LeftButton, Qt::ShiftModifier, on + QPoint(40, 0));
+    QTest::mouseRelease(editor.viewport(), Qt::LeftButton, Qt::ShiftModifier, on + QPoint(40, 0));
+    QCOMPARE(editor.textCursor().selectedText(), QStringLiteral("sun"));
+  }
+
   void tooLongATextIsCutAndSaid() {
     ViewDriver d(noted());
     QSignalSpy hints(&d.view, &DrawingView::hintChanged);
