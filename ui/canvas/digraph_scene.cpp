@@ -223,8 +223,8 @@ void DigraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
   drawStale();
 }
 
-DisplayList DigraphScene::displayList(const Emphases& emphases) const {
-  return digraphDrawing(*m_geometry, emphases);
+DrawingScene::Draw DigraphScene::drawing() const {
+  return [geometry = m_geometry](const Emphases& emphases) { return digraphDrawing(*geometry, emphases); };
 }
 
 }  // namespace geargraph::inline canvas

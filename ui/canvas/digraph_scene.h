@@ -30,8 +30,7 @@ class DigraphScene final : public DrawingScene {
   [[nodiscard]] bool isDrawn() const { return !m_putUp && !m_isMoving; }
 
   [[nodiscard]] const NodePositions& positions() const { return m_positions; }
-  using DrawingScene::displayList;
-  [[nodiscard]] DisplayList displayList(const Emphases& emphases) const override;
+  [[nodiscard]] Draw drawing() const override;
 
  signals:
   void drawn();  ///< a large drawing, or a change of one, is complete

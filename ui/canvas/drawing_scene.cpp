@@ -138,8 +138,8 @@ void DrawingScene::setTheme(Theme theme) {
   setBackgroundBrush(toQColor(colorOf(ColorRole::sheet, theme)));
 }
 
-DisplayList DrawingScene::displayList(const Emphases& emphases) const {
-  return m_draw ? m_draw(emphases) : DisplayList{};
+DrawingScene::Draw DrawingScene::drawing() const {
+  return m_draw ? m_draw : [](const Emphases&) { return DisplayList{}; };
 }
 
 QRectF DrawingScene::drawnRect() const {

@@ -31,9 +31,10 @@ class DrawingScene : public QGraphicsScene {
 
   /// The outlines for hit tests.
   [[nodiscard]] const std::vector<Outline>& outlines() const { return m_outlines; }
-  /// The drawing as one list, for export: as shown, or with other emphases.
-  [[nodiscard]] DisplayList displayList() const { return displayList(m_emphases); }
-  [[nodiscard]] virtual DisplayList displayList(const Emphases& emphases) const;
+  /// The drawing as one list, as shown.
+  [[nodiscard]] DisplayList displayList() const { return drawing()(m_emphases); }
+  /// Draws what is shown now, whatever is shown later. Thread-safe.
+  [[nodiscard]] virtual Draw drawing() const;
   /// The extent of the drawing and the underlay, without halos.
   [[nodiscard]] QRectF drawnRect() const;
 

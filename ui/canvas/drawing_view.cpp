@@ -130,11 +130,13 @@ void DrawingView::setUnderlay(DisplayList underlay) {
   if (m_fitted && !isLoadDragged()) fit();  // else the sheet would move under the mouse that pulls
 }
 
-DisplayList DrawingView::picture() {
+std::function<DisplayList()> DrawingView::pictureMaker() {
   catchUp();
-  DisplayList all = m_scene->underlay();
-  all.append(m_scene->displayList(Emphases{}));
-  return all;
+  return [underlay = m_scene->underlay(), drawing = m_scene->drawing()] {
+    DisplayList all = underlay;
+    all.append(drawing({}));
+    return all;
+  };
 }
 
 void DrawingView::paintEvent(QPaintEvent* event) {

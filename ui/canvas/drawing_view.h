@@ -79,7 +79,10 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
 
   [[nodiscard]] DisplayList displayList() const;  ///< as shown, with highlights
-  [[nodiscard]] DisplayList picture();            ///< the same without highlights, for export
+  /// The same without highlights, for export. pictureMaker() makes it of what is shown now, on any thread:
+  /// that of a large document takes a while.
+  [[nodiscard]] DisplayList picture() { return pictureMaker()(); }
+  [[nodiscard]] std::function<DisplayList()> pictureMaker();
   /// Why picture() was not up to date with the document, as a sentence; empty if it was.
   [[nodiscard]] virtual QString whyNoPicture() const { return {}; }
   /// The menu for the element at a point of the viewport; the caller owns it.

@@ -62,8 +62,10 @@ void TtGraphScene::drawSlice() {
   QTimer::singleShot(0, this, &TtGraphScene::drawSlice);
 }
 
-DisplayList TtGraphScene::displayList(const Emphases& emphases) const {
-  return m_sheet ? ttGraphDrawing(m_sheet->geometry, emphases) : DisplayList{};
+DrawingScene::Draw TtGraphScene::drawing() const {
+  return [sheet = std::shared_ptr<const TtGraphSheet>(m_sheet)](const Emphases& emphases) {
+    return sheet ? ttGraphDrawing(sheet->geometry, emphases) : DisplayList{};
+  };
 }
 
 }  // namespace geargraph::inline canvas

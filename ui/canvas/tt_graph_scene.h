@@ -38,8 +38,7 @@ class TtGraphScene final : public DrawingScene {
   void show(TtGraphSheetPtr sheet);
   /// Null until the first one is shown.
   [[nodiscard]] const TtGraphSheet* sheet() const { return m_sheet.get(); }
-  using DrawingScene::displayList;
-  [[nodiscard]] DisplayList displayList(const Emphases& emphases) const override;
+  [[nodiscard]] Draw drawing() const override;
 
  protected:
   void drawAgain(const std::unordered_set<ElementId>& changed) override;

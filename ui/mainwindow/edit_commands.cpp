@@ -57,8 +57,8 @@ QString whyUnreadable(const Diagnostics& problems) {
 
 }  // namespace
 
-EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard,
-                           std::function<DisplayList()> picture, QWidget* window)
+EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard, PictureOf picture,
+                           QWidget* window)
     : QObject(window),
       m_window(window),
       m_document(&workbench.document()),
@@ -77,7 +77,9 @@ bool EditCommands::copy() {
   content.asText = true;
   if (fragment.n() <= kMostPicturedLinks) {
     const bool withGround = m_selection->isSelected(fragment.links.front().id);
-    content.drawing = partOf(m_picture(), fragment, withGround);
+    content.drawing = [picture = m_picture(), fragment, withGround] {
+      return partOf(picture(), fragment, withGround);
+    };
   }
   m_clipboard->copy(std::move(content));
   emit noted(tr("Copied %1").arg(countedText(fragment)));

@@ -28,9 +28,9 @@ class EditCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// `picture`: returns the drawing in front, for export.
-  EditCommands(Workbench& workbench, PictureClipboard* clipboard, std::function<DisplayList()> picture,
-               QWidget* window);
+  /// Returns what makes the picture of the drawing in front as it is then, on any thread.
+  using PictureOf = std::function<std::function<DisplayList()>()>;
+  EditCommands(Workbench& workbench, PictureClipboard* clipboard, PictureOf picture, QWidget* window);
 
   bool copy();  ///< false if nothing selected can be copied
   void cut();
@@ -53,7 +53,7 @@ class EditCommands : public QObject {
   Document* m_document;
   Selection* m_selection;
   PictureClipboard* m_clipboard;
-  std::function<DisplayList()> m_picture;
+  PictureOf m_picture;
 };
 
 }  // namespace geargraph::inline mainwindow

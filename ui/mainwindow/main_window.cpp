@@ -207,7 +207,7 @@ void MainWindow::makeCommands() {
   auto* clipboard = new PictureClipboard(this);
   connect(clipboard, &PictureClipboard::rejected, m_status, &StatusLine::showRejection);
   m_commands = new EditCommands(
-      *m_workbench, clipboard, [this] { return drawing().picture(); }, this);
+      *m_workbench, clipboard, [this] { return drawing().pictureMaker(); }, this);
   connect(m_commands, &EditCommands::rejected, m_status, &StatusLine::showRejection);
   connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
   m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},

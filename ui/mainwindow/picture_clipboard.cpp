@@ -47,6 +47,7 @@ PictureClipboard::PictureClipboard(QObject* parent)
   m_painter->onAnswer(this, [this](const Picture& picture) {
     if (!m_isOurs) return;  // something else has been copied meanwhile
     if (!picture.why.isEmpty()) return emit rejected(picture.why);
+    if (picture.png.isEmpty()) return;
     put(picture);
     emit pictured();
   });
@@ -55,7 +56,7 @@ PictureClipboard::PictureClipboard(QObject* parent)
 void PictureClipboard::copy(CopiedContent content) {
   if (!content.json.isEmpty()) put({content, {}, {}, {}, {}});
   m_isOurs = true;
-  if (content.drawing.marks.empty() && !content.seen) return m_painter->cancel();
+  if (!content.drawing && !content.seen) return m_painter->cancel();
   m_painter->request(std::make_shared<const CopiedContent>(std::move(content)));
 }
 
@@ -82,12 +83,14 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     picture.png =
         QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
   } else {
+    const DisplayList drawing = content.drawing();
+    if (drawing.marks.empty()) return picture;  // the drawing in front does not show what was copied
     DrawingPicture how;
     how.style = paperStyle();
-    picture.svg = bytesOf(pictureOf(content.drawing, how));
+    picture.svg = bytesOf(pictureOf(drawing, how));
     how.form = PictureForm::png;
-    how.scale = scaleOf(content.drawing);
-    picture.png = bytesOf(pictureOf(content.drawing, how));
+    how.scale = scaleOf(drawing);
+    picture.png = bytesOf(pictureOf(drawing, how));
   }
   if (stop.stop_requested()) return picture;
   if (picture.png.isEmpty()) picture.why = tr("There is not enough memory for the picture.");

@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QImage>
 #include <QObject>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,9 +17,9 @@ namespace geargraph::inline mainwindow {
 
 /// Content for the clipboard: elements as JSON, a picture of them, or both.
 struct CopiedContent {
-  QByteArray json;      ///< a document, which other windows paste; empty: none
-  bool asText = false;  ///< the JSON is also the plain text of the clipboard
-  DisplayList drawing;  ///< empty: none
+  QByteArray json;                       ///< a document, which other windows paste; empty: none
+  bool asText = false;                   ///< the JSON is also the plain text of the clipboard
+  std::function<DisplayList()> drawing;  ///< called on another thread; empty: none
   /// The 3D view as shown, with its labels.
   struct Seen {
     StageRendering rendering;

@@ -129,7 +129,7 @@ void WindowExports::copyPicture(const QString& view) {
   for (DrawingView* each : m_views.drawings) {
     if (each->objectName() != view) continue;
     CopiedContent content;
-    content.drawing = each->picture();
+    content.drawing = each->pictureMaker();
     const QString why = each->whyNoPicture();
     if (!why.isEmpty()) return emit rejected(why);
     content.json = QByteArray::fromStdString(writeMechanism(*m_workbench.document().mechanism()));
