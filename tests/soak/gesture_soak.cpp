@@ -26,6 +26,8 @@ constexpr int kRoundsOfEach = 3;        // of every document at least, so that t
 constexpr long kGesturesOfRound = 200;  // where no number is given
 constexpr int kMostFindings = 20;       // after that the rest would only repeat them
 constexpr int kSettling = 60;           // events with no window open until memory is counted
+constexpr int kMostOpeningSteps = 200;  // of a window that is not painted
+constexpr int kStepsAfterPaint = 3;     // other parts of it are painted in the next event
 constexpr long kSpareObjects = 20;      // that come and go with timers and threads
 constexpr double kSpareMemory = 24;     // MB: allocators do not give back all
 constexpr std::chrono::seconds kHang{100};
@@ -165,18 +167,33 @@ void GestureSoak::step() {
   if (m_sinceGesture.elapsed() > kStuck) return giveUp();
   if (isOver || m_ending) return endRound();
   next();
+  if (isOpening()) return;
   act();
   for (MainWindow* each : m_windows->windows())
     m_mostLinks = std::max(m_mostLinks, each->document().mechanism()->n());  // gestures paste
 }
 
-/// A gesture that makes a window (opens an example, begins a practice, changes the language) is an opening.
-/// Known as soon as the window is there: the event that a gesture sends handles posted ones before it
-/// returns.
+/// A gesture that makes a window (opens an example, begins a practice, changes the language) is an opening
+/// until that is painted, and one that deletes a window a closing. Known as soon as it begins: the event that
+/// a gesture sends handles posted ones before it returns.
 bool GestureSoak::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Polish && qobject_cast<MainWindow*>(watched) != nullptr)
+  if (event->type() == QEvent::Polish && qobject_cast<MainWindow*>(watched) != nullptr) {
     m_watchdog->renameActivity(kOpening);
+    m_opening = static_cast<QWidget*>(watched);
+    m_openingSteps = kMostOpeningSteps;
+    connect(watched, &QObject::destroyed, this, [this] { m_watchdog->renameActivity(kClosing); });
+  }
+  if (event->type() == QEvent::Paint && m_opening && watched->isWidgetType() &&
+      static_cast<QWidget*>(watched)->window() == m_opening)
+    m_openingSteps = std::min(m_openingSteps, kStepsAfterPaint);
   return QObject::eventFilter(watched, event);
+}
+
+/// Is a window being opened, so that nobody can do anything in it yet?
+bool GestureSoak::isOpening() {
+  if (!m_opening || m_openingSteps <= 0) return false;
+  --m_openingSteps;
+  return true;
 }
 
 void GestureSoak::act() {

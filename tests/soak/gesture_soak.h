@@ -44,6 +44,7 @@ class GestureSoak : public QObject {
  private:
   void next();
   void step();
+  [[nodiscard]] bool isOpening();
   void act();
   void beginRound();
   void endRound();
@@ -92,6 +93,8 @@ class GestureSoak : public QObject {
   std::unique_ptr<test::StallWatchdog> m_watchdog;
   QElapsedTimer m_time;
   QElapsedTimer m_sinceGesture;
+  QPointer<QWidget> m_opening;                 ///< the latest window
+  int m_openingSteps = 0;                      ///< until a gesture may begin in it
   std::vector<std::function<void()>> m_steps;  ///< of the gesture that goes on, the next one last
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture
