@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <utility>
 
+#include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/length.h"
 #include "ui/theme/application_theme.h"
 
@@ -25,6 +26,11 @@ NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
   m_pause.setSingleShot(true);
   m_pause.setInterval(kPause);
   connect(&m_pause, &QTimer::timeout, this, &NumberField::commit);
+}
+
+/// With the decimal sign that is typed here; a minus stays a hyphen, as one types it.
+QString NumberField::textOf(const Number& number) {
+  return QString::fromStdString(spokenNumber(number.text()));
 }
 
 void NumberField::setWhole(int least, int most) {
@@ -68,7 +74,7 @@ void NumberField::setNumber(const std::optional<Number>& number) {
 }
 
 void NumberField::showNumber() {
-  lineEdit()->setText(m_number ? QString::fromStdString(m_number->text()) : QString());
+  lineEdit()->setText(m_number ? textOf(*m_number) : QString());
 }
 
 QVariant NumberField::value() const {
@@ -154,7 +160,7 @@ void NumberField::stepBy(int steps) {
   if (m_most && value > Rational(*m_most)) value = Rational(*m_most);
   if (m_number && value == m_number->exact()) return;
   setWrong({});
-  lineEdit()->setText(QString::fromStdString(Number(value).text()));
+  lineEdit()->setText(textOf(Number(value)));
   tellOf(Number(value));
 }
 

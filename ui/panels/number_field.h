@@ -76,6 +76,7 @@ class NumberField : public QAbstractSpinBox {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  [[nodiscard]] static QString textOf(const Number& number);
   [[nodiscard]] QString hint() const;  ///< shown while the text is valid
   [[nodiscard]] std::optional<Number> read(const QString& text) const;
   [[nodiscard]] QSize sizeAround(const QSize& text) const;

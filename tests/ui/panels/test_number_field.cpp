@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/foundations/base/spoken.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/panels/editing_panels.h"
@@ -126,6 +127,29 @@ class NumberFieldTest : public QObject, private EditingPanels {
     QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
     type(field, QStringLiteral("0,75"));
     QCOMPARE(high().value_or(Number(0)).exact(), Rational(3, 4));
+  }
+
+  void numbersHaveTheDecimalSignOfTheLanguage() {
+    const auto restored = qScopeGuard([before = QLocale()] {
+      QLocale::setDefault(before);
+      setDecimalSign('.');
+    });
+    QLocale::setDefault(QLocale(QLocale::German));
+    setDecimalSign(',');
+    selection.select({ElementId(JointId("8"))});
+    NumberField* field = numberOf("highLimit");
+    for (const auto& [number, shown] : {std::pair(Rational(3, 2), "1,5"), std::pair(Rational(9, 8), "1,125"),
+                                        std::pair(Rational(-1, 3), "-1/3")}) {
+      field->setNumber(Number(number));
+      QCOMPARE(field->text(), QLatin1String(shown));
+    }
+    type(field, QStringLiteral("1,125"));
+    QCOMPARE(document->mechanism()->find(JointId("8"))->limits.high.value_or(Number(0)).exact(),
+             Rational(9, 8));
+    QCOMPARE(field->text(), QStringLiteral("1,125"));
+    field->setStep(Rational(1, 10));
+    QTest::keyClick(field, Qt::Key_Up);
+    QCOMPARE(field->text(), QStringLiteral("1,225"));
   }
 
   void whatIsTypedIsCommittedOnce() {
