@@ -1,5 +1,6 @@
 #include "ui/models/diagnostic_model.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace geargraph::inline models {
@@ -7,6 +8,12 @@ namespace {
 
 QString shownText(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// The numbers in it with Unicode minus signs, which command line and files write as hyphens.
+QString messageOf(const Diagnostic& diagnostic) {
+  static const QRegularExpression kMinus(QStringLiteral("(?<![\\p{L}\\p{N}_.,-])-(?=\\p{N})"));
+  return shownText(diagnostic.message).replace(kMinus, QStringLiteral("−"));
 }
 
 QString placeOf(const Diagnostic& diagnostic) {
@@ -56,10 +63,10 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
   const Diagnostic& diagnostic = m_diagnostics[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole:
-      return shownText(diagnostic.message);
+      return messageOf(diagnostic);
     case Qt::AccessibleTextRole:
       return shownText(severityName(shownSeverity(diagnostic))) + QStringLiteral(": ") +
-             shownText(diagnostic.message);
+             messageOf(diagnostic);
     case Qt::ToolTipRole:
       return tr("Code: %1").arg(shownText(codeName(diagnostic.code)));
     case SeverityRole:

@@ -27,6 +27,13 @@ class DiagnosticModelTest : public QObject {
     QVERIFY(model.elementsOf(QModelIndex()).empty());
   }
 
+  void numbersHaveAMinusSign() {
+    DiagnosticModel model;
+    model.setDiagnostics({{Code::noMeshes, "Shift -0.5 at (0, -1) in a-1, T-T, 1-2, x_-3.", {}, {}, 0, 0}});
+    QCOMPARE(model.index(0).data().toString(),
+             QStringLiteral("Shift −0.5 at (0, −1) in a-1, T-T, 1-2, x_-3."));
+  }
+
   void placesAreSaid() {
     DiagnosticModel model;
     model.setDiagnostics(
