@@ -32,6 +32,14 @@ ElementId inputId(const Mechanism& mechanism, const MechanismDynamics& dynamics,
   return mechanism.turningJoints[static_cast<std::size_t>(dynamics.inputs[input])].id;
 }
 
+/// Coordinates below the accuracy of the sums over a body's triangles are 0, not -2.4e-08 mm.
+Eigen::Vector3d centerOf(const MassProperties& body) {
+  constexpr double kAccuracy = 1e-9;
+  const double gyration = body.mass > 0 ? std::sqrt(body.inertia.trace() / body.mass) : 0;
+  const double noise = kAccuracy * (body.center.norm() + gyration);
+  return body.center.unaryExpr([noise](double at) { return std::abs(at) < noise ? 0.0 : at; });
+}
+
 /// A column of numbers in brackets.
 template <class Vector>
 std::string texColumn(const Vector& values) {
@@ -68,7 +76,7 @@ ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> li
     row.elements = {mechanism.links[link].id};
     row.cells = {textCell(std::to_string(mechanism.linkLabel(static_cast<int>(link)))),
                  numberCell(body.mass)};
-    for (const double place : body.center) row.cells.push_back(numberCell(place / metres));
+    for (const double place : centerOf(body)) row.cells.push_back(numberCell(place / metres));
     for (const double moment : Eigen::Vector3d(body.inertia.diagonal()))
       row.cells.push_back(numberCell(moment));
     row.cells.push_back(spokenCell([&] { return massSourceText(links[link].source); }));

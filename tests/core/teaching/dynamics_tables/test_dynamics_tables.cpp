@@ -56,6 +56,12 @@ class TestDynamicsTables : public QObject {
     QCOMPARE(table.rows[2].cells.back().text, std::string("stated"));
     QCOMPARE(table.rows[0].cells.back().text, std::string("solids"));
     QVERIFY(valueAt(table, 0, 1) > 0);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      for (std::size_t column = 2; column <= 4; ++column) {
+        const double place = valueAt(table, row, column);  // mm
+        QVERIFY2(place == 0 || std::abs(place) > 1e-7, table.rows[row].cells[column].text.c_str());
+      }
+    }
   }
 
   void theSharesOfTheLinksSumToTheDiagonalOfTheInertia() {
