@@ -14602,6 +14602,14 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>%1 more: select links in a drawing first</source>
         <translation>%1 weitere: Wählen Sie die Glieder zuerst in einer Zeichnung aus</translation>
     </message>
+    <message>
+        <source>There is more on the left</source>
+        <translation>Links ist noch mehr</translation>
+    </message>
+    <message>
+        <source>There is more on the right</source>
+        <translation>Rechts ist noch mehr</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14602,6 +14602,14 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>%1 more: select links in a drawing first</source>
         <translation>%1 más: seleccione antes los eslabones en un dibujo</translation>
     </message>
+    <message>
+        <source>There is more on the left</source>
+        <translation>Hay más a la izquierda</translation>
+    </message>
+    <message>
+        <source>There is more on the right</source>
+        <translation>Hay más a la derecha</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14601,6 +14601,14 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>%1 more: select links in a drawing first</source>
         <translation>%1 tane daha: önce uzuvları bir çizimde seçin</translation>
     </message>
+    <message>
+        <source>There is more on the left</source>
+        <translation>Solda daha fazlası var</translation>
+    </message>
+    <message>
+        <source>There is more on the right</source>
+        <translation>Sağda daha fazlası var</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -2,10 +2,13 @@
 
 #include <QScrollArea>
 
+class QToolButton;
+
 namespace geargraph::inline forces {
 
 /// A strip of controls with its natural height that scrolls horizontally if it is too wide, so that it does
-/// not force a minimum width on a panel.
+/// not force a minimum width on a panel. An arrow at an edge beyond which there is more takes the place of a
+/// scroll bar, which would be as high as the strip.
 class SidewaysScroll : public QScrollArea {
   Q_OBJECT
 
@@ -15,8 +18,16 @@ class SidewaysScroll : public QScrollArea {
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
  private:
-  [[nodiscard]] int wantedHeight() const;
+  QToolButton* makeArrow(int way, const QString& tip);
+  void placeArrows();
+
+  QToolButton* m_left;
+  QToolButton* m_right;
 };
 
 }  // namespace geargraph::inline forces

@@ -1,8 +1,10 @@
 #include <QAbstractItemModelTester>
+#include <QBoxLayout>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableView>
@@ -20,6 +22,7 @@
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
+#include "ui/forces/sideways_scroll.h"
 
 namespace geargraph {
 
@@ -164,6 +167,34 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     open(loadedSet());
     QVERIFY2(panel->minimumSizeHint().width() < 480,
              qPrintable(QString::number(panel->minimumSizeHint().width())));
+  }
+
+  void whatIsBeyondTheEdgeIsReachedByArrows() {
+    auto* bar = new QWidget;
+    auto* layout = new QHBoxLayout(bar);
+    for (int i = 0; i < 10; ++i) layout->addWidget(new QPushButton(QStringLiteral("a wide button")));
+    SidewaysScroll strip(bar);
+    auto* left = strip.findChild<QToolButton*>(QStringLiteral("moreLeft"));
+    auto* right = strip.findChild<QToolButton*>(QStringLiteral("moreRight"));
+    for (const Qt::LayoutDirection direction : {Qt::LeftToRight, Qt::RightToLeft}) {
+      strip.setLayoutDirection(direction);
+      strip.resize(2000, 40);
+      strip.show();
+      QTRY_VERIFY(!right->isVisible() && !left->isVisible());
+      const QSize wanted = strip.minimumSizeHint();
+      strip.resize(300, 40);
+      QToolButton* on = direction == Qt::LeftToRight ? right : left;
+      QToolButton* back = direction == Qt::LeftToRight ? left : right;
+      QTRY_VERIFY(on->isVisible());
+      QVERIFY(!back->isVisible());
+      QCOMPARE(strip.minimumSizeHint(), wanted);  // no room for a scroll bar
+      while (on->isVisible()) on->click();
+      QVERIFY(back->isVisible());
+      QVERIFY(strip.viewport()->rect().contains(
+          layout->itemAt(9)->widget()->mapTo(strip.viewport(), QPoint(20, 5))));
+      while (back->isVisible()) back->click();
+      QVERIFY(on->isVisible());
+    }
   }
 
   void everyTableIsShownAndExplained() {
