@@ -13,6 +13,7 @@
 
 #include "ui/models/printed_number.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -139,11 +140,14 @@ void PlaybackBar::setDark(bool dark) {
 
 // Another icon is set where it is another: the bar lies on the picture, which is painted with it.
 void PlaybackBar::refresh() {
-  const std::pair wanted(m_playback->isPlaying(), m_dark);
+  const bool hasContrast = themeOf(palette()) == Theme::highContrast;
+  const std::pair wanted(m_playback->isPlaying(), hasContrast ? Theme::highContrast
+                                                  : m_dark    ? Theme::dark
+                                                              : Theme::light);
   if (m_icon != wanted) {
     m_icon = wanted;
     m_play->setIcon(icon(wanted.first ? QStringLiteral("pause") : QStringLiteral("play"), ColorRole::accent,
-                         m_dark ? Theme::dark : Theme::light));
+                         wanted.second));
     m_play->setToolTip(wanted.first ? tr("Pause (Space)") : tr("Play (Space)"));
   }
   showTime();

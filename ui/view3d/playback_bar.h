@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/presentation/drawing/palette.h"
 #include "ui/view3d/playback.h"
 
 class QLabel;
@@ -44,7 +45,7 @@ class PlaybackBar : public QWidget {
 
   Playback* m_playback;
   bool m_dark = false;
-  std::optional<std::pair<bool, bool>> m_icon;  ///< shown icon: playing, dark
+  std::optional<std::pair<bool, Theme>> m_icon;  ///< shown icon: playing, for which picture
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
