@@ -27,6 +27,11 @@ class NoFiles final : public Assimp::IOSystem {
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
   void Close(Assimp::IOStream*) override {}
+  /// assimp's own is the one symbol here whose name depends on the C++ library that it was built with.
+  const std::string& CurrentDirectory() const override {
+    static const std::string kNone;
+    return kNone;
+  }
 };
 
 /// assimp searches the header of a PLY for its end without looking where the bytes end.
