@@ -3,6 +3,7 @@
 namespace geargraph::inline selection {
 
 void Selection::select(std::set<ElementId> elements) {
+  elements = existing(std::move(elements));
   if (elements == m_selected) return;
   m_selected = std::move(elements);
   emit selectionChanged();
@@ -15,12 +16,14 @@ void Selection::toggle(const ElementId& element) {
 }
 
 void Selection::hover(std::set<ElementId> elements) {
+  elements = existing(std::move(elements));
   if (elements == m_hovered) return;
   m_hovered = std::move(elements);
   emit hoverChanged();
 }
 
 void Selection::setFallbackHighlight(std::set<ElementId> elements) {
+  elements = existing(std::move(elements));
   if (elements == m_fallbackHighlight) return;
   m_fallbackHighlight = std::move(elements);
   if (m_hovered.empty()) emit hoverChanged();

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <set>
 
@@ -17,6 +18,11 @@ class Selection : public QObject {
 
  public:
   using QObject::QObject;
+
+  /// Sets which elements there are; others are neither selected nor hovered from now on. A view may be behind
+  /// the document, as the 3D picture is while bodies are found, and what lies there under the mouse may be
+  /// gone.
+  void setExists(std::function<bool(const ElementId&)> exists) { m_exists = std::move(exists); }
 
   [[nodiscard]] const std::set<ElementId>& selected() const { return m_selected; }
   [[nodiscard]] bool isSelected(const ElementId& element) const { return m_selected.contains(element); }
@@ -56,6 +62,11 @@ class Selection : public QObject {
     return elements;
   }
 
+  [[nodiscard]] std::set<ElementId> existing(std::set<ElementId> elements) const {
+    return m_exists ? kept(std::move(elements), m_exists) : std::move(elements);
+  }
+
+  std::function<bool(const ElementId&)> m_exists;
   std::set<ElementId> m_selected;
   std::set<ElementId> m_hovered;
   std::set<ElementId> m_fallbackHighlight;

@@ -56,7 +56,7 @@ class View3D::Private {
   [[nodiscard]] StageRange range() const;
   void renewRange();
   void wireAxis();
-  void openPartMenu(const std::optional<Hit>& hit, const QPointF& at);
+  void openPartMenu(std::optional<Hit> hit, const QPointF& at);
   [[nodiscard]] std::optional<ElementId> selectedLink() const;
 
   View3D* q;
@@ -228,8 +228,9 @@ void View3D::Private::onOptionsChanged() {
 }
 
 // What the menu is about is selected first, as in the drawings.
-void View3D::Private::openPartMenu(const std::optional<Hit>& hit, const QPointF& at) {
+void View3D::Private::openPartMenu(std::optional<Hit> hit, const QPointF& at) {
   if (hit && !selection->isSelected(hit->element)) selection->select({hit->element});
+  if (hit && !selection->isSelected(hit->element)) hit.reset();  // deleted since the picture was drawn
   auto* menu = new QMenu(q);
   menu->setObjectName("view3dPartMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);

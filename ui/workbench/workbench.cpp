@@ -32,6 +32,8 @@ Workbench::Workbench(Document* document, Selection* selection, QObject* parent)
       m_motionCheck(new MotionCheckService(this)) {
   m_document->setParent(this);
   m_selection->setParent(this);
+  m_selection->setExists(
+      [document](const ElementId& element) { return document->elements().contains(element); });
   connect(m_document, &Document::changed, this, &Workbench::request);  // before the views hear of it
   m_analysis->onAnswer(this, [this](const SnapshotPtr& snapshot) {
     m_forces->follow(snapshot);

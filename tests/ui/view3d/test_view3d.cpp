@@ -582,6 +582,20 @@ class TestView3D : public QObject {
     QVERIFY((shown.view.camera().forward() - Eigen::Vector3d(0, 0, -1)).norm() < 1e-9);
   }
 
+  void whatHasBeenDeletedSinceHasNoMenu() {
+    Shown shown;
+    std::optional<ElementId> meant;
+    connect(&shown.view, &View3D::menuOpening, this,
+            [&](QMenu*, const std::optional<ElementId>& element) { meant = element; });
+    shown.selection.setExists([](const ElementId& element) { return element != ElementId(LinkId("1")); });
+    QTest::mouseClick(shown.canvas(), Qt::RightButton, {}, shown.at(kOnFirst));
+    const auto menu = [&] { return shown.view.findChild<QMenu*>("view3dPartMenu"); };
+    QTRY_VERIFY(menu() != nullptr);
+    QVERIFY(menu()->findChild<QAction*>("view3dRide") == nullptr);
+    QVERIFY(!meant && shown.selection.selected().empty());
+    menu()->close();
+  }
+
   void aTracedPointSaysHowFarItTravels() {
     Shown shown;
     QString note;
