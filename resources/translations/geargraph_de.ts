@@ -14610,6 +14610,30 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>There is more on the right</source>
         <translation>Rechts ist noch mehr</translation>
     </message>
+    <message>
+        <source>They have no properties that could be changed together.</source>
+        <translation>Sie haben keine Eigenschaften, die man gemeinsam ändern könnte.</translation>
+    </message>
+    <message>
+        <source>Its joints have its place and direction: select one to change them.</source>
+        <translation>Lage und Richtung haben ihre Gelenke: Wählen Sie eines aus, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>Brake %1</source>
+        <translation>Bremse %1</translation>
+    </message>
+    <message>
+        <source>Clutch %1</source>
+        <translation>Kupplung %1</translation>
+    </message>
+    <message>
+        <source>While it is engaged the brake holds its link.</source>
+        <translation>Solange sie geschlossen ist, hält die Bremse ihr Glied fest.</translation>
+    </message>
+    <message>
+        <source>While it is engaged the clutch makes its links turn as one.</source>
+        <translation>Solange sie geschlossen ist, drehen sich die Glieder der Kupplung gemeinsam.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -813,7 +813,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>ninguna</translation>
+        <translation>no hay</translation>
     </message>
     <message>
         <source>An efficiency is above 0 and at most 1.</source>
@@ -14609,6 +14609,30 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>There is more on the right</source>
         <translation>Hay más a la derecha</translation>
+    </message>
+    <message>
+        <source>They have no properties that could be changed together.</source>
+        <translation>No tienen propiedades que se puedan cambiar juntas.</translation>
+    </message>
+    <message>
+        <source>Its joints have its place and direction: select one to change them.</source>
+        <translation>Su posición y su dirección están en sus pares: seleccione uno para cambiarlas.</translation>
+    </message>
+    <message>
+        <source>Brake %1</source>
+        <translation>Freno %1</translation>
+    </message>
+    <message>
+        <source>Clutch %1</source>
+        <translation>Embrague %1</translation>
+    </message>
+    <message>
+        <source>While it is engaged the brake holds its link.</source>
+        <translation>Mientras está activado, el freno sujeta su eslabón.</translation>
+    </message>
+    <message>
+        <source>While it is engaged the clutch makes its links turn as one.</source>
+        <translation>Mientras está activado, el embrague hace girar juntos sus eslabones.</translation>
     </message>
 </context>
 <context>

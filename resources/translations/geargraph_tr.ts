@@ -14609,6 +14609,30 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>There is more on the right</source>
         <translation>Sağda daha fazlası var</translation>
     </message>
+    <message>
+        <source>They have no properties that could be changed together.</source>
+        <translation>Birlikte değiştirilebilecek özellikleri yok.</translation>
+    </message>
+    <message>
+        <source>Its joints have its place and direction: select one to change them.</source>
+        <translation>Yeri ve yönü mafsallarındadır: değiştirmek için birini seçin.</translation>
+    </message>
+    <message>
+        <source>Brake %1</source>
+        <translation>%1 freni</translation>
+    </message>
+    <message>
+        <source>Clutch %1</source>
+        <translation>%1 kavraması</translation>
+    </message>
+    <message>
+        <source>While it is engaged the brake holds its link.</source>
+        <translation>Fren devredeyken uzvunu tutar.</translation>
+    </message>
+    <message>
+        <source>While it is engaged the clutch makes its links turn as one.</source>
+        <translation>Kavrama devredeyken uzuvları birlikte döner.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

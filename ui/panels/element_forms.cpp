@@ -17,6 +17,7 @@
 #include "ui/panels/link_parts.h"
 #include "ui/panels/note_form.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/parts_forms.h"
 #include "ui/panels/teeth_slider.h"
 
 namespace geargraph::inline panels {
@@ -140,27 +141,6 @@ void LinkForm::refresh() {
   m_ground->setToolTip(isGround
                            ? tr("This link is the ground already.")
                            : tr("Makes this link the ground: it becomes 0, and the other labels follow."));
-}
-
-/// A row of what is on the link, whose elements are highlighted under the mouse and selected by a click.
-QLabel* LinkForm::addParts(const QString& name, Term term) {
-  auto* parts = new QLabel(this);
-  parts->setObjectName(QStringLiteral("parts.") + name.toLower());
-  parts->setTextFormat(Qt::RichText);
-  parts->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-  parts->setWordWrap(true);
-  connect(parts, &QLabel::linkActivated, this,
-          [this](const QString& address) { emit elementChosen(elementAt(address)); });
-  connect(parts, &QLabel::linkHovered, this, [this](const QString& address) {
-    emit elementHovered(address.isEmpty() ? std::nullopt : std::optional(elementAt(address)));
-  });
-  addRow(name, term, parts);
-  return parts;
-}
-
-void LinkForm::showParts(QLabel& parts, const QString& text) {
-  const QString shown = text.isEmpty() ? tr("none") : text;
-  if (parts.text() != shown) parts.setText(shown);
 }
 
 JointForm::JointForm(Document* document, std::vector<ElementId> joints)
@@ -424,7 +404,11 @@ void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {
 MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)
     : PropertyForm(document, std::move(elements)) {
   setTitle(tr("%1 elements").arg(this->elements().size()));
-  addNote(tr("They are of several kinds. Select elements of one kind to change them together."));
+  const bool areAlike =
+      std::all_of(this->elements().begin(), this->elements().end(),
+                  [&](const ElementId& each) { return each.kind == this->elements().front().kind; });
+  addNote(areAlike ? tr("They have no properties that could be changed together.")
+                   : tr("They are of several kinds. Select elements of one kind to change them together."));
 }
 
 PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {
@@ -439,6 +423,9 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
   if (oneKind && kind == ElementKind::link) return new LinkForm(document, std::move(elements));
   if (oneKind && kind == ElementKind::turningJoint) return new JointForm(document, std::move(elements));
   if (oneKind && kind == ElementKind::gearMesh) return new MeshForm(document, std::move(elements));
+  if (elements.size() == 1 && kind == ElementKind::axis) return new AxisForm(document, elements.front());
+  if (elements.size() == 1 && kind == ElementKind::coupling)
+    return new CouplingForm(document, elements.front());
   if (oneKind && kind == ElementKind::note) return new NoteForm(document, std::move(elements));
   return new MixedForm(document, std::move(elements));
 }

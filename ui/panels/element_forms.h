@@ -34,9 +34,6 @@ class LinkForm : public PropertyForm {
   void refresh() override;
 
  private:
-  QLabel* addParts(const QString& name, Term term);
-  static void showParts(QLabel& parts, const QString& text);
-
   QLineEdit* m_name = nullptr;  ///< only for a single link, like the following
   QLabel* m_joints = nullptr;
   QLabel* m_gears = nullptr;
@@ -103,7 +100,7 @@ class MeshForm : public PropertyForm {
   QLabel* m_tooMany;  ///< says that there are too many meshes to adapt the rest of the train
 };
 
-/// The form for elements of several kinds, which have no property in common.
+/// The form for elements that have no property in common: of several kinds, or several axes.
 class MixedForm : public PropertyForm {
   Q_OBJECT
 
@@ -112,8 +109,8 @@ class MixedForm : public PropertyForm {
   void refresh() override {}
 };
 
-/// Creates the form for the selected elements: links, turning joints or meshes; for the document if none is
-/// selected; a note for elements of several kinds. The caller owns it.
+/// Creates the form for the selected elements: links, turning joints, meshes or notes, one axis or coupling;
+/// for the document if none is selected; a remark for other selections. The caller owns it.
 [[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
 }  // namespace geargraph::inline panels

@@ -78,6 +78,24 @@ LinkParts partsOf(const Mechanism& mechanism, const ElementIndex& index, const L
   return {joints.text(), gears.text(), couplings.text()};
 }
 
+QString jointsOn(const Mechanism& mechanism, const ElementIndex& index, const AxisId& axis) {
+  PartList joints(index);
+  for (const TurningJoint& joint : mechanism.turningJoints) {
+    if (joint.axis != axis) continue;
+    joints.add([&] {
+      return QStringLiteral("%1: %2 → %3")
+          .arg(joints.linkTo(joint.id), joints.linkTo(joint.tail), joints.linkTo(joint.head));
+    });
+  }
+  return joints.text();
+}
+
+QString linksOf(const Coupling& coupling, const ElementIndex& index) {
+  PartList links(index);
+  for (const LinkId& link : coupling.links) links.add([&] { return links.linkTo(link); });
+  return links.text();
+}
+
 QString addressOf(const ElementId& element) {
   return QStringLiteral("%1:%2")
       .arg(static_cast<int>(element.kind))

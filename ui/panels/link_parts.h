@@ -21,6 +21,11 @@ struct LinkParts {
 /// Cost: O(joints + meshes + couplings).
 [[nodiscard]] LinkParts partsOf(const Mechanism& mechanism, const ElementIndex& index, const LinkId& link);
 
+/// The turning joints about an axis, as rich text with hyperlinks: "11: 1 → 6". Cost: O(joints).
+[[nodiscard]] QString jointsOn(const Mechanism& mechanism, const ElementIndex& index, const AxisId& axis);
+/// The links of a coupling, in the same way.
+[[nodiscard]] QString linksOf(const Coupling& coupling, const ElementIndex& index);
+
 /// The hyperlink target for an element in rich text, and back.
 [[nodiscard]] QString addressOf(const ElementId& element);
 [[nodiscard]] ElementId elementAt(const QString& address);

@@ -10,6 +10,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/pins.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/link_parts.h"
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {
@@ -63,6 +64,32 @@ void PropertyForm::addRow(const QString& name, Term term, QWidget* field) {
   rowLabel->setProperty("look", "hint");
   rowLabel->setToolTip(tipOf(term));
   m_rows->addRow(rowLabel, field);
+}
+
+/// A row of elements that belong to those of the form; they are highlighted under the mouse and selected by a
+/// click.
+QLabel* PropertyForm::addParts(const QString& name, Term term) {
+  auto* parts = new QLabel(this);
+  parts->setObjectName(QStringLiteral("parts.") + name.toLower());
+  parts->setTextFormat(Qt::RichText);
+  parts->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  parts->setWordWrap(true);
+  connect(parts, &QLabel::linkActivated, this,
+          [this](const QString& address) { emit elementChosen(elementAt(address)); });
+  connect(parts, &QLabel::linkHovered, this, [this](const QString& address) {
+    emit elementHovered(address.isEmpty() ? std::nullopt : std::optional(elementAt(address)));
+  });
+  addRow(name, term, parts);
+  auto* rowLabel = static_cast<QLabel*>(m_rows->labelForField(parts));
+  rowLabel->setSizePolicy(QSizePolicy::Preferred,
+                          QSizePolicy::Expanding);  // else somewhat below the first line
+  rowLabel->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  return parts;
+}
+
+void PropertyForm::showParts(QLabel& parts, const QString& text) {
+  const QString shown = text.isEmpty() ? tr("none") : text;
+  if (parts.text() != shown) parts.setText(shown);
 }
 
 void PropertyForm::addWide(QWidget* widget) {

@@ -46,6 +46,9 @@ class PropertyForm : public QWidget {
   [[nodiscard]] QString label(const ElementId& element) const;
   void setTitle(const QString& title);
   void addRow(const QString& name, Term term, QWidget* field);
+  QLabel* addParts(const QString& name, Term term);
+  /// Rich text with hyperlinks (addressOf()); empty: there are none.
+  static void showParts(QLabel& parts, const QString& text);
   void addButtons(const std::vector<QAbstractButton*>& buttons, const QString& name = {});
   void addWide(QWidget* widget);
   void addNote(const QString& text);

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QStyle>
 #include <QTest>
+#include <QTextDocument>
 #include <semaphore>
 #include <set>
 
@@ -243,6 +244,33 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     QVERIFY(selection.hovered().empty());
     emit gears->linkActivated(addressOf(MeshId("16")));
     QCOMPARE(selection.selected(), (std::set<ElementId>{MeshId("16")}));
+  }
+
+  void anAxisTellsItsJoints() {
+    selection.select({ElementId(AxisId("c"))});
+    auto* joints = properties->findChild<QLabel*>(QStringLiteral("parts.joints"));
+    QVERIFY(joints != nullptr);
+    QTextDocument text;
+    text.setHtml(joints->text());
+    QCOMPARE(text.toPlainText(), QStringLiteral("11: 1 → 6\n12: 1 → 2"));
+    emit joints->linkActivated(addressOf(JointId("12")));
+    QCOMPARE(selection.selected(), (std::set<ElementId>{JointId("12")}));
+  }
+
+  void aBrakeIsEngagedAndReleased() {
+    document->apply({QString(), [](const Mechanism& robot) { return withBrake(robot, LinkId("4")); }, 0});
+    const CouplingId brake = document->mechanism()->couplings.front().id;
+    selection.select({ElementId(brake)});
+    auto* engage = properties->findChild<QPushButton*>(QStringLiteral("engage"));
+    QVERIFY(engage != nullptr);
+    QCOMPARE(engage->text(), QStringLiteral("Engage"));
+    QTest::mouseClick(engage, Qt::LeftButton);
+    QCOMPARE(document->mechanism()->engaged, std::vector<CouplingId>{brake});
+    QCOMPARE(engage->text(), QStringLiteral("Release"));
+    QTest::mouseClick(engage, Qt::LeftButton);
+    QVERIFY(document->mechanism()->engaged.empty());
+    document->undoStack().setIndex(0);
+    QVERIFY(document->mechanism()->couplings.empty());  // and the form of what is gone does no harm
   }
 
   void addressesOfElementsKeepAnyId() {

@@ -1,0 +1,52 @@
+#include "ui/panels/parts_forms.h"
+
+#include <QPushButton>
+#include <algorithm>
+
+#include "core/theory/states/state_edits.h"
+#include "ui/models/term_tips.h"
+#include "ui/panels/link_parts.h"
+
+namespace geargraph::inline panels {
+
+AxisForm::AxisForm(Document* document, const ElementId& axis)
+    : PropertyForm(document, {axis}), m_joints(addParts(tr("Joints"), Term::turningJoint)) {
+  setTitle(tr("Axis %1").arg(shownText(axis.id.text())));
+  addNote(tr("Its joints have its place and direction: select one to change them."));
+}
+
+void AxisForm::refresh() {
+  showParts(*m_joints, jointsOn(mechanism(), index(), AxisId(elements().front().id)));
+}
+
+CouplingForm::CouplingForm(Document* document, const ElementId& coupling)
+    : PropertyForm(document, {coupling}),
+      m_links(addParts(tr("Links"), Term::link)),
+      m_engage(new QPushButton(this)) {
+  m_engage->setObjectName(QStringLiteral("engage"));
+  addButtons({m_engage});
+  connect(m_engage, &QPushButton::clicked, this, [this] {
+    newGesture();
+    apply((isEngaged() ? tr("Release %1") : tr("Engage %1")).arg(shownText(elements().front().id.text())),
+          [engaged = !isEngaged()](const Mechanism& before, const ElementId& element) {
+            return withCouplingEngaged(before, CouplingId(element.id), engaged);
+          });
+  });
+}
+
+bool CouplingForm::isEngaged() const {
+  const auto& engaged = mechanism().engaged;
+  return std::find(engaged.begin(), engaged.end(), CouplingId(elements().front().id)) != engaged.end();
+}
+
+void CouplingForm::refresh() {
+  const Coupling& coupling = *mechanism().find(CouplingId(elements().front().id));
+  const bool isBrake = coupling.kind == CouplingKind::brake;
+  setTitle((isBrake ? tr("Brake %1") : tr("Clutch %1")).arg(shownText(coupling.id.text())));
+  showParts(*m_links, linksOf(coupling, index()));
+  m_engage->setText(isEngaged() ? tr("Release") : tr("Engage"));
+  m_engage->setToolTip(isBrake ? tr("While it is engaged the brake holds its link.")
+                               : tr("While it is engaged the clutch makes its links turn as one."));
+}
+
+}  // namespace geargraph::inline panels
