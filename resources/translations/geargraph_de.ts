@@ -14634,6 +14634,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>While it is engaged the clutch makes its links turn as one.</source>
         <translation>Solange sie geschlossen ist, drehen sich die Glieder der Kupplung gemeinsam.</translation>
     </message>
+    <message>
+        <source>At most %1 inputs are listed.</source>
+        <translation>Höchstens %1 Antriebe werden aufgeführt.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14634,6 +14634,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>While it is engaged the clutch makes its links turn as one.</source>
         <translation>Mientras está activado, el embrague hace girar juntos sus eslabones.</translation>
     </message>
+    <message>
+        <source>At most %1 inputs are listed.</source>
+        <translation>Se enumeran como máximo %1 entradas.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14633,6 +14633,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>While it is engaged the clutch makes its links turn as one.</source>
         <translation>Kavrama devredeyken uzuvları birlikte döner.</translation>
     </message>
+    <message>
+        <source>At most %1 inputs are listed.</source>
+        <translation>En çok %1 giriş listelenir.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

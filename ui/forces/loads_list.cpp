@@ -41,7 +41,8 @@ LoadsList::LoadsList(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
-      m_grid(new QGridLayout),
+      m_list(new QWidget(this)),
+      m_grid(new QGridLayout(m_list)),
       m_empty(emptyLabel(this)),
       m_more(new QLabel(this)) {
   m_empty->setText(tr("No load acts yet. Select a joint or a link, then + Load."));
@@ -53,7 +54,7 @@ LoadsList::LoadsList(Document* document, Selection* selection, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 4);
   layout->setSpacing(4);
   layout->addWidget(makeHead());
-  layout->addLayout(m_grid);
+  layout->addWidget(m_list);
   layout->addWidget(m_empty);
   layout->addWidget(m_more);
   layout->addStretch(1);
@@ -159,10 +160,13 @@ void LoadsList::showRows() {
     }
   }
   m_rows.clear();
-  const LaidOutAtOnce added(this);
   const std::size_t count = std::min(kMostRows, m_document->mechanism()->loads.size());
-  for (std::size_t load = 0; load < count; ++load)
-    m_rows.push_back(makeRow(static_cast<int>(load), static_cast<int>(load)));
+  {
+    const LaidOutAtOnce added(m_list);
+    for (std::size_t load = 0; load < count; ++load)
+      m_rows.push_back(makeRow(static_cast<int>(load), static_cast<int>(load)));
+  }
+  m_list->setVisible(count > 0);
 }
 
 LoadsList::Row LoadsList::makeRow(int load, int line) {

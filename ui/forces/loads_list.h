@@ -61,6 +61,7 @@ class LoadsList : public QWidget {
 
   Document* m_document;
   Selection* m_selection;
+  QWidget* m_list;  ///< of rows
   QGridLayout* m_grid;
   QLabel* m_empty;
   QLabel* m_more;

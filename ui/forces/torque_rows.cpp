@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QToolButton>
 #include <algorithm>
-#include <optional>
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/states/state_edits.h"
@@ -13,7 +12,6 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/control_button.h"
-#include "ui/theme/laid_out_at_once.h"
 
 namespace geargraph::inline forces {
 namespace {
@@ -211,11 +209,8 @@ void TorqueRows::renew() {
     return;
   }
   if (!isSame) clear();
-  std::optional<LaidOutAtOnce> added;
-  if (m_rows.size() < wanted.size()) added.emplace(this);
   for (std::size_t i = m_rows.size(); i < wanted.size(); ++i)
     m_rows.push_back(makeRow(wanted[i], static_cast<int>(i)));
-  added.reset();
   for (std::size_t i = 0; i < wanted.size(); ++i) showNumber(m_rows[i], wanted[i]);
   m_more->setVisible(all > kMostTorqueRows);
   m_more->setText(tr("%1 of %2 torques are listed; all of them are in Forces").arg(kMostTorqueRows).arg(all));

@@ -30,6 +30,8 @@ namespace {
 
 /// Rows that are made at once: each is half a dozen widgets, and a train may have thousands of inputs.
 constexpr std::size_t kRowsAtOnce = 30;
+/// With more of them every change of the list holds the window.
+constexpr std::size_t kMostRows = 90;
 
 }  // namespace
 
@@ -37,7 +39,8 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
-      m_grid(new QGridLayout),
+      m_list(new QWidget(this)),
+      m_grid(new QGridLayout(m_list)),
       m_mostRows(kRowsAtOnce) {
   m_empty =
       emptyLabel(this, tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."));
@@ -46,7 +49,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   m_more->setObjectName(QStringLiteral("moreInputs"));
   m_more->setProperty("look", "control");
   connect(m_more, &QToolButton::clicked, this, [this] {
-    m_mostRows += kRowsAtOnce;
+    m_mostRows = std::min(kMostRows, m_mostRows + kRowsAtOnce);
     renew();
   });
   m_choose = new QToolButton(this);
@@ -73,7 +76,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(engaged);
-  layout->addLayout(m_grid);
+  layout->addWidget(m_list);
   layout->addWidget(m_more, 0, Qt::AlignHCenter);
   layout->addWidget(m_empty);
   layout->addWidget(m_choose, 0, Qt::AlignHCenter);
@@ -110,14 +113,17 @@ void InputsPanel::renew() {
       std::equal(m_shownTitles.begin(), m_shownTitles.end(), titles.begin());
   if (!areFirst) clearRows();
   std::optional<LaidOutAtOnce> added;
-  if (m_rows.size() < shown) added.emplace(this);
+  if (m_rows.size() < shown) added.emplace(m_list);
   while (m_rows.size() < shown)
     m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
   added.reset();
+  m_list->setVisible(shown > 0);
   m_shownTitles = std::move(titles);
   for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
   m_more->setText(tr("Show more: %1 of %2 inputs are listed").arg(shown).arg(inputs.size()));
   m_more->setVisible(shown < inputs.size());
+  m_more->setEnabled(shown < kMostRows);
+  m_more->setToolTip(m_more->isEnabled() ? QString() : tr("At most %1 inputs are listed.").arg(kMostRows));
   m_empty->setVisible(inputs.empty());
   renewEngaged();
 }
@@ -174,26 +180,26 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   const QString head = shownText(index.labelOf(joint.head).value());
   const QString tail = shownText(index.labelOf(joint.tail).value());
 
-  auto* dot = new QLabel(this);
+  auto* dot = new QLabel(m_list);
   dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
   const std::string& headName = index.find(joint.head)->name;
-  auto* name = new RateLabel(jointLabel, relativeText(head, headName, tail), this);
+  auto* name = new RateLabel(jointLabel, relativeText(head, headName, tail), m_list);
   name->setToolTip(
       tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: about the "
          "direction of the axis, by the right-hand rule.")
           .arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
-  row.slider = new SpeedSlider(this);
+  row.slider = new SpeedSlider(m_list);
   row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
   dot->setAccessibleName(tr("Colour of link %1").arg(head));
   row.slider->setAccessibleName(
       tr("Speed of joint %1, %2").arg(jointLabel, relativeText(head, headName, tail)));
-  row.field = new NumberField(this);
+  row.field = new NumberField(m_list);
   row.field->setObjectName(QStringLiteral("speed.") + jointLabel);
   row.field->setAccessibleName(row.slider->accessibleName());
   row.field->setFixedWidth(76);
   row.field->setStep(Rational(1, 10));
   row.field->setAlignment(Qt::AlignCenter);
-  auto* unit = new QLabel(tr("rad/s"), this);
+  auto* unit = new QLabel(tr("rad/s"), m_list);
   unit->setProperty("look", "hint");
   row.widgets = {dot, name, row.slider, row.field, unit, makeExchange(input.joint)};
   int column = 0;
@@ -220,7 +226,7 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
 }
 
 QToolButton* InputsPanel::makeExchange(JointId joint) {
-  auto* button = new QToolButton(this);
+  auto* button = new QToolButton(m_list);
   button->setObjectName(QStringLiteral("exchange.") +
                         shownText(m_document->elements().labelOf(joint).value()));
   button->setText(QStringLiteral("⇄"));

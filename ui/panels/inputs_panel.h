@@ -60,6 +60,7 @@ class InputsPanel : public QWidget {
   Selection* m_selection;
   QLabel* m_engaged;  ///< names of engaged couplings
   QToolButton* m_release;
+  QWidget* m_list;  ///< of rows
   QGridLayout* m_grid;
   QLabel* m_empty;
   QToolButton* m_more;

@@ -4,18 +4,20 @@
 
 namespace geargraph::inline theme {
 
-/// While it lives, widgets can be added to the layout of a panel; at its end they are shown and laid out
-/// together. Qt alone shows each in an event of its own and lays out the whole panel for each: 30 rows of
-/// six widgets took 100 ms.
+/// While it lives, a list of controls is hidden, so that rows can be added to its layout; at its end all are
+/// shown together. A control that is added to a visible list is shown in an event of its own, in which Qt
+/// lays out the whole list and asks the display for the place of the mouse: 30 rows of six controls took 100
+/// ms. What has the focus in the list loses it.
 class LaidOutAtOnce {
  public:
-  explicit LaidOutAtOnce(QWidget* panel);
+  explicit LaidOutAtOnce(QWidget* list);
   ~LaidOutAtOnce();
   LaidOutAtOnce(const LaidOutAtOnce&) = delete;
   LaidOutAtOnce& operator=(const LaidOutAtOnce&) = delete;
 
  private:
-  QWidget* m_panel;
+  QWidget* m_list;
+  bool m_wasShown;  ///< or is to be, with its parent
 };
 
 }  // namespace geargraph::inline theme

@@ -327,6 +327,9 @@ class InputsAndResultsTest : public QObject {
     more->click();
     QCOMPARE(rows(), 60);
     QCOMPARE(more->text(), QStringLiteral("Show more: 60 of 400 inputs are listed"));
+    more->click();
+    QCOMPARE(rows(), 90);
+    QVERIFY(!more->isEnabled() && !more->toolTip().isEmpty());
 
     document->undoStack().undo();
     QCOMPARE(rows(), 0);
