@@ -1,11 +1,24 @@
 #include "ui/mainwindow/dock_titles.h"
 
+#include <QChildEvent>
 #include <QDockWidget>
 
 namespace geargraph::inline mainwindow {
 
 DockTitles::DockTitles(QMainWindow* window) : QObject(window), m_window(window) {
   connect(window, &QMainWindow::tabifiedDockWidgetActivated, this, &DockTitles::renewSoon);
+  window->installEventFilter(this);
+}
+
+bool DockTitles::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_window && event->type() == QEvent::ChildPolished) {
+    QObject* child = static_cast<QChildEvent*>(event)->child();
+    if (child->inherits("QDockWidgetGroupWindow")) child->installEventFilter(this);
+  }
+  if (watched == m_window || event->type() != QEvent::Close) return QObject::eventFilter(watched, event);
+  for (auto* dock : watched->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) dock->close();
+  event->ignore();  // it hides itself when it is empty
+  return true;
 }
 
 void DockTitles::watch(QDockWidget* dock) {

@@ -5,7 +5,8 @@
 namespace geargraph::inline mainwindow {
 
 /// Hides the title bars of tabbed docks, which have tabs instead; a dock that floats or is alone shows its
-/// title bar. Updated while docks are moved.
+/// title bar. Updated while docks are moved. The window of a floating group of tabs closes all docks in it:
+/// Qt would close the one in front, and hide the others without saying so.
 class DockTitles : public QObject {
   Q_OBJECT
 
@@ -13,6 +14,8 @@ class DockTitles : public QObject {
   explicit DockTitles(QMainWindow* window);
 
   void watch(QDockWidget* dock);
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void renew();
