@@ -46,8 +46,7 @@ Edit toggleBrakeEdit(const Mechanism& now, LinkId link) {
     return each.kind == CouplingKind::brake && each.links.front() == link;
   });
   if (brake == now.couplings.end()) return brakeEdit(now, link);
-  const bool isEngaged = std::find(now.engaged.begin(), now.engaged.end(), brake->id) != now.engaged.end();
-  return engageEdit(now, brake->id, !isEngaged);
+  return engageEdit(now, brake->id, !isEngaged(now, brake->id));
 }
 
 }  // namespace geargraph::inline canvas

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/mechanism/model/pins.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/menu_preview.h"
@@ -46,12 +47,11 @@ const Coupling* couplingOf(const Mechanism& mechanism, CouplingKind kind, const 
 
 /// To engage a coupling, or to release it.
 void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, const ContextActions& actions) {
-  const auto& engaged = mechanism.engaged;
-  const bool isEngaged = std::find(engaged.begin(), engaged.end(), coupling) != engaged.end();
+  const bool isNow = isEngaged(mechanism, coupling);
   const QString what = describe(mechanism, {coupling});
-  QAction* entry = add(menu, (isEngaged ? tr("Release %1") : tr("Engage %1")).arg(what), {},
-                       [actions, coupling, isEngaged] { actions.engage(coupling, !isEngaged); });
-  MenuPreview::of(menu).add(entry, engageEdit(mechanism, coupling, !isEngaged));
+  QAction* entry = add(menu, (isNow ? tr("Release %1") : tr("Engage %1")).arg(what), {},
+                       [actions, coupling, isNow] { actions.engage(coupling, !isNow); });
+  MenuPreview::of(menu).add(entry, engageEdit(mechanism, coupling, !isNow));
 }
 
 void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {

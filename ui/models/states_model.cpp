@@ -152,9 +152,7 @@ int StatesModel::lastColumn() const {
 }
 
 bool StatesModel::isEngagedNow(int coupling) const {
-  const auto& engaged = m_mechanism->engaged;
-  const CouplingId id = m_mechanism->couplings[static_cast<std::size_t>(coupling)].id;
-  return std::find(engaged.begin(), engaged.end(), id) != engaged.end();
+  return isEngaged(*m_mechanism, m_mechanism->couplings[static_cast<std::size_t>(coupling)].id);
 }
 
 int StatesModel::rowCount(const QModelIndex& parent) const {

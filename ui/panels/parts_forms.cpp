@@ -1,8 +1,8 @@
 #include "ui/panels/parts_forms.h"
 
 #include <QPushButton>
-#include <algorithm>
 
+#include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
@@ -27,16 +27,15 @@ CouplingForm::CouplingForm(Document* document, const ElementId& coupling)
   addButtons({m_engage});
   connect(m_engage, &QPushButton::clicked, this, [this] {
     newGesture();
-    apply((isEngaged() ? tr("Release %1") : tr("Engage %1")).arg(shownText(elements().front().id.text())),
-          [engaged = !isEngaged()](const Mechanism& before, const ElementId& element) {
+    apply((isEngagedNow() ? tr("Release %1") : tr("Engage %1")).arg(shownText(elements().front().id.text())),
+          [engaged = !isEngagedNow()](const Mechanism& before, const ElementId& element) {
             return withCouplingEngaged(before, CouplingId(element.id), engaged);
           });
   });
 }
 
-bool CouplingForm::isEngaged() const {
-  const auto& engaged = mechanism().engaged;
-  return std::find(engaged.begin(), engaged.end(), CouplingId(elements().front().id)) != engaged.end();
+bool CouplingForm::isEngagedNow() const {
+  return isEngaged(mechanism(), CouplingId(elements().front().id));
 }
 
 void CouplingForm::refresh() {
@@ -44,7 +43,7 @@ void CouplingForm::refresh() {
   const bool isBrake = coupling.kind == CouplingKind::brake;
   setTitle((isBrake ? tr("Brake %1") : tr("Clutch %1")).arg(shownText(coupling.id.text())));
   showParts(*m_links, linksOf(coupling, index()));
-  m_engage->setText(isEngaged() ? tr("Release") : tr("Engage"));
+  m_engage->setText(isEngagedNow() ? tr("Release") : tr("Engage"));
   m_engage->setToolTip(isBrake ? tr("While it is engaged the brake holds its link.")
                                : tr("While it is engaged the clutch makes its links turn as one."));
 }

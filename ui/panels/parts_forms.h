@@ -27,7 +27,7 @@ class CouplingForm : public PropertyForm {
   void refresh() override;
 
  private:
-  [[nodiscard]] bool isEngaged() const;
+  [[nodiscard]] bool isEngagedNow() const;
 
   QLabel* m_links;
   QPushButton* m_engage;

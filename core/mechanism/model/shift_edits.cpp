@@ -163,6 +163,10 @@ Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<Coupli
   return mechanism;
 }
 
+bool isEngaged(const Mechanism& mechanism, CouplingId coupling) {
+  return contains(mechanism.engaged, coupling);
+}
+
 bool isEngaged(const Mechanism& mechanism, int state) {
   GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
   if (mechanism.engaged.empty()) return false;

@@ -40,6 +40,8 @@ namespace geargraph::inline model {
 /// them. Rejects unknown-id, and duplicate-id for a coupling that is listed twice.
 [[nodiscard]] Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<CouplingId>& engaged);
 
+/// Is this brake or clutch engaged in the document?
+[[nodiscard]] bool isEngaged(const Mechanism& mechanism, CouplingId coupling);
 /// Are exactly the couplings of this state engaged in the document? True for all states with the same
 /// couplings, which differ in their drive; false if nothing is engaged. @pre there is such a state
 [[nodiscard]] bool isEngaged(const Mechanism& mechanism, int state);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/drawing/arrow_marks.h"
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/edge_routing.h"
@@ -133,8 +134,7 @@ std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Dig
     place.coupling = coupling.id;
     place.kind = coupling.kind;
     place.name = elided(coupling.id.text(), kLongestName);
-    place.isEngaged =
-        std::find(mechanism.engaged.begin(), mechanism.engaged.end(), coupling.id) != mechanism.engaged.end();
+    place.isEngaged = isEngaged(mechanism, coupling.id);
     if (coupling.kind == CouplingKind::brake) {
       place = placedBrake(place, *centers[static_cast<std::size_t>(ends[0])], ends[0], taken);
     } else {

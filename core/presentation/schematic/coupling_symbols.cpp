@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
@@ -52,8 +53,7 @@ class CouplingPlacer {
       links.push_back(static_cast<int>(found - all.begin()));
     }
     m_coupling = coupling.id;
-    const std::vector<CouplingId>& engaged = m_part.mechanism.engaged;
-    m_isEngaged = std::find(engaged.begin(), engaged.end(), coupling.id) != engaged.end();
+    m_isEngaged = isEngaged(m_part.mechanism, coupling.id);
     if (coupling.kind == CouplingKind::brake) {
       addBrake(links[0]);
     } else if (!addFacing(links[0], links[1])) {
