@@ -23,7 +23,8 @@ constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
 constexpr double kUnseen = 0.2;  // px, that a curve may be off
 constexpr std::size_t kMostFineCurves = 40;
-constexpr double kMargin = 0.08;  // of the values, above and below
+constexpr double kLongestFine = 20'000;  // px, of all curves together
+constexpr double kMargin = 0.08;         // of the values, above and below
 
 QString text(double value, int digits = 5) {
   return printedNumber(std::abs(value) < 1e-12 ? 0 : value, digits);
@@ -234,23 +235,33 @@ void MotionPlot::paintCurves(QPainter& painter) const {
   painter.save();
   const QRectF inside = area();
   painter.setClipRect(inside);
-  // Many curves hide each other's style, and wide lines with gaps take a hundred times as long.
-  const bool isFine = m_sheet.curves.size() <= kMostFineCurves;
+  std::vector<QPolygonF> lines;
+  double length = 0;
+  for (const MotionCurve& curve : m_sheet.curves) {
+    std::vector<QPointF> points;
+    for (std::size_t i = 0; i < curve.values.size(); ++i)
+      points.push_back(placeOf(m_sheet.times[i], curve.values[i], inside));
+    QPolygonF line{points.front()};
+    for (const QPointF& point : simplified(points, kUnseen)) {
+      length += QLineF(line.back(), point).length();
+      line << point;
+    }
+    lines.push_back(std::move(line));
+  }
+  // Many curves, and those with many turns, hide their style, and wide lines with gaps take a hundred times
+  // as long.
+  const bool isFine = m_sheet.curves.size() <= kMostFineCurves && length <= kLongestFine;
   painter.setRenderHint(QPainter::Antialiasing, isFine);
   int coordinate = 0;
-  for (const MotionCurve& curve : m_sheet.curves) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const MotionCurve& curve = m_sheet.curves[i];
     coordinate = curve.isComponent ? coordinate + 1 : 0;
     QPen pen(inkOf(curve), curve.isComponent ? 1.2 : 2.0);
     constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
     if (isFine) pen.setStyle(kStyles[coordinate % 4]);
     if (!isFine) pen.setWidth(1);
     painter.setPen(pen);
-    std::vector<QPointF> points;
-    for (std::size_t i = 0; i < curve.values.size(); ++i)
-      points.push_back(placeOf(m_sheet.times[i], curve.values[i], inside));
-    QPainterPath path(points.front());
-    for (const QPointF& point : simplified(points, kUnseen)) path.lineTo(point);
-    painter.drawPath(path);
+    painter.drawPolyline(lines[i]);
   }
   painter.restore();
 }

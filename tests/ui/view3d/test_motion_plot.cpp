@@ -3,6 +3,7 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <cmath>
+#include <set>
 
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/motion_panel.h"
@@ -130,6 +131,28 @@ class MotionPlotTest : public QObject {
       const double y = from.y() + along * (after->y() - from.y());
       QVERIFY2(std::abs(y - each.y()) <= 0.2 + 1e-9, qPrintable(QString::number(y - each.y())));
     }
+  }
+
+  void aCurveOfManyTurnsIsPaintedPlainly() {
+    const auto colorsOf = [](const CurveSheet& sheet) {
+      MotionPlot plot;
+      plot.resize(600, 200);
+      plot.setSheet(sheet);
+      const QImage image = plot.grab().toImage();
+      std::set<QRgb> colors;
+      for (int y = 40; y < 140; ++y) {
+        for (int x = 100; x < 300; ++x) colors.insert(image.pixel(x, y));
+      }
+      return colors.size();
+    };
+    CurveSheet dense = sineSheet();
+    for (std::size_t i = 0; i < dense.times.size(); ++i) dense.curves[0].values[i] = i % 2 == 0 ? 3 : -3;
+    QVERIFY(colorsOf(dense) > 20);  // smooth edges
+    for (int i = 101; i <= 2000; ++i) {
+      dense.times.push_back(0.1 * i);
+      dense.curves[0].values.push_back(i % 2 == 0 ? 3 : -3);
+    }
+    QVERIFY2(colorsOf(dense) < 10, qPrintable(QString::number(colorsOf(dense))));
   }
 
   void theSelectionAndTheTracesChooseTheCurves() {
