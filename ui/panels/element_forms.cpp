@@ -401,14 +401,12 @@ void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {
   m_pitchPoint->setTriples(points);
 }
 
-MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)
+MixedForm::MixedForm(Document* document, std::vector<ElementId> elements, bool areOfOneKind)
     : PropertyForm(document, std::move(elements)) {
   setTitle(tr("%1 elements").arg(this->elements().size()));
-  const bool areAlike =
-      std::all_of(this->elements().begin(), this->elements().end(),
-                  [&](const ElementId& each) { return each.kind == this->elements().front().kind; });
-  addNote(areAlike ? tr("They have no properties that could be changed together.")
-                   : tr("They are of several kinds. Select elements of one kind to change them together."));
+  addNote(areOfOneKind
+              ? tr("They have no properties that could be changed together.")
+              : tr("They are of several kinds. Select elements of one kind to change them together."));
 }
 
 PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {
@@ -427,7 +425,7 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
   if (elements.size() == 1 && kind == ElementKind::coupling)
     return new CouplingForm(document, elements.front());
   if (oneKind && kind == ElementKind::note) return new NoteForm(document, std::move(elements));
-  return new MixedForm(document, std::move(elements));
+  return new MixedForm(document, std::move(elements), oneKind);
 }
 
 }  // namespace geargraph::inline panels

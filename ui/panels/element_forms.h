@@ -105,7 +105,7 @@ class MixedForm : public PropertyForm {
   Q_OBJECT
 
  public:
-  MixedForm(Document* document, std::vector<ElementId> elements);
+  MixedForm(Document* document, std::vector<ElementId> elements, bool areOfOneKind);
   void refresh() override {}
 };
 

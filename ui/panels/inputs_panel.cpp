@@ -112,11 +112,11 @@ void InputsPanel::renew() {
                  [](const Row& row, const Input& input) { return row.joint == input.joint; }) &&
       std::equal(m_shownTitles.begin(), m_shownTitles.end(), titles.begin());
   if (!areFirst) clearRows();
-  std::optional<LaidOutAtOnce> added;
-  if (m_rows.size() < shown) added.emplace(m_list);
-  while (m_rows.size() < shown)
-    m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
-  added.reset();
+  if (m_rows.size() < shown) {
+    const LaidOutAtOnce added(m_list);
+    while (m_rows.size() < shown)
+      m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
+  }
   m_list->setVisible(shown > 0);
   m_shownTitles = std::move(titles);
   for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
