@@ -3,12 +3,10 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "ui/models/term_tips.h"
+
 namespace geargraph::inline models {
 namespace {
-
-QString shownText(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 /// The numbers in it with Unicode minus signs, which command line and files write as hyphens.
 QString messageOf(const Diagnostic& diagnostic) {
