@@ -26,7 +26,7 @@ constexpr int kRoundsOfEach = 3;        // of every document at least, so that t
 constexpr long kGesturesOfRound = 200;  // where no number is given
 constexpr int kMostFindings = 20;       // after that the rest would only repeat them
 constexpr int kSettling = 60;           // events with no window open until memory is counted
-constexpr int kMostOpeningSteps = 200;  // of a window that is not painted
+constexpr int kMostOpeningSteps = 200;  // for a window that is never painted
 constexpr int kStepsAfterPaint = 3;     // other parts of it are painted in the next event
 constexpr long kSpareObjects = 20;      // that come and go with timers and threads
 constexpr double kSpareMemory = 24;     // MB: allocators do not give back all
@@ -189,7 +189,7 @@ bool GestureSoak::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// Is a window being opened, so that nobody can do anything in it yet?
+/// Is a window being opened, which gestures cannot be made in yet?
 bool GestureSoak::isOpening() {
   if (!m_opening || m_openingSteps <= 0) return false;
   --m_openingSteps;

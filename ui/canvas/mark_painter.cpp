@@ -111,7 +111,8 @@ struct MarkPainter {
   double scale;
   MarkRole role;
 
-  /// A circle of a pixel or two: Qt paints a square in a fraction of the time, and nobody sees a difference.
+  /// A circle of a pixel or two: Qt paints a square in a fraction of the time, and the difference cannot be
+  /// seen.
   bool paintedAsDot(const Shape& shape, const QColor& color) const {
     const auto* circle = std::get_if<Circle>(&shape);
     if (circle == nullptr || circle->radius * scale >= kSmallestCircle) return false;
