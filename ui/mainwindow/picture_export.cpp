@@ -46,6 +46,19 @@ ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions&
   return {path, rendering.animation.has_value(), run};
 }
 
+ExportJobs::Job drawingJob(const std::function<DisplayList()>& draw, const DrawingPicture& how,
+                           const QString& path) {
+  const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
+    const DisplayList list = draw();
+    if (stop.stop_requested()) return WindowExports::tr("The export was stopped.");
+    const Expected<std::string> bytes = pictureOf(list, how);
+    if (!bytes) return QString::fromStdString(bytes.error().front().message);
+    const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes);
+    return error ? QString::fromStdString(error->message) : QString();
+  };
+  return {path, false, run};
+}
+
 ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
   const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
     MeshWriteOptions how;
@@ -96,10 +109,10 @@ void WindowExports::exportPicture(const PictureOptions& options, const QString& 
     if (each->objectName() != options.view) continue;
     DrawingPicture picture = options.picture;
     picture.title = m_workbench.document().mechanism()->name;
-    const DisplayList list = each->picture();
+    const std::function<DisplayList()> draw = each->pictureMaker();
     const QString why = each->whyNoPicture();
     if (!why.isEmpty()) return emit rejected(why);
-    writePicture(pictureOf(list, picture), path);
+    m_jobs->add(drawingJob(draw, picture, path));
   }
 }
 
@@ -157,16 +170,6 @@ void WindowExports::copyView3D() {
   content.seen = std::move(seen);
   m_clipboard->copy(std::move(content));
   emit noted(tr("Copied the 3D view as a picture"));
-}
-
-void WindowExports::writePicture(const Expected<std::string>& bytes, const QString& path) {
-  if (!bytes) {
-    emit rejected(QString::fromStdString(bytes.error().front().message));
-  } else if (const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes)) {
-    emit rejected(QString::fromStdString(error->message));
-  } else {
-    onWritten(path);
-  }
 }
 
 void WindowExports::onWritten(const QString& path) {

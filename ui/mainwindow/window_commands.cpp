@@ -374,16 +374,16 @@ void MainWindow::showPrintDialog() {
   drawForPrint(std::move(source), m_document->mechanism(), 0);
 }
 
-/// The drawings from `next` on, each in an event of its own, as a large one takes as long as one may wait
-/// for.
+/// The drawings from `next` on, each in an event of its own, as one that has not been shown lately takes as
+/// long as one may wait for.
 void MainWindow::drawForPrint(PrintSource source, const MechanismPtr& mechanism, int next) {
   if (m_document->mechanism() != mechanism) return showPrintDialog();  // edited meanwhile
   if (next == m_drawings->count()) return openPrintDialog(std::move(source));
   DrawingView* each = m_allDrawings[static_cast<std::size_t>(next)];
-  DisplayList list = each->picture();
+  std::function<DisplayList()> draw = each->pictureMaker();
   if (each->whyNoPicture().isEmpty()) {
     if (each == &drawing()) source.inFront = source.drawings.size();
-    source.drawings.push_back({m_drawings->tabText(next), std::move(list)});
+    source.drawings.push_back({m_drawings->tabText(next), std::move(draw)});
   }
   QTimer::singleShot(0, this, [this, source = std::move(source), mechanism, next]() mutable {
     drawForPrint(std::move(source), mechanism, next + 1);

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/foundations/base/expected.h"
 #include "core/foundations/files/csv.h"
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/presentation/sheet_files/sheet_files.h"
@@ -117,7 +116,6 @@ class WindowExports : public QObject {
   [[nodiscard]] QString handoutPath(const QStringList& forms, QString& chosen) const;
   [[nodiscard]] static SheetPlan everyKind();
   void writeHandout(const QString& path, const std::optional<SheetPlan>& plan);
-  void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);
 
   Workbench& m_workbench;

@@ -32,14 +32,14 @@ QFont sized(QFont font, double pixels) {
 
 }  // namespace
 
-PrintedPages::PrintedPages(QString title, std::vector<PrintedDrawing> drawings,
+PrintedPages::PrintedPages(QString title, const std::vector<PrintedDrawing>& drawings,
                            std::shared_ptr<const SetReport> report, QSizeF paper, const QFont& font,
                            const std::stop_token& stop)
-    : m_title(std::move(title)),
-      m_drawings(std::move(drawings)),
-      m_report(std::move(report)),
-      m_paper(paper),
-      m_font(font) {
+    : m_title(std::move(title)), m_report(std::move(report)), m_paper(paper), m_font(font) {
+  for (const PrintedDrawing& drawing : drawings) {
+    if (stop.stop_requested()) return;
+    m_drawings.push_back({drawing.title, drawing.draw()});
+  }
   if (!m_report || stop.stop_requested()) return;
   const double body = (paper.height() - kHead - kFoot) * kDots;
   FlowParameters flow;
@@ -71,7 +71,7 @@ void PrintedPages::paint(QPainter& painter, int page, double scale, FlowPainter&
                    Qt::AlignCenter, QStringLiteral("%1 / %2").arg(page + 1).arg(count()));
 }
 
-void PrintedPages::paintDrawing(QPainter& painter, const PrintedDrawing& drawing, double scale) const {
+void PrintedPages::paintDrawing(QPainter& painter, const Drawn& drawing, double scale) const {
   const QRectF body = QRectF(kSide, kHead, m_paper.width() - 2 * kSide, m_paper.height() - kHead - kFoot);
   painter.setPen(kInk);
   painter.setFont(sized(m_font, kTitle * scale));

@@ -3,6 +3,7 @@
 #include <QFont>
 #include <QSizeF>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -16,7 +17,7 @@ namespace geargraph::inline printing {
 /// A drawing printed on a page of its own.
 struct PrintedDrawing {
   QString title;
-  DisplayList list;
+  std::function<DisplayList()> draw;  ///< may be called on any thread
 };
 
 /// The pages of a printed document: drawings fitted to their pages but not larger than on the screen, then
@@ -25,9 +26,11 @@ class PrintedPages {
  public:
   /// @param paper size of a page, in points
   /// @param report null: no derivation
-  /// Cost: linear in the report. The result is meaningless if `stop` was requested meanwhile.
-  PrintedPages(QString title, std::vector<PrintedDrawing> drawings, std::shared_ptr<const SetReport> report,
-               QSizeF paper, const QFont& font, const std::stop_token& stop = {});
+  /// Cost: the drawings', and linear in the report. The result is meaningless if `stop` was requested
+  /// meanwhile.
+  PrintedPages(QString title, const std::vector<PrintedDrawing>& drawings,
+               std::shared_ptr<const SetReport> report, QSizeF paper, const QFont& font,
+               const std::stop_token& stop = {});
 
   [[nodiscard]] int count() const { return static_cast<int>(m_drawings.size() + m_flow.size()); }
   [[nodiscard]] const QString& title() const { return m_title; }
@@ -40,11 +43,16 @@ class PrintedPages {
   void paint(QPainter& painter, int page, double scale, FlowPainter& flow) const;
 
  private:
-  void paintDrawing(QPainter& painter, const PrintedDrawing& drawing, double scale) const;
+  struct Drawn {
+    QString title;
+    DisplayList list;
+  };
+
+  void paintDrawing(QPainter& painter, const Drawn& drawing, double scale) const;
   void paintFlow(QPainter& painter, const FlowPage& page, double scale, FlowPainter& flow) const;
 
   QString m_title;
-  std::vector<PrintedDrawing> m_drawings;
+  std::vector<Drawn> m_drawings;
   std::shared_ptr<const SetReport> m_report;
   QSizeF m_paper;
   QFont m_font;

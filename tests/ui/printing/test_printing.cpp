@@ -27,13 +27,18 @@ class PrintingTest : public QObject {
   static constexpr QSizeF kPaper{595, 842};
 
   [[nodiscard]] PrintSource source() const {
-    return {QStringLiteral("Robot"), {{QStringLiteral("Digraph"), digraph}}, 0, snapshot, {}};
+    return {
+        QStringLiteral("Robot"), {{QStringLiteral("Digraph"), [this] { return digraph; }}}, 0, snapshot, {}};
   }
   [[nodiscard]] std::shared_ptr<const SetReport> report() const {
     return std::make_shared<const SetReport>(derivationReport(snapshot));
   }
   [[nodiscard]] PrintedPages pagesOn(QSizeF paper) const {
-    return {QStringLiteral("Robot"), {{QStringLiteral("Digraph"), digraph}}, report(), paper, QFont()};
+    return {QStringLiteral("Robot"),
+            {{QStringLiteral("Digraph"), [this] { return digraph; }}},
+            report(),
+            paper,
+            QFont()};
   }
   static QImage painted(const PrintedPages& pages, int page) {
     constexpr double kScale = 2;
