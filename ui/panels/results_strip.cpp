@@ -182,11 +182,12 @@ void ResultsPanel::fillMotors(QMenu& menu) {
   }
   const auto hidden = keepSelected(
       ends, kMostChains, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
+  const InputCompletion completion(*m_snapshot->kinematics->model);
   for (const int link : ends) {
     const std::vector<int> chain = chainTo(tree, link);
     QStringList labels;
     for (const int joint : chain) labels << QString::number(m_snapshot->graph->edgeLabel(joint));
-    const auto inputs = inputsWith(*m_snapshot->kinematics->model, chain, matroid->choice.joints);
+    const auto inputs = completion.with(chain, matroid->choice.joints);
     QString text =
         tr("Joints of %1: %2")
             .arg(linkText(QString::number(link), m_names.nameOf(link)), labels.join(QStringLiteral(", ")));

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_set>
 
 #include "core/foundations/base/contract.h"
-#include "core/theory/matroid/input_choice.h"
 
 namespace geargraph::inline matroid {
 namespace {
@@ -67,16 +67,17 @@ std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution) {
   return tied;
 }
 
-std::optional<std::vector<int>> inputsWith(const KinematicModel& model, std::span<const int> wanted,
-                                           std::span<const int> present) {
-  const FusedField field;
-  const auto structure = structureOf(model, field);
-  if (!structure) return std::nullopt;
+InputCompletion::InputCompletion(const KinematicModel& model)
+    : m_model(model), m_structure(*structureOf(model, m_field)) {}
+
+std::optional<std::vector<int>> InputCompletion::with(std::span<const int> wanted,
+                                                      std::span<const int> present) const {
   std::vector<int> joints(wanted.begin(), wanted.end());
+  const std::unordered_set<int> known(wanted.begin(), wanted.end());
   for (const int joint : present) {
-    if (std::find(joints.begin(), joints.end(), joint) == joints.end()) joints.push_back(joint);
+    if (!known.contains(joint)) joints.push_back(joint);
   }
-  const auto choice = chooseInputs(model, field, *structure, joints);
+  const auto choice = chooseInputs(m_model, m_field, m_structure, joints);
   if (!choice || choice->joints.size() < wanted.size()) return std::nullopt;
   if (!std::equal(wanted.begin(), wanted.end(), choice->joints.begin())) return std::nullopt;
   return choice->joints;

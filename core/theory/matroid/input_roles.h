@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/input_choice.h"
 #include "core/theory/matroid/live_solution.h"
 
 namespace geargraph::inline matroid {
@@ -23,12 +24,23 @@ namespace geargraph::inline matroid {
 /// @pre the solution has its matrix
 [[nodiscard]] std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution);
 
-/// A valid set of inputs with all of `wanted` in it, in that order, completed from `present`. With the joints
-/// of an end-effector as `wanted`, the solution gives the motor speeds for a given motion of the
-/// end-effector. std::nullopt if the wanted joints are not independent.
-[[nodiscard]] std::optional<std::vector<int>> inputsWith(const KinematicModel& model,
-                                                         std::span<const int> wanted,
-                                                         std::span<const int> present);
+/// Completes joints to valid sets of inputs, with the structure of the train found once for all sets.
+class InputCompletion {
+ public:
+  /// Keeps a reference to the model. Cost: structureOf().
+  explicit InputCompletion(const KinematicModel& model);
+
+  /// A valid set of inputs with all of `wanted` in it, in that order, completed from `present`. With the
+  /// joints of an end-effector as `wanted`, the solution gives the motor speeds for a given motion of the
+  /// end-effector. std::nullopt if the wanted joints are not independent. Cost: chooseInputs().
+  [[nodiscard]] std::optional<std::vector<int>> with(std::span<const int> wanted,
+                                                     std::span<const int> present) const;
+
+ private:
+  const KinematicModel& m_model;
+  FusedField m_field;
+  Structure m_structure;
+};
 
 /// The joints from the ground to a link, the first at the ground.
 [[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, int link);

@@ -84,7 +84,7 @@ class EngagementEdit {
     const Motion motion = motionBefore();
     std::vector<int> wanted;
     if (first) wanted.push_back(first->joint);
-    const auto joints = inputsWith(model, wanted, motion.driven);
+    const auto joints = InputCompletion(model).with(wanted, motion.driven);
     if (!joints) return std::nullopt;
     std::vector<Input> inputs;
     for (const int joint : *joints) {

@@ -60,12 +60,13 @@ class TestInputRoles : public QObject {
     const Worked worked(drivenRobot());
     const std::vector<int> chain = chainTo(*worked.tree, 3);  // link 3, the end-effector
     QCOMPARE(chain, (std::vector{2, 4, 6}));                  // 10, 12, 14
-    QCOMPARE(*inputsWith(worked.model, chain, worked.analysis.choice.joints), chain);
+    const InputCompletion completion(worked.model);
+    QCOMPARE(*completion.with(chain, worked.analysis.choice.joints), chain);
     const std::vector<int> tied{0, 2};  // 8 and 10 are no free choice
-    QVERIFY(!inputsWith(worked.model, tied, worked.analysis.choice.joints));
+    QVERIFY(!completion.with(tied, worked.analysis.choice.joints));
     const std::vector<int> one{6};
-    QCOMPARE(inputsWith(worked.model, one, worked.analysis.choice.joints)->front(), 6);
-    QCOMPARE(inputsWith(worked.model, one, worked.analysis.choice.joints)->size(), std::size_t(3));
+    QCOMPARE(completion.with(one, worked.analysis.choice.joints)->front(), 6);
+    QCOMPARE(completion.with(one, worked.analysis.choice.joints)->size(), std::size_t(3));
   }
 };
 
