@@ -40,24 +40,29 @@ void ThemeSheets::setSheet(const QString& sheet) {
   if (sheet == m_sheet) return;
   m_sheet = sheet;
   m_outdated.clear();
+  m_hidden.clear();
   for (QWidget* widget : QApplication::allWidgets()) {
-    if (isPart(widget) && widget->isVisible()) m_outdated.emplace_back(widget);
+    if (!isPart(widget)) continue;
+    if (widget->isVisible()) m_outdated.emplace_back(widget);
+    if (!widget->isVisible() && !widget->styleSheet().isEmpty()) m_hidden.emplace_back(widget);  // shown once
   }
-  if (m_outdated.empty()) return;
-  holdPainting(true);
+  if (m_outdated.empty() && m_hidden.empty()) return;
+  if (!m_outdated.empty()) holdPainting(true);
   m_turn.start();
 }
 
 void ThemeSheets::renewNext() {
-  while (!m_outdated.empty()) {
-    const QPointer<QWidget> widget = m_outdated.back();
-    m_outdated.pop_back();
+  const bool isSettling = !m_outdated.empty();
+  std::vector<QPointer<QWidget>>& waiting = isSettling ? m_outdated : m_hidden;
+  while (!waiting.empty()) {
+    const QPointer<QWidget> widget = waiting.back();
+    waiting.pop_back();
     if (widget == nullptr) continue;
     theme::setSheet(*widget, m_sheet);
     break;
   }
-  if (!m_outdated.empty()) return;
-  m_turn.stop();
+  if (m_outdated.empty() && m_hidden.empty()) m_turn.stop();
+  if (!m_outdated.empty() || (!isSettling && m_held.empty())) return;
   holdPainting(false);
   emit settled();
 }

@@ -13,7 +13,8 @@ namespace geargraph::inline theme {
 /// Sets the style sheet of the program on the parts of its windows (docks, bars, dialogs, menus), not on the
 /// application. A change of the theme then updates one part per turn of the event loop, in at most 10 ms; a
 /// sheet of the application would block for 100 to 300 ms in a window of 600 widgets. Windows repaint when
-/// all parts have the new sheet; a hidden part gets it when it is shown.
+/// all visible parts have the new sheet. The hidden ones follow: a command that shows many of them would wait
+/// for the sheets of all. A part that is shown earlier gets its sheet then.
 class ThemeSheets : public QObject {
   Q_OBJECT
 
@@ -38,8 +39,9 @@ class ThemeSheets : public QObject {
   void holdPainting(bool hold);
 
   QString m_sheet;
-  std::vector<QPointer<QWidget>> m_outdated;
-  std::vector<QPointer<QWidget>> m_held;  // windows that do not repaint until all their parts have the sheet
+  std::vector<QPointer<QWidget>> m_outdated;  ///< visible parts
+  std::vector<QPointer<QWidget>> m_hidden;    ///< parts that get it after those
+  std::vector<QPointer<QWidget>> m_held;  ///< windows that do not repaint while visible parts are outdated
   QTimer m_turn;
 };
 

@@ -11,6 +11,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
 
 #include "ui/theme/application_theme.h"
 #include "ui/theme/style_sheet.h"
@@ -125,14 +126,27 @@ class ThemeSheetsTest : public QObject {
     QTRY_COMPARE(paints.count, 1);
   }
 
-  void aHiddenDockGetsTheSheetWhenItIsShown() {
+  void aHiddenDockGetsTheSheetAfterThoseThatAreShown() {
+    ThemedWindow shown;
+    const QDockWidget* hidden = shown.docks.back();
+    const QString dark = styleSheetOf(Theme::dark);
+    std::optional<bool> isLater;
+    connect(&ThemeSheets::instance(), &ThemeSheets::settled, &shown.window,
+            [&] { isLater = hidden->styleSheet() != dark; });
+    applyTheme(*qApp, Theme::dark);
+    QTRY_COMPARE(hidden->styleSheet(), dark);
+    QVERIFY(!hidden->isVisible());
+    QVERIFY(isLater && *isLater);
+  }
+
+  void aHiddenDockThatIsShownEarlierGetsTheSheetThen() {
     ThemedWindow shown;
     applyTheme(*qApp, Theme::dark);
-    QTRY_VERIFY(ThemeSheets::instance().isSettled());
     QDockWidget* hidden = shown.docks.back();
     QVERIFY(hidden->styleSheet() != styleSheetOf(Theme::dark));
     hidden->show();
     QCOMPARE(hidden->styleSheet(), styleSheetOf(Theme::dark));
+    QTRY_VERIFY(ThemeSheets::instance().isSettled());
     shown.cards.back()->resize(20, 20);  // its dock may have no room
     QCOMPARE(middleOf(*shown.cards.back()), qColor(ColorRole::sheet, Theme::dark));
   }
