@@ -1,7 +1,10 @@
 #include "ui/mainwindow/dock_titles.h"
 
+#include <QAbstractButton>
 #include <QChildEvent>
 #include <QDockWidget>
+#include <QStyle>
+#include <QStyleOption>
 
 namespace geargraph::inline mainwindow {
 
@@ -15,6 +18,7 @@ bool DockTitles::eventFilter(QObject* watched, QEvent* event) {
     QObject* child = static_cast<QChildEvent*>(event)->child();
     if (child->inherits("QDockWidgetGroupWindow")) child->installEventFilter(this);
   }
+  if (watched == m_window && event->type() == QEvent::PaletteChange) renewButtons();
   if (watched == m_window || event->type() != QEvent::Close) return QObject::eventFilter(watched, event);
   for (auto* dock : watched->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) dock->close();
   event->ignore();  // it hides itself when it is empty
@@ -45,6 +49,21 @@ void DockTitles::renew() {
     QWidget* old = dock->titleBarWidget();
     dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
     delete old;
+  }
+}
+
+/// Qt asks the style for their pictures when it makes a title bar, and not again for another theme.
+void DockTitles::renewButtons() {
+  const std::pair<QString, QStyle::StandardPixmap> buttons[] = {
+      {QStringLiteral("qt_dockwidget_closebutton"), QStyle::SP_TitleBarCloseButton},
+      {QStringLiteral("qt_dockwidget_floatbutton"), QStyle::SP_TitleBarNormalButton}};
+  QStyleOption option;
+  option.palette = m_window->palette();
+  for (QDockWidget* dock : std::as_const(m_docks)) {
+    for (const auto& [name, picture] : buttons) {
+      auto* button = dock->findChild<QAbstractButton*>(name, Qt::FindDirectChildrenOnly);
+      if (button != nullptr) button->setIcon(dock->style()->standardIcon(picture, &option, dock));
+    }
   }
 }
 

@@ -5,8 +5,9 @@
 namespace geargraph::inline mainwindow {
 
 /// Hides the title bars of tabbed docks, which have tabs instead; a dock that floats or is alone shows its
-/// title bar. Updated while docks are moved. The window of a floating group of tabs closes all docks in it:
-/// Qt would close the one in front, and hide the others without saying so.
+/// title bar, with buttons in the theme's colour. Updated while docks are moved. The window of a floating
+/// group of tabs closes all docks in it: Qt would close the one in front, and hide the others without saying
+/// so.
 class DockTitles : public QObject {
   Q_OBJECT
 
@@ -20,6 +21,7 @@ class DockTitles : public QObject {
  private:
   void renew();
   void renewSoon();
+  void renewButtons();
 
   QMainWindow* m_window;
   QList<QDockWidget*> m_docks;

@@ -5,7 +5,7 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
-#include "ui/theme/application_theme.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline theme {
 namespace {

@@ -8,6 +8,7 @@
 #include <QTextDocumentFragment>
 #include <algorithm>
 
+#include "ui/theme/icons.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline theme {
@@ -111,6 +112,14 @@ int ProgramStyle::styleHint(StyleHint hint, const QStyleOption* option, const QW
                             QStyleHintReturn* answer) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
   return QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+QIcon ProgramStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* option,
+                                 const QWidget* widget) const {
+  if (option == nullptr || (pixmap != SP_TitleBarCloseButton && pixmap != SP_TitleBarNormalButton))
+    return QProxyStyle::standardIcon(pixmap, option, widget);
+  const QString name = pixmap == SP_TitleBarCloseButton ? QStringLiteral("close") : QStringLiteral("float");
+  return icon(name, ColorRole::ink, themeOf(option->palette));
 }
 
 void ProgramStyle::polish(QWidget* widget) {

@@ -5,8 +5,9 @@
 namespace geargraph::inline theme {
 
 /// The Fusion style, with these drawn from the palette: the separators of docks and the frames of tooltips,
-/// so that a main window needs no style sheet (ThemeSheets), and the indicators of check boxes and radio
-/// buttons, which in Fusion are invisible on a dark background.
+/// so that a main window needs no style sheet (ThemeSheets), the indicators of check boxes and radio buttons,
+/// which in Fusion are invisible on a dark background, and the buttons of docks, which in Fusion are pictures
+/// of one colour and size.
 class ProgramStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -17,6 +18,8 @@ class ProgramStyle : public QProxyStyle {
                                 const QWidget* widget) const override;
   [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                               QStyleHintReturn* answer) const override;
+  [[nodiscard]] QIcon standardIcon(StandardPixmap pixmap, const QStyleOption* option,
+                                   const QWidget* widget) const override;
   using QProxyStyle::polish;
   /// Gives controls without text their tooltip as accessible name.
   void polish(QWidget* widget) override;

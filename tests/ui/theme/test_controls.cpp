@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -157,6 +158,7 @@ const Row kRows[] = {
     {"chosen radio button", kControl, [] { return indicator<QRadioButton>(true); }},
     {"slider", kControl, [] { return ranged<QSlider>(); }},
     {"scroll bar", kControl, [] { return ranged<QScrollBar>(); }},
+    {"buttons of a dock", kControl, [] { return static_cast<QWidget*>(new QDockWidget); }},
 };
 
 }  // namespace
