@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QSettings>
 #include <QTranslator>
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline languages {
 namespace {
@@ -64,16 +64,16 @@ QString nativeName(const QString& code) {
 }
 
 QString savedLanguage() {
-  const QString code = QSettings().value(kSetting).toString();
+  const QString code = savedSetting(kSetting).toString();
   const auto& all = languageCodes();
   return std::find(all.begin(), all.end(), code) != all.end() ? code : QString();
 }
 
 void saveLanguage(const QString& code) {
   if (code.isEmpty()) {
-    QSettings().remove(kSetting);
+    removeSetting(kSetting);
   } else {
-    QSettings().setValue(kSetting, code);
+    saveSetting(kSetting, code);
   }
 }
 

@@ -1,8 +1,9 @@
 #include "ui/lessons/lesson_progress.h"
 
-#include <QSettings>
 #include <QVariant>
 #include <algorithm>
+
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline ui_lessons {
 namespace {
@@ -31,9 +32,8 @@ LessonProgress progressOf(const Lesson& lesson) {
     progress.points.assign(lesson.steps.size(), kNotDone);
     return progress;
   }
-  const QSettings settings;
-  progress.step = std::clamp(settings.value(keyOf(lesson, "step"), 0).toInt(), 0, last);
-  const QStringList kept = settings.value(keyOf(lesson, "points")).toStringList();
+  progress.step = std::clamp(savedSetting(keyOf(lesson, "step"), 0).toInt(), 0, last);
+  const QStringList kept = savedSetting(keyOf(lesson, "points")).toStringList();
   for (qsizetype i = 0; i <= last; ++i) {
     bool isNumber = false;
     const int points = i < kept.size() ? kept[i].toInt(&isNumber) : kNotDone;
@@ -44,11 +44,10 @@ LessonProgress progressOf(const Lesson& lesson) {
 
 void saveProgress(const Lesson& lesson, const LessonProgress& progress) {
   if (lesson.id.empty()) return;
-  QSettings settings;
   QStringList points;
   for (const int each : progress.points) points << QString::number(each);
-  settings.setValue(keyOf(lesson, "step"), progress.step);
-  settings.setValue(keyOf(lesson, "points"), points);
+  saveSetting(keyOf(lesson, "step"), progress.step);
+  saveSetting(keyOf(lesson, "points"), points);
 }
 
 }  // namespace geargraph::inline ui_lessons

@@ -5,7 +5,8 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
-#include <QSettings>
+
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -21,7 +22,7 @@ QComboBox* choice(const char* name, const QList<std::pair<QString, QChar>>& entr
   auto* box = new QComboBox(parent);
   box->setObjectName(QLatin1String(name));
   for (const auto& [text, character] : entries) box->addItem(text, QString(character));
-  box->setCurrentIndex(std::max(0, box->findData(QSettings().value(key))));
+  box->setCurrentIndex(std::max(0, box->findData(savedSetting(key))));
   return box;
 }
 
@@ -41,10 +42,10 @@ CsvDialog::CsvDialog(const QString& table, QWidget* parent)
   m_decimal->setToolTip(tr("Numbers with a decimal comma are quoted where commas part the columns"));
   m_labels->setObjectName(QStringLiteral("csvLabels"));
   m_labels->setToolTip(tr("Without them the file holds the entries alone"));
-  m_labels->setChecked(QSettings().value(kLabelsKey, true).toBool());
+  m_labels->setChecked(savedSetting(kLabelsKey, true).toBool());
   m_mark->setObjectName(QStringLiteral("csvByteOrderMark"));
   m_mark->setToolTip(tr("Begins the file with a mark by which spreadsheet programs know UTF-8"));
-  m_mark->setChecked(QSettings().value(kMarkKey, false).toBool());
+  m_mark->setChecked(savedSetting(kMarkKey, false).toBool());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole)->setDefault(true);
   auto* form = new QFormLayout(this);
@@ -64,11 +65,10 @@ CsvOptions CsvDialog::options() const {
 }
 
 void CsvDialog::remember() const {
-  QSettings settings;
-  settings.setValue(kSeparatorKey, m_separator->currentData());
-  settings.setValue(kDecimalKey, m_decimal->currentData());
-  settings.setValue(kLabelsKey, m_labels->isChecked());
-  settings.setValue(kMarkKey, m_mark->isChecked());
+  saveSetting(kSeparatorKey, m_separator->currentData());
+  saveSetting(kDecimalKey, m_decimal->currentData());
+  saveSetting(kLabelsKey, m_labels->isChecked());
+  saveSetting(kMarkKey, m_mark->isChecked());
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QScreen>
-#include <QSettings>
 #include <algorithm>
 
 #include "core/mechanism/model/edits.h"
@@ -44,6 +43,7 @@
 #include "ui/panels/results_panel.h"
 #include "ui/recovery/autosave.h"
 #include "ui/schematic/schematic_view.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 #include "ui/view3d/motion_panel.h"
@@ -463,9 +463,8 @@ bool MainWindow::event(QEvent* event) {
 }
 
 void MainWindow::restoreLayout() {
-  const QSettings settings;
-  restoreLayout(settings.value(QStringLiteral("window/geometry")).toByteArray(),
-                settings.value(QStringLiteral("window/state")).toByteArray());
+  restoreLayout(savedSetting(QStringLiteral("window/geometry")).toByteArray(),
+                savedSetting(QStringLiteral("window/state")).toByteArray());
 }
 
 void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
@@ -493,9 +492,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_files->discard();
   m_presentation->setOn(false);
   if (m_lesson == nullptr) {  // whose panels are others
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState());
+    saveSetting(QStringLiteral("window/geometry"), saveGeometry());
+    saveSetting(QStringLiteral("window/state"), saveState());
   }
   event->accept();
   emit closed();

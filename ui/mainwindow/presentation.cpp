@@ -6,12 +6,12 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
 
 #include "ui/canvas/drawing_view.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -37,7 +37,7 @@ void Presentation::setBarsVisible(bool visible) {
 
 /// The panels of the last presentation; at first the matrices alone, below the drawing.
 void Presentation::choosePanels() {
-  const QByteArray layout = QSettings().value(kLayoutKey).toByteArray();
+  const QByteArray layout = savedSetting(kLayoutKey).toByteArray();
   if (!layout.isEmpty() && m_window->restoreState(layout)) return;
   for (auto* dock : m_window->findChildren<QDockWidget*>()) {
     dock->setVisible(dock->objectName() == QLatin1String("dock.matrices"));
@@ -88,7 +88,7 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
 /// The type shrinks first: large panels would push the window wider than it was.
 void Presentation::leave() {
   qApp->removeEventFilter(this);
-  QSettings().setValue(kLayoutKey, m_window->saveState());
+  saveSetting(kLayoutKey, m_window->saveState());
   delete m_hint;
   m_hint = nullptr;
   emit changed(false);

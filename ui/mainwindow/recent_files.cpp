@@ -1,9 +1,9 @@
 #include "ui/mainwindow/recent_files.h"
 
 #include <QFileInfo>
-#include <QSettings>
 
 #include "ui/mainwindow/thumbnails.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline mainwindow {
@@ -18,7 +18,7 @@ RecentFiles::RecentFiles(QWidget* parent) : QMenu(tr("Open &recent"), parent) {
 }
 
 QStringList RecentFiles::paths() {
-  return QSettings().value(kKey).toStringList();
+  return savedSetting(kKey).toStringList();
 }
 
 void RecentFiles::add(const QString& path) {
@@ -26,13 +26,13 @@ void RecentFiles::add(const QString& path) {
   QStringList list = paths();
   list.removeAll(absolute);
   list.prepend(absolute);
-  QSettings().setValue(kKey, QStringList(list.mid(0, kMost)));
+  saveSetting(kKey, QStringList(list.mid(0, kMost)));
 }
 
 void RecentFiles::forget(const QString& path) {
   QStringList list = paths();
   list.removeAll(path);
-  QSettings().setValue(kKey, list);
+  saveSetting(kKey, list);
 }
 
 void RecentFiles::fill() {

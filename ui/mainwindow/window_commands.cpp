@@ -7,7 +7,6 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSettings>
 #include <QTimer>
 #include <QWhatsThis>
 
@@ -39,6 +38,7 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/printing/print_dialog.h"
 #include "ui/search/search_field.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -184,15 +184,15 @@ void MainWindow::wireActions() {
   connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
   connect(a.highContrast, &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
   connect(a.grid, &QAction::toggled, this, [this](bool on) {
-    QSettings().setValue(QStringLiteral("grid"), on);
+    saveSetting(QStringLiteral("grid"), on);
     for (DrawingView* each : m_allDrawings) each->setGrid(on);
   });
-  a.grid->setChecked(QSettings().value(QStringLiteral("grid"), false).toBool());
+  a.grid->setChecked(savedSetting(QStringLiteral("grid"), false).toBool());
   connect(a.powerFlow, &QAction::toggled, this, [this](bool on) {
-    QSettings().setValue(QStringLiteral("powerFlow"), on);
+    saveSetting(QStringLiteral("powerFlow"), on);
     m_power->setOn(on);
   });
-  a.powerFlow->setChecked(QSettings().value(QStringLiteral("powerFlow"), false).toBool());
+  a.powerFlow->setChecked(savedSetting(QStringLiteral("powerFlow"), false).toBool());
   const auto* arrows = new PowerArrows(*m_workbench, *m_view3d, *m_power, *a.powerFlow, m_power);
   connect(arrows, &PowerArrows::changed, this, &MainWindow::tellWhenSettled);
   connect(a.presentation, &QAction::triggered, m_presentation, &Presentation::setOn);

@@ -7,7 +7,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSettings>
 #include <algorithm>
 
 #include "ui/help/help_page_of.h"
@@ -16,6 +15,7 @@
 #include "ui/help/whats_this.h"
 #include "ui/search/search_entries.h"
 #include "ui/search/search_field.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -174,9 +174,8 @@ void WindowHelp::startTour() {
 }
 
 void WindowHelp::offerTour() {
-  QSettings settings;
-  if (settings.value(QLatin1String(kTourOffered), false).toBool()) return;
-  settings.setValue(QLatin1String(kTourOffered), true);
+  if (savedSetting(QLatin1String(kTourOffered), false).toBool()) return;
+  saveSetting(QLatin1String(kTourOffered), true);
   startTour();
 }
 

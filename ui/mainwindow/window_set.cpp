@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -192,6 +192,7 @@ bool WindowSet::reopenSession() {
     QByteArray geometry;
     QByteArray state;
   };
+  flushSettings();
   QSettings settings;
   std::vector<Entry> entries;
   const int count = settings.beginReadArray(kSession);
@@ -263,19 +264,23 @@ void WindowSet::recordLayouts() {
 /// Written at every change: a program that is killed is remembered, too.
 void WindowSet::remember() {
   if (!m_ownsSession || m_quitting) return;
-  QSettings settings;
-  settings.remove(kSession);
-  settings.beginWriteArray(kSession);
-  int index = 0;
+  std::vector<std::pair<QString, Layout>> session;
   for (const auto& window : m_windows) {
-    if (window->files().source().isEmpty()) continue;
-    settings.setArrayIndex(index++);
-    settings.setValue(QStringLiteral("source"), window->files().source());
-    const Layout& layout = m_layouts[window.get()];
-    settings.setValue(QStringLiteral("geometry"), layout.geometry);
-    settings.setValue(QStringLiteral("state"), layout.state);
+    const QString source = window->files().source();
+    if (!source.isEmpty()) session.emplace_back(source, m_layouts[window.get()]);
   }
-  settings.endArray();
+  changeSettings(kSession, [session = std::move(session)](QSettings& settings) {
+    settings.remove(kSession);
+    settings.beginWriteArray(kSession);
+    int index = 0;
+    for (const auto& [source, layout] : session) {
+      settings.setArrayIndex(index++);
+      settings.setValue(QStringLiteral("source"), source);
+      settings.setValue(QStringLiteral("geometry"), layout.geometry);
+      settings.setValue(QStringLiteral("state"), layout.state);
+    }
+    settings.endArray();
+  });
 }
 
 void WindowSet::quit() {
@@ -289,11 +294,11 @@ void WindowSet::quit() {
 }
 
 bool WindowSet::restoresSession() const {
-  return QSettings().value(kRestores, true).toBool();
+  return savedSetting(kRestores, true).toBool();
 }
 
 void WindowSet::setRestoresSession(bool restores) {
-  QSettings().setValue(kRestores, restores);
+  saveSetting(kRestores, restores);
 }
 
 }  // namespace geargraph::inline mainwindow

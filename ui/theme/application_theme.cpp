@@ -2,11 +2,11 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QSettings>
 #include <QToolTip>
 #include <algorithm>
 #include <utility>
 
+#include "ui/settings/settings.h"
 #include "ui/theme/program_style.h"
 #include "ui/theme/style_sheet.h"
 #include "ui/theme/theme_sheets.h"
@@ -23,7 +23,7 @@ constexpr const char* kStyledProperty = "geargraphStyled";
 }  // namespace
 
 Theme savedTheme() {
-  const QString name = QSettings().value(kThemeKey).toString();
+  const QString name = savedSetting(kThemeKey).toString();
   for (const auto& [theme, saved] : kThemeNames) {
     if (name == QLatin1String(saved)) return theme;
   }
@@ -31,11 +31,11 @@ Theme savedTheme() {
 }
 
 bool followsSystemTheme() {
-  return !QSettings().contains(kThemeKey);
+  return !isSettingSaved(kThemeKey);
 }
 
 void followSystemTheme() {
-  QSettings().remove(kThemeKey);
+  removeSetting(kThemeKey);
 }
 
 Theme systemTheme() {
@@ -51,16 +51,16 @@ Theme systemTheme() {
 
 double savedTypeScale() {
   constexpr double kLeast = 0.5, kMost = 3;
-  return std::clamp(QSettings().value(kTypeScaleKey, 1.0).toDouble(), kLeast, kMost);
+  return std::clamp(savedSetting(kTypeScaleKey, 1.0).toDouble(), kLeast, kMost);
 }
 
 void saveTypeScale(double scale) {
-  QSettings().setValue(kTypeScaleKey, scale);
+  saveSetting(kTypeScaleKey, scale);
 }
 
 void saveTheme(Theme theme) {
   for (const auto& [known, name] : kThemeNames) {
-    if (known == theme) QSettings().setValue(kThemeKey, QLatin1String(name));
+    if (known == theme) saveSetting(kThemeKey, QLatin1String(name));
   }
 }
 

@@ -6,7 +6,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QSettings>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -15,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "ui/settings/settings.h"
 #include "ui/view3d/axis_hold.h"
 #include "ui/view3d/canvas_surface.h"
 #include "ui/view3d/gl_canvas.h"
@@ -415,7 +415,7 @@ const StageView& View3D::view() const {
 }
 
 Navigation View3D::savedNavigation() {
-  const int saved = QSettings().value(kNavigationKey, 0).toInt();
+  const int saved = savedSetting(kNavigationKey, 0).toInt();
   return static_cast<Navigation>(std::clamp(saved, 0, static_cast<int>(Navigation::solidWorks)));
 }
 
@@ -424,7 +424,7 @@ void View3D::setNavigation(Navigation navigation) {
 }
 
 void View3D::chooseNavigation(Navigation navigation) {
-  QSettings().setValue(kNavigationKey, static_cast<int>(navigation));
+  saveSetting(kNavigationKey, static_cast<int>(navigation));
   for (QWidget* window : QApplication::topLevelWidgets()) {
     for (View3D* view : window->findChildren<View3D*>()) view->setNavigation(navigation);
   }

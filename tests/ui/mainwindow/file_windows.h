@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QPushButton>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -30,7 +29,7 @@ class FileWindows {
   }
   void makeFolder() {
     folder = std::make_unique<QTemporaryDir>();
-    QSettings().clear();
+    clearSettings();
     set = std::make_unique<WindowSet>(app());
   }
 

@@ -7,6 +7,7 @@
 
 #include "ui/canvas/digraph_view.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::test {
@@ -111,6 +112,11 @@ void keepSettingsIn(const QString& folder) {
   QCoreApplication::setApplicationName(QStringLiteral("GearGraphTest"));
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
+}
+
+void clearSettings() {
+  changeSettings({}, [](QSettings& settings) { settings.clear(); });
+  flushSettings();
 }
 
 void setUpProgram() {

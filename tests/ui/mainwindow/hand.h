@@ -46,6 +46,9 @@ void keepSettingsIn(const QString& folder);
 /// isolateSettings(), and the light theme, whatever the machine's is.
 void setUpProgram();
 
+/// Forgets all settings.
+void clearSettings();
+
 /// A window that shows a document, active and with its analysis; none where it does not come to that.
 [[nodiscard]] std::unique_ptr<MainWindow> openedWindow(const QString& path);
 

@@ -8,7 +8,6 @@
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,7 +105,7 @@ class TwoProgramsTest : public QObject {
     applyTheme(*qApp, Theme::light);
   }
   void init() {
-    QSettings().clear();
+    test::clearSettings();
     folder = std::make_unique<QTemporaryDir>();
     QVERIFY(!writeDocument(withLink(emptyMechanism(), {300, 90}).value(), document()));
   }

@@ -6,7 +6,6 @@
 #include <QListView>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,7 +48,7 @@ class WindowCommandsTest : public QObject {
   }
   void cleanup() {
     window.reset();
-    QSettings().clear();
+    test::clearSettings();
     applyTheme(*qApp, Theme::light);
   }
 

@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -36,6 +35,7 @@
 #include "ui/mainwindow/window_help.h"
 #include "ui/search/search_entries.h"
 #include "ui/search/search_field.h"
+#include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {
@@ -414,7 +414,7 @@ class WindowHelpTest : public QObject {
   }
 
   void theTourIsOfferedOnceAndOpensTheRobot() {
-    QSettings().remove(QStringLiteral("tourOffered"));
+    removeSetting(QStringLiteral("tourOffered"));
     MainWindow fresh;
     fresh.show();
     fresh.showStartPage();
