@@ -39,6 +39,11 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
       m_document(document),
       m_selection(selection),
       m_menus(menus),
+      m_elements(new Service<MechanismPtr, ElementEntries>(
+          [](const MechanismPtr& mechanism, const auto& respond) {
+            respond(std::make_shared<const std::vector<SearchEntry>>(elementEntries(*mechanism)));
+          },
+          this, {.same = [](const MechanismPtr& before, const MechanismPtr& now) { return before == now; }})),
       m_model(new SearchModel(this)),
       m_popup(new SearchPopup(m_model, menus->window())) {
   setObjectName(QStringLiteral("search"));
@@ -50,6 +55,9 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
   menus->window()->installEventFilter(this);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
     if (now == this && before != nullptr) m_before = before;
+  });
+  m_elements->onAnswer(this, [this](const ElementEntries&) {
+    if (m_popup->isVisible()) fill();
   });
   connect(this, &QLineEdit::textEdited, this, &SearchField::query);
   connect(m_popup, &SearchPopup::currentChanged, this, &SearchField::highlight);
@@ -70,13 +78,23 @@ void SearchField::begin(Scope scope) {
   }
 }
 
+/// The elements of a large document follow as soon as they are there.
 void SearchField::gather() {
+  constexpr std::chrono::milliseconds kMoment{10};
+  if (m_scope == Scope::everything) {
+    m_elements->request(m_document->mechanism());
+    m_elements->await(kMoment);
+  }
+  fill();
+}
+
+void SearchField::fill() {
   std::vector<SearchEntry> entries = termEntries();
   if (m_scope == Scope::everything) {
     std::vector<SearchEntry> terms = std::move(entries);
     entries = commandEntries(*m_menus);
-    std::vector<SearchEntry> elements = elementEntries(*m_document->mechanism());
-    std::move(elements.begin(), elements.end(), std::back_inserter(entries));
+    if (m_elements->isComplete() && m_elements->answer())
+      entries.insert(entries.end(), m_elements->answer()->begin(), m_elements->answer()->end());
     std::move(terms.begin(), terms.end(), std::back_inserter(entries));
     std::vector<SearchEntry> pages = pageEntries();
     std::move(pages.begin(), pages.end(), std::back_inserter(entries));

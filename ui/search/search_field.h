@@ -2,11 +2,14 @@
 
 #include <QLineEdit>
 #include <QPointer>
+#include <memory>
+#include <vector>
 
 #include "ui/document/document.h"
 #include "ui/search/search_model.h"
 #include "ui/search/search_popup.h"
 #include "ui/selection/selection.h"
+#include "ui/service/service.h"
 
 class QMenuBar;
 
@@ -15,9 +18,11 @@ namespace geargraph::inline search {
 /// The search field for commands, elements of the document, terms and headings of the manual. The arrow keys
 /// choose an entry, Enter executes it, Esc returns the focus to the former widget.
 ///
-/// Entries are collected when the search begins, so an idle field costs nothing.
+/// Entries are collected when the search begins, so an idle field costs nothing; elements on another thread.
 class SearchField : public QLineEdit {
   Q_OBJECT
+
+  using ElementEntries = std::shared_ptr<const std::vector<SearchEntry>>;
 
  public:
   enum class Scope { everything, terms };
@@ -48,6 +53,7 @@ class SearchField : public QLineEdit {
 
  private:
   void gather();
+  void fill();
   void query();
   void place();
   void highlight(int row);
@@ -56,6 +62,7 @@ class SearchField : public QLineEdit {
   const Document* m_document;
   Selection* m_selection;
   QMenuBar* m_menus;
+  Service<MechanismPtr, ElementEntries>* m_elements;
   SearchModel* m_model;
   SearchPopup* m_popup;
   QPointer<QWidget> m_before;  ///< had the focus before the search
