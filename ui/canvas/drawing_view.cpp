@@ -68,10 +68,27 @@ void DrawingView::setSnapshot(const SnapshotPtr& snapshot) {
   updateEmphases();
 }
 
+/// A hidden drawing gets them when it is shown: those of a large selection take ms in each drawing.
 void DrawingView::updateEmphases() {
-  Highlight shown = highlight();
-  for (const ElementId& element : m_selection->selected()) shown.emphases[element].selected = true;
-  for (const ElementId& element : m_selection->hovered()) shown.emphases[element].hovered = true;
+  m_areEmphasesBehind = !isVisible();
+  if (!m_areEmphasesBehind) showEmphases();
+}
+
+void DrawingView::showEvent(QShowEvent* event) {
+  QGraphicsView::showEvent(event);
+  updateEmphases();
+}
+
+/// With what is selected and what is under the mouse.
+DrawingView::Highlight DrawingView::wantedHighlight() const {
+  Highlight wanted = highlight();
+  for (const ElementId& element : m_selection->selected()) wanted.emphases[element].selected = true;
+  for (const ElementId& element : m_selection->hovered()) wanted.emphases[element].hovered = true;
+  return wanted;
+}
+
+void DrawingView::showEmphases() {
+  Highlight shown = wantedHighlight();
   m_scene->setEmphases(std::move(shown.emphases));
   if (shown.caption == m_caption && shown.colors == m_captionColors) return;
   m_caption = std::move(shown.caption);
@@ -118,9 +135,13 @@ void DrawingView::changeEvent(QEvent* event) {
   QGraphicsView::changeEvent(event);
 }
 
+QStringList DrawingView::caption() const {
+  return m_areEmphasesBehind ? wantedHighlight().caption : m_caption;
+}
+
 DisplayList DrawingView::displayList() const {
   DisplayList all = m_scene->underlay();
-  all.append(m_scene->displayList());
+  all.append(m_areEmphasesBehind ? m_scene->drawing()(wantedHighlight().emphases) : m_scene->displayList());
   return all;
 }
 

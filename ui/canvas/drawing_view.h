@@ -90,7 +90,7 @@ class DrawingView : public QGraphicsView {
   /// The menu for an element shown by another view, or for the sheet; the caller owns it.
   [[nodiscard]] QMenu* contextMenuFor(const std::optional<ElementId>& element, SheetPoint at);
   /// The lines in the box at the lower left, and those at the upper left.
-  [[nodiscard]] QStringList caption() const { return m_caption; }
+  [[nodiscard]] QStringList caption() const;
   [[nodiscard]] QStringList notice() const { return m_notice; }
 
   /// Is a gesture of mouse or keys in progress, which Esc cancels?
@@ -204,6 +204,7 @@ class DrawingView : public QGraphicsView {
   bool viewportEvent(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -228,6 +229,8 @@ class DrawingView : public QGraphicsView {
 
   void showDocument();
   void showAnotherDocument();
+  [[nodiscard]] Highlight wantedHighlight() const;
+  void showEmphases();
   void applyTheme(Theme theme);
   void escape();
   bool editKey(const QKeyEvent& event);
@@ -284,6 +287,7 @@ class DrawingView : public QGraphicsView {
   bool m_fitted = true;                ///< the drawing was not moved by the user: it fits the window
   bool m_themeChosen = false;          ///< setTheme() was called: the palette no longer decides
   bool m_hovering = false;             ///< the hovered element was hovered in this view
+  bool m_areEmphasesBehind = false;    ///< to be shown when the drawing is
   bool m_showsFocus = false;           ///< the focus came by the keyboard
   std::optional<ElementId> m_current;  ///< the last element selected by the keyboard
 };

@@ -20,27 +20,34 @@ NodePlacer::NodePlacer(QObject* parent)
 
 NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
   if (mechanism->view.nodes.size() >= mechanism->links.size()) return mechanism->view.nodes;
-  Mechanism placed = adopted(*mechanism);
-  if (placed.view.nodes.size() >= mechanism->links.size()) return std::move(placed.view.nodes);
-  if (mechanism->links.size() <= kSmall) {
+  NodePositions known = knownPlaces(*mechanism);
+  const bool isSmall = mechanism->links.size() <= kSmall;
+  if (known.size() >= mechanism->links.size() || (!isSmall && m_sought == mechanism)) return known;
+  Mechanism placed = *mechanism;
+  placed.view.nodes = known;
+  if (isSmall) {
     NodePositions all = completedPositions(placed);
     m_found.insert(all.begin(), all.end());
     return all;
   }
-  NodePositions known = placed.view.nodes;
-  if (m_sought != mechanism) {
-    m_searches->request({std::make_shared<const Mechanism>(std::move(placed)), &completedPositions});
-    m_sought = mechanism;
-  }
+  m_searches->request({std::make_shared<const Mechanism>(std::move(placed)), &completedPositions});
+  m_sought = mechanism;
   return known;
 }
 
 Mechanism NodePlacer::adopted(Mechanism mechanism) const {
+  mechanism.view.nodes = knownPlaces(mechanism);
+  return mechanism;
+}
+
+/// Those that the document has, and those that have been found.
+NodePositions NodePlacer::knownPlaces(const Mechanism& mechanism) const {
+  NodePositions places = mechanism.view.nodes;
   for (const Link& link : mechanism.links) {
     const auto found = m_found.find(link.id);
-    if (found != m_found.end()) mechanism.view.nodes.insert(*found);
+    if (found != m_found.end()) places.insert(*found);
   }
-  return mechanism;
+  return places;
 }
 
 void NodePlacer::layOut(const MechanismPtr& mechanism) {

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <memory>
+#include <unordered_map>
 
 #include "core/presentation/drawing/layout.h"
 #include "ui/service/service.h"
@@ -34,6 +35,7 @@ class NodePlacer final : public QObject {
   void laidOut(const geargraph::NodePositions& positions);
 
  private:
+  [[nodiscard]] NodePositions knownPlaces(const Mechanism& mechanism) const;
   /// The places of the links that have none, or new ones for all.
   using Search = NodePositions (*)(const Mechanism&);
   struct Request {
@@ -47,8 +49,8 @@ class NodePlacer final : public QObject {
   using Searches = Service<Request, Found>;
   void onFound(const Found& found);
 
-  NodePositions m_found;  ///< for links that the document has no place for
-  MechanismPtr m_sought;  ///< whose missing places are being sought
+  std::unordered_map<LinkId, SheetPoint> m_found;  ///< for links that the document has no place for
+  MechanismPtr m_sought;                           ///< whose missing places are being sought
   Searches* m_searches;
 };
 
