@@ -25,6 +25,7 @@ LinkedTable::LinkedTable(ValueTableModel* model, Selection* selection, QWidget* 
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setWordWrap(false);
   verticalHeader()->hide();
+  verticalHeader()->setMinimumSectionSize(scaledPixels(22));  // else Qt asks the style, for every row
   verticalHeader()->setDefaultSectionSize(scaledPixels(22));
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setResizeContentsPrecision(kRowsMeasured);

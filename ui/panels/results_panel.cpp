@@ -105,8 +105,10 @@ void ResultsPanel::makeTable() {
   m_table->setItemDelegate(new ResultsDelegate(m_selection, m_table));
   auto* header = new ResultsHeader(m_table);
   m_table->setHorizontalHeader(header);
+  header->setMinimumSectionSize(kLeastWidth);  // else Qt asks the style, for every column
   header->setDefaultSectionSize(kLeastWidth);  // so that only columns that were measured are resized
   m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setMinimumSectionSize(kRowHeight);  // else Qt asks the style, for every row
   m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_table->setShowGrid(false);
   m_table->setMouseTracking(true);
@@ -138,6 +140,7 @@ void ResultsPanel::makeLinkTable() {
   m_links->setModel(m_linkModel);
   m_links->setObjectName(QStringLiteral("linkSpeeds"));
   m_links->verticalHeader()->hide();
+  m_links->verticalHeader()->setMinimumSectionSize(kRowHeight);
   m_links->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_links->setShowGrid(false);
   constexpr int kRowsMeasured = 40;  // for the widths of columns
