@@ -35,6 +35,7 @@ constexpr qint64 kStuck = 100'000;        // ms without a new gesture, or until 
 constexpr double kStallLimit = 50;        // ms
 constexpr double kLargeStallLimit = 100;  // ms, beyond kLargeTrain links
 constexpr int kLargeTrain = 1000;
+constexpr int kLargestTrain = 10'000;  // that a limit is stated for: beyond, it grows with the links
 
 QStringList warnings;
 
@@ -241,7 +242,8 @@ void GestureSoak::endRound() {
     if (stall.length() > longest.length()) longest = stall;
     if (stall.length() > limitOfStall() && activity != kOpening && activity != kClosing) {
       m_watchdog->setActivity(activity);
-      finding(QStringLiteral("the event loop was stalled for %1").arg(textOf(stall)));
+      finding(
+          QStringLiteral("the event loop was stalled for %1; %2 links").arg(textOf(stall)).arg(m_mostLinks));
     }
   }
   std::printf("  round %d, %s: %ld gestures, %ld objects and %.1f MB at rest, %.0f s\n", m_round,
@@ -258,7 +260,8 @@ void GestureSoak::endRound() {
 }
 
 double GestureSoak::limitOfStall() const {
-  return m_options.slack * (m_mostLinks > kLargeTrain ? kLargeStallLimit : kStallLimit);
+  const double limit = m_mostLinks > kLargeTrain ? kLargeStallLimit : kStallLimit;
+  return m_options.slack * limit * std::max(1.0, static_cast<double>(m_mostLinks) / kLargestTrain);
 }
 
 AtRest GestureSoak::atRest() const {
