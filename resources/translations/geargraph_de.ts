@@ -3976,11 +3976,11 @@
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly</source>
-        <translation>Matroid-Verfahren = T–T-Graph-Verfahren, exakt</translation>
+        <translation>Matroid = T–T-Graph, exakt</translation>
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
-        <translation>Matroid-Verfahren = T–T-Graph-Verfahren, exakt, für alle %1 Gelenke</translation>
+        <translation>Matroid = T–T-Graph, exakt, für alle %1 Gelenke</translation>
     </message>
     <message>
         <source>Solving exactly, by both methods …</source>

@@ -3976,11 +3976,11 @@
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly</source>
-        <translation>Método de matroides = método del grafo T–T, exacto</translation>
+        <translation>Matroides = grafo T–T, exacto</translation>
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
-        <translation>Método de matroides = método del grafo T–T, exacto, en los %1 pares</translation>
+        <translation>Matroides = grafo T–T, exacto, en los %1 pares</translation>
     </message>
     <message>
         <source>Solving exactly, by both methods …</source>

@@ -3975,11 +3975,11 @@
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly</source>
-        <translation>Matroid yöntemi = T–T grafı yöntemi, tam olarak</translation>
+        <translation>Matroid = T–T grafı, tam olarak</translation>
     </message>
     <message>
         <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
-        <translation>Matroid yöntemi = T–T grafı yöntemi, %1 mafsalın hepsi için tam olarak</translation>
+        <translation>Matroid = T–T grafı, %1 mafsalın hepsi için tam olarak</translation>
     </message>
     <message>
         <source>Solving exactly, by both methods …</source>

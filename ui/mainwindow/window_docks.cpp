@@ -162,7 +162,8 @@ void MainWindow::applyDefaultLayout() {
   for (QDockWidget* each : m_docks) each->show();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
-  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() / 2, height() / 2}, Qt::Vertical);
+  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() * 46 / 100, height() * 54 / 100},
+              Qt::Vertical);
   dock("dock.matrices")->raise();
   raiseResults();
 }
