@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
@@ -54,6 +55,19 @@ class WindowSearchTest : public QObject {
     QVERIFY(window->selection().hovered().empty());
     QVERIFY(window->digraph().hasFocus());
     QVERIFY(search()->text().isEmpty());
+  }
+
+  void elementsOfALargeDocumentFollow() {
+    window->document().replace(test::randomTrain(7, 3000, 1000), {});
+    ask("joint 4321");
+    QTRY_COMPARE(search()->model().rowCount(), 1);
+    QVERIFY(search()->model().entryAt(0).element.has_value());
+    QTest::keyClicks(search(), "0");  // no such joint
+    QCOMPARE(search()->model().rowCount(), 0);
+    press(Qt::Key_Escape);
+    window->document().replace(test::randomTrain(7, 3, 1), {});
+    ask("joint 4321");
+    QCOMPARE(search()->model().rowCount(), 0);  // those of another document are not offered
   }
 
   void whatIsChosenIsBroughtIntoSight() {
