@@ -89,12 +89,15 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   layout->addWidget(makeMiddle(), 1);
   layout->addWidget(new SidewaysScroll(makeTotals(), this));
   m_duality = new DualityLine(selection, this);
-  auto* dual = new SidewaysScroll(m_duality, this);
-  dual->setVisible(false);
-  connect(m_duality, &DualityLine::filled, dual, &QWidget::setVisible);
+  m_dualityStrip = new SidewaysScroll(m_duality, this);
+  m_dualityStrip->setVisible(false);
+  connect(m_duality, &DualityLine::filled, this, [this](bool filled) {
+    m_isDualityFilled = filled;
+    showDuality();
+  });
   // A table of few rows leaves room for what is below it.
   m_pages->setMinimumHeight(scaledPixels(100));
-  layout->addWidget(dual);
+  layout->addWidget(m_dualityStrip);
   // What is shared, and beside it what decides the shares.
   auto* remark = new QHBoxLayout;
   remark->setContentsMargins(0, 0, 10, 0);
@@ -275,8 +278,14 @@ void ForcesPanel::showPage() {
                             : why.isEmpty() ? static_cast<QWidget*>(m_table)
                                             : m_empty);
   const QString none = plots ? m_plots->emptyText() : why;
+  showDuality();
   for (QToolButton* button : {m_copy, m_export}) button->setEnabled(none.isEmpty());
   if (!plots && why.isEmpty()) m_table->resizeColumnsToContents();
+}
+
+/// Plots need the room, and show no entry that is shared.
+void ForcesPanel::showDuality() {
+  m_dualityStrip->setVisible(m_isDualityFilled && m_pages->currentWidget() != m_plots);
 }
 
 QString ForcesPanel::whyEmpty() const {

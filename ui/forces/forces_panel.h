@@ -92,6 +92,7 @@ class ForcesPanel : public QWidget {
   [[nodiscard]] std::optional<ValueTable> shownTable() const;
   void wantExport();
   void copy();
+  void showDuality();
   [[nodiscard]] QString whyEmpty() const;
 
   Document* m_document;
@@ -108,6 +109,8 @@ class ForcesPanel : public QWidget {
   QLabel* m_empty;
   QLabel* m_remark;
   DualityLine* m_duality = nullptr;
+  QWidget* m_dualityStrip = nullptr;
+  bool m_isDualityFilled = false;  ///< is there an entry to show?
   ExplanationLabel* m_explanation;
   QButtonGroup* m_chips = nullptr;
   QComboBox* m_states = nullptr;
