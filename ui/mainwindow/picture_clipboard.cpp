@@ -75,7 +75,11 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     const SeenMap seen = (*painter)->seenForLabels();
     if (image.width > 0) {
       const SeenStage& shown = (*painter)->seen();
-      const ShownForces forces{shown.view().forces, shown.forceArrows(), {}, content.seen->forcesCaption};
+      const ShownForces forces{shown.view().forces,
+                               shown.forceArrows(),
+                               {},
+                               content.seen->forcesCaption,
+                               static_cast<bool>(content.seen->over)};
       overlay.paint(image, (*painter)->labelGround(seen), forces);
       paintLayer(image, (*painter)->labelGround(seen), shown.view(), content.seen->over, false, forces);
     }

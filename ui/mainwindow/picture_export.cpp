@@ -34,7 +34,8 @@ ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions&
     const QString caption = options.marks.forces ? forcesCaption : QString();
     how.finish = [overlay, caption, over, dark](Image& image, StagePainter& painter) {
       const SeenMap seen = painter.seenForLabels();
-      const ShownForces forces{painter.seen().view().forces, painter.seen().forceArrows(), {}, caption};
+      const ShownForces forces{
+          painter.seen().view().forces, painter.seen().forceArrows(), {}, caption, static_cast<bool>(over)};
       overlay->paint(image, painter.labelGround(seen), forces);
       paintLayer(image, painter.labelGround(seen), painter.seen().view(), over, dark, forces);
     };

@@ -119,8 +119,7 @@ QRectF paintForceLegend(QPainter& painter, const LabelGround& ground, const Show
   return all | box;
 }
 
-/// Arrows, the legend, and boxes in the arrows' colours, of what is not highlighted only where they spare the
-/// legend.
+/// Arrows, the legend, and boxes in the arrows' colours, of what is not highlighted only where there is room.
 void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
   if (shown.arrows.empty() && shown.caption.isEmpty()) return;
   const QColor sheet = sheetOf(dark);
@@ -144,7 +143,8 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
     const QRectF box(std::round(label.middle.x() - label.half.x()),
                      std::round(label.middle.y() - label.half.y()), std::round(2 * label.half.x()),
                      2 * label.half.y());
-    if (box.intersects(legend) && !shown.highlighted.contains(force.element)) continue;
+    const bool hasRoom = !shown.areLabelsShared && !box.intersects(legend);
+    if (!hasRoom && !shown.highlighted.contains(force.element)) continue;
     painter.fillRect(box.adjusted(-1, -1, 1, 1), colourOf(force.kind, dark));
     painter.fillRect(box, sheet);
     painter.setPen(inkOf(dark));

@@ -15,6 +15,8 @@ struct ShownForces {
   std::vector<ForceArrow> arrows;
   std::set<ElementId> highlighted;  ///< highlighted elements, whose forces are always labelled
   QString caption;                  ///< why some or all are not drawn; empty if all are
+  /// Something else with labels is painted over the view: only highlighted forces are labelled.
+  bool areLabelsShared = false;
 };
 
 /// Paints the overlay of a rendered picture, identical in every canvas and file: the labels, and the scale

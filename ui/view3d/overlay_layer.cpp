@@ -14,6 +14,7 @@ OverlayLayer::OverlayLayer(Viewer* viewer) : QObject(viewer), m_viewer(viewer) {
 void OverlayLayer::setPainting(PaintOver painting) {
   if (!painting && !m_painting) return;
   m_painting = std::move(painting);
+  m_viewer->setLabelsShared(static_cast<bool>(m_painting));
   emit m_viewer->viewChanged();
 }
 

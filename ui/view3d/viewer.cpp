@@ -200,6 +200,7 @@ ShownForces Viewer::shownForces() const {
   shown.arrows = seenForces(*m_stage, m_view, m_seen);
   shown.highlighted = m_selection->hovered();
   shown.highlighted.insert(m_selection->selected().begin(), m_selection->selected().end());
+  shown.areLabelsShared = m_areLabelsShared;
   return shown;
 }
 

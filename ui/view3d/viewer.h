@@ -87,6 +87,8 @@ class Viewer : public QObject {
   void setForces(StageForces forces, const QString& caption);
   [[nodiscard]] const QString& forcesCaption() const { return m_forcesCaption; }
   [[nodiscard]] ShownForces shownForces() const;
+  /// Is something else with labels painted over the view? Takes effect with the next picture.
+  void setLabelsShared(bool shared) { m_areLabelsShared = shared; }
   /// The direction of a link's axis of rotation in the displayed frame; std::nullopt if the link does not
   /// turn.
   [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
@@ -191,6 +193,7 @@ class Viewer : public QObject {
   StagePtr m_stage;
   StageView m_view;
   QString m_forcesCaption;
+  bool m_areLabelsShared = false;
   SeenPoses m_seen;
   std::optional<double> m_floor;  ///< height of the floor, if not the scene's
   // These visit every vertex, so they are computed on demand, not at every step of a drag.

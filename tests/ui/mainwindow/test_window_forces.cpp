@@ -24,6 +24,7 @@
 #include "ui/panels/matrix_view.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view3d.h"
+#include "ui/view3d/viewer.h"
 
 namespace geargraph {
 
@@ -314,8 +315,15 @@ class WindowForcesTest : public QObject {
     const auto& arrows = *window->findChild<PowerArrows*>();
     const auto& layer = *window->view3d().findChild<OverlayLayer*>();
     QVERIFY(arrows.shown() == nullptr && !layer.painting());
+    const auto& viewer = *static_cast<const Viewer*>(layer.parent());
+    ViewOptions options = window->view3d().options();
+    options.marks.forces = true;
+    window->view3d().setOptions(options);
+    QTRY_VERIFY(!viewer.shownForces().arrows.empty());
+    QVERIFY(!viewer.shownForces().areLabelsShared);
     setPower(true);
     QTRY_VERIFY(arrows.shown() != nullptr && layer.painting());
+    QVERIFY(viewer.shownForces().areLabelsShared);
     QVERIFY(!arrows.shown()->arrows.empty());
     QCOMPARE(arrows.shown()->picture.fed, 1000.0);
     QCOMPARE(arrows.shown()->picture.observer, 0);
