@@ -53,6 +53,12 @@ void SidewaysScroll::placeArrows() {
   m_right->raise();
 }
 
+/// A strip whose contents change changes its height.
+bool SidewaysScroll::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  return QScrollArea::eventFilter(watched, event);
+}
+
 void SidewaysScroll::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
   placeArrows();

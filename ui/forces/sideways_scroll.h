@@ -19,6 +19,7 @@ class SidewaysScroll : public QScrollArea {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 

@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
@@ -195,6 +196,22 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
       while (back->isVisible()) back->click();
       QVERIFY(on->isVisible());
     }
+  }
+
+  void aStripGrowsWithWhatIsInIt() {
+    auto* bar = new QWidget;
+    auto* words = new QLabel(QStringLiteral("one line"));
+    (new QVBoxLayout(bar))->addWidget(words);
+    QWidget page;
+    auto* layout = new QVBoxLayout(&page);
+    auto* strip = new SidewaysScroll(bar, &page);
+    layout->addWidget(strip);
+    layout->addStretch(1);
+    page.resize(400, 300);
+    page.show();
+    const int before = strip->height();
+    words->setText(QStringLiteral("one\ntwo\nthree"));
+    QTRY_VERIFY(strip->height() > before + 20);
   }
 
   void everyTableIsShownAndExplained() {
