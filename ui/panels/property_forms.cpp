@@ -63,6 +63,7 @@ void PropertyForm::addRow(const QString& name, Term term, QWidget* field) {
   auto* rowLabel = new QLabel(name);
   rowLabel->setProperty("look", "hint");
   rowLabel->setToolTip(tipOf(term));
+  rowLabel->setBuddy(field);  // its name for screen readers, where it has none of its own
   m_rows->addRow(rowLabel, field);
 }
 

@@ -91,9 +91,14 @@ class AccessibilityTest : public QObject {
     QFETCH(QString, example);
     QVERIFY(window->openDocument(example));
     QTRY_VERIFY(window->isSettled());
-    window->selection().select({window->document().mechanism()->links[1].id});
     QStringList nameless;
     std::set<QString> named;
+    auto* properties = window->findChild<QDockWidget*>(QStringLiteral("dock.properties"));
+    properties->raise();
+    QTRY_VERIFY(properties->widget()->isVisible());
+    collect(QAccessible::queryAccessibleInterface(properties), nameless, named);  // of the document
+    QVERIFY(named.contains(QStringLiteral("Name")));
+    window->selection().select({window->document().mechanism()->links[1].id});
     for (auto* dock : window->findChildren<QDockWidget*>()) {
       dock->show();
       dock->raise();
