@@ -1,7 +1,9 @@
 #include "ui/mainwindow/export_jobs.h"
 
+#include <QFile>
 #include <QFileInfo>
 
+#include "core/foundations/files/file.h"
 #include "ui/mainwindow/notice_bar.h"
 
 namespace geargraph::inline mainwindow {
@@ -10,6 +12,11 @@ namespace {
 const QString kKey = QStringLiteral("exports");
 
 }  // namespace
+
+QString writingError(const QString& path, const std::string& bytes) {
+  const auto error = writeFile(QFile::encodeName(path).toStdString(), bytes);
+  return error ? QString::fromStdString(error->message) : QString();
+}
 
 ExportJobs::ExportJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
 

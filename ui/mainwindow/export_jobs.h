@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 #include "ui/service/background_work.h"
@@ -12,6 +13,9 @@
 namespace geargraph::inline mainwindow {
 
 class NoticeBar;
+
+/// Writes a file whole. Returns why it could not be written, as a sentence; empty if it was.
+[[nodiscard]] QString writingError(const QString& path, const std::string& bytes);
 
 /// Makes files that take long on a background thread, one after the other. A notice shows the progress of one
 /// with several pictures, and can stop it.

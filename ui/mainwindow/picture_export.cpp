@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/train_stage/stage_picture.h"
@@ -53,9 +52,7 @@ ExportJobs::Job drawingJob(const std::function<DisplayList()>& draw, const Drawi
     const DisplayList list = draw();
     if (stop.stop_requested()) return WindowExports::tr("The export was stopped.");
     const Expected<std::string> bytes = pictureOf(list, how);
-    if (!bytes) return QString::fromStdString(bytes.error().front().message);
-    const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes);
-    return error ? QString::fromStdString(error->message) : QString();
+    return bytes ? writingError(path, *bytes) : QString::fromStdString(bytes.error().front().message);
   };
   return {path, false, run};
 }

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/foundations/files/file.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/report/report.h"
@@ -30,12 +29,6 @@ ReportForm formOf(const QString& path) {
 ReportDrawings drawingsOf(const ReportLists& lists) {
   const SheetStyle style;
   return {svgOf(lists.schematic, style), svgOf(lists.digraph, style), svgOf(lists.ttGraph, style)};
-}
-
-/// Why the file could not be written; empty where it was.
-QString writingError(const QString& path, const std::string& bytes) {
-  const auto error = writeFile(QFile::encodeName(path).toStdString(), bytes);
-  return error ? QString::fromStdString(error->message) : QString();
 }
 
 /// The first variant of a plan; without kinds a question of every kind that the mechanism gives, as
