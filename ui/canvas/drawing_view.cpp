@@ -76,7 +76,7 @@ void DrawingView::updateEmphases() {
 
 void DrawingView::showEvent(QShowEvent* event) {
   QGraphicsView::showEvent(event);
-  updateEmphases();
+  if (m_areEmphasesBehind) updateEmphases();
 }
 
 /// With what is selected and what is under the mouse.

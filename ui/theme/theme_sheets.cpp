@@ -43,8 +43,11 @@ void ThemeSheets::setSheet(const QString& sheet) {
   m_hidden.clear();
   for (QWidget* widget : QApplication::allWidgets()) {
     if (!isPart(widget)) continue;
-    if (widget->isVisible()) m_outdated.emplace_back(widget);
-    if (!widget->isVisible() && !widget->styleSheet().isEmpty()) m_hidden.emplace_back(widget);  // shown once
+    if (widget->isVisible()) {
+      m_outdated.emplace_back(widget);
+    } else if (!widget->styleSheet().isEmpty()) {  // it has been shown before
+      m_hidden.emplace_back(widget);
+    }
   }
   if (m_outdated.empty() && m_hidden.empty()) return;
   if (!m_outdated.empty()) holdPainting(true);
