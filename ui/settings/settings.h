@@ -9,8 +9,8 @@ namespace geargraph::inline settings {
 
 // The settings of the program, which QSettings keeps in a file. A QSettings writes on the thread that changes
 // it, and waits until the disk has the file: 20 to 130 ms. Here a thread of its own does so. Nothing waits
-// for it but flushSettings(); what has been saved is read as saved from then on. All functions are
-// thread-safe.
+// for it but flushSettings(); what has been saved is read as saved from then on. To be called on the
+// thread of the windows only.
 
 /// The saved value, or `otherwise` if there is none.
 [[nodiscard]] QVariant savedSetting(const QString& key, const QVariant& otherwise = {});

@@ -24,7 +24,7 @@ constexpr int kDragBegins = 4;
 constexpr double kUnseen = 0.2;  // px, that a curve may be off
 constexpr std::size_t kMostFineCurves = 40;
 constexpr double kLongestFine = 20'000;  // px, of all curves together
-constexpr double kMargin = 0.08;         // of the values, above and below
+constexpr double kMargin = 0.08;         // share of the range of values that is added above and below
 
 QString text(double value, int digits = 5) {
   return printedNumber(std::abs(value) < 1e-12 ? 0 : value, digits);

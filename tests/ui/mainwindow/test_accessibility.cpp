@@ -96,7 +96,7 @@ class AccessibilityTest : public QObject {
     auto* properties = window->findChild<QDockWidget*>(QStringLiteral("dock.properties"));
     properties->raise();
     QTRY_VERIFY(properties->widget()->isVisible());
-    collect(QAccessible::queryAccessibleInterface(properties), nameless, named);  // of the document
+    collect(QAccessible::queryAccessibleInterface(properties), nameless, named);  // nothing is selected
     QVERIFY(named.contains(QStringLiteral("Name")));
     window->selection().select({window->document().mechanism()->links[1].id});
     for (auto* dock : window->findChildren<QDockWidget*>()) {
