@@ -102,7 +102,7 @@ void GlInstances::set(std::span<const SolidInstance> instances) const {
                   GL_STREAM_DRAW);
 }
 
-bool GlTarget::ensure(int width, int height, int samples) {
+bool GlTarget::ensure(int width, int height, int samples, const std::stop_token& stop) {
   if (m_framebuffer != 0 && width == m_width && height == m_height && samples == m_samples) return true;
   release();
   m_width = width;
@@ -128,6 +128,10 @@ bool GlTarget::ensure(int width, int height, int samples) {
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     m_gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_texture, 0);
+  }
+  if (stop.stop_requested()) {
+    release();
+    return false;
   }
   if (m_depth) {
     m_gl.BindRenderbuffer(GL_RENDERBUFFER, m_renderbuffers[1]);

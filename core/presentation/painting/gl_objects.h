@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -96,8 +97,9 @@ class GlTarget {
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
 
-  /// Creates it, or recreates it if size or samples have changed. False if the driver fails.
-  bool ensure(int width, int height, int samples = 1);
+  /// Creates it, or recreates it if size or samples have changed. False if the driver fails or `stop` was
+  /// requested, which is looked at between colours and depth: a software driver writes all their memory.
+  bool ensure(int width, int height, int samples = 1, const std::stop_token& stop = {});
   [[nodiscard]] GLuint framebuffer() const { return m_framebuffer; }
   [[nodiscard]] GLuint texture() const { return m_texture; }  ///< 0 if multisampled
   void bind() const;  ///< for painting, with the viewport set to its full size

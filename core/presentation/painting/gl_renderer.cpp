@@ -20,8 +20,8 @@ constexpr float kTranslucentEdges = 0.35F;  // of the strength of their edges
 constexpr float kCoveredMark = 0.25F;       // how much of a line is seen through a solid
 constexpr double kHaloReach = 4;            // logical pixels, and one more
 /// Samples of a picture that may be stopped that are painted at a time: a rasterizer in software takes some
-/// 50 ms to clear and to resolve them, which cannot be stopped.
-constexpr std::size_t kMostStripSamples = 8'000'000;
+/// 30 ms to get memory for their colours, to clear and to resolve them, which cannot be stopped.
+constexpr std::size_t kMostStripSamples = 4'000'000;
 constexpr double kHatches = 90;          // lines across the scene
 constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
@@ -57,7 +57,7 @@ void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
 
 bool GlRenderer::paint(const Frame& frame) {
   const Viewport& size = frame.viewport;
-  if (!m_sampled.ensure(size.width, m_strip.rowsOf(size.height), samplesOf(frame))) return false;
+  if (!m_sampled.ensure(size.width, m_strip.rowsOf(size.height), samplesOf(frame), frame.stop)) return false;
   const bool isFirst = m_strip.bottom == 0;  // of a picture's strips, which all have the same shadow
   if (isFirst && frame.style.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
   m_gl->BlendEquation(GL_FUNC_ADD);
@@ -364,18 +364,19 @@ Image GlRenderer::picture(const Frame& frame) {
   const bool isInStrips =
       frame.stop.stop_possible() && samplesOfRow * static_cast<std::size_t>(height) > kMostStripSamples;
   const int rows = isInStrips ? std::max(1, static_cast<int>(kMostStripSamples / samplesOfRow)) : height;
-  Image image{
-      width, height,
-      std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  const auto bytesOfRow = 4 * static_cast<std::size_t>(width);
+  Image image{width, height, {}};
+  image.rgba.reserve(bytesOfRow * static_cast<std::size_t>(height));
   bool isPainted = true;
   for (int first = 0; isPainted && first < height; first += rows) {
     const int count = std::min(rows, height - first);
     if (isInStrips) {
       // The halo of what lies beyond the edge reaches into the strip.
       const int margin = static_cast<int>(std::ceil(kHaloReach * frame.pixelRatio));
-      const int bottom = std::max(0, first - margin);
-      m_strip = {bottom, std::min(height, first + count + margin) - bottom};
+      const int painted = std::min(height, rows + 2 * margin);  // all the same, for the same memory
+      m_strip = {std::clamp(first - margin, 0, height - painted), painted};
     }
+    image.rgba.resize(bytesOfRow * static_cast<std::size_t>(first + count));
     isPainted = paintRows(cut, first, count, image);
   }
   m_strip = {};
@@ -388,8 +389,8 @@ bool GlRenderer::paintRows(const Frame& frame, int first, int count, Image& imag
   const Viewport size = extent(frame.viewport);
   // Without samples there is nothing to resolve: it is read from where it was painted.
   const bool isPlain = samplesOf(frame) == 1;
-  if (!isPlain && !m_picture.ensure(size.width, size.height)) return false;
-  if (!paint(frame)) return false;
+  if (!isPlain && !m_picture.ensure(size.width, size.height, 1, frame.stop)) return false;
+  if (!paint(frame) || frame.stop.stop_requested()) return false;
   if (!isPlain) resolve(size, m_picture.framebuffer());
   drawHalo(frame, isPlain ? m_sampled.framebuffer() : m_picture.framebuffer());
   m_gl->Disable(GL_BLEND);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -190,15 +191,22 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Visibi
   const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
   std::size_t queued = 0;
   for (const Batch& batch : m_batches) {
-    if (frame.stop.stop_requested()) break;
+    const std::size_t each = std::max<std::size_t>(1, batch.solid->indices(part));
+    std::span<const SolidInstance> rest = batch.instances;
     if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
-    m_passes.draw(*batch.solid, part, batch.instances);
+    while (!rest.empty() && !frame.stop.stop_requested()) {
+      const std::size_t fitting =
+          frame.stop.stop_possible() ? (kMostQueuedIndices - queued) / each : rest.size();
+      const std::size_t count = std::clamp<std::size_t>(fitting, 1, rest.size());
+      m_passes.draw(*batch.solid, part, rest.first(count));
+      rest = rest.subspan(count);
+      queued += each * count;
+      if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
+      m_gl->Finish();
+      if (frame.pause) frame.pause();
+      queued = 0;
+    }
     if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);
-    queued += batch.solid->indices(part) * batch.instances.size();
-    if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
-    m_gl->Finish();
-    if (frame.pause) frame.pause();
-    queued = 0;
   }
 }
 

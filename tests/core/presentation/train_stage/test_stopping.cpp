@@ -14,6 +14,7 @@
 #include "core/machine/bodies/complete_train.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/painting/egl_host.h"
 #include "core/presentation/schematic/schematic.h"
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/train_stage/stage_picture.h"
@@ -200,6 +201,9 @@ class StoppingTest : public QObject {
   QTemporaryDir m_folder;
 
  private slots:
+  /// The system loads the driver once a process, which nothing stops.
+  void initTestCase() { QVERIFY(EglHost::create().has_value()); }
+
   void workEndsWithinATenthOfASecond_data() {
     QTest::addColumn<Work>("work");
     worksOn("1,000 links", test::deepTrain(1, 1000));
