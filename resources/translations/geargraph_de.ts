@@ -14638,6 +14638,46 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>At most %1 inputs are listed.</source>
         <translation>Höchstens %1 Antriebe werden aufgeführt.</translation>
     </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their masses and their motion appear here.</source>
+        <translation>Zeichnen Sie Drehgelenke und Zahneingriffe: Massen und Bewegung erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>Nothing can turn here: without an input there is no equation of motion.</source>
+        <translation>Hier kann sich nichts drehen: ohne Antrieb gibt es keine Bewegungsgleichung.</translation>
+    </message>
+    <message>
+        <source>This train has too many inputs and joints: dynamics is computed for up to %1 entries of the solution.</source>
+        <translation>Dieses Getriebe hat zu viele Antriebe und Gelenke: Die Dynamik wird für bis zu %1 Einträge der Lösung berechnet.</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>kinetisch</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentiell</translation>
+    </message>
+    <message>
+        <source>work done</source>
+        <translation>verrichtete Arbeit</translation>
+    </message>
+    <message>
+        <source>energy balance</source>
+        <translation>Energiebilanz</translation>
+    </message>
+    <message>
+        <source>Torques of the motors</source>
+        <translation>Momente der Motoren</translation>
+    </message>
+    <message>
+        <source>Energy gained and work done</source>
+        <translation>Gewonnene Energie und verrichtete Arbeit</translation>
+    </message>
+    <message>
+        <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
+        <translation>Keine Zähnezahlen in diesen Grenzen kommen dieser Übersetzung mit diesem Vorzeichen nahe. Was hilft: weitere Grenzen oder andere Glieder.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14638,6 +14638,46 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>At most %1 inputs are listed.</source>
         <translation>Se enumeran como máximo %1 entradas.</translation>
     </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their masses and their motion appear here.</source>
+        <translation>Dibuje pares de revolución y engranes: aquí aparecen sus masas y su movimiento.</translation>
+    </message>
+    <message>
+        <source>Nothing can turn here: without an input there is no equation of motion.</source>
+        <translation>Aquí nada puede girar: sin una entrada no hay ecuación de movimiento.</translation>
+    </message>
+    <message>
+        <source>This train has too many inputs and joints: dynamics is computed for up to %1 entries of the solution.</source>
+        <translation>Este tren tiene demasiadas entradas y pares: la dinámica se calcula hasta %1 entradas de la solución.</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>cinética</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potencial</translation>
+    </message>
+    <message>
+        <source>work done</source>
+        <translation>trabajo realizado</translation>
+    </message>
+    <message>
+        <source>energy balance</source>
+        <translation>balance de energía</translation>
+    </message>
+    <message>
+        <source>Torques of the motors</source>
+        <translation>Momentos de los motores</translation>
+    </message>
+    <message>
+        <source>Energy gained and work done</source>
+        <translation>Energía ganada y trabajo realizado</translation>
+    </message>
+    <message>
+        <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
+        <translation>Ningún número de dientes dentro de estos límites se acerca a esta relación con este signo. Sirven límites más amplios u otros miembros.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -14637,6 +14637,46 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>At most %1 inputs are listed.</source>
         <translation>En çok %1 giriş listelenir.</translation>
     </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their masses and their motion appear here.</source>
+        <translation>Döner mafsallar ve dişli çiftleri çizin: kütleleri ve hareketleri burada görünür.</translation>
+    </message>
+    <message>
+        <source>Nothing can turn here: without an input there is no equation of motion.</source>
+        <translation>Burada hiçbir şey dönemez: giriş olmadan hareket denklemi yoktur.</translation>
+    </message>
+    <message>
+        <source>This train has too many inputs and joints: dynamics is computed for up to %1 entries of the solution.</source>
+        <translation>Bu dişli takımının girişleri ve mafsalları çok fazla: dinamik, çözümün en çok %1 elemanı için hesaplanır.</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>kinetik</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potansiyel</translation>
+    </message>
+    <message>
+        <source>work done</source>
+        <translation>yapılan iş</translation>
+    </message>
+    <message>
+        <source>energy balance</source>
+        <translation>enerji dengesi</translation>
+    </message>
+    <message>
+        <source>Torques of the motors</source>
+        <translation>Motor torkları</translation>
+    </message>
+    <message>
+        <source>Energy gained and work done</source>
+        <translation>Kazanılan enerji ve yapılan iş</translation>
+    </message>
+    <message>
+        <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
+        <translation>Bu sınırlar içindeki hiçbir diş sayısı bu orana bu işaretle yaklaşmıyor. Uygun olan: daha geniş sınırlar ya da başka üyeler.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

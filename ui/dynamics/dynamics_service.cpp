@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/theory/statics/applied_loads.h"
 
@@ -14,13 +15,15 @@ std::string whyNone(const AnalysisSnapshot& snapshot) {
     if (each.severity() == Severity::error) return each.message;
   const MatroidAnalysis* const matroid = snapshot.matroid();
   if (matroid == nullptr)
-    return "Draw turning joints and gear meshes: their masses and their motion appear here.";
+    return translated("Draw turning joints and gear meshes: their masses and their motion appear here.");
   if (!matroid->solution || matroid->solution->inputs.empty())
-    return "Nothing can turn here: without an input there is no equation of motion.";
+    return translated("Nothing can turn here: without an input there is no equation of motion.");
   const std::size_t entries = matroid->solution->inputs.size() * matroid->solution->outputs.size();
   if (entries > LiveSolution::kMostLiveEntries)
-    return "This train has too many inputs and joints: dynamics is computed for up to " +
-           std::to_string(LiveSolution::kMostLiveEntries) + " entries of the solution.";
+    return translated(
+        "This train has too many inputs and joints: dynamics is computed for up to %1 entries of the "
+        "solution.",
+        {std::to_string(LiveSolution::kMostLiveEntries)});
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/foundations/files/csv.h"
 #include "core/presentation/drawing/palette.h"
 #include "core/theory/dynamics/motion_table.h"
@@ -18,6 +19,10 @@ Rgb rgbOf(int label) {
 /// The colour of the link that a joint moves.
 Rgb colorOfJoint(const MechanismDynamics& train, const Mechanism& mechanism, int joint) {
   return rgbOf(mechanism.linkLabel(train.train.tree->child(joint)));
+}
+
+std::string nameOf(const Mechanism& mechanism, int joint) {
+  return translated("joint %1", {std::to_string(mechanism.jointLabel(joint))});
 }
 
 MotionCurve curveOf(const Simulation& simulation, std::string name, const Rgb& colour,
@@ -37,10 +42,9 @@ void addSpeeds(CurveSheet& sheet, const Mechanism& mechanism, const SimulatedMot
       joints.push_back(joint);
   }
   for (const int joint : joints) {
-    sheet.curves.push_back(curveOf(motion.simulation, "joint " + std::to_string(mechanism.jointLabel(joint)),
-                                   colorOfJoint(train, mechanism, joint), [&](const MotionSample& sample) {
-                                     return train.train.gains.row(joint).dot(sample.speeds);
-                                   }));
+    sheet.curves.push_back(
+        curveOf(motion.simulation, nameOf(mechanism, joint), colorOfJoint(train, mechanism, joint),
+                [&](const MotionSample& sample) { return train.train.gains.row(joint).dot(sample.speeds); }));
   }
 }
 
@@ -48,8 +52,7 @@ void addTorques(CurveSheet& sheet, const Mechanism& mechanism, const SimulatedMo
   for (std::size_t i = 0; i < motion.train->inputs.size(); ++i) {
     const int joint = motion.train->inputs[i];
     sheet.curves.push_back(
-        curveOf(motion.simulation, "joint " + std::to_string(mechanism.jointLabel(joint)),
-                colorOfJoint(*motion.train, mechanism, joint),
+        curveOf(motion.simulation, nameOf(mechanism, joint), colorOfJoint(*motion.train, mechanism, joint),
                 [i](const MotionSample& sample) { return sample.torques[static_cast<Eigen::Index>(i)]; }));
   }
 }
@@ -58,13 +61,14 @@ void addEnergies(CurveSheet& sheet, const SimulatedMotion& motion) {
   const Simulation& simulation = motion.simulation;
   const MotionSample& first = simulation.samples.front();
   const double start = first.kinetic + first.potential - first.work;
-  const auto add = [&](const char* name, int colour, const auto& value) {
+  const auto add = [&](const std::string& name, int colour, const auto& value) {
     sheet.curves.push_back(curveOf(simulation, name, rgbOf(colour), value));
   };
-  add("kinetic", 1, [](const MotionSample& sample) { return sample.kinetic; });
-  add("potential", 3, [&](const MotionSample& sample) { return sample.potential - first.potential; });
-  add("work done", 2, [](const MotionSample& sample) { return sample.work; });
-  add("balance", 4,
+  add(translated("kinetic"), 1, [](const MotionSample& sample) { return sample.kinetic; });
+  add(translated("potential"), 3,
+      [&](const MotionSample& sample) { return sample.potential - first.potential; });
+  add(translated("work done"), 2, [](const MotionSample& sample) { return sample.work; });
+  add(translated("energy balance"), 4,
       [&](const MotionSample& sample) { return sample.kinetic + sample.potential - sample.work - start; });
 }
 
@@ -76,17 +80,17 @@ CurveSheet motionSheet(const Mechanism& mechanism, const SimulatedMotion& motion
   for (const MotionSample& sample : motion.simulation.samples) sheet.times.push_back(sample.time);
   switch (quantity) {
     case MotionQuantity::speeds:
-      sheet.title = "Speeds of the joints";
+      sheet.title = translated("Speeds of the joints");
       sheet.unit = "rad/s";
       addSpeeds(sheet, mechanism, motion, chosen);
       break;
     case MotionQuantity::torques:
-      sheet.title = "Torques of the motors";
+      sheet.title = translated("Torques of the motors");
       sheet.unit = "N m";
       addTorques(sheet, mechanism, motion);
       break;
     case MotionQuantity::energies:
-      sheet.title = "Energy gained and work done";
+      sheet.title = translated("Energy gained and work done");
       sheet.unit = "J";
       addEnergies(sheet, motion);
       break;

@@ -8,6 +8,7 @@
 
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/reverted_train.h"
+#include "core/foundations/base/words.h"
 #include "ui/models/printed_number.h"
 #include "ui/panels/number_field.h"
 
@@ -130,8 +131,9 @@ Expected<Mechanism> ChoiceForm::set() const {
   if (m_choices.empty()) {
     return Diagnostic{
         Code::schema,
-        "No tooth counts within these limits come near this ratio with this sign. What fits: wider "
-        "limits, or other members.",
+        translated(
+            "No tooth counts within these limits come near this ratio with this sign. What fits: wider "
+            "limits, or other members."),
         {},
         {},
         0,
