@@ -13,10 +13,10 @@
 #include "ui/dynamics/inertia_bars.h"
 #include "ui/dynamics/mass_page.h"
 #include "ui/dynamics/motion_page.h"
-#include "ui/forces/sideways_scroll.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/sideways_scroll.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline ui_dynamics {

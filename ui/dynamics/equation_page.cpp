@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "ui/derivation/formula_label.h"
-#include "ui/forces/sideways_scroll.h"
+#include "ui/theme/sideways_scroll.h"
 
 namespace geargraph::inline ui_dynamics {
 

@@ -8,6 +8,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/property_forms.h"
+#include "ui/theme/sideways_scroll.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_dynamics {
@@ -88,7 +89,7 @@ MassPage::MassPage(Document* document, Selection* selection, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(makeFields());
+  layout->addWidget(new SidewaysScroll(makeFields(), this));
   auto* margin = new QHBoxLayout;
   margin->setContentsMargins(8, 0, 0, 0);
   margin->addWidget(m_table);

@@ -14,11 +14,11 @@
 #include "core/theory/dynamics/motion_table.h"
 #include "core/theory/pose/joint_limits.h"
 #include "ui/dynamics/motors_form.h"
-#include "ui/forces/sideways_scroll.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/sideways_scroll.h"
 #include "ui/theme/theme_colors.h"
 #include "ui/view3d/motion_plot.h"
 #include "ui/view3d/view3d.h"
@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kProgressInterval = 100;  // ms
 constexpr int kProgressSteps = 1000;
+constexpr int kLeastFormWidth = 190;  // px: an input and its torque
 
 }  // namespace
 
@@ -89,8 +90,9 @@ QWidget* MotionPage::makeLeft() {
   scroll->setWidget(m_motors);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(std::max(scaledPixels(74 * 4 + 76), m_motors->sizeHint().width()));
+  // In a narrow panel the fields scroll sideways, so that the plot is seen, too.
+  scroll->setMinimumWidth(scaledPixels(kLeastFormWidth));
+  scroll->setMaximumWidth(std::max(scaledPixels(74 * 4 + 76), m_motors->sizeHint().width()));
   auto* row = new QHBoxLayout;
   row->setContentsMargins(12, 0, 8, 4);
   row->addWidget(m_run);
@@ -225,7 +227,7 @@ QString MotionPage::verdict() const {
       tr("After %1 s: kinetic energy %2 J, potential %3 J, work of motors and loads %4 J; they balance but "
          "for %5 J.")
           .arg(printedNumber(last.time), printedNumber(last.kinetic), printedNumber(last.potential),
-               printedNumber(last.work), QString::number(std::abs(energyDefect(simulation)), 'g', 2));
+               printedNumber(last.work), printedNumber(std::abs(energyDefect(simulation)), 2));
   return end.isEmpty() ? balance : balance + QLatin1Char(' ') + end;
 }
 

@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QStackedWidget>
 
-#include "ui/forces/sideways_scroll.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/sideways_scroll.h"
 
 namespace geargraph::inline forces {
 namespace {

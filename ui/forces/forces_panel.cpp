@@ -21,11 +21,11 @@
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
-#include "ui/forces/sideways_scroll.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/sideways_scroll.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline forces {

@@ -1,12 +1,12 @@
 // The tool bar: tools, history, the motion, and the search field at its right end.
 
 #include <QMenuBar>
-#include <QToolBar>
 #include <QToolButton>
 #include <cmath>
 
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/mainwindow/fitting_tool_bar.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/play_controls.h"
 #include "ui/mainwindow/status_line.h"
@@ -28,18 +28,21 @@ void multiplySpeed(Playback& playback, double factor) {
 }  // namespace
 
 void MainWindow::makeToolBar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  auto* bar = new FittingToolBar(tr("Tools"), this);
+  addToolBar(bar);
   bar->setObjectName(QStringLiteral("toolBar"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->setIconSize({16, 16});
+  QAction* const note = m_actions->tool[static_cast<std::size_t>(ToolKind::note)];
   for (QAction* tool : m_actions->tools->actions()) {
-    if (tool->data().toInt() != static_cast<int>(ToolKind::pan)) bar->addAction(tool);
+    const bool isNamed = tool != note && tool->data().toInt() != static_cast<int>(ToolKind::pan);
+    if (isNamed) bar->addNamed(tool);
   }
+  // Without their words the bar holds the longer ones of other languages on a small screen.
+  bar->addAction(note);
   bar->addSeparator();
   bar->addActions({m_actions->undo, m_actions->redo});
-  // Without their words the bar holds the longer ones of other languages on a small screen.
-  QAction* const note = m_actions->tool[static_cast<std::size_t>(ToolKind::note)];
   for (QAction* action : {note, m_actions->undo, m_actions->redo}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }

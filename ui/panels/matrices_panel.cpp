@@ -22,12 +22,13 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/folding_bar.h"
 
 namespace geargraph::inline panels {
 namespace {
 
 constexpr int kCardWidth = 176;
-constexpr int kWidthForCard = 560;
+constexpr int kWidthForCard = 630;   // beside the matrices of a small train
 constexpr int kFirstQuantity = 100;  // of the chips' ids; before it, those of MatrixKind
 
 /// A chip with a rate on it: few text fonts place a dot on a θ, so it is painted.
@@ -104,17 +105,20 @@ MatricesPanel::MatricesPanel(Selection* selection, QWidget* parent)
 }
 
 QWidget* MatricesPanel::makeBar() {
-  auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(12, 6, 10, 2);
-  layout->setSpacing(4);
+  const auto group = [this] {
+    auto* layout = new QHBoxLayout(new QWidget(this));
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    return layout;
+  };
+  auto* chips = group();
   m_chips = new QButtonGroup(this);
   for (const MatrixKind kind : allMatrixKinds()) {
-    addChip(layout, shownText(matrixSymbol(kind)).section(QLatin1Char('='), 0, 0).trimmed(),
+    addChip(chips, shownText(matrixSymbol(kind)).section(QLatin1Char('='), 0, 0).trimmed(),
             shownText(matrixCommandName(kind)), termOf(kind), static_cast<int>(kind));
   }
   for (const QuantityKind kind : allQuantityKinds()) {
-    addChip(layout, shownText(quantitySymbol(kind)), shownText(quantityCommandName(kind)), termOf(kind),
+    addChip(chips, shownText(quantitySymbol(kind)), shownText(quantityCommandName(kind)), termOf(kind),
             kFirstQuantity + static_cast<int>(kind));
   }
   connect(m_chips, &QButtonGroup::idToggled, this, &MatricesPanel::nameChip);
@@ -123,24 +127,26 @@ QWidget* MatricesPanel::makeBar() {
     if (id < kFirstQuantity) return showMatrix(static_cast<MatrixKind>(id));
     showQuantity(static_cast<QuantityKind>(id - kFirstQuantity));
   });
-  layout->addStretch(1);
+  chips->addStretch(1);
 
+  auto* controls = group();
+  controls->addStretch(1);
   m_form = makeFormButton();
-  layout->addWidget(m_form);
+  controls->addWidget(m_form);
   m_copy = makeCopyButton();
-  layout->addWidget(m_copy);
+  controls->addWidget(m_copy);
   m_export = controlButton(QStringLiteral("exportCsv"), tr("CSV…"),
-                           tr("Export the matrix with its labels to a CSV file"), bar);
+                           tr("Export the matrix with its labels to a CSV file"), this);
   connect(m_export, &QToolButton::clicked, this, &MatricesPanel::wantExport);
-  layout->addWidget(m_export);
+  controls->addWidget(m_export);
   auto* zeros = controlButton(QStringLiteral("zerosAsDots"), tr("zeros ·"),
-                              tr("Show zeros as faint dots, or as 0"), bar);
+                              tr("Show zeros as faint dots, or as 0"), this);
   connect(zeros, &QToolButton::clicked, this, [this, zeros] {
     m_view->setZerosAsDots(!m_view->zerosAsDots());
     zeros->setText(m_view->zerosAsDots() ? tr("zeros ·") : tr("zeros 0"));
   });
-  layout->addWidget(zeros);
-  return bar;
+  controls->addWidget(zeros);
+  return new FoldingBar(chips->parentWidget(), controls->parentWidget(), this);
 }
 
 QToolButton* MatricesPanel::makeCopyButton() {

@@ -7,6 +7,7 @@
 namespace geargraph::inline panels {
 namespace {
 const QString kTheta = QStringLiteral("θ");
+constexpr int kLeastLetters = 12;  // "link 4" and the beginning of its name
 }
 
 double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const QString& joint) {
@@ -37,14 +38,22 @@ double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const 
 
 RateLabel::RateLabel(const QString& joint, const QString& words, QWidget* parent)
     : QWidget(parent), m_joint(joint), m_words(words) {
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+}
+
+/// The size with words of so many pixels.
+QSize RateLabel::withWords(double width) const {
+  return {qCeil(paintRate(nullptr, font(), {}, m_joint) + width) + 2,
+          qCeil(QFontMetricsF(font()).height()) + 4};
 }
 
 QSize RateLabel::sizeHint() const {
-  const QFontMetricsF metrics(font());
-  const double width = paintRate(nullptr, font(), {}, m_joint) +
-                       (m_words.isEmpty() ? 0 : metrics.horizontalAdvance(QLatin1Char(' ') + m_words));
-  return {qCeil(width) + 2, qCeil(metrics.height()) + 4};
+  return withWords(m_words.isEmpty() ? 0
+                                     : QFontMetricsF(font()).horizontalAdvance(QLatin1Char(' ') + m_words));
+}
+
+QSize RateLabel::minimumSizeHint() const {
+  return sizeHint().boundedTo(withWords(kLeastLetters * QFontMetricsF(font()).averageCharWidth()));
 }
 
 void RateLabel::paintEvent(QPaintEvent*) {
@@ -54,7 +63,10 @@ void RateLabel::paintEvent(QPaintEvent*) {
   const double base = (height() + metrics.ascent() - metrics.descent()) / 2;
   const double advance = paintRate(&painter, font(), QPointF(0, base), m_joint);
   painter.setFont(font());
-  painter.drawText(QPointF(advance, base), QLatin1Char(' ') + m_words);
+  const QString words = QLatin1Char(' ') + m_words;
+  const bool fits = advance + metrics.horizontalAdvance(words) <= width();
+  painter.drawText(QPointF(advance, base),
+                   fits ? words : metrics.elidedText(words, Qt::ElideRight, width() - advance));
 }
 
 }  // namespace geargraph::inline panels

@@ -14,7 +14,7 @@ namespace geargraph::inline panels {
 /// @return the advance in pixels
 double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const QString& joint);
 
-/// A rate followed by text: "θ̇8 link 4".
+/// A rate followed by text: "θ̇8 link 4". The text is cut off with an ellipsis where there is less room.
 class RateLabel : public QWidget {
   Q_OBJECT
 
@@ -22,12 +22,14 @@ class RateLabel : public QWidget {
   RateLabel(const QString& joint, const QString& words, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] QSize withWords(double width) const;
+
   QString m_joint;
   QString m_words;
 };

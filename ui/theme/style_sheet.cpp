@@ -25,7 +25,7 @@ QToolBar QToolButton:checked { background: @chosen@; border-color: @accent@; col
 QToolBar QToolButton:disabled { color: @disabled@; }
 
 QTabBar { background: @panel@; qproperty-drawBase: 0; }
-QTabBar::tab { background: transparent; color: @secondary@; padding: 6px 18px; border: none;
+QTabBar::tab { background: transparent; color: @secondary@; padding: 6px 13px; border: none;
                border-top: 2px solid transparent; }
 QTabBar::tab:selected { background: @sheet@; color: @ink@; border-top: 2px solid @accent@; }
 QTabBar::tab:hover:!selected { color: @ink@; }

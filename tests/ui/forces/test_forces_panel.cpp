@@ -23,7 +23,7 @@
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
-#include "ui/forces/sideways_scroll.h"
+#include "ui/theme/sideways_scroll.h"
 
 namespace geargraph {
 

@@ -8,6 +8,7 @@
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/languages/languages.h"
+#include "ui/mainwindow/fitting_tool_bar.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrices_panel.h"
@@ -121,20 +122,48 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
 
   void theWindowFitsAProjector_data() {
     QTest::addColumn<QString>("code");
-    for (const QString& code : languageCodes()) QTest::newRow(qPrintable(code)) << code;
+    QTest::addColumn<QSize>("size");
+    for (const QString& code : languageCodes()) {
+      for (const QSize size : {QSize(1280, 720), QSize(1024, 720)})  // the latter of 768 below its title bar
+        QTest::addRow("%s, %d", qPrintable(code), size.width()) << code << size;
+    }
   }
-  /// Where long words of a panel need more room than there is, the window grows past the screen.
+  /// Where long words of a panel need more room than there is, the window grows past the screen. No control
+  /// of the tool bar is in a menu behind it.
   void theWindowFitsAProjector() {
     QFETCH(QString, code);
+    QFETCH(QSize, size);
     useLanguage(code);
     for (const char* example : {"robot", "eight-speed-gearbox"}) {
       MainWindow window;
-      window.resize(1280, 720);
+      window.resize(size);
       window.show();
       QVERIFY(window.openDocument(QStringLiteral(":/examples/%1.geargraph").arg(QLatin1String(example))));
       QTRY_VERIFY(window.isSettled());
-      QCOMPARE(window.size(), QSize(1280, 720));
+      QCOMPARE(window.size(), size);
+      for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        dock->raise();  // each in turn in front
+        QCoreApplication::processEvents();
+        QVERIFY2(window.size() == size, qPrintable(dock->objectName()));
+      }
+      for (const char* name : {"qt_toolbar_ext_button", "qt_menubar_ext_button"}) {
+        for (const QWidget* extension : window.findChildren<QWidget*>(QLatin1String(name)))
+          QVERIFY2(!extension->isVisible(), name);
+      }
     }
+  }
+
+  /// Names of tools come back when there is room for them again.
+  void toolsKeepTheirNamesWhereTheyFit() {
+    MainWindow window;
+    window.resize(1366, 720);
+    window.show();
+    const auto* bar = window.findChild<FittingToolBar*>(QStringLiteral("toolBar"));
+    QVERIFY(bar->areNamesShown());
+    window.resize(1024, 720);
+    QTRY_VERIFY(!bar->areNamesShown());
+    window.resize(1366, 720);
+    QTRY_VERIFY(bar->areNamesShown());
   }
 
   void filesAreTheSameInEveryLanguage() {
@@ -159,19 +188,16 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
   }
 
-  /// On the smallest screen that is supported every control of the tool bar is shown, in every language.
-  void theWindowFitsInEveryLanguage_data() { mnemonicsAreDistinctInEveryMenu_data(); }
-  void theWindowFitsInEveryLanguage() {
+  /// On a usual screen every tool has its name, in every language.
+  void toolsHaveTheirNamesInEveryLanguage_data() { mnemonicsAreDistinctInEveryMenu_data(); }
+  void toolsHaveTheirNamesInEveryLanguage() {
     QFETCH(const QString, code);
     useLanguage(code);
     MainWindow window;
     window.resize(1280, 720);
     window.show();
     QCOMPARE(window.size(), QSize(1280, 720));
-    for (const char* name : {"qt_toolbar_ext_button", "qt_menubar_ext_button"}) {
-      for (const QWidget* extension : window.findChildren<QWidget*>(QLatin1String(name)))
-        QVERIFY2(!extension->isVisible(), name);
-    }
+    QVERIFY(window.findChild<FittingToolBar*>(QStringLiteral("toolBar"))->areNamesShown());
   }
 
   void itIsMirroredFromRightToLeft() {

@@ -1,4 +1,4 @@
-#include "ui/forces/sideways_scroll.h"
+#include "ui/theme/sideways_scroll.h"
 
 #include <QScrollBar>
 #include <QToolButton>
@@ -7,7 +7,7 @@
 #include "ui/theme/control_button.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline forces {
+namespace geargraph::inline theme {
 
 constexpr int kLeastWidth = 160;
 constexpr int kArrowWidth = 24;
@@ -81,4 +81,4 @@ QSize SidewaysScroll::minimumSizeHint() const {
   return {kLeastWidth, widget()->minimumSizeHint().height()};
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph::inline theme
