@@ -18,6 +18,10 @@ for command in $("$cli" --help | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1
 done
 grep -qF '\fB\-\-screenshot\fR \fIfile\fR' "$texts/geargraph.1" || fail "The man page lacks --screenshot."
 
+# A list without spaces that no line of 80 columns holds can be broken at its commas: lintian looks at that, too.
+long=$(sed 's/\\:/ /g; s/\\-/-/g' "$texts/geargraph-cli.1" | tr ' ' '\n' | awk 'length > 70' | grep -v '^"*http' || true)
+[ -z "$long" ] || fail "No line of the man page holds $long"
+
 # Who asks over a remote line has no display.
 env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$editor" --help | grep -q -- --screenshot ||
   fail "The editor's --help needs a display."

@@ -97,11 +97,12 @@ def read_commands(cli: str) -> Tuple[List[Command], str]:
 def roff(text: str) -> str:
     """Text as a page of man shows it."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
+    text = re.sub(r",(?=\S)", r",\\:", text)  # lists without spaces may be broken
     return re.sub(r"(?m)^([.'])", r"\\&\1", text)
 
 
 def man_page(name: str, version: str, summary: str, sections: List[Tuple[str, str]]) -> str:
-    title = f'.TH {name.upper()} 1 "" "GearGraph {version}" "User Commands"\n'
+    title = f'.TH {name.upper()} 1 "" "GearGraph {version}" "User Commands"\n.ad l\n'  # .ad l: ragged right
     text = title + f".SH NAME\n{name} \\- {roff(summary)}\n"
     return text + "".join(f".SH {heading}\n{body}" for heading, body in sections)
 
