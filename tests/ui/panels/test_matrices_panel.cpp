@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 #include "core/design/fixes/fixes.h"
 #include "core/mechanism/fitting/fitted_edits.h"
@@ -18,6 +19,7 @@
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/folding_bar.h"
 
 namespace geargraph {
 namespace {
@@ -104,6 +106,31 @@ class MatricesPanelTest : public QObject {
     panel->showMatrix(MatrixKind::cycleBasis);
     view().setFramed({}, {});
     QVERIFY(framed().empty());
+  }
+
+  /// No chip is cut off, and no button is beyond the edge; the chosen chip with its parts takes more room.
+  void theButtonsTakeTwoRowsInANarrowPanel() {
+    const auto* bar = panel->findChild<FoldingBar*>();
+    const auto* copy = panel->findChild<QToolButton*>(QStringLiteral("copyMatrix"));
+    const auto fits = [&] {
+      const QList<QToolButton*> buttons = bar->findChildren<QToolButton*>();
+      return std::all_of(buttons.begin(), buttons.end(), [&](const QToolButton* button) {
+        const QRect place(button->mapTo(bar, QPoint(0, 0)), button->size());
+        return !button->isVisible() ||
+               (button->width() >= button->sizeHint().width() && bar->rect().contains(place));
+      });
+    };
+    const auto isBelow = [&] {
+      const auto* chip = panel->findChild<QToolButton*>(QStringLiteral("chip.p"));
+      return copy->mapTo(bar, QPoint(0, 0)).y() > chip->mapTo(bar, QPoint(0, chip->height() - 1)).y();
+    };
+    for (const MatrixKind kind : {MatrixKind::path, MatrixKind::cycleBasis}) {
+      panel->showMatrix(kind);
+      panel->resize(800, 280);
+      QTRY_VERIFY(!bar->isFolded() && fits() && !isBelow());
+      panel->resize(panel->minimumSizeHint().width(), 280);
+      QTRY_VERIFY(bar->isFolded() && fits() && isBelow());
+    }
   }
 
   void theCellUnderTheMouseIsTold() {
