@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <optional>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
@@ -49,6 +50,12 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
           QLatin1String(head))
         return model.index(row, column).data().toString();
     return QStringLiteral("no column ") + QLatin1String(head);
+  }
+  /// The number there. Whether Qt reads the minus sign of print depends on its version.
+  std::optional<double> number(int row, const char* head) {
+    bool isNumber = false;
+    const double value = cell(row, head).replace(QChar(0x2212), QLatin1Char('-')).toDouble(&isNumber);
+    return isNumber ? std::optional(value) : std::nullopt;
   }
   int loads() { return static_cast<int>(document->mechanism()->loads.size()); }
 
@@ -231,7 +238,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     for (const QLabel* label : panel->findChildren<QLabel*>(QRegularExpression(QStringLiteral("total\\..*"))))
       QVERIFY(!label->toolTip().isEmpty());
     panel->showTable(ForceTableKind::meshes);
-    QVERIFY(cell(0, "tangential").toDouble() != 0);
+    QVERIFY(number(0, "tangential").value_or(0) != 0);
     panel->showTable(ForceTableKind::powers);
     QVERIFY(panel->model().rowCount() > 6);
   }
@@ -354,7 +361,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     panel->showTable(ForceTableKind::states);
     QCOMPARE(panel->model().rowCount(), 9);
     QCOMPARE(cell(5, "efficiency"), QStringLiteral("1"));
-    QVERIFY(cell(0, "efficiency").toDouble() < 1);
+    QVERIFY(number(0, "efficiency").value_or(1) < 1);
     QVERIFY(!cell(0, "A").isEmpty());
     open(loadedSet());
     QVERIFY(!states->isVisible());
@@ -372,7 +379,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     panel->showTable(ForceTableKind::couplings);
     QCOMPARE(panel->model().rowCount(), 3);
     const QString torque = cell(0, "torque");
-    QVERIFY(torque.toDouble() != 0);
+    QVERIFY(number(0, "torque").value_or(0) != 0);
     panel->showState(0);
     QTRY_VERIFY(panel->isUpToDate());
     QCOMPARE(cell(0, "torque"), torque);
@@ -382,7 +389,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QVERIFY(cell(0, "torque") != torque);
     panel->showTable(ForceTableKind::states);
     QCOMPARE(panel->model().rowCount(), 9);
-    QCOMPARE(cell(5, "latent").toDouble(), 0.0);  // direct drive: no tooth rolls
+    QCOMPARE(number(5, "latent").value_or(1), 0.0);  // direct drive: no tooth rolls
   }
 
   /// A document without loads costs nothing while no view shows torques; loads are solved in any case.
