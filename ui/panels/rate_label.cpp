@@ -41,7 +41,7 @@ RateLabel::RateLabel(const QString& joint, const QString& words, QWidget* parent
   setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 }
 
-/// The size with words of so many pixels.
+/// The size for words of this width, in pixels.
 QSize RateLabel::withWords(double width) const {
   return {qCeil(paintRate(nullptr, font(), {}, m_joint) + width) + 2,
           qCeil(QFontMetricsF(font()).height()) + 4};
