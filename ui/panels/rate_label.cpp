@@ -63,10 +63,8 @@ void RateLabel::paintEvent(QPaintEvent*) {
   const double base = (height() + metrics.ascent() - metrics.descent()) / 2;
   const double advance = paintRate(&painter, font(), QPointF(0, base), m_joint);
   painter.setFont(font());
-  const QString words = QLatin1Char(' ') + m_words;
-  const bool fits = advance + metrics.horizontalAdvance(words) <= width();
   painter.drawText(QPointF(advance, base),
-                   fits ? words : metrics.elidedText(words, Qt::ElideRight, width() - advance));
+                   metrics.elidedText(QLatin1Char(' ') + m_words, Qt::ElideRight, width() - advance));
 }
 
 }  // namespace geargraph::inline panels
