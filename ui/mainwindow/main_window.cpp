@@ -128,7 +128,9 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Windows of docks that float together hide their docks when they go, which is after what the panels read.
+  // A widget that is visible hides its children when it goes, which is after what the panels read; so do
+  // windows of docks that float together.
+  hide();
   for (auto* own : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
     if (own->isWindow()) own->hide();
   // The history empties itself while the window is taken apart.

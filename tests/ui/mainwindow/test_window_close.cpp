@@ -1,4 +1,5 @@
 #include <QDir>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QPointer>
 #include <QSignalSpy>
@@ -88,6 +89,21 @@ class WindowCloseTest : public QObject {
     QVERIFY(!window.isNull());  // nothing was waited for
     QVERIFY(!window->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(window.isNull(), 20'000);
+  }
+
+  /// Panels that are hidden no longer want what they read, which renews the commands of the window.
+  void aWindowMayGoWhileItIsVisible() {
+    auto window = shownWindow();
+    QVERIFY(window->openDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")));
+    window->findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
+    ForcesService& forces = window->workbench().forces();
+    QTRY_VERIFY(window->isSettled() && forces.answer() != nullptr);
+    QStringList classes;  // what the window was at each answer
+    forces.onAnswer(this, [&classes, of = static_cast<QWidget*>(window.get())](const ForcesPtr&) {
+      classes << QString::fromLatin1(of->metaObject()->className());
+    });
+    window.reset();
+    QCOMPARE(classes, QStringList(QString::fromLatin1(MainWindow::staticMetaObject.className())));
   }
 
   void closingEndsAnExport_data() {
