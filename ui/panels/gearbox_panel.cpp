@@ -165,9 +165,9 @@ void GearboxPanel::renewTorqueRequest() {
 void GearboxPanel::renew() {
   const MechanismPtr& mechanism = m_document->mechanism();
   m_model->setMechanism(mechanism);
-  renewTorqueRequest();
   const int states = static_cast<int>(mechanism->states.size());
   if (m_shownState >= states) m_shownState = -1;
+  renewTorqueRequest();  // it may be answered at once, which paints the remark
   m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);
   const bool moves = mechanism->n() > 0;
   m_brake->setEnabled(moves);

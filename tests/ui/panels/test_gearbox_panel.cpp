@@ -69,6 +69,18 @@ class GearboxPanelTest : public QObject {
     QVERIFY(!panel->model().index(0, 4).data(StatesModel::EngagedRole).toBool());
   }
 
+  /// That none are wanted any more is answered at once, while the document changes.
+  void aDocumentWithoutStatesNeedsNoTorques() {
+    panel->setAwake(true);
+    click(8, 0);
+    QSignalSpy wanted(panel.get(), &GearboxPanel::torquesWanted);
+    connect(panel.get(), &GearboxPanel::torquesWanted, panel.get(),
+            [this] { panel->setTorques(nullptr, document->mechanism()); });
+    document->replace(emptyMechanism(), {});
+    QCOMPARE(wanted.size(), 1);
+    QVERIFY(!wanted.front().front().toBool());
+  }
+
   /// Torques, efficiency and circulating power appear in the table as soon as they are solved, for these
   /// states.
   void theShiftTableShowsTorques() {
