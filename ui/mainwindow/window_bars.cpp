@@ -78,14 +78,8 @@ void MainWindow::wireMotion() {
 void MainWindow::showElement(const ElementId& element) {
   if (element.kind == ElementKind::note) showDrawing(m_digraph->objectName());
   m_selection->select({element});
-  std::optional<QRectF> place;
-  for (const Mark& mark : drawing().displayList().marks) {
-    if (mark.element != element) continue;
-    const Extent extent = extentOf(mark);
-    const QRectF box(QPointF(extent.left(), extent.top()), QPointF(extent.right(), extent.bottom()));
-    place = place ? place->united(box) : box;
-  }
-  if (place) drawing().ensureVisible(*place);
+  const QRect box = drawing().boxOf(element);
+  if (!box.isNull()) drawing().ensureVisible(drawing().mapToScene(box).boundingRect());
 }
 
 }  // namespace geargraph::inline mainwindow
