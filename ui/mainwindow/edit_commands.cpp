@@ -23,8 +23,9 @@ namespace {
 
 /// Above this number of links a picture would not be readable.
 constexpr int kMostPicturedLinks = 2'000;
-/// More links than these are put in beside the window.
+/// More links than these, or a longer text, are put in on another thread.
 constexpr int kMostAtOnce = 1'000;
+constexpr qsizetype kMostReadAtOnce = 200'000;
 
 /// The marks of the elements in the fragment; those of its ground only if that was selected.
 DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGround) {
@@ -104,7 +105,9 @@ void EditCommands::paste() {
   if (static_cast<std::size_t>(json.size()) > kLargestFile) {
     return emit rejected(tr("What the clipboard holds is too large to be a mechanism."));
   }
-  const Expected<Mechanism> fragment = readMechanism(std::string_view(json.constData(), json.size()));
+  const auto read = [json] { return readMechanism(std::string_view(json.constData(), json.size())); };
+  if (json.size() > kMostReadAtOnce) return insertInBackground(read, tr("Paste"));
+  const Expected<Mechanism> fragment = read();
   if (!fragment) return emit rejected(whyUnreadable(fragment.error()));
   insert(*fragment, tr("Paste"));
 }
@@ -114,25 +117,38 @@ void EditCommands::duplicate() {
 }
 
 void EditCommands::insert(const Mechanism& fragment, const QString& text) {
-  if (fragment.n() <= kMostAtOnce) {
-    const MechanismPtr before = m_document->mechanism();
-    const bool done = m_document->apply(
-        {text, [fragment](const Mechanism& into) { return withFragment(into, fragment); }, 0});
-    if (done) inserted(elementsAdded(*before, *m_document->mechanism()), fragment.unit);
-    return;
-  }
-  const auto added = std::make_shared<std::set<ElementId>>();
-  auto* edit =
-      new LongEdit(m_document, m_window, text, 0, 0,
-                   [fragment, added](const PlacedMechanism& before, const LongEdit::Progress& /*progress*/) {
-                     Expected<PlacedMechanism> made = unplaced(withFragment(before.mechanism(), fragment));
-                     if (made) *added = elementsAdded(before.mechanism(), made->mechanism());
-                     return made;
-                   });
-  connect(edit, &LongEdit::ended, this, [this, added, unit = fragment.unit](const QString& why) {
+  if (fragment.n() > kMostAtOnce) return insertInBackground([fragment] { return fragment; }, text);
+  const MechanismPtr before = m_document->mechanism();
+  const bool done = m_document->apply(
+      {text, [fragment](const Mechanism& into) { return withFragment(into, fragment); }, 0});
+  if (done) inserted(elementsAdded(*before, *m_document->mechanism()), fragment.unit);
+}
+
+void EditCommands::insertInBackground(std::function<Expected<Mechanism>()> read, const QString& text) {
+  struct Outcome {
+    Diagnostics unreadable;  // why the fragment could not be read
+    std::set<ElementId> added;
+    std::string unit;
+  };
+  const auto outcome = std::make_shared<Outcome>();
+  const auto work = [read = std::move(read), outcome](
+                        const PlacedMechanism& before,
+                        const LongEdit::Progress& progress) -> Expected<PlacedMechanism> {
+    *outcome = {};
+    const Expected<Mechanism> fragment = read();
+    if (!fragment) return outcome->unreadable = fragment.error();
+    if (progress.stop.stop_requested()) return before;
+    Expected<PlacedMechanism> made = unplaced(withFragment(before.mechanism(), *fragment));
+    if (made) outcome->added = elementsAdded(before.mechanism(), made->mechanism());
+    outcome->unit = fragment->unit;
+    return made;
+  };
+  auto* edit = new LongEdit(m_document, m_window, text, 0, 0, work);
+  connect(edit, &LongEdit::ended, this, [this, edit, outcome](const QString& why) {
+    if (edit->wasCancelled()) return;
+    if (!outcome->unreadable.empty()) return emit rejected(whyUnreadable(outcome->unreadable));
     if (!why.isEmpty()) return emit rejected(why);
-    const bool wasCancelled = added->empty() || !m_document->elements().contains(*added->begin());
-    if (!wasCancelled) inserted(*added, unit);
+    inserted(outcome->added, outcome->unit);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/display_list.h"
 
@@ -47,6 +48,8 @@ class EditCommands : public QObject {
 
  private:
   void insert(const Mechanism& fragment, const QString& text);
+  /// `read` makes the fragment, on the other thread.
+  void insertInBackground(std::function<Expected<Mechanism>()> read, const QString& text);
   void inserted(const std::set<ElementId>& added, const std::string& unit);
 
   QWidget* m_window;

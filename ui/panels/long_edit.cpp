@@ -41,7 +41,7 @@ LongEdit::LongEdit(Document* document, QWidget* window, QString text, quint64 ge
   m_service->onAnswer(this, [this](const Result& result) { take(result); });
   connect(&m_telling, &QTimer::timeout, this, &LongEdit::tell);
   // The window and its dialogs may go before the document does.
-  connect(window, &QObject::destroyed, this, [this] { end(); });
+  connect(window, &QObject::destroyed, this, &LongEdit::cancel);
   m_time.start();
   m_telling.start(kTelling);
   begin();
@@ -69,10 +69,15 @@ void LongEdit::tell() {
     m_dialog->setWindowModality(Qt::WindowModal);
     m_dialog->setAutoClose(false);
     m_dialog->setAutoReset(false);
-    connect(m_dialog.get(), &QProgressDialog::canceled, this, [this] { end(); });
+    connect(m_dialog.get(), &QProgressDialog::canceled, this, &LongEdit::cancel);
     m_dialog->show();
   }
   if (m_dialog) m_dialog->setValue(m_done);
+}
+
+void LongEdit::cancel() {
+  m_wasCancelled = true;
+  end({});
 }
 
 void LongEdit::end(const QString& why) {

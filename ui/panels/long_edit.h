@@ -45,6 +45,8 @@ class LongEdit final : public QObject, public BackgroundWork {
 
   void requestStop() override { m_service->requestStop(); }
   [[nodiscard]] bool hasStopped() const override { return m_service->hasStopped(); }
+  /// Did the user cancel it? Then the work may go on for a while after it has ended.
+  [[nodiscard]] bool wasCancelled() const { return m_wasCancelled; }
 
  signals:
   /// Why the document rejected the edit, as a sentence; empty if it succeeded or was cancelled.
@@ -56,13 +58,15 @@ class LongEdit final : public QObject, public BackgroundWork {
   void begin();
   void take(const Result& result);
   void tell();
-  void end(const QString& why = {});
+  void cancel();
+  void end(const QString& why);
 
   Document* m_document;
   QWidget* m_window;
   QString m_text;
   quint64 m_gesture;
   int m_elements;
+  bool m_wasCancelled = false;
   std::atomic<int> m_done = 0;
   MechanismPtr m_before;  ///< input of the running computation
   QElapsedTimer m_time;
