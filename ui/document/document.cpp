@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QUndoCommand>
 #include <algorithm>
 #include <cstdlib>
@@ -94,6 +95,7 @@ const ElementIndex& Document::elements() const {
 }
 
 bool Document::apply(const Edit& edit) {
+  if (m_isTelling) return applyLater(edit);
   const Expected<PlacedMechanism> next = edit.reduce(m_placed);
   if (!next) {
     emit rejected(next.error());
@@ -110,6 +112,14 @@ bool Document::apply(const Edit& edit) {
   m_undoStack.push(new EditCommand(*this, *next, edit));
   if (m_undoStack.index() > steps) m_gestureStart = before;  // merged steps go on with the one they have
   if (m_historyBytes > m_historyLimit) shortenHistory();
+  return true;
+}
+
+bool Document::applyLater(const Edit& edit) {
+  if (m_isReplacing) return false;
+  QTimer::singleShot(0, this, [this, edit, of = m_replacements] {
+    if (of == m_replacements) apply(edit);
+  });
   return true;
 }
 
@@ -193,7 +203,10 @@ void Document::replace(Mechanism mechanism, const QString& filePath) {
   m_gestureStart.reset();
   const bool isElsewhere =
       std::exchange(m_filePath, filePath) != filePath;  // who hears of the one asks for the other
+  ++m_replacements;
+  m_isReplacing = true;
   publish(std::move(mechanism));
+  m_isReplacing = false;
   emit replaced();
   m_undoStack.setClean();
   if (isElsewhere) emit filePathChanged(m_filePath);
@@ -217,7 +230,9 @@ void Document::publish(const PlacedMechanism& placed) {
   m_elements.reset();
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;
+  m_isTelling = true;
   emit changed();
+  m_isTelling = false;
 }
 
 }  // namespace geargraph::inline document

@@ -88,6 +88,10 @@ class Document : public QObject {
   /// Applies an edit. A rejected edit changes nothing: the result is false, and rejected() has the reason. An
   /// edit without a change makes no undo step. Documents that could be saved but not opened again are
   /// rejected too (core/mechanism/model/limits.h).
+  ///
+  /// While changed() is emitted, controls that are taken away may commit what was typed: such an edit is
+  /// applied when control returns to the event loop, and the result is true; that of a document that is being
+  /// replaced is discarded.
   bool apply(const Edit& edit);
   /// Undoes or redoes steps until this many of undoStack() are done; changed() is emitted for the last one
   /// only.
@@ -117,6 +121,7 @@ class Document : public QObject {
 
  private:
   friend class EditCommand;
+  bool applyLater(const Edit& edit);
   void publish(const PlacedMechanism& placed);
   void step(const MechanismPatch& patch, bool forward, std::weak_ptr<const Mechanism>& kept);
   void keepWhole(const MechanismPtr& mechanism);
@@ -129,6 +134,9 @@ class Document : public QObject {
   MechanismPtr m_gestureStart;                     ///< the mechanism before the newest step
   std::size_t m_historyBytes = 0;
   std::size_t m_historyLimit = kHistoryLimit;
+  bool m_isTelling = false;    ///< changed() is being emitted
+  bool m_isReplacing = false;  ///< for replace()
+  quint64 m_replacements = 0;
   bool m_rebuilding = false;            ///< the history is being rebuilt; nothing is published then
   int m_stepsToGo = 0;                  ///< of goToStep(); only the last is published
   std::optional<Mechanism> m_onTheWay;  ///< the document between two of these steps

@@ -260,6 +260,31 @@ class DocumentTest : public QObject {
     QVERIFY(!document.isModified());
   }
 
+  /// As a field that a change takes away commits its text.
+  void anEditDuringAChangeIsAppliedAfterIt() {
+    Document document;
+    const auto heard = connect(&document, &Document::changed, this, [&] {
+      if (document.mechanism()->n() == 1) QVERIFY(document.apply(moveGround(7, 0)));
+    });
+    QVERIFY(document.apply(addLink()));
+    QCOMPARE(document.undoStack().count(), 1);
+    disconnect(heard);
+    QTRY_COMPARE(document.undoStack().count(), 2);
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Move"));
+    document.undoStack().undo();
+    QCOMPARE(document.mechanism()->n(), 1);
+  }
+
+  void anEditOfADocumentBeingReplacedIsDiscarded() {
+    Document document;
+    bool isTaken = true;
+    connect(&document, &Document::changed, this, [&] { isTaken = document.apply(moveGround(7, 0)); });
+    document.replace(withLink(emptyMechanism(), SheetPoint{10, 20}).value(), {});
+    QVERIFY(!isTaken);
+    QCoreApplication::processEvents();
+    QVERIFY(!document.undoStack().canUndo());
+  }
+
   void replaceForgetsTheHistory() {
     Document document;
     document.apply(addLink());

@@ -22,6 +22,7 @@
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
+#include "ui/panels/number_field.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 #include "ui/workbench/workbench.h"
@@ -270,6 +271,34 @@ class WindowHabitsTest : public QObject {
     QTRY_VERIFY(window->isSettled());
     QVERIFY(window->view3d().stage()->scene.instances.empty());
     QVERIFY(!part<QLabel>("view3dNote")->isVisible());
+  }
+
+  /// A field with a number that is not finished goes with the document that it is about.
+  void whatIsTypedStaysOutOfAnotherDocument() {
+    const Mechanism robot = *now();
+    const Mechanism other = readDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")).value();
+    QStringList fields;
+    for (const NumberField* field : window->findChildren<NumberField*>()) {
+      if (!field->objectName().isEmpty() && field->isEnabled()) fields << field->objectName();
+    }
+    QVERIFY(fields.size() >= 3);  // the speeds of the inputs
+    int typed = 0;
+    for (const QString& name : fields) {
+      for (QObject* each = window->findChild<NumberField*>(name); each != nullptr; each = each->parent()) {
+        if (auto* dock = qobject_cast<QDockWidget*>(each)) dock->raise();
+      }
+      QTRY_VERIFY(window->isSettled());
+      auto* field = window->findChild<NumberField*>(name);  // rows are made anew
+      if (field == nullptr || !field->isVisible()) continue;
+      field->setFocus();
+      QTest::keyClick(field, Qt::Key_7);
+      window->document().replace(other, {});
+      QCoreApplication::processEvents();
+      QVERIFY2(*now() == other && window->document().undoStack().count() == 0, qPrintable(name));
+      window->document().replace(robot, {});
+      ++typed;
+    }
+    QVERIFY2(typed >= 3, qPrintable(QString::number(typed)));
   }
 
   void nodesKeepToTheGrid() {
