@@ -153,6 +153,7 @@ void WindowFiles::newWindow() {
 }
 
 void WindowFiles::openByUser(const QString& path) {
+  finishTyping();
   if (m_windows != nullptr) return m_windows->openFrom(path, *this);
   if (mayDiscard() && !open(path)) m_recent->forget(path);
 }

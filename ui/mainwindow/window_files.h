@@ -157,6 +157,7 @@ class WindowFiles : public QObject {
   void leaveToOther(const QString& path);
   void offerInterrupted(const QString& path);
   void reload();
+  void finishTyping() const;
   bool saveAnyway(const QString& path);
   bool mayReplace(const QString& path);
   void took(const QString& path);

@@ -10,6 +10,7 @@
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/number_field.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -19,7 +20,13 @@ const QString kNotSavedKey = QStringLiteral("not saved");
 
 }  // namespace
 
+/// A number that has just been typed counts, though the field would wait for more of it.
+void WindowFiles::finishTyping() const {
+  if (auto* field = qobject_cast<NumberField*>(m_window->focusWidget())) field->commit();
+}
+
 bool WindowFiles::save(const QString& path) {
+  finishTyping();
   if (rejectIfOpenElsewhere(path)) return false;
   if (path == m_document->filePath() && m_watch.isForeign()) {
     const Expected<Mechanism> now = readDocument(path);
@@ -88,6 +95,7 @@ bool WindowFiles::mayReplace(const QString& path) {
 }
 
 bool WindowFiles::mayDiscard() {
+  finishTyping();
   if (!m_document->isModified() || isTransient()) return true;
   // Several windows may be closing; the question is about this one.
   if (!m_window->isActiveWindow()) {

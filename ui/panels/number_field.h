@@ -45,6 +45,8 @@ class NumberField : public QAbstractSpinBox {
   /// To be called if the number of edited() was rejected: the typed text turns red, and is replaced by the
   /// former number when the field loses focus.
   void reject(const QString& why);
+  /// Takes what has been typed so far, as if the field lost the focus.
+  void commit();
   /// Is edited() being emitted?
   [[nodiscard]] bool isCommitting() const { return m_isCommitting; }
 
@@ -83,7 +85,6 @@ class NumberField : public QAbstractSpinBox {
   /// Why the field does not accept this number; empty if it does.
   [[nodiscard]] QString objectionTo(const std::optional<Number>& number) const;
   void onText(const QString& text);
-  void commit();
   void tellOf(const std::optional<Number>& number);
   void drop();
   void showNumber();

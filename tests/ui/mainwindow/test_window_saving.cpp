@@ -12,6 +12,7 @@
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/panels/number_field.h"
 
 namespace geargraph {
 
@@ -54,6 +55,24 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
   void initTestCase() { setUpWindows(); }
   void init() { makeFolder(); }
   void cleanup() { set.reset(); }
+
+  void saveTakesTheNumberThatIsBeingTyped() {
+    const QString path = pathOf(QStringLiteral("robot.geargraph"));
+    QVERIFY(QFile::copy(robotExamplePath(), path));
+    set->start({path});
+    first().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&first()));
+    const Input& input = first().document().mechanism()->inputs->front();
+    const QString name = QStringLiteral("speed.%1").arg(QString::fromStdString(input.joint.text()));
+    auto* field = first().findChild<NumberField*>(name);
+    QVERIFY(field != nullptr);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("77"));
+    pressSave(first());
+    QVERIFY(!first().document().isModified());
+    QCOMPARE(readDocument(path).value().inputs->front().speed, Number(Rational(77)));
+  }
 
   // --- the question comes to the front ---------------------------------------------------------------------
 
