@@ -78,7 +78,8 @@ void applyTheme(QApplication& application, Theme theme, double typeScale) {
   const QPalette palette = paletteOf(theme);
   application.setPalette(palette);
   QToolTip::setPalette(palette);
-  ThemeSheets::instance().setSheet(styleSheetOf(theme));
+  const bool isLasting = typeScale == savedTypeScale();  // unlike that of a presentation
+  ThemeSheets::instance().setSheet(styleSheetOf(theme), isLasting);
 }
 
 }  // namespace geargraph::inline theme

@@ -36,7 +36,7 @@ ThemeSheets::ThemeSheets(QObject* application) : QObject(application) {
   application->installEventFilter(this);
 }
 
-void ThemeSheets::setSheet(const QString& sheet) {
+void ThemeSheets::setSheet(const QString& sheet, bool withHidden) {
   if (sheet == m_sheet) return;
   m_sheet = sheet;
   m_outdated.clear();
@@ -45,7 +45,7 @@ void ThemeSheets::setSheet(const QString& sheet) {
     if (!isPart(widget)) continue;
     if (widget->isVisible()) {
       m_outdated.emplace_back(widget);
-    } else if (!widget->styleSheet().isEmpty()) {  // it has been shown before
+    } else if (withHidden && !widget->styleSheet().isEmpty()) {  // it has been shown before
       m_hidden.emplace_back(widget);
     }
   }

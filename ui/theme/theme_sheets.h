@@ -22,7 +22,9 @@ class ThemeSheets : public QObject {
   /// The instance of the application, created by the first call.
   static ThemeSheets& instance();
 
-  void setSheet(const QString& sheet);
+  /// @param withHidden false if the former sheet is to return soon, as after a presentation, which shows the
+  ///   hidden parts again: they keep it
+  void setSheet(const QString& sheet, bool withHidden = true);
   [[nodiscard]] bool isSettled() const { return m_outdated.empty(); }
 
  signals:

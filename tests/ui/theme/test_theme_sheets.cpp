@@ -139,6 +139,20 @@ class ThemeSheetsTest : public QObject {
     QVERIFY(isLater && *isLater);
   }
 
+  /// Its end shows the hidden parts, which waits for the sheets of all that have another one.
+  void aPresentationLeavesTheSheetsOfHiddenDocks() {
+    ThemedWindow shown;
+    const QString before = shown.docks.back()->styleSheet();
+    applyTheme(*qApp, Theme::light, 1.5);
+    QTRY_VERIFY(ThemeSheets::instance().isSettled());
+    for (std::size_t i = 0; i <= shown.docks.size(); ++i)
+      QCoreApplication::processEvents();  // a turn for each
+    QVERIFY(shown.docks.front()->styleSheet() != before);
+    QCOMPARE(shown.docks.back()->styleSheet(), before);
+    applyTheme(*qApp, Theme::light);
+    QCOMPARE(styleSheetOf(Theme::light), before);
+  }
+
   void aHiddenDockThatIsShownEarlierGetsTheSheetThen() {
     ThemedWindow shown;
     applyTheme(*qApp, Theme::dark);
