@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "ui/panels/number_field.h"
 #include "ui/theme/laid_out_at_once.h"
@@ -98,12 +99,7 @@ void MotorsForm::setInputs(const Mechanism& mechanism, const std::vector<int>& j
 }
 
 void MotorsForm::showRows(const Mechanism& mechanism, const std::vector<int>& joints) {
-  for (QWidget* widget : m_widgets) {
-    m_grid->removeWidget(widget);
-    widget->hide();
-    widget->deleteLater();
-  }
-  m_widgets.clear();
+  for (QWidget* widget : std::exchange(m_widgets, {})) removeFrom(*m_grid, widget);
   const LaidOutAtOnce added(this);
   for (int row = 0; row < static_cast<int>(std::min(m_rows.size(), kMostRows)); ++row) {
     const QString label = QString::number(mechanism.jointLabel(joints[static_cast<std::size_t>(row)]));

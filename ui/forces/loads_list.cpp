@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/mechanism/model/load_edits.h"
 #include "ui/models/term_tips.h"
@@ -152,14 +153,9 @@ void LoadsList::renew() {
 }
 
 void LoadsList::showRows() {
-  for (const Row& row : m_rows) {
-    for (QWidget* widget : row.widgets) {
-      m_grid->removeWidget(widget);
-      widget->hide();
-      widget->deleteLater();  // the edit may come from one of them
-    }
+  for (const Row& row : std::exchange(m_rows, {})) {
+    for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
   }
-  m_rows.clear();
   const std::size_t count = std::min(kMostRows, m_document->mechanism()->loads.size());
   {
     const LaidOutAtOnce added(m_list);

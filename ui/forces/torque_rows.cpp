@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/states/state_edits.h"
@@ -12,6 +13,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/control_button.h"
+#include "ui/theme/laid_out_at_once.h"
 
 namespace geargraph::inline forces {
 namespace {
@@ -218,14 +220,9 @@ void TorqueRows::renew() {
 }
 
 void TorqueRows::clear() {
-  for (const Row& row : m_rows) {
-    for (QWidget* widget : row.widgets) {
-      m_grid->removeWidget(widget);
-      widget->hide();
-      widget->deleteLater();  // the edit may come from one of them
-    }
+  for (const Row& row : std::exchange(m_rows, {})) {
+    for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
   }
-  m_rows.clear();
 }
 
 TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
@@ -160,15 +161,10 @@ void InputsPanel::renewEngaged() {
 }
 
 void InputsPanel::clearRows() {
-  for (const Row& row : m_rows) {
-    for (QWidget* widget : row.widgets) {
-      m_grid->removeWidget(widget);
-      widget->hide();
-      widget->deleteLater();  // the edit may come from one of them
-    }
-  }
-  m_rows.clear();
   m_shownTitles.clear();
+  for (const Row& row : std::exchange(m_rows, {})) {
+    for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
+  }
 }
 
 InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {

@@ -10,4 +10,10 @@ LaidOutAtOnce::~LaidOutAtOnce() {
   if (m_wasShown) m_list->show();
 }
 
+void removeFrom(QLayout& list, QWidget* control) {
+  list.removeWidget(control);
+  control->hide();
+  control->deleteLater();
+}
+
 }  // namespace geargraph::inline theme

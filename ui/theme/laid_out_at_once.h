@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLayout>
 #include <QWidget>
 
 namespace geargraph::inline theme {
@@ -19,5 +20,9 @@ class LaidOutAtOnce {
   QWidget* m_list;
   bool m_wasShown;  ///< or is to be, with its parent
 };
+
+/// Takes a control out of a list for good. It is deleted when control returns to the event loop, because the
+/// change that it is removed for may come from itself. Being hidden, it commits what has been typed.
+void removeFrom(QLayout& list, QWidget* control);
 
 }  // namespace geargraph::inline theme
