@@ -370,6 +370,7 @@ void DrawingView::openRenameEditor(LinkId link) {
   editor->setGeometry(QRect(under - QPoint(kSize.width() / 2, 0), kSize));
   connect(editor, &RenameEditor::taken, this,
           [this, link](const QString& name) { m_commands.rename(link, name); });
+  connect(m_document, &Document::replaced, editor, [editor] { editor->finish(false); });
   connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
   editor->show();
   editor->setFocus();

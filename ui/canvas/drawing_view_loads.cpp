@@ -56,6 +56,7 @@ void DrawingView::editLoad() {
     const QString why = m_commands.setTorque(element, text);
     if (!why.isEmpty()) setHint(why);
   });
+  connect(m_document, &Document::replaced, editor, [editor] { editor->finish(false); });
   connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
   editor->show();
   editor->setFocus();

@@ -165,6 +165,7 @@ void GraphView::openNoteEditor(SheetPoint at, const std::optional<NoteId>& note)
     if (text != noteText(before.toStdString())) takeNote(at, note, text);
     if (tool() == ToolKind::note) setTool(ToolKind::select);  // the next click is not one more note
   });
+  connect(&document(), &Document::replaced, editor, [editor] { editor->finish(false); });
   connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
   editor->show();
   editor->setFocus();

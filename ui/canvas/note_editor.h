@@ -14,6 +14,8 @@ class NoteEditor final : public PlainTextField {
   /// Centred at `middle`, in the parent's coordinates, as far as it stays inside the parent.
   NoteEditor(const QString& text, QPoint middle, QWidget* parent);
 
+  void finish(bool take);  ///< accepts the text, or cancels
+
  signals:
   /// The text as typed.
   void taken(const QString& text);
@@ -25,7 +27,6 @@ class NoteEditor final : public PlainTextField {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  void finish(bool take);
   void onTextChanged();
   void fitToText();
 

@@ -11,6 +11,8 @@ class RenameEditor final : public QLineEdit {
  public:
   RenameEditor(const QString& text, QWidget* parent);
 
+  void finish(bool take);  ///< accepts the text, or cancels
+
  signals:
   void taken(const QString& text);
 
@@ -19,7 +21,6 @@ class RenameEditor final : public QLineEdit {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  void finish(bool take);
   bool m_finished = false;
 };
 

@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "ui/canvas/note_editor.h"
+#include "ui/canvas/rename_editor.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/file_texts.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -20,9 +22,12 @@ const QString kNotSavedKey = QStringLiteral("not saved");
 
 }  // namespace
 
-/// A number that has just been typed counts, though the field would wait for more of it.
+/// What has just been typed counts, though the field would wait for more of it.
 void WindowFiles::finishTyping() const {
-  if (auto* field = qobject_cast<NumberField*>(m_window->focusWidget())) field->commit();
+  QWidget* typed = m_window->focusWidget();
+  if (auto* field = qobject_cast<NumberField*>(typed)) field->commit();
+  if (auto* editor = qobject_cast<RenameEditor*>(typed)) editor->finish(true);
+  if (auto* editor = qobject_cast<NoteEditor*>(typed)) editor->finish(true);
 }
 
 bool WindowFiles::save(const QString& path) {

@@ -14,8 +14,11 @@
 #include <cmath>
 
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/notes.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/note_editor.h"
+#include "ui/canvas/rename_editor.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/screen_fit.h"
@@ -299,6 +302,30 @@ class WindowHabitsTest : public QObject {
       ++typed;
     }
     QVERIFY2(typed >= 3, qPrintable(QString::number(typed)));
+  }
+
+  void aNameOrNoteBeingTypedStaysOutOfAnotherDocument() {
+    const Mechanism other = readDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")).value();
+    window->selection().select({LinkId("1")});
+    window->digraph().renameSelected();
+    QTest::keyClicks(window->focusWidget(), QStringLiteral("Arm"));
+    QPointer<QWidget> editor = window->focusWidget();
+    QVERIFY(qobject_cast<RenameEditor*>(editor.data()) != nullptr);
+    window->document().replace(other, {});
+    QTRY_VERIFY(editor.isNull());
+    QVERIFY(*now() == other);
+
+    const Mechanism noted = withNote(other, {100, 100}, "a note").value();
+    window->document().replace(noted, {});
+    window->selection().select({noted.view.notes.front().id});
+    window->digraph().renameSelected();
+    editor = window->focusWidget();
+    QVERIFY(qobject_cast<NoteEditor*>(editor.data()) != nullptr);
+    QTest::keyClicks(editor, QStringLiteral("changed"));
+    window->document().replace(other, {});
+    QTRY_VERIFY(editor.isNull());
+    QVERIFY(*now() == other);
+    QCOMPARE(window->document().undoStack().count(), 0);
   }
 
   void nodesKeepToTheGrid() {

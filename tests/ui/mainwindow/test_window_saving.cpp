@@ -10,6 +10,7 @@
 
 #include "core/foundations/files/file_identity.h"
 #include "tests/ui/mainwindow/file_windows.h"
+#include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/panels/number_field.h"
@@ -56,7 +57,7 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
   void init() { makeFolder(); }
   void cleanup() { set.reset(); }
 
-  void saveTakesTheNumberThatIsBeingTyped() {
+  void saveTakesWhatIsBeingTyped() {
     const QString path = pathOf(QStringLiteral("robot.geargraph"));
     QVERIFY(QFile::copy(robotExamplePath(), path));
     set->start({path});
@@ -72,6 +73,13 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     pressSave(first());
     QVERIFY(!first().document().isModified());
     QCOMPARE(readDocument(path).value().inputs->front().speed, Number(Rational(77)));
+
+    first().selection().select({LinkId("1")});
+    first().digraph().renameSelected();
+    QTest::keyClicks(first().focusWidget(), QStringLiteral("Arm"));
+    pressSave(first());
+    QCOMPARE(readDocument(path).value().find(LinkId("1"))->name, std::string("Arm"));
+    QTRY_VERIFY(first().digraph().hasFocus());
   }
 
   // --- the question comes to the front ---------------------------------------------------------------------
