@@ -44,8 +44,13 @@ void press(const QPointer<QWidget>& widget, Qt::MouseButton button, Qt::Keyboard
   if (widget && hits(widget, at)) QTest::mousePress(handleOf(widget), button, keys, inWindow(widget, at));
 }
 
+/// A press is always followed by its release: a dock that is being dragged has it wherever it is by then.
 void release(const QPointer<QWidget>& widget, Qt::MouseButton button, Qt::KeyboardModifiers keys, QPoint at) {
-  if (widget && hits(widget, at)) QTest::mouseRelease(handleOf(widget), button, keys, inWindow(widget, at));
+  if (const QWidget* dragged = QWidget::mouseGrabber(); dragged != nullptr && hits(dragged, {})) {
+    QTest::mouseRelease(handleOf(dragged), button, keys, inWindow(dragged, {}));
+  } else if (widget && hits(widget, at)) {
+    QTest::mouseRelease(handleOf(widget), button, keys, inWindow(widget, at));
+  }
 }
 
 void move(const QPointer<QWidget>& widget, QPoint at) {

@@ -12,6 +12,7 @@
 #include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/torque_rows.h"
+#include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
@@ -100,6 +101,7 @@ QWidget* MainWindow::makeInputsAndResults() {
 }
 
 void MainWindow::makeDocks() {
+  new DockDrag(this);
   m_matrices = new MatricesPanel(m_selection, this);
   m_problems = new ProblemsPanel(m_selection, this);
   m_properties = new PropertiesPanel(m_document, m_selection, this);

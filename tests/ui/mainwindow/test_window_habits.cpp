@@ -102,6 +102,23 @@ class WindowHabitsTest : public QObject {
   }
 
   // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
+  void keysDoNothingWhileADockIsDragged() {
+    auto* dock = part<QDockWidget>("dock.view3d");
+    const QPoint title(60, 12);
+    QTest::mouseMove(dock, title);
+    QTest::mousePress(dock, Qt::LeftButton, {}, title);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(dock, title - QPoint(40, 30) * i);
+    QCOMPARE(QWidget::mouseGrabber(), dock);
+    press(Qt::Key_F11);
+    QVERIFY(window->menuBar()->isVisible());
+    QTest::mouseRelease(dock, Qt::LeftButton, {}, title);
+    QVERIFY(QWidget::mouseGrabber() == nullptr);
+    press(Qt::Key_F11);
+    QVERIFY(!window->menuBar()->isVisible());
+    press(Qt::Key_F11);
+    window.reset();  // with its docks
+  }
+
   void theWindowFitsAProjector() {
     for (const char* example : {"robot", "eight-speed-gearbox"}) {
       MainWindow other;
