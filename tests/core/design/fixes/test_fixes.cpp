@@ -85,7 +85,7 @@ class FixesTest : public QObject {
   void loosePartsAreTiedOnceEach() {
     Mechanism robot = test::example("robot");
     for (int i = 0; i < 3; ++i) robot = *withLink(std::move(robot), {0, 0});
-    robot = *withTurningJoint(std::move(robot), robot.links[8].id, robot.links[9].id);
+    robot = *withTurningJoint(robot, robot.links[8].id, robot.links[9].id);
     provoke(robot);
     QCOMPARE(offered(Code::disconnected).first(), QString("Tie links 8, 10 to the ground"));
     eachFixRepairs(Code::disconnected);
@@ -221,7 +221,7 @@ class FixesTest : public QObject {
   void undercutGoesWithMoreTeethOfTheSameRatio() {
     Mechanism pair = test::example("spur-pair");
     pair.gearMeshes.front().pitchPoint.reset();
-    pair = *withTeeth(std::move(pair), pair.gearMeshes.front().id, 9, 18);
+    pair = *withTeeth(pair, pair.gearMeshes.front().id, 9, 18);
     provoke(pair);
     QVERIFY(diagnosticWith(Code::undercut));
     QVERIFY2(offered(Code::undercut).first().endsWith("the teeth everywhere"),
@@ -280,7 +280,7 @@ class FixesTest : public QObject {
     for (const NumberTriple& direction : directions) {
       arm = *withLink(std::move(arm), {0, 0});
       const LinkId tail = arm.links[arm.links.size() - 2].id;
-      arm = *withTurningJoint(std::move(arm), tail, LinkId(arm.links.back().id));
+      arm = *withTurningJoint(arm, tail, LinkId(arm.links.back().id));
       arm.axes.back().point = triple(0, 0, 0);
       arm.axes.back().direction = direction;
     }

@@ -255,7 +255,7 @@ class TestFitting : public QObject {
   void anAxisWithoutMeshesGoesWhereItIsDragged() {
     Mechanism before = emptyMechanism();
     before = *withLink(std::move(before), {});
-    before = *withTurningJoint(std::move(before), before.links[0].id, before.links[1].id);
+    before = *withTurningJoint(before, before.links[0].id, before.links[1].id);
     const AxisId axis = before.axes[0].id;
     before = *withAxisPlaced(std::move(before), axis, NumberTriple{Number(1), Number(2), Number(3)},
                              NumberTriple{Number(0), Number(0), Number(1)});

@@ -233,14 +233,12 @@ class QuantityTableTest : public QObject {
     bevel = *withLink(std::move(bevel), {0, 0});
     bevel = *withLink(std::move(bevel), {1, 0});
     const LinkId ground = bevel.links[0].id;
-    bevel = *withTurningJoint(std::move(bevel), ground, bevel.links[1].id);
-    bevel = *withTurningJoint(std::move(bevel), ground, bevel.links[2].id);
+    bevel = *withTurningJoint(bevel, ground, bevel.links[1].id);
+    bevel = *withTurningJoint(bevel, ground, bevel.links[2].id);
     const NumberTriple origin{Number(0), Number(0), Number(0)};
-    bevel = *withAxisPlaced(std::move(bevel), bevel.axes[0].id, origin,
-                            NumberTriple{Number(1), Number(1), Number(0)});
-    bevel = *withAxisPlaced(std::move(bevel), bevel.axes[1].id, origin,
-                            NumberTriple{Number(0), Number(0), Number(1)});
-    bevel = *withGearMesh(std::move(bevel), bevel.links[1].id, bevel.links[2].id, 20, 20);
+    bevel = *withAxisPlaced(bevel, bevel.axes[0].id, origin, NumberTriple{Number(1), Number(1), Number(0)});
+    bevel = *withAxisPlaced(bevel, bevel.axes[1].id, origin, NumberTriple{Number(0), Number(0), Number(1)});
+    bevel = *withGearMesh(bevel, bevel.links[1].id, bevel.links[2].id, 20, 20);
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(bevel)));
     QVERIFY2(snapshot->matroid() != nullptr,
              snapshot->diagnostics.empty() ? "" : snapshot->diagnostics.front().message.c_str());
