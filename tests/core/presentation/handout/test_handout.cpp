@@ -158,7 +158,10 @@ class TestHandout : public QObject {
     const QJsonObject key = QJsonDocument::fromJson(unpacked(page, "exercises-key")).object();
     QCOMPARE(key["sheet"].toString().toStdString(), sheetMark({plan, robot}));
     QCOMPARE(key["variant"].toInt(), 12);
-    QJsonObject file{{"format", "geargraph-questions"}, {"version", 1}, {"questions", key["questions"]}};
+    QJsonObject file;
+    file["format"] = "geargraph-questions";
+    file["version"] = 1;
+    file["questions"] = key["questions"];
     const auto read = readQuestions(QJsonDocument(file).toJson().toStdString());
     QVERIFY(read.has_value());
     QVERIFY(*read == sheet.questions);
