@@ -45,7 +45,7 @@ class NumberField : public QAbstractSpinBox {
   /// To be called if the number of edited() was rejected: the typed text turns red, and is replaced by the
   /// former number when the field loses focus.
   void reject(const QString& why);
-  /// Takes what has been typed so far, as if the field lost the focus.
+  /// Commits the typed text now, without a pause in typing.
   void commit();
   /// Is edited() being emitted?
   [[nodiscard]] bool isCommitting() const { return m_isCommitting; }
