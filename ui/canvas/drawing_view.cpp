@@ -8,6 +8,7 @@
 
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/context_menu.h"
+#include "ui/canvas/in_place_editor.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 
@@ -370,10 +371,7 @@ void DrawingView::openRenameEditor(LinkId link) {
   editor->setGeometry(QRect(under - QPoint(kSize.width() / 2, 0), kSize));
   connect(editor, &RenameEditor::taken, this,
           [this, link](const QString& name) { m_commands.rename(link, name); });
-  connect(m_document, &Document::replaced, editor, [editor] { editor->finish(false); });
-  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
-  editor->show();
-  editor->setFocus();
+  openInPlace(editor, this, *m_document);
 }
 
 void DrawingView::openElement(const ElementId& element) {

@@ -6,6 +6,7 @@
 
 #include "core/presentation/drawing/hit_test.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/canvas/in_place_editor.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 
@@ -56,10 +57,7 @@ void DrawingView::editLoad() {
     const QString why = m_commands.setTorque(element, text);
     if (!why.isEmpty()) setHint(why);
   });
-  connect(m_document, &Document::replaced, editor, [editor] { editor->finish(false); });
-  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
-  editor->show();
-  editor->setFocus();
+  openInPlace(editor, this, *m_document);
 }
 
 std::optional<ElementId> DrawingView::loadUnder(QPointF viewportPlace) const {

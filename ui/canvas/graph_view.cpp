@@ -8,6 +8,7 @@
 #include "core/mechanism/model/notes.h"
 #include "ui/canvas/context_menu.h"
 #include "ui/canvas/cycle_walk.h"
+#include "ui/canvas/in_place_editor.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/note_editor.h"
 
@@ -165,10 +166,7 @@ void GraphView::openNoteEditor(SheetPoint at, const std::optional<NoteId>& note)
     if (text != noteText(before.toStdString())) takeNote(at, note, text);
     if (tool() == ToolKind::note) setTool(ToolKind::select);  // the next click is not one more note
   });
-  connect(&document(), &Document::replaced, editor, [editor] { editor->finish(false); });
-  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
-  editor->show();
-  editor->setFocus();
+  openInPlace(editor, this, document());
 }
 
 void GraphView::takeNote(SheetPoint at, const std::optional<NoteId>& note, const std::string& text) {

@@ -7,8 +7,8 @@
 namespace geargraph::inline mainwindow {
 namespace {
 
-/// Keys that modify the drag itself, as Ctrl, with which the dock stays free; Esc is Qt's.
-bool isModifier(int key) {
+/// Keys of the drag itself, as Ctrl, with which the dock stays free. Esc is Qt's.
+bool isOfDrag(int key) {
   return key == Qt::Key_Control || key == Qt::Key_Shift || key == Qt::Key_Alt || key == Qt::Key_Meta ||
          key == Qt::Key_Escape;
 }
@@ -23,7 +23,7 @@ bool DockDrag::eventFilter(QObject* watched, QEvent* event) {
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const bool isDragged = isKey && qobject_cast<QDockWidget*>(QWidget::mouseGrabber()) != nullptr &&
                          QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);
-  if (!isDragged || isModifier(static_cast<QKeyEvent*>(event)->key()))
+  if (!isDragged || isOfDrag(static_cast<QKeyEvent*>(event)->key()))
     return QObject::eventFilter(watched, event);
   event->accept();  // it is no shortcut either
   return true;

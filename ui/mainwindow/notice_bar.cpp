@@ -6,9 +6,11 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/laid_out_at_once.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -83,11 +85,7 @@ void NoticeBar::withdraw(const QString& key) {
 
 void NoticeBar::renew() {
   // A button may be what called us.
-  for (QWidget* button : std::as_const(m_buttons)) {
-    button->hide();
-    button->deleteLater();
-  }
-  m_buttons.clear();
+  for (QWidget* button : std::exchange(m_buttons, {})) removeFrom(*m_layout, button);
   setVisible(!m_notices.empty());
   if (m_notices.empty()) return;
   const Notice& notice = m_notices.front();
