@@ -101,7 +101,6 @@ class WindowHabitsTest : public QObject {
     QVERIFY(wasThere);
   }
 
-  // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
   void keysDoNothingWhileADockIsDragged() {
     auto* dock = part<QDockWidget>("dock.view3d");
     const QPoint title(60, 12);
@@ -119,6 +118,7 @@ class WindowHabitsTest : public QObject {
     window.reset();  // with its docks
   }
 
+  // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
   void theWindowFitsAProjector() {
     for (const char* example : {"robot", "eight-speed-gearbox"}) {
       MainWindow other;
