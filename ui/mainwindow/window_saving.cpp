@@ -1,6 +1,7 @@
 // Saving, and other programs that write the same file. A save that was not carried out is told in the notice
 // bar, before all other notices.
 
+#include <QAbstractItemView>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -28,6 +29,9 @@ void WindowFiles::finishTyping() const {
   if (auto* field = qobject_cast<NumberField*>(typed)) field->commit();
   if (auto* editor = qobject_cast<RenameEditor*>(typed)) editor->finish(true);
   if (auto* editor = qobject_cast<NoteEditor*>(typed)) editor->finish(true);
+  if (const QWidget* viewport = typed != nullptr ? typed->parentWidget() : nullptr;
+      viewport != nullptr && qobject_cast<QAbstractItemView*>(viewport->parentWidget()) != nullptr)
+    typed->clearFocus();  // an editor in a cell or a heading
 }
 
 bool WindowFiles::save(const QString& path) {

@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QPainter>
+#include <QShortcut>
 #include <numeric>
 #include <utility>
 
@@ -96,12 +97,21 @@ StatesHeader::StatesHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent
   setFixedHeight(42);
 }
 
+/// An editor above the heading: Enter or losing the focus accepts the name; Esc cancels, and so do other
+/// columns.
 void StatesHeader::rename(int section) {
   auto* editor = new QLineEdit(model()->headerData(section, Qt::Horizontal).toString(), viewport());
   editor->setGeometry(sectionViewportPosition(section), 2, std::max(sectionSize(section), 56), 26);
   editor->selectAll();
   editor->show();
   editor->setFocus();
+  const auto cancel = [editor] {
+    editor->setProperty("done", true);
+    editor->deleteLater();
+  };
+  connect(model(), &QAbstractItemModel::modelReset, editor, cancel);
+  connect(new QShortcut(Qt::Key_Escape, editor, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, editor,
+          cancel);
   connect(editor, &QLineEdit::editingFinished, this, [this, editor, section] {
     if (editor->property("done").toBool()) return;  // Return and the loss of focus both end it
     editor->setProperty("done", true);

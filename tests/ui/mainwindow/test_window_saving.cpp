@@ -2,7 +2,9 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QFile>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QTest>
 #include <QTimer>
@@ -14,6 +16,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/states_table.h"
 
 namespace geargraph {
 
@@ -80,6 +83,53 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     pressSave(first());
     QCOMPARE(readDocument(path).value().find(LinkId("1"))->name, std::string("Arm"));
     QTRY_VERIFY(first().digraph().hasFocus());
+  }
+
+  void saveTakesTheNamesBeingTypedInTheShiftTable() {
+    const QString path = pathOf(QStringLiteral("gearbox.geargraph"));
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/eight-speed-gearbox.geargraph"), path));
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    set->start({path});
+    first().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&first()));
+    auto* table = first().findChild<StatesTable*>();
+    first().findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
+    QTRY_VERIFY(table->isVisible());
+    table->heads().rename(1);
+    QTest::keyClicks(first().focusWidget(), QStringLiteral("Brake"));
+    pressSave(first());
+    QCOMPARE(readDocument(path)->couplings.front().id.text(), std::string("Brake"));
+
+    table->edit(table->model()->index(0, 0));
+    QTest::keyClicks(first().focusWidget(), QStringLiteral("First"));
+    pressSave(first());
+    QCOMPARE(readDocument(path)->states.front().name, std::string("First"));
+    QVERIFY(!first().document().isModified());
+  }
+
+  void aNameOfACouplingIsCancelledByEscAndGoesWithItsColumn() {
+    set->start({QStringLiteral(":/examples/eight-speed-gearbox.geargraph")});
+    first().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&first()));
+    auto* table = first().findChild<StatesTable*>();
+    first().findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
+    QTRY_VERIFY(table->isVisible());
+    const Mechanism other = readDocument(QStringLiteral(":/examples/simpson.geargraph")).value();
+    for (const bool isEscaped : {true, false}) {
+      table->heads().rename(1);
+      const QPointer<QWidget> editor(first().focusWidget());
+      QVERIFY(qobject_cast<QLineEdit*>(editor.data()) != nullptr);
+      QTest::keyClicks(editor, QStringLiteral("Brake"));
+      if (isEscaped) {
+        QTest::keyClick(editor, Qt::Key_Escape);
+      } else {
+        first().document().replace(other, {});
+      }
+      QTRY_VERIFY(editor.isNull());
+      QVERIFY(first().document().mechanism()->couplings.front().id.text() != "Brake");
+      QVERIFY(!first().document().isModified());
+    }
+    QVERIFY(*first().document().mechanism() == other);
   }
 
   // --- the question comes to the front ---------------------------------------------------------------------
