@@ -135,6 +135,7 @@ void GestureSoak::beginRound() {
   m_ending = false;
   m_sinceGesture.start();
   m_gesturesBefore = m_gestures;
+  m_favourite = nullptr;
   m_windows->openNew().files().openByUser(path);
 }
 

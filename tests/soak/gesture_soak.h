@@ -53,7 +53,9 @@ class GestureSoak : public QObject {
   void begin(const QString& gesture, std::vector<std::function<void()>> steps);
 
   // The gestures; each is some steps, an event each.
+  using KindOfGesture = void (GestureSoak::*)();
   void chooseGesture();
+  [[nodiscard]] KindOfGesture kindOfGesture();
   void answerPopup(QWidget* popup);
   void dragOver(QWidget* widget, QPoint from, QPoint to);
   void gestureOnDrawing();
@@ -65,6 +67,8 @@ class GestureSoak : public QObject {
   void triggerAction();
   void undoOrRedo();
   void switchDockOrDrawing();
+  void dragDock();
+  void arrangeWindow();
   void playOrStop();
   void closeAndReopen();
 
@@ -98,6 +102,7 @@ class GestureSoak : public QObject {
   std::vector<std::function<void()>> m_steps;  ///< of the gesture that goes on, the next one last
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture
+  KindOfGesture m_favourite = nullptr;                      ///< of this round
   QString m_document;
   int m_mostLinks = 0;  ///< that a document had this round
   int m_round = 0;

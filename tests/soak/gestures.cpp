@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabBar>
 #include <QTest>
 #include <QUndoStack>
@@ -104,38 +105,49 @@ void GestureSoak::begin(const QString& gesture, std::vector<std::function<void()
   m_steps = std::move(steps);
 }
 
+/// Half of a round's gestures are of its favourite kind: some faults need many of one kind in a row.
 void GestureSoak::chooseGesture() {
-  switch (below(20)) {
+  if (m_favourite == nullptr) m_favourite = kindOfGesture();
+  const KindOfGesture kind = oneIn(2) ? m_favourite : kindOfGesture();
+  (this->*kind)();
+}
+
+GestureSoak::KindOfGesture GestureSoak::kindOfGesture() {
+  switch (below(22)) {
     case 0:
     case 1:
     case 2:
     case 3:
     case 4:
-      return gestureOnDrawing();
+      return &GestureSoak::gestureOnDrawing;
     case 5:
     case 6:
-      return gestureOnView3D();
+      return &GestureSoak::gestureOnView3D;
     case 7:
     case 8:
     case 9:
     case 10:
-      return gestureAnywhere();
+      return &GestureSoak::gestureAnywhere;
     case 11:
-      return wheel();
+      return &GestureSoak::wheel;
     case 12:
     case 13:
-      return pressKey();
+      return &GestureSoak::pressKey;
     case 14:
-      return typeText();
+      return &GestureSoak::typeText;
     case 15:
-      return triggerAction();
+      return &GestureSoak::triggerAction;
     case 16:
     case 17:
-      return undoOrRedo();
+      return &GestureSoak::undoOrRedo;
     case 18:
-      return switchDockOrDrawing();
+      return &GestureSoak::switchDockOrDrawing;
+    case 19:
+      return &GestureSoak::dragDock;
+    case 20:
+      return &GestureSoak::arrangeWindow;
     default:
-      return oneIn(30) ? closeAndReopen() : playOrStop();
+      return &GestureSoak::playOrStop;
   }
 }
 
@@ -363,7 +375,46 @@ void GestureSoak::switchDockOrDrawing() {
         }});
 }
 
+/// By its title, onto another dock or anywhere. A dock that floats moves below the pointer: the way is that
+/// on the screen.
+void GestureSoak::dragDock() {
+  const QList<QDockWidget*> docks = window()->findChildren<QDockWidget*>();
+  const QDockWidget* other = docks[below(static_cast<int>(docks.size()))];
+  const QPointer<QWidget> on(docks[below(static_cast<int>(docks.size()))]);
+  const QPoint title(20 + below(60), 8 + below(10));
+  const QPoint from = on->mapToGlobal(title);
+  const QPoint to = oneIn(2) ? other->mapToGlobal(other->rect().center())
+                             : from + QPoint(below(1400) - 700, below(1000) - 500);
+  std::vector<std::function<void()>> steps{[=] { move(on, title); },
+                                           [=] { press(on, Qt::LeftButton, {}, title); }};
+  const int moves = 3 + below(8);
+  const int count = moves + below(30);  // the pointer rests above what makes room for the dock
+  for (int i = 1; i <= count; ++i) {
+    const QPoint at = from + (to - from) * std::min(i, moves) / moves;
+    steps.emplace_back([=] {
+      if (on) move(on, on->mapFromGlobal(at));
+    });
+  }
+  if (oneIn(10)) steps.emplace_back([=] { key(on, Qt::Key_Escape); });
+  steps.emplace_back([=] {
+    if (on) release(on, Qt::LeftButton, {}, on->mapFromGlobal(to));
+  });
+  begin(QStringLiteral("dragging ") + on->objectName(), std::move(steps));
+}
+
+/// What changes the whole window: the presentation, the layout of the start, the looks and the languages.
+void GestureSoak::arrangeWindow() {
+  static const QRegularExpression kNames(
+      QStringLiteral("^view\\.(presentation|reset|asSystem|light|dark|highContrast|language)"));
+  const QList<QAction*> actions = window()->findChildren<QAction*>(kNames);
+  const QPointer<QAction> action(actions[below(static_cast<int>(actions.size()))]);
+  begin(QStringLiteral("the command ") + action->text().remove(u'&'), {[action] {
+          if (action) action->trigger();
+        }});
+}
+
 void GestureSoak::playOrStop() {
+  if (oneIn(30)) return closeAndReopen();
   const QPointer<MainWindow> on(window());
   std::vector<std::function<void()>> steps{[on] {
     if (on) on->actions().play->trigger();
