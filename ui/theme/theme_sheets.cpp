@@ -50,12 +50,13 @@ void ThemeSheets::setSheet(const QString& sheet, bool withHidden) {
     }
   }
   if (m_outdated.empty() && m_hidden.empty()) return;
-  if (!m_outdated.empty()) holdPainting(true);
+  if (!m_outdated.empty()) holdPainting();
   m_turn.start();
 }
 
 void ThemeSheets::renewNext() {
   const bool isSettling = !m_outdated.empty();
+  if (!isSettling && !m_held.empty()) return paintNext();
   std::vector<QPointer<QWidget>>& waiting = isSettling ? m_outdated : m_hidden;
   while (!waiting.empty()) {
     const QPointer<QWidget> widget = waiting.back();
@@ -64,30 +65,34 @@ void ThemeSheets::renewNext() {
     theme::setSheet(*widget, m_sheet);
     break;
   }
+  if (isSettling && m_outdated.empty()) return paintNext();
   if (m_outdated.empty() && m_hidden.empty()) m_turn.stop();
-  if (!m_outdated.empty() || (!isSettling && m_held.empty())) return;
-  holdPainting(false);
-  emit settled();
 }
 
 /// Else a window would show some parts in the old colours and some in the new.
-void ThemeSheets::holdPainting(bool hold) {
-  if (hold) {
-    for (QWidget* window : QApplication::topLevelWidgets()) {
-      if (!isMainWindow(window) || !window->isVisible() || !window->updatesEnabled()) continue;
-      window->setUpdatesEnabled(false);
-      m_held.emplace_back(window);
-    }
-    return;
+void ThemeSheets::holdPainting() {
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    if (!isMainWindow(window) || !window->isVisible() || !window->updatesEnabled()) continue;
+    window->setUpdatesEnabled(false);
+    m_held.emplace_back(window);
   }
-  for (const QPointer<QWidget>& window : m_held) {
+}
+
+/// Painting a window takes up to 50 ms: the next one waits for another turn.
+void ThemeSheets::paintNext() {
+  while (!m_held.empty()) {
+    const QPointer<QWidget> window = m_held.back();
+    m_held.pop_back();
     if (window == nullptr) continue;
     window->setUpdatesEnabled(true);
     // A request that came in between was dropped, and Qt waits for it where a widget was waiting to be
     // painted.
     QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
+    break;
   }
-  m_held.clear();
+  if (!m_held.empty()) return;
+  if (m_hidden.empty()) m_turn.stop();
+  emit settled();
 }
 
 bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
@@ -96,9 +101,20 @@ bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
   const bool isPolish = event->type() == QEvent::Polish;
   if ((isPolish || event->type() == QEvent::Show) && watched->isWidgetType()) {
     auto* widget = static_cast<QWidget*>(watched);
-    if (isPart(widget) && !(isPolish && widget->parentWidget() == nullptr)) theme::setSheet(*widget, m_sheet);
+    if (isPart(widget) && !(isPolish && widget->parentWidget() == nullptr)) renewWhenShown(*widget);
   }
   return QObject::eventFilter(watched, event);
+}
+
+/// Many parts with a former sheet may be shown by one command, as when the layout is reset: they wait their
+/// turn, and the window with its painting.
+void ThemeSheets::renewWhenShown(QWidget& part) {
+  const bool mayWait = !part.isWindow() && !part.styleSheet().isEmpty();
+  if (!mayWait) return theme::setSheet(part, m_sheet);
+  if (part.styleSheet() == m_sheet) return;
+  m_outdated.emplace_back(&part);
+  holdPainting();
+  m_turn.start();
 }
 
 }  // namespace geargraph::inline theme

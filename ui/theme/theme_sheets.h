@@ -14,7 +14,7 @@ namespace geargraph::inline theme {
 /// application. A change of the theme then updates one part per turn of the event loop, in at most 10 ms; a
 /// sheet of the application would block for 100 to 300 ms in a window of 600 widgets. Windows repaint when
 /// all visible parts have the new sheet. The hidden ones follow: a command that shows many of them would wait
-/// for the sheets of all. A part that is shown earlier gets its sheet then.
+/// for the sheets of all. A part that is shown earlier gets its sheet next.
 class ThemeSheets : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,9 @@ class ThemeSheets : public QObject {
   explicit ThemeSheets(QObject* application);
 
   void renewNext();
-  void holdPainting(bool hold);
+  void renewWhenShown(QWidget& part);
+  void holdPainting();
+  void paintNext();
 
   QString m_sheet;
   std::vector<QPointer<QWidget>> m_outdated;  ///< visible parts

@@ -153,16 +153,49 @@ class ThemeSheetsTest : public QObject {
     QCOMPARE(styleSheetOf(Theme::light), before);
   }
 
-  void aHiddenDockThatIsShownEarlierGetsTheSheetThen() {
+  void aHiddenDockThatIsShownEarlierGetsTheSheetBeforeTheWindowPaints() {
     ThemedWindow shown;
     applyTheme(*qApp, Theme::dark);
     QDockWidget* hidden = shown.docks.back();
     QVERIFY(hidden->styleSheet() != styleSheetOf(Theme::dark));
     hidden->show();
-    QCOMPARE(hidden->styleSheet(), styleSheetOf(Theme::dark));
+    QVERIFY(!shown.window.updatesEnabled());
     QTRY_VERIFY(ThemeSheets::instance().isSettled());
+    QCOMPARE(hidden->styleSheet(), styleSheetOf(Theme::dark));
     shown.cards.back()->resize(20, 20);  // its dock may have no room
     QCOMPARE(middleOf(*shown.cards.back()), qColor(ColorRole::sheet, Theme::dark));
+  }
+
+  /// As when the layout is reset after a presentation.
+  void hiddenDocksWithAnotherSheetThatAreShownTogetherGetItOneATurn() {
+    ThemedWindow shown;
+    for (QDockWidget* dock : shown.docks) dock->hide();
+    applyTheme(*qApp, Theme::light, 1.5);
+    QTRY_VERIFY(ThemeSheets::instance().isSettled() && shown.window.updatesEnabled());
+    const QString sheet = styleSheetOf(Theme::light);
+    for (QDockWidget* dock : shown.docks) dock->show();
+    QCOMPARE(shown.outdated(sheet), kDocks);
+    QVERIFY(!shown.window.updatesEnabled());
+    QCoreApplication::processEvents();
+    QVERIFY(shown.outdated(sheet) > 0);
+    QTRY_VERIFY(shown.window.updatesEnabled());
+    QCOMPARE(shown.outdated(sheet), 0);
+    applyTheme(*qApp, Theme::light);
+  }
+
+  void windowsPaintOneATurn() {
+    ThemedWindow one;
+    ThemedWindow other;
+    applyTheme(*qApp, Theme::dark);
+    bool oneWaits = false;
+    QTimer turns;
+    turns.setInterval(0);
+    connect(&turns, &QTimer::timeout, [&] {
+      if (one.window.updatesEnabled() != other.window.updatesEnabled()) oneWaits = true;
+    });
+    turns.start();
+    QTRY_VERIFY(one.window.updatesEnabled() && other.window.updatesEnabled());
+    QVERIFY(oneWaits);
   }
 
   void dialogsMenusAndWindowsThatOpenLaterHaveTheSheet() {
