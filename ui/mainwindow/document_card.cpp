@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QTextLayout>
 
 #include "ui/mainwindow/thumbnails.h"
@@ -35,6 +36,17 @@ void drawLines(QPainter& painter, const QRect& room, const QString& text, int mo
     y += metrics.height();
   }
   layout.endLayout();
+}
+
+/// Kept, as scaling takes some ms: a page of cards is painted whenever its window is.
+QPixmap scaledPicture(const QImage& image, QSize size) {
+  const QString key =
+      QStringLiteral("card %1 %2x%3").arg(image.cacheKey()).arg(size.width()).arg(size.height());
+  QPixmap picture;
+  if (QPixmapCache::find(key, &picture)) return picture;
+  picture = QPixmap::fromImage(image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  QPixmapCache::insert(key, picture);
+  return picture;
 }
 
 QFont smallFont(const QFont& font) {
@@ -75,7 +87,7 @@ void DocumentCard::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const auto image = index.data(kPictureRole).value<QImage>();
   if (!image.isNull()) {
     const QSize pixels = size * painter->device()->devicePixelRatioF();
-    painter->drawImage(picture, image.scaled(pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    painter->drawPixmap(picture, scaledPicture(image, pixels));
   }
 
   QRect words = upright ? inside.adjusted(0, size.height() + 8, 0, 0)
