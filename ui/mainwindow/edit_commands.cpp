@@ -68,22 +68,23 @@ EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard, Pi
       m_picture(std::move(picture)) {}
 
 bool EditCommands::copy() {
-  const Mechanism fragment = fragmentOf(*m_document->mechanism(), m_selection->selected());
-  if (isEmptyFragment(fragment)) {
+  const auto fragment =
+      std::make_shared<const Mechanism>(fragmentOf(*m_document->mechanism(), m_selection->selected()));
+  if (isEmptyFragment(*fragment)) {
     emit rejected(tr("Select links or notes to copy; the ground stays where it is."));
     return false;
   }
   CopiedContent content;
-  content.json = QByteArray::fromStdString(writeMechanism(fragment));
+  content.document = fragment;
   content.asText = true;
-  if (fragment.n() <= kMostPicturedLinks) {
-    const bool withGround = m_selection->isSelected(fragment.links.front().id);
+  if (fragment->n() <= kMostPicturedLinks) {
+    const bool withGround = m_selection->isSelected(fragment->links.front().id);
     content.drawing = [picture = m_picture(), fragment, withGround] {
-      return partOf(picture(), fragment, withGround);
+      return partOf(picture(), *fragment, withGround);
     };
   }
   m_clipboard->copy(std::move(content));
-  emit noted(tr("Copied %1").arg(countedText(fragment)));
+  emit noted(tr("Copied %1").arg(countedText(*fragment)));
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/picture/picture.h"
 #include "ui/view3d/overlay.h"
 
@@ -21,6 +22,28 @@ SheetStyle paperStyle() {
   style.transparent = true;
   return style;
 }
+
+/// A document as JSON, written when somebody asks for it: that of 10,000 links takes 20 ms, and is seldom
+/// pasted.
+class WrittenWhenAsked final : public QMimeData {
+ public:
+  WrittenWhenAsked(MechanismPtr document, bool asText) : m_document(std::move(document)) {
+    setData(PictureClipboard::mimeType(), {});
+    if (asText) setText(QString());
+  }
+
+ protected:
+  [[nodiscard]] QVariant retrieveData(const QString& format, QMetaType type) const override {
+    const bool isText = format == QLatin1String("text/plain");
+    if (!isText && format != PictureClipboard::mimeType()) return QMimeData::retrieveData(format, type);
+    if (m_json.isEmpty()) m_json = QByteArray::fromStdString(writeMechanism(*m_document));
+    return isText ? QVariant(QString::fromUtf8(m_json)) : QVariant(m_json);
+  }
+
+ private:
+  MechanismPtr m_document;
+  mutable QByteArray m_json;
+};
 
 /// Twice the size of the screen, unless that is more than a picture may have.
 double scaleOf(const DisplayList& drawing) {
@@ -54,7 +77,7 @@ PictureClipboard::PictureClipboard(QObject* parent)
 }
 
 void PictureClipboard::copy(CopiedContent content) {
-  if (!content.json.isEmpty()) put({content, {}, {}, {}, {}});
+  if (content.document) put({content, {}, {}, {}, {}});
   m_isOurs = true;
   if (!content.drawing && !content.seen) return m_painter->cancel();
   m_painter->request(std::make_shared<const CopiedContent>(std::move(content)));
@@ -103,11 +126,8 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
 }
 
 void PictureClipboard::put(const Picture& picture) {
-  auto* data = new QMimeData;
-  if (!picture.content.json.isEmpty()) {
-    data->setData(mimeType(), picture.content.json);
-    if (picture.content.asText) data->setText(QString::fromUtf8(picture.content.json));
-  }
+  const CopiedContent& content = picture.content;
+  auto* data = content.document ? new WrittenWhenAsked(content.document, content.asText) : new QMimeData;
   if (!picture.svg.isEmpty()) data->setData(QStringLiteral("image/svg+xml"), picture.svg);
   if (!picture.png.isEmpty()) data->setData(QStringLiteral("image/png"), picture.png);
   if (!picture.image.isNull()) data->setImageData(picture.image);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/service/service.h"
@@ -17,8 +18,8 @@ namespace geargraph::inline mainwindow {
 
 /// Content for the clipboard: elements as JSON, a picture of them, or both.
 struct CopiedContent {
-  QByteArray json;                       ///< a document, which other windows paste; empty: none
-  bool asText = false;                   ///< the JSON is also the plain text of the clipboard
+  MechanismPtr document;                 ///< which other windows paste; null: none
+  bool asText = false;                   ///< its JSON is also the plain text of the clipboard
   std::function<DisplayList()> drawing;  ///< called on another thread; empty: none
   /// The 3D view as shown, with its labels.
   struct Seen {
@@ -30,8 +31,9 @@ struct CopiedContent {
   std::optional<Seen> seen;
 };
 
-/// Puts elements on the clipboard immediately, and adds their picture when a thread has painted it: SVG and
-/// PNG of a drawing, PNG of the 3D view. Pictures are dark on a transparent background, for paper.
+/// Puts elements on the clipboard immediately, whose JSON is written when somebody asks for it, and adds
+/// their picture when a thread has painted it: SVG and PNG of a drawing, PNG of the 3D view. Pictures are
+/// dark on a transparent background, for paper.
 class PictureClipboard : public QObject {
   Q_OBJECT
 

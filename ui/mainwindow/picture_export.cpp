@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
@@ -143,7 +142,7 @@ void WindowExports::copyPicture(const QString& view) {
     content.drawing = each->pictureMaker();
     const QString why = each->whyNoPicture();
     if (!why.isEmpty()) return emit rejected(why);
-    content.json = QByteArray::fromStdString(writeMechanism(*m_workbench.document().mechanism()));
+    content.document = m_workbench.document().mechanism();
     m_clipboard->copy(std::move(content));
     emit noted(tr("Copied the drawing as a picture"));
   }
