@@ -65,7 +65,7 @@ void DigraphScene::show(NodePositions positions, DigraphGeometryPtr geometry) {
 }
 
 void DigraphScene::drawAll() {
-  constexpr std::size_t kLarge = 4'000;  // elements, which take some 50 ms
+  constexpr std::size_t kLarge = 2'000;  // elements, which take some 25 ms
   const std::size_t size = sizeOf(*m_geometry);
   const bool isUnderWay = m_putUp.has_value();
   editableOutlines().clear();
