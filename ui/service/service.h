@@ -7,6 +7,7 @@
 
 #include "core/foundations/base/answer_worker.h"
 #include "ui/service/service_signals.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline ui_service {
 
@@ -22,8 +23,8 @@ struct ServiceOptions {
 };
 
 /// Answers requests on a background thread (AnswerWorker); only the newest request counts. Answers arrive on
-/// the GUI thread. Answers to superseded requests are dropped unless ServiceOptions::superseded says
-/// otherwise.
+/// the GUI thread, one per turn of its event loop. Answers to superseded requests are dropped unless
+/// ServiceOptions::superseded says otherwise.
 ///
 /// request() is thread-safe; all other members are for the object's thread.
 template <class Request, class Answer>
@@ -43,7 +44,8 @@ class Service : public ServiceSignals {
             [this, ahead = std::move(options.ahead)](const Reply<Answer>& reply) {
               if (ahead && reply.answer) ahead(*reply.answer);
               QMetaObject::invokeMethod(
-                  this, [this, reply]() mutable { arrived(std::move(reply)); }, Qt::QueuedConnection);
+                  this, [this, reply] { Turns::instance().later(this, [this, reply] { arrived(reply); }); },
+                  Qt::QueuedConnection);
             },
             options.urgency, options.superseded) {}
 

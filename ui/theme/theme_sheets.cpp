@@ -4,7 +4,9 @@
 #include <QEvent>
 #include <QMainWindow>
 #include <QWidget>
+#include <utility>
 
+#include "ui/service/turns.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline theme {
@@ -31,8 +33,6 @@ ThemeSheets& ThemeSheets::instance() {
 }
 
 ThemeSheets::ThemeSheets(QObject* application) : QObject(application) {
-  m_turn.setInterval(0);
-  connect(&m_turn, &QTimer::timeout, this, &ThemeSheets::renewNext);
   application->installEventFilter(this);
 }
 
@@ -51,10 +51,16 @@ void ThemeSheets::setSheet(const QString& sheet, bool withHidden) {
   }
   if (m_outdated.empty() && m_hidden.empty()) return;
   if (!m_outdated.empty()) holdPainting();
-  m_turn.start();
+  begin();
+}
+
+void ThemeSheets::begin() {
+  if (std::exchange(m_isUnderWay, true)) return;
+  Turns::instance().later(this, [this] { renewNext(); });
 }
 
 void ThemeSheets::renewNext() {
+  m_isUnderWay = false;
   const bool isSettling = !m_outdated.empty();
   if (!isSettling && !m_held.empty()) return paintNext();
   std::vector<QPointer<QWidget>>& waiting = isSettling ? m_outdated : m_hidden;
@@ -66,7 +72,7 @@ void ThemeSheets::renewNext() {
     break;
   }
   if (isSettling && m_outdated.empty()) return paintNext();
-  if (m_outdated.empty() && m_hidden.empty()) m_turn.stop();
+  if (!m_outdated.empty() || !m_hidden.empty()) begin();
 }
 
 /// Else a window would show some parts in the old colours and some in the new.
@@ -90,9 +96,8 @@ void ThemeSheets::paintNext() {
     QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
     break;
   }
-  if (!m_held.empty()) return;
-  if (m_hidden.empty()) m_turn.stop();
-  emit settled();
+  if (!m_held.empty() || !m_hidden.empty()) begin();
+  if (m_held.empty()) emit settled();
 }
 
 bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
@@ -114,7 +119,7 @@ void ThemeSheets::renewWhenShown(QWidget& part) {
   if (part.styleSheet() == m_sheet) return;
   m_outdated.emplace_back(&part);
   holdPainting();
-  m_turn.start();
+  begin();
 }
 
 }  // namespace geargraph::inline theme

@@ -3,7 +3,6 @@
 #include <QObject>
 #include <QPointer>
 #include <QString>
-#include <QTimer>
 #include <vector>
 
 class QWidget;
@@ -37,6 +36,7 @@ class ThemeSheets : public QObject {
  private:
   explicit ThemeSheets(QObject* application);
 
+  void begin();
   void renewNext();
   void renewWhenShown(QWidget& part);
   void holdPainting();
@@ -46,7 +46,7 @@ class ThemeSheets : public QObject {
   std::vector<QPointer<QWidget>> m_outdated;  ///< visible parts
   std::vector<QPointer<QWidget>> m_hidden;    ///< parts that get it after those
   std::vector<QPointer<QWidget>> m_held;  ///< windows that do not repaint while visible parts are outdated
-  QTimer m_turn;
+  bool m_isUnderWay = false;              ///< a turn is due
 };
 
 }  // namespace geargraph::inline theme

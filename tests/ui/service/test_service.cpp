@@ -1,6 +1,8 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <QTimer>
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <memory>
@@ -53,6 +55,36 @@ class ServiceTest : public QObject {
     QCOMPARE(slow.stopped.load(), 1);
     QCOMPARE(answers, std::vector<int>{390});
     QCOMPARE(service.answer(), 390);
+  }
+
+  void answersThatArriveTogetherAreShownOneATurn() {
+    std::vector<std::unique_ptr<Toy>> services;
+    int thisTurn = 0, most = 0, all = 0;
+    for (int i = 0; i < 5; ++i) {
+      services.push_back(
+          std::make_unique<Toy>([](int request, const Toy::Responder& respond) { respond(request); }));
+      services.back()->onAnswer(this, [&](int) {
+        ++all;
+        most = std::max(most, ++thisTurn);
+      });
+    }
+    for (const auto& service : services) service->request(1);
+    QTimer turns;
+    turns.setInterval(0);
+    connect(&turns, &QTimer::timeout, [&] { thisTurn = 0; });
+    turns.start();
+    QTRY_COMPARE(all, 5);
+    QCOMPARE(most, 1);
+  }
+
+  void aPieceForALaterTurnIsDroppedWithItsContext() {
+    int run = 0;
+    auto context = std::make_unique<QObject>();
+    Turns::instance().later(context.get(), [&] { ++run; });
+    Turns::instance().later(this, [&] { run += 10; });
+    QCOMPARE(run, 0);
+    context.reset();
+    QTRY_COMPARE(run, 10);
   }
 
   void aSupersededAnswerOnItsWayIsDropped() {
