@@ -104,6 +104,7 @@ void DerivationView::layOutAt(const Anchor& anchor) {
 /// Once for a report, a width and a size; scrolling lays out nothing.
 void DerivationView::layOut() {
   m_laidOutFor = viewport()->width();
+  m_pixels = bodyPixels();
   m_lines.clear();
   m_tops.assign(1, kMargin);
   const double room = std::min<double>(m_laidOutFor - 2 * kMargin, scaledPixels(kWidestPage) * m_zoom);
@@ -315,7 +316,9 @@ bool DerivationView::viewportEvent(QEvent* event) {
 
 void DerivationView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) layOutAt(anchor());
+  const bool mayBeOther = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+  if (mayBeOther && (!m_measure || m_measure->font() != font() || m_pixels != bodyPixels()))
+    layOutAt(anchor());
   if (event->type() == QEvent::PaletteChange) viewport()->update();
 }
 

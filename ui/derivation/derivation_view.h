@@ -86,6 +86,7 @@ class DerivationView : public QAbstractScrollArea {
   FlowPainter m_painter;
   double m_zoom = 1;
   int m_laidOutFor = -1;  ///< width
+  int m_pixels = 0;       ///< the size of type that it is laid out with
   bool m_hovers = false;  ///< the hovered element was hovered in this view
   int m_heading = -1;     ///< last emitted
 };
