@@ -460,6 +460,7 @@ void MainWindow::setTheme(Theme theme) {
 
 bool MainWindow::event(QEvent* event) {
   const bool isOther = event->type() == QEvent::ThemeChange && followsSystemTheme();
+  if (event->type() == QEvent::ThemeChange) renewSystemTheme();
   if (isOther && systemTheme() != themeOf(QApplication::palette())) setTheme(systemTheme());
   return QMainWindow::event(event);
 }

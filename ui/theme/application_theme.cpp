@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QToolTip>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ui/settings/settings.h"
@@ -19,6 +20,8 @@ constexpr std::pair<Theme, const char*> kThemeNames[] = {
 const QString kThemeKey = QStringLiteral("theme");
 const QString kTypeScaleKey = QStringLiteral("typeScale");
 constexpr const char* kStyledProperty = "geargraphStyled";
+/// Asking for it tells all widgets twice of another palette.
+std::optional<Theme> knownSystemTheme;
 
 }  // namespace
 
@@ -39,14 +42,17 @@ void followSystemTheme() {
 }
 
 Theme systemTheme() {
+  if (!knownSystemTheme) renewSystemTheme();
+  return *knownSystemTheme;
+}
+
+void renewSystemTheme() {
   // The palette that was set hides the system's, which comes back when nothing is set.
   const QPalette set = QGuiApplication::palette();
-  if (set.resolveMask() == 0) return themeOf(set);
-  QGuiApplication::setPalette(QPalette());
-  const Theme theme =
+  if (set.resolveMask() != 0) QGuiApplication::setPalette(QPalette());
+  knownSystemTheme =
       QGuiApplication::palette().color(QPalette::Base).lightness() < 128 ? Theme::dark : Theme::light;
-  QGuiApplication::setPalette(set);
-  return theme;
+  if (set.resolveMask() != 0) QGuiApplication::setPalette(set);
 }
 
 double savedTypeScale() {

@@ -18,8 +18,10 @@ void saveTheme(Theme theme);
 [[nodiscard]] bool followsSystemTheme();
 /// Removes the chosen theme from the settings.
 void followSystemTheme();
-/// Light or dark, according to the system's palette.
+/// Light or dark, according to the system's palette when it was last asked for.
 [[nodiscard]] Theme systemTheme();
+/// Asks again, after the system's theme has changed.
+void renewSystemTheme();
 
 /// The font scale chosen in the settings; 1 is the normal size.
 [[nodiscard]] double savedTypeScale();
