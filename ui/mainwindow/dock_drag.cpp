@@ -15,11 +15,31 @@ bool isOfDrag(int key) {
 
 }  // namespace
 
-DockDrag::DockDrag(QObject* parent) : QObject(parent) {
+DockDrag::DockDrag(QMainWindow* window) : QObject(window), m_window(window) {
   qApp->installEventFilter(this);
 }
 
+/// Null if no dock of the window is. A dock that floats is a window of its own.
+QDockWidget* DockDrag::dragged() const {
+  auto* dock = qobject_cast<QDockWidget*>(QWidget::mouseGrabber());
+  for (const QObject* each = dock; each != nullptr; each = each->parent())
+    if (each == m_window) return dock;
+  return nullptr;
+}
+
+/// As if the button were released here.
+void DockDrag::end() const {
+  QDockWidget* dock = dragged();
+  if (dock == nullptr) return;
+  const QPointF at = QCursor::pos();
+  QMouseEvent release(QEvent::MouseButtonRelease, dock->mapFromGlobal(at), at, Qt::LeftButton, Qt::NoButton,
+                      Qt::NoModifier);
+  QCoreApplication::sendEvent(dock, &release);
+}
+
 bool DockDrag::eventFilter(QObject* watched, QEvent* event) {
+  const bool isEnd = event->type() == QEvent::Close || event->type() == QEvent::Hide;
+  if (isEnd && watched == m_window) end();
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const bool isDragged = isKey && qobject_cast<QDockWidget*>(QWidget::mouseGrabber()) != nullptr &&
                          QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);

@@ -32,6 +32,14 @@
 
 namespace geargraph {
 
+struct ReleaseCount : QObject {
+  int count = 0;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::MouseButtonRelease) ++count;
+    return QObject::eventFilter(watched, event);
+  }
+};
+
 /// Menus on objects, themes, the presentation, and the picture that stays while a link hangs loose.
 class WindowHabitsTest : public QObject {
   Q_OBJECT
@@ -116,6 +124,28 @@ class WindowHabitsTest : public QObject {
     QVERIFY(!window->menuBar()->isVisible());
     press(Qt::Key_F11);
     window.reset();  // with its docks
+  }
+
+  /// Qt would delete what makes room for the dock twice.
+  void aWindowMayGoWhileADockIsDragged() {
+    for (const char* over : {"dock.properties", "dock.problems", "dock.view3d"}) {
+      auto* dock = part<QDockWidget>("dock.view3d");
+      const QPoint title(60, 12);
+      QTest::mouseMove(dock, title);
+      QTest::mousePress(dock, Qt::LeftButton, {}, title);
+      const QWidget* target = part<QDockWidget>(over);
+      const QPoint from = dock->mapToGlobal(title), to = target->mapToGlobal(target->rect().center());
+      for (int i = 1; i <= 8; ++i) {
+        QTest::mouseMove(dock, dock->mapFromGlobal(from + (to - from) * i / 8));
+        QTest::qWait(20);  // the docks below make room step by step
+      }
+      QVERIFY2(QWidget::mouseGrabber() == dock, over);
+      ReleaseCount releases;
+      dock->installEventFilter(&releases);
+      window.reset();
+      QCOMPARE(releases.count, 1);
+      init();
+    }
   }
 
   // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
