@@ -30,13 +30,19 @@ QString efficiencyText(const ForceCell* cell) {
 }  // namespace
 
 void StatesModel::setMechanism(const MechanismPtr& mechanism) {
-  const bool same = m_mechanism && mechanism && m_mechanism->states == mechanism->states &&
+  const bool same = m_mechanism && mechanism && m_mechanism->states.size() == mechanism->states.size() &&
                     m_mechanism->couplings == mechanism->couplings && m_mechanism->links == mechanism->links;
   if (same) {
     const bool engages = m_mechanism->engaged != mechanism->engaged;
+    const bool sameStates = m_mechanism->states == mechanism->states;
     m_mechanism = mechanism;
     renewRows();
     if (engages && couplingCount() > 0) emit headerDataChanged(Qt::Horizontal, 1, couplingCount());
+    // No reset: a name that is typed in the table changes a state, and its editor is still there.
+    if (!sameStates) {
+      emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+      emit computed();
+    }
     return;
   }
   beginResetModel();
