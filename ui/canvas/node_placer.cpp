@@ -1,9 +1,16 @@
 #include "ui/canvas/node_placer.h"
 
+#include <utility>
+
 namespace geargraph::inline canvas {
 namespace {
 
 constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few milliseconds
+
+Mechanism withPlaces(Mechanism mechanism, NodePositions places) {
+  mechanism.view.nodes = std::move(places);
+  return mechanism;
+}
 
 }  // namespace
 
@@ -11,7 +18,9 @@ NodePlacer::NodePlacer(QObject* parent)
     : QObject(parent),
       m_searches(new Searches(
           [](const Request& request, const Searches::Responder& respond) {
-            respond({request.search, request.search(*request.mechanism)});
+            respond({request.search, request.known
+                                         ? request.search(withPlaces(*request.mechanism, *request.known))
+                                         : request.search(*request.mechanism)});
           },
           this)) {
   m_searches->onAnswer(this, [this](const Found& found) { onFound(found); });
@@ -23,14 +32,12 @@ NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
   NodePositions known = knownPlaces(*mechanism);
   const bool isSmall = mechanism->links.size() <= kSmall;
   if (known.size() >= mechanism->links.size() || (!isSmall && m_sought == mechanism)) return known;
-  Mechanism placed = *mechanism;
-  placed.view.nodes = known;
   if (isSmall) {
-    NodePositions all = completedPositions(placed);
+    NodePositions all = completedPositions(withPlaces(*mechanism, known));
     m_found.insert(all.begin(), all.end());
     return all;
   }
-  m_searches->request({std::make_shared<const Mechanism>(std::move(placed)), &completedPositions});
+  m_searches->request({mechanism, &completedPositions, known});
   m_sought = mechanism;
   return known;
 }

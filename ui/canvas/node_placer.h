@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "core/presentation/drawing/layout.h"
@@ -41,6 +42,7 @@ class NodePlacer final : public QObject {
   struct Request {
     MechanismPtr mechanism;
     Search search = nullptr;
+    std::optional<NodePositions> known = {};  ///< instead of those of the mechanism
   };
   struct Found {
     Search search = nullptr;
