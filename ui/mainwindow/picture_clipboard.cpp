@@ -23,7 +23,7 @@ SheetStyle paperStyle() {
   return style;
 }
 
-/// A document as JSON, written when somebody asks for it: that of 10,000 links takes 20 ms, and is seldom
+/// A document as JSON, written on demand: that of 10,000 links takes 20 ms, and is seldom
 /// pasted.
 class WrittenWhenAsked final : public QMimeData {
  public:

@@ -31,7 +31,7 @@ struct CopiedContent {
   std::optional<Seen> seen;
 };
 
-/// Puts elements on the clipboard immediately, whose JSON is written when somebody asks for it, and adds
+/// Puts elements on the clipboard immediately, whose JSON is written on demand, and adds
 /// their picture when a thread has painted it: SVG and PNG of a drawing, PNG of the 3D view. Pictures are
 /// dark on a transparent background, for paper.
 class PictureClipboard : public QObject {
