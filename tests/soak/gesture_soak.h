@@ -65,6 +65,7 @@ class GestureSoak : public QObject {
   void pressKey();
   void typeText();
   void triggerAction();
+  void triggerOneOf(const QList<QAction*>& actions);
   void undoOrRedo();
   void switchDockOrDrawing();
   void dragDock();

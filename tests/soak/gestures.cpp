@@ -330,6 +330,10 @@ void GestureSoak::triggerAction() {
   for (QAction* each : window()->findChildren<QAction*>()) {
     if (each->isEnabled() && !isLeftAlone(each) && !each->text().isEmpty()) actions << each;
   }
+  triggerOneOf(actions);
+}
+
+void GestureSoak::triggerOneOf(const QList<QAction*>& actions) {
   if (actions.isEmpty()) return;
   const QPointer<QAction> action(actions[below(static_cast<int>(actions.size()))]);
   begin(QStringLiteral("the command ") + action->text().remove(u'&'), {[action] {
@@ -406,11 +410,7 @@ void GestureSoak::dragDock() {
 void GestureSoak::arrangeWindow() {
   static const QRegularExpression kNames(
       QStringLiteral("^view\\.(presentation|reset|asSystem|light|dark|highContrast|language)"));
-  const QList<QAction*> actions = window()->findChildren<QAction*>(kNames);
-  const QPointer<QAction> action(actions[below(static_cast<int>(actions.size()))]);
-  begin(QStringLiteral("the command ") + action->text().remove(u'&'), {[action] {
-          if (action) action->trigger();
-        }});
+  triggerOneOf(window()->findChildren<QAction*>(kNames));
 }
 
 void GestureSoak::playOrStop() {

@@ -105,17 +105,16 @@ void StatesHeader::rename(int section) {
   editor->selectAll();
   editor->show();
   editor->setFocus();
-  const auto cancel = [editor] {
+  const auto finish = [editor] {
     editor->setProperty("done", true);
     editor->deleteLater();
   };
-  connect(model(), &QAbstractItemModel::modelReset, editor, cancel);
+  connect(model(), &QAbstractItemModel::modelReset, editor, finish);
   connect(new QShortcut(Qt::Key_Escape, editor, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, editor,
-          cancel);
-  connect(editor, &QLineEdit::editingFinished, this, [this, editor, section] {
+          finish);
+  connect(editor, &QLineEdit::editingFinished, this, [this, editor, section, finish] {
     if (editor->property("done").toBool()) return;  // Return and the loss of focus both end it
-    editor->setProperty("done", true);
-    editor->deleteLater();
+    finish();
     emit renamed(section, editor->text());
   });
 }

@@ -10,7 +10,7 @@ class QWidget;
 namespace geargraph::inline theme {
 
 /// Sets the style sheet of the program on the parts of its windows (docks, bars, dialogs, menus), not on the
-/// application. A change of the theme then updates one part per turn of the event loop, in at most 10 ms; a
+/// application. A change of the theme then updates one part per turn of the event loop, in 10 to 30 ms; a
 /// sheet of the application would block for 100 to 300 ms in a window of 600 widgets. Windows repaint when
 /// all visible parts have the new sheet. The hidden ones follow: a command that shows many of them would wait
 /// for the sheets of all. A part that is shown earlier gets its sheet next.

@@ -47,6 +47,13 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
       box->button(button)->click();
     });
   }
+  void showShiftTable(StatesTable*& table) {
+    first().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&first()));
+    table = first().findChild<StatesTable*>();
+    first().findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
+    QTRY_VERIFY(table->isVisible());
+  }
   /// A notice is in front, the title is dirty, nothing of the notices before is lost.
   void verifyNotSaved(MainWindow& window, const QString& why) {
     QVERIFY2(noticeOf(window).contains(QStringLiteral("was not saved")) && noticeOf(window).contains(why),
@@ -92,11 +99,9 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     QVERIFY(QFile::copy(QStringLiteral(":/examples/eight-speed-gearbox.geargraph"), path));
     QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
     set->start({path});
-    first().activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&first()));
-    auto* table = first().findChild<StatesTable*>();
-    first().findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
-    QTRY_VERIFY(table->isVisible());
+    StatesTable* table = nullptr;
+    showShiftTable(table);
+    QVERIFY(!QTest::currentTestFailed());
     table->heads().rename(1);
     QTest::keyClicks(first().focusWidget(), QStringLiteral("Brake"));
     pressSave(first());
@@ -111,11 +116,9 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
 
   void aNameOfACouplingIsCancelledByEscAndGoesWithItsColumn() {
     set->start({QStringLiteral(":/examples/eight-speed-gearbox.geargraph")});
-    first().activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&first()));
-    auto* table = first().findChild<StatesTable*>();
-    first().findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
-    QTRY_VERIFY(table->isVisible());
+    StatesTable* table = nullptr;
+    showShiftTable(table);
+    QVERIFY(!QTest::currentTestFailed());
     const Mechanism other = readDocument(QStringLiteral(":/examples/simpson.geargraph")).value();
     for (const bool isEscaped : {true, false}) {
       table->heads().rename(1);
