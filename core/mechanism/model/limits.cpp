@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/foundations/base/words.h"
@@ -57,52 +59,75 @@ void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& 
   }
 }
 
+/// A JSON pointer that is written only where a number is beyond its range: writing those of all numbers would
+/// take longer than comparing them. It refers to the one that it was made from.
+class Place {
+ public:
+  Place() = default;  ///< the document
+  [[nodiscard]] Place operator/(std::string_view member) const { return {this, member, 0}; }
+  [[nodiscard]] Place operator/(std::size_t position) const { return {this, {}, position}; }
+
+  [[nodiscard]] std::string text() const {
+    if (m_of == nullptr) return {};
+    return m_of->text() + "/" + (m_member.empty() ? std::to_string(m_position) : std::string(m_member));
+  }
+
+ private:
+  Place(const Place* of, std::string_view member, std::size_t position)
+      : m_of(of), m_member(member), m_position(position) {}
+
+  const Place* m_of = nullptr;
+  std::string_view m_member;  ///< empty: the position in a list
+  std::size_t m_position = 0;
+};
+
 /// Collects lengths beyond their range. Doubles decide: the limit is a power of ten that both kinds hold.
 class RangeCheck {
  public:
   explicit RangeCheck(const Mechanism& mechanism) {
     const auto each = [](const auto& list, ElementKind kind, const auto& check) {
-      for (std::size_t i = 0; i < list.size(); ++i) check(list[i], pointerTo(kind, i));
+      const Place document, all = document / listName(kind);
+      for (std::size_t i = 0; i < list.size(); ++i) check(list[i], all / i);
     };
-    each(mechanism.links, ElementKind::link, [this](const Link& link, const std::string& at) {
+    each(mechanism.links, ElementKind::link, [this](const Link& link, const Place& at) {
       for (std::size_t k = 0; k < link.shapes.size(); ++k) {
         const LinkShape& shape = link.shapes[k];
-        const std::string shapeAt = at + "/shapes/" + std::to_string(k);
-        triple(link.id, shape.position, kCoordinate, shapeAt + "/position");
-        triple(link.id, shape.orientation, kNumber, shapeAt + "/orientation");
-        number({link.id}, shape.scale, kNumber, shapeAt + "/scale");
+        const Place shapes = at / "shapes", shapeAt = shapes / k;
+        triple(link.id, shape.position, kCoordinate, shapeAt / "position");
+        triple(link.id, shape.orientation, kNumber, shapeAt / "orientation");
+        number(link.id, shape.scale, kNumber, shapeAt / "scale");
       }
       if (link.mass) mass(link.id, *link.mass, at);
     });
-    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const std::string& at) {
-      triple(axis.id, axis.point, kCoordinate, at + "/point");
-      triple(axis.id, axis.direction, kComponent, at + "/direction");
-      if (axis.direction) notTooShort(axis, at + "/direction");
+    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const Place& at) {
+      triple(axis.id, axis.point, kCoordinate, at / "point");
+      triple(axis.id, axis.direction, kComponent, at / "direction");
+      if (axis.direction) notTooShort(axis, at / "direction");
     });
     each(mechanism.turningJoints, ElementKind::turningJoint,
-         [this](const TurningJoint& joint, const auto& at) {
-           number({joint.id}, joint.offset.value(), kLength, at + "/offset");
+         [this](const TurningJoint& joint, const Place& at) {
+           number(joint.id, joint.offset.value(), kLength, at / "offset");
          });
-    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const std::string& at) {
-      triple(mesh.id, mesh.pitchPoint, kCoordinate, at + "/pitchPoint");
-      number({mesh.id}, mesh.faceWidth, kLength, at + "/faceWidth");
+    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const Place& at) {
+      triple(mesh.id, mesh.pitchPoint, kCoordinate, at / "pitchPoint");
+      number(mesh.id, mesh.faceWidth, kLength, at / "faceWidth");
     });
-    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const std::string& at) {
-      number({wheel.id}, wheel.profileShift, kNumber, at + "/profileShift");
-      number({wheel.id}, wheel.bore, kLength, at + "/bore");
-      number({wheel.id}, wheel.backlash, kNumber, at + "/backlash");
+    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const Place& at) {
+      number(wheel.id, wheel.profileShift, kNumber, at / "profileShift");
+      number(wheel.id, wheel.bore, kLength, at / "bore");
+      number(wheel.id, wheel.backlash, kNumber, at / "backlash");
     });
     if (mechanism.gearDefaults) {
-      number({}, mechanism.gearDefaults->pressureAngle, kNumber, "/gearDefaults/pressureAngle");
-      number({}, mechanism.gearDefaults->backlash, kNumber, "/gearDefaults/backlash");
-      number({}, mechanism.gearDefaults->faceWidth, kLength, "/gearDefaults/faceWidth");
+      number({}, mechanism.gearDefaults->pressureAngle, kNumber, Place() / "gearDefaults" / "pressureAngle");
+      number({}, mechanism.gearDefaults->backlash, kNumber, Place() / "gearDefaults" / "backlash");
+      number({}, mechanism.gearDefaults->faceWidth, kLength, Place() / "gearDefaults" / "faceWidth");
     }
-    number({}, mechanism.density, kDensity, "/density");
+    number({}, mechanism.density, kDensity, Place() / "density");
     for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
-      number({}, (*mechanism.gravity)[i].value(), kComponent, "/gravity/" + std::to_string(i));
-    each(mechanism.loads, ElementKind::load, [this](const Load& load, const auto& at) { action(load, at); });
-    places(mechanism.view.nodes, "/view/nodes/");
-    places(mechanism.view.ttNodes, "/view/ttNodes/");
+      number({}, (*mechanism.gravity)[i].value(), kComponent, Place() / "gravity" / i);
+    each(mechanism.loads, ElementKind::load, [this](const Load& load, const Place& at) { action(load, at); });
+    places(mechanism.view.nodes, Place() / "view" / "nodes");
+    places(mechanism.view.ttNodes, Place() / "view" / "ttNodes");
     if (mechanism.view.camera) camera(*mechanism.view.camera);
   }
 
@@ -120,54 +145,60 @@ class RangeCheck {
   static constexpr const char* kTorque = toTranslate("expected a torque from -1e15 to 1e15.");
   static constexpr const char* kForce = toTranslate("expected a force from -1e15 to 1e15.");
 
-  void number(std::vector<ElementId> elements, double value, const char* what, const std::string& pointer) {
-    if (std::abs(value) <= kMost) return;
-    found.push_back(makeDiagnostic(translated(what), pointer, std::move(elements)));
+  static bool isWithin(double value) { return std::abs(value) <= kMost; }
+  void number(const std::optional<ElementId>& element, double value, const char* what, const Place& pointer) {
+    if (isWithin(value)) return;
+    std::vector<ElementId> elements;
+    if (element) elements.push_back(*element);
+    found.push_back(makeDiagnostic(translated(what), pointer.text(), std::move(elements)));
   }
-  void number(std::vector<ElementId> elements, const std::optional<Number>& value, const char* what,
-              const std::string& pointer) {
-    if (value) number(std::move(elements), value->value(), what, pointer);
+  void number(const std::optional<ElementId>& element, const std::optional<Number>& value, const char* what,
+              const Place& pointer) {
+    if (value) number(element, value->value(), what, pointer);
   }
   void triple(const ElementId& element, const std::optional<NumberTriple>& values, const char* what,
-              const std::string& pointer) {
+              const Place& pointer) {
     for (std::size_t i = 0; values && i < values->size(); ++i)
-      number({element}, (*values)[i].value(), what, pointer + "/" + std::to_string(i));
+      number(element, (*values)[i].value(), what, pointer / i);
   }
-  void mass(LinkId link, const LinkMass& mass, const std::string& at) {
-    number({link}, mass.mass.value(), kMass, at + "/mass");
-    triple(link, mass.center, kCoordinate, at + "/centerOfMass");
+  void mass(LinkId link, const LinkMass& mass, const Place& at) {
+    number(link, mass.mass.value(), kMass, at / "mass");
+    triple(link, mass.center, kCoordinate, at / "centerOfMass");
     for (std::size_t i = 0; mass.inertia && i < mass.inertia->size(); ++i)
-      number({link}, (*mass.inertia)[i].value(), kMoment, at + "/inertia/" + std::to_string(i));
+      number(link, (*mass.inertia)[i].value(), kMoment, at / "inertia" / i);
   }
-  void action(const Load& load, const std::string& at) {
+  void action(const Load& load, const Place& at) {
     if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
-      number({inJoint->joint}, inJoint->torque.value(), kTorque, at + "/torque");
+      number(inJoint->joint, inJoint->torque.value(), kTorque, at / "torque");
     } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
-      number({torque->link}, torque->torque.value(), kTorque, at + "/torque");
+      number(torque->link, torque->torque.value(), kTorque, at / "torque");
     } else {
       const auto& force = std::get<LinkForce>(load.action);
-      triple(force.link, force.force, kForce, at + "/force");
-      triple(force.link, force.point, kCoordinate, at + "/point");
+      triple(force.link, force.force, kForce, at / "force");
+      triple(force.link, force.point, kCoordinate, at / "point");
     }
   }
-  void places(const std::map<LinkId, SheetPoint>& nodes, const std::string& pointer) {
+  void places(const std::map<LinkId, SheetPoint>& nodes, const Place& pointer) {
     for (const auto& [link, place] : nodes) {
-      number({link}, place.x, kCoordinate, pointer + link.text() + "/0");
-      number({link}, place.y, kCoordinate, pointer + link.text() + "/1");
+      if (isWithin(place.x) && isWithin(place.y)) continue;
+      const std::string name = link.text();
+      const Place at = pointer / name;
+      number(link, place.x, kCoordinate, at / 0);
+      number(link, place.y, kCoordinate, at / 1);
     }
   }
   void camera(const ViewCamera& camera) {
     for (std::size_t i = 0; i < camera.target.size(); ++i)
-      number({}, camera.target[i], kCoordinate, "/view/camera/target/" + std::to_string(i));
-    number({}, camera.distance, kLength, "/view/camera/distance");
+      number({}, camera.target[i], kCoordinate, Place() / "view" / "camera" / "target" / i);
+    number({}, camera.distance, kLength, Place() / "view" / "camera" / "distance");
   }
-  void notTooShort(const Axis& axis, const std::string& pointer) {
+  void notTooShort(const Axis& axis, const Place& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
     if (longest >= 1 / kMost || isZero(*axis.direction))
       return;  // that of length 0 has a diagnostic of its own
     found.push_back(makeDiagnostic(translated("expected a direction with a component of at least 1e-15."),
-                                   pointer, {axis.id}));
+                                   pointer.text(), {axis.id}));
   }
 };
 
