@@ -1,11 +1,11 @@
 #include "ui/canvas/digraph_scene.h"
 
-#include <QTimer>
 #include <algorithm>
 #include <utility>
 
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/note_marks.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -87,7 +87,7 @@ void DigraphScene::drawAll() {
   if (size <= kLarge) {
     putUp(size);
   } else if (!isUnderWay) {
-    QTimer::singleShot(0, this, &DigraphScene::putUpSlice);
+    Turns::instance().later(this, [this] { putUpSlice(); });
   }  // else the next slice comes by itself
 }
 
@@ -109,7 +109,7 @@ void DigraphScene::putUpSlice() {
   if (isDrawn()) {
     emit drawn();
   } else {
-    QTimer::singleShot(0, this, &DigraphScene::putUpSlice);
+    Turns::instance().later(this, [this] { putUpSlice(); });
   }
 }
 
@@ -137,7 +137,7 @@ void DigraphScene::markStale(std::size_t at) {
 
 void DigraphScene::drawStale() {
   if (m_staleCount <= kSlice) return drawStaleSlice();
-  if (!std::exchange(m_isSliceDue, true)) QTimer::singleShot(0, this, &DigraphScene::drawStaleSlice);
+  if (!std::exchange(m_isSliceDue, true)) Turns::instance().later(this, [this] { drawStaleSlice(); });
 }
 
 void DigraphScene::drawStaleSlice() {

@@ -1,9 +1,9 @@
 #include "ui/canvas/tt_graph_scene.h"
 
-#include <QTimer>
 #include <utility>
 
 #include "core/presentation/drawing/tt_graph_layout.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -44,7 +44,7 @@ void TtGraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
     m_stale.insert(changed.begin(), changed.end());
   }
   if (m_stale.size() <= kSlice) return drawSlice();
-  if (!std::exchange(m_isSliceDue, true)) QTimer::singleShot(0, this, &TtGraphScene::drawSlice);
+  if (!std::exchange(m_isSliceDue, true)) Turns::instance().later(this, [this] { drawSlice(); });
 }
 
 void TtGraphScene::drawSlice() {
@@ -59,7 +59,7 @@ void TtGraphScene::drawSlice() {
   }
   if (m_stale.empty()) return;
   m_isSliceDue = true;
-  QTimer::singleShot(0, this, &TtGraphScene::drawSlice);
+  Turns::instance().later(this, [this] { drawSlice(); });
 }
 
 DrawingScene::Draw TtGraphScene::drawing() const {
