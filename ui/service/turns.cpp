@@ -1,9 +1,18 @@
 #include "ui/service/turns.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <utility>
 
 namespace geargraph::inline ui_service {
+namespace {
+
+QEvent::Type turnType() {
+  static const auto type = static_cast<QEvent::Type>(QEvent::registerEventType());
+  return type;
+}
+
+}  // namespace
 
 Turns& Turns::instance() {
   static QPointer<Turns> turns;
@@ -13,12 +22,27 @@ Turns& Turns::instance() {
 
 Turns::Turns(QObject* application) : QObject(application) {
   m_turn.setInterval(0);
-  connect(&m_turn, &QTimer::timeout, this, &Turns::runNext);
+  m_turn.setSingleShot(true);
+  // The loop may run timers twice before it delivers what has been posted; an event of low priority comes
+  // after all of that.
+  connect(&m_turn, &QTimer::timeout, this,
+          [this] { QCoreApplication::postEvent(this, new QEvent(turnType()), Qt::LowEventPriority); });
 }
 
 void Turns::later(QObject* context, std::function<void()> piece) {
   m_waiting.push_back({context, std::move(piece)});
-  if (!m_turn.isActive()) m_turn.start();
+  begin();
+}
+
+void Turns::begin() {
+  if (!std::exchange(m_isUnderWay, true)) m_turn.start();
+}
+
+bool Turns::event(QEvent* event) {
+  if (event->type() != turnType()) return QObject::event(event);
+  m_isUnderWay = false;
+  runNext();
+  return true;
 }
 
 void Turns::runNext() {
@@ -26,10 +50,9 @@ void Turns::runNext() {
     const Waiting next = std::move(m_waiting.front());
     m_waiting.pop_front();
     if (next.context == nullptr) continue;
-    next.piece();
-    break;
+    if (!m_waiting.empty()) begin();  // before the piece, which may run an event loop of its own
+    return next.piece();
   }
-  if (m_waiting.empty()) m_turn.stop();
 }
 
 }  // namespace geargraph::inline ui_service

@@ -9,7 +9,8 @@
 namespace geargraph::inline ui_service {
 
 /// Pieces of work on the GUI thread, such as showing an answer, one per turn of the event loop: what the user
-/// does is handled between two of them, even if many are there at once.
+/// does is handled between two of them, even if many are there at once. A piece gives way to all that is
+/// waiting when its turn comes.
 class Turns : public QObject {
   Q_OBJECT
 
@@ -21,6 +22,9 @@ class Turns : public QObject {
   /// before.
   void later(QObject* context, std::function<void()> piece);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   struct Waiting {
     QPointer<QObject> context;
@@ -29,10 +33,12 @@ class Turns : public QObject {
 
   explicit Turns(QObject* application);
 
+  void begin();
   void runNext();
 
   std::deque<Waiting> m_waiting;
   QTimer m_turn;
+  bool m_isUnderWay = false;  ///< a turn is due
 };
 
 }  // namespace geargraph::inline ui_service

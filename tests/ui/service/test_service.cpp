@@ -87,6 +87,22 @@ class ServiceTest : public QObject {
     QTRY_COMPARE(run, 10);
   }
 
+  void whatIsWaitingComesBeforeTheNextPiece() {
+    QStringList order;
+    const auto input = [&] {  // comes while a piece is under way
+      QMetaObject::invokeMethod(
+          this, [&] { order << QStringLiteral("input"); }, Qt::QueuedConnection);
+    };
+    for (const char* const name : {"first", "second", "third"}) {
+      Turns::instance().later(this, [&order, input, name] {
+        order << QLatin1String(name);
+        input();
+      });
+    }
+    QTRY_COMPARE(order.size(), 6);
+    QCOMPARE(order.join(QLatin1Char(' ')), QStringLiteral("first input second input third input"));
+  }
+
   void aSupersededAnswerOnItsWayIsDropped() {
     std::promise<void> queued;
     Toy service(
