@@ -61,24 +61,24 @@ void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& 
 
 /// A JSON pointer that is written only where a number is beyond its range: writing those of all numbers would
 /// take longer than comparing them. It refers to the one that it was made from.
-class Place {
+class JsonPointer {
  public:
-  Place() = default;  ///< the document
-  [[nodiscard]] Place operator/(std::string_view member) const { return {this, member, 0}; }
-  [[nodiscard]] Place operator/(std::size_t position) const { return {this, {}, position}; }
+  JsonPointer() = default;  ///< the document
+  [[nodiscard]] JsonPointer operator/(std::string_view member) const { return {this, member, {}}; }
+  [[nodiscard]] JsonPointer operator/(std::size_t position) const { return {this, {}, position}; }
 
   [[nodiscard]] std::string text() const {
     if (m_of == nullptr) return {};
-    return m_of->text() + "/" + (m_member.empty() ? std::to_string(m_position) : std::string(m_member));
+    return m_of->text() + "/" + (m_position ? std::to_string(*m_position) : std::string(m_member));
   }
 
  private:
-  Place(const Place* of, std::string_view member, std::size_t position)
+  JsonPointer(const JsonPointer* of, std::string_view member, std::optional<std::size_t> position)
       : m_of(of), m_member(member), m_position(position) {}
 
-  const Place* m_of = nullptr;
-  std::string_view m_member;  ///< empty: the position in a list
-  std::size_t m_position = 0;
+  const JsonPointer* m_of = nullptr;
+  std::string_view m_member;
+  std::optional<std::size_t> m_position;  ///< in a list, instead of a member
 };
 
 /// Collects lengths beyond their range. Doubles decide: the limit is a power of ten that both kinds hold.
@@ -86,48 +86,50 @@ class RangeCheck {
  public:
   explicit RangeCheck(const Mechanism& mechanism) {
     const auto each = [](const auto& list, ElementKind kind, const auto& check) {
-      const Place document, all = document / listName(kind);
+      const JsonPointer document, all = document / listName(kind);
       for (std::size_t i = 0; i < list.size(); ++i) check(list[i], all / i);
     };
-    each(mechanism.links, ElementKind::link, [this](const Link& link, const Place& at) {
+    each(mechanism.links, ElementKind::link, [this](const Link& link, const JsonPointer& at) {
       for (std::size_t k = 0; k < link.shapes.size(); ++k) {
         const LinkShape& shape = link.shapes[k];
-        const Place shapes = at / "shapes", shapeAt = shapes / k;
+        const JsonPointer shapes = at / "shapes", shapeAt = shapes / k;
         triple(link.id, shape.position, kCoordinate, shapeAt / "position");
         triple(link.id, shape.orientation, kNumber, shapeAt / "orientation");
         number(link.id, shape.scale, kNumber, shapeAt / "scale");
       }
       if (link.mass) mass(link.id, *link.mass, at);
     });
-    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const Place& at) {
+    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const JsonPointer& at) {
       triple(axis.id, axis.point, kCoordinate, at / "point");
       triple(axis.id, axis.direction, kComponent, at / "direction");
       if (axis.direction) notTooShort(axis, at / "direction");
     });
     each(mechanism.turningJoints, ElementKind::turningJoint,
-         [this](const TurningJoint& joint, const Place& at) {
+         [this](const TurningJoint& joint, const JsonPointer& at) {
            number(joint.id, joint.offset.value(), kLength, at / "offset");
          });
-    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const Place& at) {
+    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const JsonPointer& at) {
       triple(mesh.id, mesh.pitchPoint, kCoordinate, at / "pitchPoint");
       number(mesh.id, mesh.faceWidth, kLength, at / "faceWidth");
     });
-    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const Place& at) {
+    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const JsonPointer& at) {
       number(wheel.id, wheel.profileShift, kNumber, at / "profileShift");
       number(wheel.id, wheel.bore, kLength, at / "bore");
       number(wheel.id, wheel.backlash, kNumber, at / "backlash");
     });
     if (mechanism.gearDefaults) {
-      number({}, mechanism.gearDefaults->pressureAngle, kNumber, Place() / "gearDefaults" / "pressureAngle");
-      number({}, mechanism.gearDefaults->backlash, kNumber, Place() / "gearDefaults" / "backlash");
-      number({}, mechanism.gearDefaults->faceWidth, kLength, Place() / "gearDefaults" / "faceWidth");
+      number({}, mechanism.gearDefaults->pressureAngle, kNumber,
+             JsonPointer() / "gearDefaults" / "pressureAngle");
+      number({}, mechanism.gearDefaults->backlash, kNumber, JsonPointer() / "gearDefaults" / "backlash");
+      number({}, mechanism.gearDefaults->faceWidth, kLength, JsonPointer() / "gearDefaults" / "faceWidth");
     }
-    number({}, mechanism.density, kDensity, Place() / "density");
+    number({}, mechanism.density, kDensity, JsonPointer() / "density");
     for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
-      number({}, (*mechanism.gravity)[i].value(), kComponent, Place() / "gravity" / i);
-    each(mechanism.loads, ElementKind::load, [this](const Load& load, const Place& at) { action(load, at); });
-    places(mechanism.view.nodes, Place() / "view" / "nodes");
-    places(mechanism.view.ttNodes, Place() / "view" / "ttNodes");
+      number({}, (*mechanism.gravity)[i].value(), kComponent, JsonPointer() / "gravity" / i);
+    each(mechanism.loads, ElementKind::load,
+         [this](const Load& load, const JsonPointer& at) { action(load, at); });
+    places(mechanism.view.nodes, JsonPointer() / "view" / "nodes");
+    places(mechanism.view.ttNodes, JsonPointer() / "view" / "ttNodes");
     if (mechanism.view.camera) camera(*mechanism.view.camera);
   }
 
@@ -146,28 +148,29 @@ class RangeCheck {
   static constexpr const char* kForce = toTranslate("expected a force from -1e15 to 1e15.");
 
   static bool isWithin(double value) { return std::abs(value) <= kMost; }
-  void number(const std::optional<ElementId>& element, double value, const char* what, const Place& pointer) {
+  void number(const std::optional<ElementId>& element, double value, const char* what,
+              const JsonPointer& pointer) {
     if (isWithin(value)) return;
     std::vector<ElementId> elements;
     if (element) elements.push_back(*element);
     found.push_back(makeDiagnostic(translated(what), pointer.text(), std::move(elements)));
   }
   void number(const std::optional<ElementId>& element, const std::optional<Number>& value, const char* what,
-              const Place& pointer) {
+              const JsonPointer& pointer) {
     if (value) number(element, value->value(), what, pointer);
   }
   void triple(const ElementId& element, const std::optional<NumberTriple>& values, const char* what,
-              const Place& pointer) {
+              const JsonPointer& pointer) {
     for (std::size_t i = 0; values && i < values->size(); ++i)
       number(element, (*values)[i].value(), what, pointer / i);
   }
-  void mass(LinkId link, const LinkMass& mass, const Place& at) {
+  void mass(LinkId link, const LinkMass& mass, const JsonPointer& at) {
     number(link, mass.mass.value(), kMass, at / "mass");
     triple(link, mass.center, kCoordinate, at / "centerOfMass");
     for (std::size_t i = 0; mass.inertia && i < mass.inertia->size(); ++i)
       number(link, (*mass.inertia)[i].value(), kMoment, at / "inertia" / i);
   }
-  void action(const Load& load, const Place& at) {
+  void action(const Load& load, const JsonPointer& at) {
     if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
       number(inJoint->joint, inJoint->torque.value(), kTorque, at / "torque");
     } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
@@ -178,21 +181,21 @@ class RangeCheck {
       triple(force.link, force.point, kCoordinate, at / "point");
     }
   }
-  void places(const std::map<LinkId, SheetPoint>& nodes, const Place& pointer) {
+  void places(const std::map<LinkId, SheetPoint>& nodes, const JsonPointer& pointer) {
     for (const auto& [link, place] : nodes) {
       if (isWithin(place.x) && isWithin(place.y)) continue;
       const std::string name = link.text();
-      const Place at = pointer / name;
+      const JsonPointer at = pointer / name;
       number(link, place.x, kCoordinate, at / 0);
       number(link, place.y, kCoordinate, at / 1);
     }
   }
   void camera(const ViewCamera& camera) {
     for (std::size_t i = 0; i < camera.target.size(); ++i)
-      number({}, camera.target[i], kCoordinate, Place() / "view" / "camera" / "target" / i);
-    number({}, camera.distance, kLength, Place() / "view" / "camera" / "distance");
+      number({}, camera.target[i], kCoordinate, JsonPointer() / "view" / "camera" / "target" / i);
+    number({}, camera.distance, kLength, JsonPointer() / "view" / "camera" / "distance");
   }
-  void notTooShort(const Axis& axis, const Place& pointer) {
+  void notTooShort(const Axis& axis, const JsonPointer& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
     if (longest >= 1 / kMost || isZero(*axis.direction))

@@ -50,6 +50,18 @@ class LimitsTest : public QObject {
 
   void idsHaveALongest() { checkRejected(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
 
+  /// An id may be empty in a document that is about to be refused.
+  void aNodeBeyondThemIsPointedAt() {
+    for (const std::string& id : {std::string("3"), std::string()}) {
+      Mechanism far = robot;
+      far.view.nodes[LinkId(id)] = {0, 1e17};
+      const Diagnostics beyond = limitDiagnostics(far);
+      QCOMPARE(beyond.size(), std::size_t{1});
+      QCOMPARE(beyond.front().pointer, "/view/nodes/" + id + "/1");
+      QVERIFY(beyond.front().elements == std::vector<ElementId>{LinkId(id)});
+    }
+  }
+
   void anAxisIsNotPlacedBeyondThem() {
     const NumberTriple far{Number::fromDouble(1e200), Number(0), Number(0)};
     for (const auto& rejected : {withAxisPlaced(robot, robot.axes[0].id, far, {}),
