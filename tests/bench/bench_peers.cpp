@@ -105,7 +105,7 @@ void eigenDenseRobot(benchmark::State& state) {
     Eigen::MatrixXd p = Eigen::MatrixXd::Zero(graph.c(), graph.t());
     for (int mesh = 0; mesh < graph.c(); ++mesh) {
       for (const CoefficientMatrix::Entry& entry : coefficients.row(mesh))
-        p(mesh, entry.joint) = entry.length;
+        p(mesh, int{entry.joint}) = entry.length;
     }
     const auto& solution = *problem.snapshot->matroid()->solution;
     const Eigen::MatrixXd theta =

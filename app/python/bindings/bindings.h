@@ -3,6 +3,32 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "core/foundations/base/ordinal.h"
+
+namespace pybind11::detail {
+
+/// An int in Python.
+template <class Tag>
+struct type_caster<geargraph::Ordinal<Tag>> {
+  PYBIND11_TYPE_CASTER(geargraph::Ordinal<Tag>, const_name("int"));
+
+  bool load(handle source, bool convert) {
+    make_caster<int> position;
+    if (!position.load(source, convert)) return false;
+    value = cast_op<int>(position);
+    return true;
+  }
+  static handle cast(geargraph::Ordinal<Tag> ordinal, return_value_policy, handle) {
+    return PyLong_FromLong(ordinal);
+  }
+};
+
+/// A list in Python.
+template <class Tag, class T>
+struct type_caster<geargraph::OrdinalVector<Tag, T>> : list_caster<geargraph::OrdinalVector<Tag, T>, T> {};
+
+}  // namespace pybind11::detail
+
 namespace geargraph::python {
 
 namespace py = pybind11;

@@ -76,7 +76,7 @@ CollisionShape::CollisionShape(const Solid& solid) : m_model(std::make_unique<Mo
   m_model->computeLocalAABB();
 }
 
-CollisionPart collisionPart(int link, const Solid& solid, double module,
+CollisionPart collisionPart(LinkOrdinal link, const Solid& solid, double module,
                             const std::optional<TurningLine>& revolvedAbout) {
   CollisionPart part;
   part.link = link;

@@ -17,7 +17,7 @@ class CollisionShape;
 /// A piece of a link that can collide with others: a wheel as the solid of revolution swept by its tips, or
 /// one part of a body (a shaft, an arm, a bearing). In the base frame, in the reference pose.
 struct CollisionPart {
-  int link = 0;
+  LinkOrdinal link = 0;
   double module = 1;  ///< the unit of resolutions
   /// The line about which it is a solid of revolution; none: it is not one.
   std::optional<TurningLine> revolvedAbout;
@@ -36,7 +36,7 @@ constexpr double kCollisionTolerance = 0.05;
                                                         const std::stop_token& stop = {});
 
 /// A part from a solid in the base frame. @pre it has triangles
-[[nodiscard]] CollisionPart collisionPart(int link, const Solid& solid, double module,
+[[nodiscard]] CollisionPart collisionPart(LinkOrdinal link, const Solid& solid, double module,
                                           const std::optional<TurningLine>& revolvedAbout = {});
 
 /// The extent of a solid about a line: distances from it, and coordinates along it from the line's point.

@@ -79,8 +79,8 @@ class Wording {
             : translated("Links %1 and %2 collide %3, with %4. Give them clearance, or limit joints.",
                          {one, other, when(collision.time), inputs(collision.time)}) +
                   ' ' + checked();
-    for (const int link : {collision.one, collision.other})
-      diagnostic.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+    for (const LinkOrdinal link : {collision.one, collision.other})
+      diagnostic.elements.emplace_back(mechanism.links[link].id);
     diagnostic.time = collision.time;
     return diagnostic;
   }
@@ -94,8 +94,8 @@ class Wording {
   [[nodiscard]] std::string inputs(double time) const {
     const MatroidAnalysis& matroid = *m_snapshot.matroid();
     std::vector<std::string> angles;
-    for (const int joint : matroid.choice.joints) {
-      const double angle = matroid.solution->rates[static_cast<std::size_t>(joint)] * time;
+    for (const JointOrdinal joint : matroid.choice.joints) {
+      const double angle = matroid.solution->rates[joint] * time;
       angles.push_back(translated("%1 at %2 deg", {std::to_string(m_snapshot.graph->edgeLabel(joint)),
                                                    rounded(angle * 180 / std::numbers::pi)}));
     }

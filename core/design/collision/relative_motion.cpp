@@ -29,7 +29,7 @@ bool isSameLine(const TurningLine& a, const TurningLine& b, double module) {
   return sineBetween(a, b) < kParallel && distanceOf(a, b.point) < 1e-6 * module;
 }
 
-RelativeMotion::Turn turnOf(const JointRates& motion, int joint, int direction) {
+RelativeMotion::Turn turnOf(const JointRates& motion, JointOrdinal joint, int direction) {
   const auto j = static_cast<std::size_t>(joint);
   RelativeMotion::Turn turn{motion.lines[j], direction * motion.rates[j], {}};
   if (!motion.exact.empty()) turn.exact = Rational(direction) * motion.exact[j];
@@ -185,7 +185,7 @@ Eigen::AlignedBox3d sweptBox(const JointRates& motion, const CollisionPart& part
   const Vector3d reach = Vector3d::Constant(part.radius);
   Eigen::AlignedBox3d box(part.centre - reach, part.centre + reach);
   bool isFirst = true;
-  for (int link = part.link; motion.tree.parent(link) >= 0; link = motion.tree.parent(link)) {
+  for (LinkOrdinal link = part.link; motion.tree.parent(link) >= 0; link = motion.tree.parent(link)) {
     const auto joint = static_cast<std::size_t>(motion.tree.jointToParent(link));
     const TurningLine& line = motion.lines[joint];
     if (motion.rates[joint] == 0) continue;

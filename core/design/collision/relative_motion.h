@@ -15,9 +15,9 @@ namespace geargraph::inline collision {
 /// The motion of the joints: constant rates from the reference pose.
 struct JointRates {
   const SpanningTree& tree;
-  std::vector<TurningLine> lines;  ///< by joint
-  std::vector<double> rates;       ///< rad/s, by joint
-  std::vector<Rational> exact;     ///< the same in fractions; empty if not known
+  ByJoint<TurningLine> lines;
+  ByJoint<double> rates;        ///< rad/s
+  std::vector<Rational> exact;  ///< the same in fractions; empty if not known
 };
 
 /// The motion of part Q relative to part P: a product of turns about lines, displacement(t) = Exp(line 1,

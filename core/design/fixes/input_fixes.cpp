@@ -11,11 +11,11 @@ namespace {
 /// The inputs as they are where they stay, the others at 1 rad/s, in the order of the wanted ones:
 /// `exchanged` take the places of those that go.
 std::vector<Input> validInputs(const Mechanism& mechanism, const InputChoice& choice) {
-  const auto idOf = [&](int joint) { return mechanism.turningJoints[static_cast<std::size_t>(joint)].id; };
+  const auto idOf = [&](JointOrdinal joint) { return mechanism.turningJoints[joint].id; };
   std::vector<Input> inputs;
   std::vector<int> added = choice.added;
   for (const Input& input : *mechanism.inputs) {
-    const auto isThis = [&](int joint) { return idOf(joint) == input.joint; };
+    const auto isThis = [&](JointOrdinal joint) { return idOf(joint) == input.joint; };
     if (std::any_of(choice.joints.begin(), choice.joints.end(), isThis)) {
       inputs.push_back(input);
     } else if (!added.empty()) {
@@ -23,13 +23,13 @@ std::vector<Input> validInputs(const Mechanism& mechanism, const InputChoice& ch
       added.erase(added.begin());
     }
   }
-  for (const int joint : added) inputs.push_back({idOf(joint), Number(1), {}});
+  for (const JointOrdinal joint : added) inputs.push_back({idOf(joint), Number(1), {}});
   return inputs;
 }
 
 std::string labels(const Mechanism& mechanism, const std::vector<int>& joints) {
   std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
+  for (const JointOrdinal joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
   return listed(names, kAllNames);
 }
 

@@ -29,8 +29,8 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
   if (path.size() < 2 || !placement.classes) return;
   const Vector3 point{(*mesh.pitchPoint)[0].value(), (*mesh.pitchPoint)[1].value(),
                       (*mesh.pitchPoint)[2].value()};
-  const auto radius = [&](int joint) {
-    const AxisLine& line = placement.lineOfClass(placement.classes->classOf[static_cast<std::size_t>(joint)]);
+  const auto radius = [&](JointOrdinal joint) {
+    const AxisLine& line = placement.lineOfClass(placement.classes->classOf[joint]);
     return length(cross(line.direction, point - line.point));
   };
   const double tailRadius = radius(path.front().joint), headRadius = radius(path.back().joint);

@@ -35,7 +35,7 @@ PlanetaryMember heldMember(const PlanetaryUse& use) {
 }
 
 /// The numbers of the links.
-using Members = std::map<PlanetaryMember, int>;
+using Members = std::map<PlanetaryMember, LinkOrdinal>;
 
 /// Links and meshes of a set; `cut` is the ground.
 Members addMembers(SetSketch& set, const PlanetaryTeeth& teeth, int planets,
@@ -44,7 +44,7 @@ Members addMembers(SetSketch& set, const PlanetaryTeeth& teeth, int planets,
   Members members;
   for (const auto& [member, name] :
        {std::pair(sun, toTranslate("sun")), {ring, toTranslate("ring")}, {carrier, toTranslate("carrier")}})
-    members[member] = member == cut ? 0 : set.link(0, "a", translated(std::string_view(name)));
+    members[member] = member == cut ? LinkOrdinal(0) : set.link(0, "a", translated(std::string_view(name)));
   for (int i = 0; i < planets; ++i) {
     std::string name = planets == 1 ? translated("planet") : translated("planet %1", {std::to_string(i + 1)});
     const int planet = set.link(members[carrier], "b" + std::to_string(i), std::move(name));

@@ -87,7 +87,7 @@ Expected<Planet> planetOf(const PlacedMechanism& placed, LinkId link) {
                       toTranslate("Link %1 is no planet: its meshes are with wheels on several axes."));
     around = other;
     const LinkId carrier = planet.joint.tail == link ? planet.joint.head : planet.joint.tail;
-    if (mechanism.links[static_cast<std::size_t>(placement.meshes[m]->carrier)].id != carrier)
+    if (mechanism.links[placement.meshes[m]->carrier].id != carrier)
       return noPlanet(
           mechanism, link,
           toTranslate(

@@ -3,7 +3,7 @@
 namespace geargraph::inline synthesis {
 namespace {
 
-LinkId idOf(int link) {
+LinkId idOf(LinkOrdinal link) {
   return LinkId(std::to_string(link));
 }
 
@@ -15,7 +15,7 @@ SetSketch::SetSketch(std::string name) : m_mechanism(emptyMechanism()) {
   m_mechanism.view.nodes.clear();
 }
 
-int SetSketch::link(int parent, const std::string& axis, std::string name) {
+LinkOrdinal SetSketch::link(LinkOrdinal parent, const std::string& axis, std::string name) {
   const int number = static_cast<int>(m_mechanism.links.size());
   const AxisId id(axis);
   if (m_mechanism.find(id) == nullptr) m_mechanism.axes.push_back({id, {}, {}});
@@ -26,8 +26,8 @@ int SetSketch::link(int parent, const std::string& axis, std::string name) {
   return number;
 }
 
-void SetSketch::bearing(int link, std::int64_t offset) {
-  m_mechanism.turningJoints[static_cast<std::size_t>(link - 1)].offset = Number(offset);
+void SetSketch::bearing(LinkOrdinal link, std::int64_t offset) {
+  m_mechanism.turningJoints[link - 1].offset = Number(offset);
 }
 
 void SetSketch::axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction) {
@@ -45,21 +45,21 @@ GearMesh& SetSketch::mesh(int tail, int head, int tailTeeth, int headTeeth, Mesh
   return mesh;
 }
 
-WheelId SetSketch::wheel(const std::string& id, int link) {
+WheelId SetSketch::wheel(const std::string& id, LinkOrdinal link) {
   Wheel wheel;
   wheel.id = WheelId(id);
-  wheel.link = m_mechanism.links[static_cast<std::size_t>(link)].id;
+  wheel.link = m_mechanism.links[link].id;
   m_mechanism.wheels.push_back(wheel);
   return wheel.id;
 }
 
-void SetSketch::input(int link, const Number& speed) {
+void SetSketch::input(LinkOrdinal link, const Number& speed) {
   if (!m_mechanism.inputs) m_mechanism.inputs.emplace();
   m_mechanism.inputs->push_back(
       {m_mechanism.turningJoints[static_cast<std::size_t>(link) - 1].id, speed, {}});
 }
 
-void SetSketch::brake(const std::string& id, int link) {
+void SetSketch::brake(const std::string& id, LinkOrdinal link) {
   m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::brake, {idOf(link)}, {}});
 }
 
@@ -67,7 +67,7 @@ void SetSketch::engage(const std::string& id) {
   m_mechanism.engaged.emplace_back(id);
 }
 
-void SetSketch::clutch(const std::string& id, int link, int other) {
+void SetSketch::clutch(const std::string& id, LinkOrdinal link, int other) {
   m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::clutch, {idOf(link), idOf(other)}, {}});
 }
 

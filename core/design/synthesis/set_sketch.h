@@ -15,19 +15,19 @@ class SetSketch {
 
   /// Adds a link that turns about the axis on `parent`; a new axis is added without a place. Returns the
   /// link's number.
-  int link(int parent, const std::string& axis, std::string name);
+  LinkOrdinal link(LinkOrdinal parent, const std::string& axis, std::string name);
   /// Sets the offset of a link's bearing on its parent along its axis; 0 by default.
-  void bearing(int link, std::int64_t offset);
+  void bearing(LinkOrdinal link, std::int64_t offset);
   /// Adds an axis with a place.
   void axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction);
   GearMesh& mesh(int tail, int head, int tailTeeth, int headTeeth, MeshKind kind);
   /// Adds a wheel on a link, which meshes can name: meshes that name different wheels do not share one.
-  WheelId wheel(const std::string& id, int link);
-  void input(int link, const Number& speed);
-  void brake(const std::string& id, int link);
+  WheelId wheel(const std::string& id, LinkOrdinal link);
+  void input(LinkOrdinal link, const Number& speed);
+  void brake(const std::string& id, LinkOrdinal link);
   /// Engages a coupling now.
   void engage(const std::string& id);
-  void clutch(const std::string& id, int link, int other);
+  void clutch(const std::string& id, LinkOrdinal link, int other);
   void state(const std::string& name, const std::vector<std::string>& engaged, int drive, int driven);
 
   /// The mechanism with places for the nodes: the ground, the links on it in a column, the rest in another.
@@ -35,7 +35,7 @@ class SetSketch {
 
  private:
   Mechanism m_mechanism;
-  std::vector<int> m_parents{-1};  ///< by link
+  ByLink<LinkOrdinal> m_parents{-1};
 };
 
 }  // namespace geargraph::inline synthesis

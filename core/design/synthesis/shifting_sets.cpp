@@ -106,7 +106,7 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
   const int small = set.link(0, "a", translated("small sun"));
   const int large = set.link(0, "a", translated("large sun"));
   const int ring = set.link(0, "a", translated("ring"));
-  const int carrier = set.link(0, "a", translated("carrier"));
+  const LinkOrdinal carrier = set.link(0, "a", translated("carrier"));
   for (int k = 0; k < pairs; ++k) {
     const double angle = 2 * std::numbers::pi * k / pairs;
     const std::string number = std::to_string(k + 1);
@@ -164,7 +164,7 @@ Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   const int suns = set.link(0, "a", translated("suns"));
   const int ring = set.link(0, "a", translated("first ring"));
   const int output = set.link(0, "a", translated("output"));
-  const int carrier = set.link(0, "a", translated("second carrier"));
+  const LinkOrdinal carrier = set.link(0, "a", translated("second carrier"));
   const auto stage = [&](int on, int around, const std::string& axis, const std::string& id,
                          const char* planetName) {
     const WheelId sun = set.wheel(id + "-sun", suns);

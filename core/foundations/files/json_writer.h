@@ -40,10 +40,10 @@ class JsonWriter {
     key(name);
     if constexpr (std::is_same_v<Value, bool>) {
       boolean(value);
-    } else if constexpr (std::is_integral_v<Value>) {
-      number(static_cast<std::int64_t>(value));
     } else if constexpr (std::is_floating_point_v<Value>) {
       number(static_cast<double>(value));
+    } else if constexpr (std::is_convertible_v<const Value&, std::int64_t>) {
+      number(static_cast<std::int64_t>(value));
     } else {
       string(value);
     }

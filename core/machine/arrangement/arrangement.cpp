@@ -57,7 +57,7 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
     if (stop.stop_requested()) return std::move(tried.plan);
     tried.clashes = bodyClashes(tried.plan, train, stop);
     tried.plan.frame = planFrame(tried.plan, train, placement);
-    for (const int link : draft.wantSlots) isNew = tries.slotsFor.insert(link).second || isNew;
+    for (const LinkOrdinal link : draft.wantSlots) isNew = tries.slotsFor.insert(link).second || isNew;
     for (const BodyClash& clash : tried.clashes) {
       for (const int child : clash.heldByFrame) isNew = tries.onPedestals.insert(child).second || isNew;
     }
@@ -69,8 +69,8 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   }
   Arrangement& plan = best->plan;
   const auto isReported = [&](const std::vector<int>& pair) {
-    return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
-      return std::all_of(pair.begin(), pair.end(), [&](int link) {
+    return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<LinkOrdinal>& links) {
+      return std::all_of(pair.begin(), pair.end(), [&](LinkOrdinal link) {
         return std::find(links.begin(), links.end(), link) != links.end();
       });
     });
@@ -81,11 +81,12 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   return std::move(plan);
 }
 
-std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTrain& train, int axisClass) {
-  const AxisLayout& axis = arrangement.axes[static_cast<std::size_t>(axisClass)];
+std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTrain& train,
+                                   ClassOrdinal axisClass) {
+  const AxisLayout& axis = arrangement.axes[axisClass];
   std::vector<AxisPlace> places;
   using Kind = AxisPlace::Kind;
-  for (std::size_t g = 0; g < train.gears.size(); ++g) {
+  for (const GearOrdinal g : train.gears.ordinals()) {
     const TrainGear& gear = train.gears[g];
     if (gear.axisClass != axisClass) continue;
     const AxialSpan span = axialSpan(gear.spec);
@@ -101,7 +102,7 @@ std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTra
     if (arm.from == axisClass) places.push_back({Kind::arm, arm.level, arm.link, static_cast<int>(a)});
   }
   for (const RingCarrierPlan& ringCarrier : arrangement.ringCarriers) {
-    const TrainGear& ring = train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    const TrainGear& ring = train.gears[ringCarrier.gear];
     if (ring.axisClass == axisClass)
       places.push_back({Kind::ringCarrier, ringCarrier.plate, ring.link, ringCarrier.gear});
   }
@@ -131,10 +132,10 @@ std::vector<int> nestingDepths(const Arrangement& arrangement) {
   return depths;
 }
 
-int nestingDepth(const Arrangement& arrangement, int axisClass, int link) {
+int nestingDepth(const Arrangement& arrangement, ClassOrdinal axisClass, LinkOrdinal link) {
   const std::vector<int> depths = nestingDepths(arrangement);
   int deepest = -1;
-  for (const std::size_t s : arrangement.shaftsOn[static_cast<std::size_t>(axisClass)]) {
+  for (const std::size_t s : arrangement.shaftsOn[axisClass]) {
     if (arrangement.shafts[s].link == link) deepest = std::max(deepest, depths[s]);
   }
   return deepest;

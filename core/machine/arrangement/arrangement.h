@@ -29,7 +29,7 @@ namespace geargraph::inline arrangement {
 /// the results of the previous tries (PlanTries), and the best try is kept: a train may be blocked although a
 /// valid arrangement exists. Axes with several rings are routed in their half plane (profile_router.h).
 struct Arrangement {
-  std::vector<AxisLayout> axes;
+  ByClass<AxisLayout> axes;
   std::vector<ArmPlan> arms;
   std::vector<ShaftSegment> shafts;
   std::vector<RingCarrierPlan> ringCarriers;
@@ -43,25 +43,25 @@ struct Arrangement {
   FramePlan frame;
   /// Links whose arms, shafts or discs cannot be routed past each other: carrier and carried, or the links of
   /// one axis.
-  std::vector<std::vector<int>> blocked;
+  std::vector<std::vector<LinkOrdinal>> blocked;
   std::vector<std::pair<std::size_t, double>> hubs;  ///< gears, and the required diameter of their hub
-  std::vector<std::vector<std::size_t>> shaftsOn;    ///< shafts by axis class
+  ByClass<std::vector<std::size_t>> shaftsOn;        ///< shafts
   bool isSimple = false;                             ///< the train is too large for routing
 
   /// The link's shaft on the axis, of several the one nearest to the coordinate `near`; null: it has none.
-  [[nodiscard]] const ShaftSegment* shaftOf(int axisClass, int link, double near) const {
+  [[nodiscard]] const ShaftSegment* shaftOf(ClassOrdinal axisClass, LinkOrdinal link, double near) const {
     const ShaftSegment* found = nullptr;
     const auto away = [&](const ShaftSegment& s) { return std::max({s.low - near, near - s.high, 0.0}); };
-    for (const std::size_t s : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    for (const std::size_t s : shaftsOn[axisClass]) {
       if (shafts[s].link != link) continue;
       if (found == nullptr || away(shafts[s]) < away(*found)) found = &shafts[s];
     }
     return found;
   }
   /// Outer radius of the widest shaft at a place of an axis, of links other than `link`; 0: none.
-  [[nodiscard]] double shaftAt(int axisClass, double coordinate, int link) const {
+  [[nodiscard]] double shaftAt(ClassOrdinal axisClass, double coordinate, LinkOrdinal link) const {
     double radius = 0;
-    for (const std::size_t i : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    for (const std::size_t i : shaftsOn[axisClass]) {
       const ShaftSegment& s = shafts[i];
       if (s.low <= coordinate && coordinate <= s.high && s.link != link) radius = std::max(radius, s.outer);
     }
@@ -73,8 +73,8 @@ struct Arrangement {
 struct AxisPlace {
   enum class Kind { wheel, bearing, arm, ringCarrier };
   Kind kind = Kind::wheel;
-  double at = 0;  ///< coordinate along the axis class
-  int link = 0;   ///< that it belongs to; for a bearing the link that turns in it
+  double at = 0;         ///< coordinate along the axis class
+  LinkOrdinal link = 0;  ///< that it belongs to; for a bearing the link that turns in it
   int index =
       0;  ///< position of the wheel or ring in the train, of the arm in the arrangement; else the joint
 };
@@ -82,14 +82,14 @@ struct AxisPlace {
 /// The items on an axis, ascending: wheels, visible bearings, arms that start there, ring-gear carriers.
 /// Cost: linear in the size of the arrangement.
 [[nodiscard]] std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTrain& train,
-                                                 int axisClass);
+                                                 ClassOrdinal axisClass);
 
 /// By shaft of the arrangement: how many shafts of other links are nested within it. Cost: O(shafts^2) per
 /// axis.
 [[nodiscard]] std::vector<int> nestingDepths(const Arrangement& arrangement);
 
 /// The greatest nesting depth of a link's shafts on an axis; -1: it has none.
-[[nodiscard]] int nestingDepth(const Arrangement& arrangement, int axisClass, int link);
+[[nodiscard]] int nestingDepth(const Arrangement& arrangement, ClassOrdinal axisClass, LinkOrdinal link);
 
 /// The arrangement of a train. Deterministic. Cost: O(links * items on an axis) per try, at most 16 tries;
 /// some milliseconds for axes with several rings. The result is meaningless if `stop` was requested

@@ -45,7 +45,7 @@ void addIntersections(const Placement& placement, std::vector<AxisLayout>& layou
   std::vector<std::vector<std::size_t>> above(layouts.size());  // whose root link turns about this one
   for (std::size_t c = 0; c < layouts.size(); ++c) {
     heldBy[static_cast<std::size_t>(rootOf(c))].push_back(c);
-    const int home = classes.classOfLink(rootOf(c));
+    const ClassOrdinal home = classes.classOfLink(rootOf(c));
     if (home >= 0) above[static_cast<std::size_t>(home)].push_back(c);
   }
   for (std::size_t c = 0; c < layouts.size() && !stop.stop_requested(); ++c) {
@@ -54,7 +54,7 @@ void addIntersections(const Placement& placement, std::vector<AxisLayout>& layou
     std::vector<std::size_t> related = above[c];
     const std::vector<std::size_t>& beside = heldBy[static_cast<std::size_t>(rootOf(c))];
     related.insert(related.end(), beside.begin(), beside.end());
-    const int home = classes.classOfLink(rootOf(c));
+    const ClassOrdinal home = classes.classOfLink(rootOf(c));
     if (home >= 0) related.push_back(static_cast<std::size_t>(home));
     std::sort(related.begin(), related.end());
     related.erase(std::unique(related.begin(), related.end()), related.end());
@@ -113,7 +113,7 @@ double AxisLayout::outerSlot() const {
   return outer;
 }
 
-std::optional<Interval> AxisLayout::wheelsOf(int link) const {
+std::optional<Interval> AxisLayout::wheelsOf(LinkOrdinal link) const {
   std::optional<Interval> span;
   for (const Interval& s : wheels) {
     if (s.link != link) continue;
@@ -138,7 +138,7 @@ bool AxisLayout::nests(const Bearing& bearing, double at) const {
   });
 }
 
-bool AxisLayout::emerges(int link, double level) const {
+bool AxisLayout::emerges(LinkOrdinal link, double level) const {
   const auto own =
       std::find_if(bearings.begin(), bearings.end(), [&](const Bearing& b) { return b.child == link; });
   if (own == bearings.end() || !own->placed) return true;
@@ -156,7 +156,7 @@ std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement&
                                     const GearTrain& train, const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
   const JointTree& tree = *placement.tree;
-  std::vector<AxisLayout> layouts(classes.classes.size());
+  ByClass<AxisLayout> layouts(classes.classes.size());
   const double module = middleModule(train);
   for (std::size_t c = 0; c < layouts.size(); ++c) {
     const AxisLine& line = placement.lineOfClass(static_cast<int>(c));
@@ -167,12 +167,11 @@ std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement&
   addWheels(train, layouts);
   addIntersections(placement, layouts, stop);
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    AxisLayout& layout = layouts[static_cast<std::size_t>(classes.classOf[j])];
-    const AxisLine& own = placement.axes[static_cast<std::size_t>(tree.axisOf[j])];
+    AxisLayout& layout = layouts[classes.classOf[j]];
+    const AxisLine& own = placement.axes[tree.axisOf[j]];
     const Vector3d drawn = wide(own.point) + mechanism.turningJoints[j].offset.value() * wide(own.direction);
     const int child = tree.child[j];
-    layout.bearings.push_back(
-        {static_cast<int>(j), tree.parent[static_cast<std::size_t>(child)], child, layout.coordinate(drawn)});
+    layout.bearings.push_back({static_cast<int>(j), tree.parent[child], child, layout.coordinate(drawn)});
   }
   return layouts;
 }

@@ -16,7 +16,7 @@ constexpr double kSameLevel = 1e-9;  ///< modules: levels that differ by less ar
 struct Interval {
   double low = 0;
   double high = 0;
-  int link = -1;  ///< of the part; -1: reserved, kept free
+  LinkOrdinal link = -1;  ///< of the part; -1: reserved, kept free
 };
 
 /// The visible form of a bearing.
@@ -28,7 +28,7 @@ enum class BearingForm {
 
 /// The bearing of a turning joint between parent and child link.
 struct Bearing {
-  int joint = 0;
+  JointOrdinal joint = 0;
   int parent = 0;
   int child = 0;
   double at = 0;  ///< coordinate along the class's line
@@ -66,7 +66,7 @@ struct AxisLayout {
   [[nodiscard]] bool slotIsFree(double middle) const {
     return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);
   }
-  void occupy(double middle, int link) {
+  void occupy(double middle, LinkOrdinal link) {
     occupied.push_back({middle - width() / 2, middle + width() / 2, link});
   }
   /// Middles of candidate slots: those adjacent to an occupied interval, and those outside of all.
@@ -75,13 +75,13 @@ struct AxisLayout {
   /// side.
   [[nodiscard]] double freeSlot(double wanted) const;
   /// The interval that the wheels of a link span; std::nullopt if it has none.
-  [[nodiscard]] std::optional<Interval> wheelsOf(int link) const;
+  [[nodiscard]] std::optional<Interval> wheelsOf(LinkOrdinal link) const;
   /// A shaft that passes through the wheels of another link has to extend beyond that link's shaft too. Is
   /// that so with this bearing at `at` and the bearings placed already?
   [[nodiscard]] bool nests(const Bearing& bearing, double at) const;
   /// Is the link's shaft accessible at this level? Not within the interval from the wheels to the bearing of
   /// another link, unless its own bearing is in there too.
-  [[nodiscard]] bool emerges(int link, double level) const;
+  [[nodiscard]] bool emerges(LinkOrdinal link, double level) const;
   /// The first free slot outside of everything on the bearing side.
   [[nodiscard]] double outerSlot() const;
 };

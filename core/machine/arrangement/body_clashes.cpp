@@ -57,7 +57,7 @@ bool holds(const BodyHull& a, const BodyHull& b) {
 /// Does a shaft on a wheel's axis run through the wheel's middle, neither within the wheel's own shaft nor,
 /// where it has none there, within its bore?
 bool runsThrough(const Arrangement& plan, const ShaftSegment& shaft, const TrainGear& gear) {
-  const AxisLayout& axis = plan.axes[static_cast<std::size_t>(gear.axisClass)];
+  const AxisLayout& axis = plan.axes[gear.axisClass];
   const AxialSpan span = axialSpan(gear.spec);
   const double sense = gear.pose.linear().col(2).dot(axis.direction) < 0 ? -1 : 1;
   const double middle = axis.coordinate(gear.pose.translation()) + sense * (span.low + span.high) / 2;
@@ -89,7 +89,7 @@ std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& tra
   }
   for (const TrainGear& gear : train.gears) {
     if (gear.spec.kind == GearKind::internal || stop.stop_requested()) continue;
-    for (const std::size_t s : plan.shaftsOn[static_cast<std::size_t>(gear.axisClass)]) {
+    for (const std::size_t s : plan.shaftsOn[gear.axisClass]) {
       const ShaftSegment& shaft = plan.shafts[s];
       if (shaft.link != gear.link && runsThrough(plan, shaft, gear))
         found.try_emplace(std::minmax({shaft.link, gear.link}));

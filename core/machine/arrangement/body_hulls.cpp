@@ -36,7 +36,7 @@ class HullMaker {
   }
 
  private:
-  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[c]; }
   [[nodiscard]] double inset(int c) const { return m_options.inset * axis(c).module; }
 
   void addGear(const TrainGear& gear) {
@@ -67,7 +67,7 @@ class HullMaker {
     if (!hull.discs.empty()) m_hulls.push_back(std::move(hull));
   }
 
-  void addRound(HullKind kind, int link, int c, double low, double high, double radius) {
+  void addRound(HullKind kind, LinkOrdinal link, int c, double low, double high, double radius) {
     const double off = inset(c);
     if (high - low <= 2 * off || radius <= off) return;
     BodyHull hull{kind, link, c, -1, {}};
@@ -111,7 +111,7 @@ class HullMaker {
 
   void addRevolved(const GearTrain& train) {
     for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {
-      const TrainGear& ring = train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+      const TrainGear& ring = train.gears[ringCarrier.gear];
       const double half = axis(ring.axisClass).width() / 2;
       addRound(HullKind::gear, ring.link, ring.axisClass, ringCarrier.plate - half, ringCarrier.plate + half,
                rimDiameter(ring.spec) / 2);

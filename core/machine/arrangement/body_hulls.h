@@ -12,9 +12,9 @@ enum class HullKind { gear, shaft, bearing, arm, standoff };
 /// A gear or a planned part of a body as the convex hull of discs.
 struct BodyHull {
   HullKind kind = HullKind::gear;
-  int link = 0;
-  int axisClass = -1;  ///< that it is placed on; -1: a standoff (HullKind::standoff)
-  int other = -1;      ///< the axis class at an arm's other end, if parallel; the one that a standoff reaches
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = -1;  ///< that it is placed on; -1: a standoff (HullKind::standoff)
+  int other = -1;  ///< the axis class at an arm's other end, if parallel; the one that a standoff reaches
   DiscHull discs;
   int held = -1;  ///< of an arm to a non-parallel axis, and of its pedestal: the link that it holds
 

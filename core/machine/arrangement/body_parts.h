@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/foundations/base/ordinal.h"
 #include "core/machine/solids/shell_builder.h"
 
 namespace geargraph::inline arrangement {
@@ -13,7 +14,7 @@ constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
 
 /// An arm of a link from its own axis to the bearing of another.
 struct ArmPlan {
-  int link = 0;
+  LinkOrdinal link = 0;
   int from = 0;      ///< axis class that it starts at
   double level = 0;  ///< coordinate along it
   int to = 0;        ///< axis class of the bearing
@@ -24,8 +25,8 @@ struct ArmPlan {
 /// The shaft of a link along an interval of an axis: solid, or a tube around the shafts inside. Empty if its
 /// low end is above the high one.
 struct ShaftSegment {
-  int axisClass = 0;
-  int link = 0;
+  ClassOrdinal axisClass = 0;
+  LinkOrdinal link = 0;
   double low = 1e300;
   double high = -1e300;
   double inner = 0;
@@ -45,20 +46,20 @@ struct ShaftSegment {
 
 /// A cantilevered pin of a link along an axis that intersects its own, on which a child turns.
 struct PinPlan {
-  int link = 0;
-  int home = 0;      ///< the link's axis class
-  double level = 0;  ///< coordinate of the intersection along it
-  int axisClass = 0;
+  LinkOrdinal link = 0;
+  ClassOrdinal home = 0;  ///< the link's axis class
+  double level = 0;       ///< coordinate of the intersection along it
+  ClassOrdinal axisClass = 0;
   double from = 0;  ///< of the intersection along the pin's axis
   double to = 0;    ///< beyond the child's last wheel
 };
 
 /// A cross-shaft boss: a link's shaft that ends in a boss around a shaft on an axis across its own.
 struct CrossShaftBossPlan {
-  int link = 0;
-  int home = 0;      ///< the link's axis class
-  double level = 0;  ///< coordinate of the intersection along it
-  int axisClass = 0;
+  LinkOrdinal link = 0;
+  ClassOrdinal home = 0;  ///< the link's axis class
+  double level = 0;       ///< coordinate of the intersection along it
+  ClassOrdinal axisClass = 0;
   double at = 0;             ///< of the intersection along the other axis
   int child = 0;             ///< link whose shaft is in the boss
   double low = 0, high = 0;  ///< the interval of that shaft, for other links that turn on it
@@ -66,21 +67,21 @@ struct CrossShaftBossPlan {
 
 /// A pedestal for a wheel of the ground that none of the ground's bearings supports.
 struct PedestalPlan {
-  int axisClass = 0;
+  ClassOrdinal axisClass = 0;
   double at = 0;
 };
 
 /// The ring-gear carrier: the disc and wall that support a ring gear on its link's shaft.
 struct RingCarrierPlan {
-  int gear = 0;
+  GearOrdinal gear;
   int side = -1;     ///< the face of the ring that the disc closes: -1 or 1 along the axis
   double plate = 0;  ///< coordinate of the disc's middle
 };
 
 /// Bars along an axis in place of a drum's wall, so that the wheels inside are visible.
 struct CagePlan {
-  int axisClass = 0;
-  int link = 0;
+  ClassOrdinal axisClass = 0;
+  LinkOrdinal link = 0;
   double inner = 0;
   double outer = 0;
   double low = 0;
@@ -89,16 +90,16 @@ struct CagePlan {
 
 /// Solids of revolution of a link about an axis: closed profiles, material on the left.
 struct RevolvedPlan {
-  int axisClass = 0;
-  int link = 0;
+  ClassOrdinal axisClass = 0;
+  LinkOrdinal link = 0;
   std::vector<std::vector<ProfileVertex>> profiles;  ///< heights are coordinates along the axis
 };
 
 /// A disc (radial) or the wall of a drum (axial) by its middle line in the half plane through its axis. Walls
 /// join the wheels, shafts and pins of a link whose bodies are routed in that plane (coaxial_plan.h).
 struct WallPlan {
-  int axisClass = 0;
-  int link = 0;
+  ClassOrdinal axisClass = 0;
+  LinkOrdinal link = 0;
   double fromAt = 0;  ///< coordinates along the axis; ascending for an axial wall
   double toAt = 0;
   double fromRadius = 0;  ///< distances from the axis; ascending for a radial wall
@@ -108,7 +109,7 @@ struct WallPlan {
 
 /// A housing around an axis, which joins bearings of the ground or supports one on the base.
 struct HousingPlan {
-  int axisClass = 0;
+  ClassOrdinal axisClass = 0;
   double low = 0;
   double high = 0;
   double inner = 0;

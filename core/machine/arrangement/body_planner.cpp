@@ -14,7 +14,7 @@ namespace geargraph::inline arrangement {
 namespace {
 
 /// Linked sets: sleeves, discs and drums of one axis, with the bearings and arms on it.
-void planCoaxial(PlanDraft& draft, int axisClass) {
+void planCoaxial(PlanDraft& draft, ClassOrdinal axisClass) {
   if (!needsCoaxialPlan(axisClass, draft.placement, draft.train)) return;
   const auto plan = coaxialPlan(axisClass, draft.plan.axes, draft.placement, draft.train, draft.stop);
   if (!plan) {
@@ -22,10 +22,10 @@ void planCoaxial(PlanDraft& draft, int axisClass) {
     for (const Bearing& b : draft.axis(axisClass).bearings) draft.plan.blocked.back().push_back(b.child);
     return;
   }
-  draft.coaxial[static_cast<std::size_t>(axisClass)] = true;
+  draft.coaxial[axisClass] = true;
   draft.axis(axisClass).thickness = plan->width;
   for (const CoaxialBearing& placed : plan->bearings) {
-    const int c = draft.placement.classes->classOf[static_cast<std::size_t>(placed.joint)];
+    const int c = draft.placement.classes->classOf[placed.joint];
     draft.axis(c).thickness = plan->width;
     for (Bearing& b : draft.axis(c).bearings) {
       if (b.joint != placed.joint) continue;
@@ -45,10 +45,10 @@ void planCoaxial(PlanDraft& draft, int axisClass) {
 }
 
 /// Bearings and arms of what a link holds.
-void placeLink(PlanDraft& draft, int link) {
+void placeLink(PlanDraft& draft, LinkOrdinal link) {
   const auto& held = draft.heldBy[static_cast<std::size_t>(link)];
   if (held.empty()) return;
-  const int home = homeOf(draft, link);
+  const ClassOrdinal home = homeOf(draft, link);
   if (link == 0) reserveSlots(draft);
   for (const auto& round : roundsOf(draft, link, home)) {
     if (draft.isStopped()) return;
@@ -74,11 +74,11 @@ void planBodies(PlanDraft& draft) {
   for (int c = 0; c < axes && !draft.isStopped(); ++c) planCoaxial(draft, c);
   placeRingCarriers(draft);
   const std::vector<int> links = draft.placement.tree->breadthFirst();
-  for (const int link : links) {
+  for (const LinkOrdinal link : links) {
     if (draft.isStopped()) return;
     placeLink(draft, link);
   }
-  for (const int link : links) {
+  for (const LinkOrdinal link : links) {
     if (draft.isStopped()) return;
     if (link == 0) continue;
     const int c = draft.placement.classes->classOfLink(link);

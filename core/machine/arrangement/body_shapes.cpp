@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 const AxisLayout& axis(const Arrangement& plan, int c) {
-  return plan.axes[static_cast<std::size_t>(c)];
+  return plan.axes[c];
 }
 
 constexpr double kStandoff =
@@ -22,12 +22,12 @@ double sineBetween(const AxisLayout& a, const AxisLayout& b) {
 
 }  // namespace
 
-double holeFor(const Arrangement& plan, int axisClass, double at, int parent) {
+double holeFor(const Arrangement& plan, ClassOrdinal axisClass, double at, int parent) {
   const double shaft = plan.shaftAt(axisClass, at, parent);
   return shaft > 0 ? shaft + bossClearance(axis(plan, axisClass)) : 0;
 }
 
-double bossRadius(const Arrangement& plan, int axisClass, const Bearing& bearing) {
+double bossRadius(const Arrangement& plan, ClassOrdinal axisClass, const Bearing& bearing) {
   return holeFor(plan, axisClass, bearing.at, bearing.parent) +
          bearing.wall * bossWall(axis(plan, axisClass));
 }

@@ -17,10 +17,10 @@ namespace geargraph::inline arrangement {
 }
 
 /// The hole radius of the parent's boss around the child's shaft; 0: no shaft is there.
-[[nodiscard]] double holeFor(const Arrangement& plan, int axisClass, double at, int parent);
+[[nodiscard]] double holeFor(const Arrangement& plan, ClassOrdinal axisClass, double at, int parent);
 
 /// The outer radius of a bearing's boss.
-[[nodiscard]] double bossRadius(const Arrangement& plan, int axisClass, const Bearing& bearing);
+[[nodiscard]] double bossRadius(const Arrangement& plan, ClassOrdinal axisClass, const Bearing& bearing);
 
 /// The hub of an arm on its link's own axis. Its hole is within the wall of the link's shaft, so that the two
 /// overlap and no faces coincide.

@@ -44,11 +44,11 @@ struct PinionBoss {
 /// for links that hold nothing themselves; none where it has others or fewer than two. And the point's level.
 std::vector<PinionBoss> bossesOf(const Arrangement& plan, const std::vector<const ArmPlan*>& arms,
                                  double& level) {
-  const AxisLayout& own = plan.axes[static_cast<std::size_t>(arms.front()->from)];
+  const AxisLayout& own = plan.axes[arms.front()->from];
   std::vector<PinionBoss> bosses;
   std::set<std::pair<int, double>> sides;
   for (const ArmPlan* arm : arms) {
-    const AxisLayout& to = plan.axes[static_cast<std::size_t>(arm->to)];
+    const AxisLayout& to = plan.axes[arm->to];
     if (std::abs(own.direction.dot(to.direction)) > 1e-9) return {};
     const double along = own.coordinate(to.point);  // where axes at right angles come nearest
     const double intersection = to.coordinate(own.at(along));
@@ -96,7 +96,7 @@ class CaseMaker {
   }
 
  private:
-  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[c]; }
 
   /// From the carrier's axis to the boss.
   [[nodiscard]] Vector3d wayOf(const PinionBoss& boss) const {
@@ -192,7 +192,7 @@ std::vector<CasePlan> carrierCases(const Arrangement& plan, const GearTrain& tra
   if (plan.isSimple) return {};
   std::map<std::pair<int, int>, std::vector<const ArmPlan*>> carriers;  // by link and its axis
   for (const ArmPlan& arm : plan.arms) {
-    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].rootLink == 0;
+    const bool isOnGround = placement.classes->classes[arm.from].rootLink == 0;
     if (arm.link != 0 && isOnGround) carriers[{arm.link, arm.from}].push_back(&arm);
   }
   std::optional<CaseMaker> maker;

@@ -21,8 +21,8 @@ struct CaseTube {
 /// the bosses that hold them; if there is room, also a second ring in the plane of its arms, and bars along
 /// the axis between the two.
 struct CasePlan {
-  int link = 0;
-  int axisClass = 0;  ///< the carrier's own
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = 0;  ///< the carrier's own
   double inner = 0;
   double outer = 0;
   std::vector<std::pair<double, double>> rings;  ///< one or two: their intervals along the axis

@@ -51,9 +51,9 @@ class FlangeMaker {
   }
 
  private:
-  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[c]; }
   [[nodiscard]] const AxisLayout& own() const { return axis(m_made.axisClass); }
-  [[nodiscard]] bool isOwn(int link) const {
+  [[nodiscard]] bool isOwn(LinkOrdinal link) const {
     return link == m_made.link ||
            std::any_of(m_arms.begin(), m_arms.end(), [&](const ArmPlan* arm) { return arm->child == link; });
   }
@@ -200,7 +200,7 @@ bool FlangeMaker::isClear() const {
     if ((!isShaft && meets(flange, e)) || (!isGear && !isShaft && meets(drum, e))) return false;
   }
   for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {  // their walls
-    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    const TrainGear& ring = m_train.gears[ringCarrier.gear];
     const double at = own().coordinate(ring.pose.translation());
     const auto [low, high] = std::minmax({at, ringCarrier.plate});
     if (ring.axisClass == m_made.axisClass && low < flange.high && flange.low < high &&
@@ -219,7 +219,7 @@ std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain&
   if (plan.isSimple) return {};
   std::map<std::pair<int, int>, std::vector<const ArmPlan*>> carriers;  // by link and its axis
   for (const ArmPlan& arm : plan.arms) {
-    const bool isOnGround = placement.classes->classes[static_cast<std::size_t>(arm.from)].rootLink == 0;
+    const bool isOnGround = placement.classes->classes[arm.from].rootLink == 0;
     if (arm.link != 0 && isOnGround) carriers[{arm.link, arm.from}].push_back(&arm);
   }
   std::vector<FlangePlan> flanges;
@@ -241,11 +241,11 @@ std::vector<FlangePlan> carrierFlanges(const Arrangement& plan, const GearTrain&
 
 void reachFlanges(Arrangement& plan, const std::vector<FlangePlan>& flanges) {
   for (const FlangePlan& flange : flanges) {
-    const AxisLayout& own = plan.axes[static_cast<std::size_t>(flange.axisClass)];
+    const AxisLayout& own = plan.axes[flange.axisClass];
     for (ShaftSegment& shaft : plan.shafts) {
       const auto& children = flange.children;
       if (std::find(children.begin(), children.end(), shaft.link) == children.end()) continue;
-      const AxisLayout& on = plan.axes[static_cast<std::size_t>(shaft.axisClass)];
+      const AxisLayout& on = plan.axes[shaft.axisClass];
       const double at = on.coordinate(own.at(flange.level)), half = 0.5 * own.width() + 0.2 * own.module;
       shaft.include(at - half, at + half);
     }

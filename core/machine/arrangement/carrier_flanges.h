@@ -11,10 +11,10 @@ namespace geargraph::inline arrangement {
 /// The second flange of a planetary carrier, on the side of the planets opposite to its arms, and the pillars
 /// that join the two.
 struct FlangePlan {
-  int link = 0;
-  int axisClass = 0;  ///< the carrier's own
-  double arms = 0;    ///< level of the arms
-  double level = 0;   ///< of the second flange
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = 0;  ///< the carrier's own
+  double arms = 0;             ///< level of the arms
+  double level = 0;            ///< of the second flange
   Boss hub;
   std::vector<Boss> ends;     ///< bosses around the planets' shafts, in the frame of endOf() but at `level`
   std::vector<int> children;  ///< by end

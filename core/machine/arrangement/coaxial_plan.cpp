@@ -10,15 +10,11 @@
 namespace geargraph::inline arrangement {
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Makes bodies of the ways that were found.
 class CoaxialMaker {
  public:
-  CoaxialMaker(int axisClass, std::span<const AxisLayout> axes, const Placement& placement,
-               const GearTrain& train, const CoaxialSections& sections, std::vector<ProfileRoute> routes)
+  CoaxialMaker(ClassOrdinal axisClass, SpanByClass<const AxisLayout> axes, const Placement& placement,
+               const GearTrain& train, const CoaxialSections& sections, ByNet<ProfileRoute> routes)
       : m_class(axisClass),
         m_axes(axes),
         m_placement(placement),
@@ -32,7 +28,7 @@ class CoaxialMaker {
 
   CoaxialPlan make() {
     for (std::size_t n = 0; n < m_routes.size(); ++n) {
-      for (const int c : m_routes[n].cells) m_owner[at(c)] = static_cast<int>(n);
+      for (const int c : m_routes[n].cells) m_owner[c] = static_cast<int>(n);
     }
     for (std::size_t n = 0; n < m_routes.size(); ++n) addSleeves(static_cast<int>(n));
     nestSleeves();
@@ -52,45 +48,45 @@ class CoaxialMaker {
 
  private:
   struct Sleeve {
-    int net = 0, row = 0, first = 0, last = 0;
+    NetOrdinal net = 0, row = 0, first = 0, last = 0;
     std::size_t shaft = 0;
   };
-  void addSleeves(int net);
+  void addSleeves(NetOrdinal net);
   void nestSleeves();
   void joinSleeves();
   void setWidth();
-  void markBodies(int net);
-  void carryPlanets(int net);
-  [[nodiscard]] bool isSpider(int net, const RouteTerminal& terminal) const;
-  void addWalls(int net);
-  void openDrums(int net);
-  void addRevolvedBodies(int net);
-  void placeBearing(int net);
+  void markBodies(NetOrdinal net);
+  void carryPlanets(NetOrdinal net);
+  [[nodiscard]] bool isSpider(NetOrdinal net, const RouteTerminal& terminal) const;
+  void addWalls(NetOrdinal net);
+  void openDrums(NetOrdinal net);
+  void addRevolvedBodies(NetOrdinal net);
+  void placeBearing(NetOrdinal net);
   void setHubs();
 
-  [[nodiscard]] int link(int net) const { return m_sections.linkOf[at(net)]; }
-  [[nodiscard]] const CoaxialColumn& column(int c) const { return m_sections.columns[at(c)]; }
+  [[nodiscard]] LinkOrdinal link(NetOrdinal net) const { return m_sections.linkOf[net]; }
+  [[nodiscard]] const CoaxialColumn& column(int c) const { return m_sections.columns[c]; }
   [[nodiscard]] double middleOf(int c) const { return (column(c).low + column(c).high) / 2; }
-  [[nodiscard]] bool owns(int net, int c, int r) const {
-    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_owner[at(m_grid.cell(c, r))] == net;
+  [[nodiscard]] bool owns(NetOrdinal net, int c, int r) const {
+    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_owner[m_grid.cell(c, r)] == net;
   }
-  [[nodiscard]] bool isWheel(int cell) const { return m_grid.owner[at(cell)] >= 0; }
+  [[nodiscard]] bool isWheel(CellOrdinal cell) const { return m_grid.owner[cell] >= 0; }
   /// Is the cell a wall of the net at hand, or the place of its wheel that one joins?
-  [[nodiscard]] bool isWall(int net, int c, int r) const {
+  [[nodiscard]] bool isWall(NetOrdinal net, int c, int r) const {
     if (c < 0 || c >= m_grid.columns || r < m_sections.innerRows || r >= m_grid.rows) return false;
-    const int cell = m_grid.cell(c, r);
-    return m_isBody[at(cell)] || m_grid.owner[at(cell)] == net;
+    const CellOrdinal cell = m_grid.cell(c, r);
+    return m_isBody[cell] || m_grid.owner[cell] == net;
   }
-  [[nodiscard]] int jointRow(int net, int c, int r) const;
-  [[nodiscard]] double wallPlace(int net, int c) const;
-  [[nodiscard]] bool hasWheel(int net, int c) const {
+  [[nodiscard]] int jointRow(NetOrdinal net, int c, int r) const;
+  [[nodiscard]] double wallPlace(NetOrdinal net, int c) const;
+  [[nodiscard]] bool hasWheel(NetOrdinal net, int c) const {
     for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
-      if (m_grid.owner[at(m_grid.cell(c, r))] == net) return true;
+      if (m_grid.owner[m_grid.cell(c, r)] == net) return true;
     }
     return false;
   }
   /// The net's inmost sleeve in a column; nothing: it has none.
-  [[nodiscard]] const Sleeve* sleeveIn(int net, int c) const {
+  [[nodiscard]] const Sleeve* sleeveIn(NetOrdinal net, int c) const {
     for (const Sleeve& s : m_sleeves) {
       if (s.net == net && s.first <= c && c <= s.last) return &s;
     }
@@ -102,21 +98,21 @@ class CoaxialMaker {
   }
 
   int m_class;
-  std::span<const AxisLayout> m_axes;
+  SpanByClass<const AxisLayout> m_axes;
   const Placement& m_placement;
   const GearTrain& m_train;
   const CoaxialSections& m_sections;
   const ProfileGrid& m_grid;
-  std::vector<ProfileRoute> m_routes;
-  std::vector<int> m_owner;       ///< net by cell
-  std::vector<bool> m_isBody;     ///< of the net at hand: cells that become bodies of revolution
+  ByNet<ProfileRoute> m_routes;
+  ByCell<NetOrdinal> m_owner;     ///< -1: none
+  ByCell<bool> m_isBody;          ///< of the net at hand: cells that become bodies of revolution
   double m_margin;                ///< between cells and what fills them, along the axis
   std::vector<Sleeve> m_sleeves;  ///< by net, then row
   CoaxialPlan m_plan;
 };
 
 /// Runs along a row within the wheels; a row that is only crossed has none.
-void CoaxialMaker::addSleeves(int net) {
+void CoaxialMaker::addSleeves(NetOrdinal net) {
   const auto add = [&](int row, int first, int last) {
     ShaftSegment shaft;
     shaft.axisClass = m_class;
@@ -209,11 +205,11 @@ void CoaxialMaker::joinSleeves() {
 
 /// Arms are as wide as the narrowest slot that one stands in.
 void CoaxialMaker::setWidth() {
-  double width = m_axes[at(m_class)].width();
+  double width = m_axes[m_class].width();
   for (std::size_t n = 0; n < m_routes.size(); ++n) {
     for (std::size_t g = 0; g < m_routes[n].terminal.size(); ++g) {
       if (m_sections.planetsOf[n][g].empty()) continue;
-      const auto& terminal = m_sections.nets[n].groups[g][at(m_routes[n].terminal[g])];
+      const auto& terminal = m_sections.nets[n].groups[g][static_cast<std::size_t>(m_routes[n].terminal[g])];
       const CoaxialColumn& c = column(m_grid.columnOf(terminal.cells.front()));
       width = std::min(width, c.high - c.low - 1.5 * m_margin);
     }
@@ -221,15 +217,15 @@ void CoaxialMaker::setWidth() {
   m_plan.width = width / m_sections.module;
 }
 
-void CoaxialMaker::markBodies(int net) {
+void CoaxialMaker::markBodies(NetOrdinal net) {
   m_isBody.assign(m_isBody.size(), false);
-  for (const int c : m_routes[at(net)].cells) {
-    if (m_grid.rowOf(c) >= m_sections.innerRows && !isWheel(c)) m_isBody[at(c)] = true;
+  for (const int c : m_routes[net].cells) {
+    if (m_grid.rowOf(c) >= m_sections.innerRows && !isWheel(c)) m_isBody[c] = true;
   }
 }
 
 /// Do only arms lead from the terminal straight to the link's sleeve?
-bool CoaxialMaker::isSpider(int net, const RouteTerminal& terminal) const {
+bool CoaxialMaker::isSpider(NetOrdinal net, const RouteTerminal& terminal) const {
   const int c = m_grid.columnOf(terminal.cells.front());
   const int top = m_grid.rowOf(terminal.cells.back());
   const Sleeve* sleeve = sleeveIn(net, c);
@@ -242,19 +238,19 @@ bool CoaxialMaker::isSpider(int net, const RouteTerminal& terminal) const {
   return true;
 }
 
-void CoaxialMaker::carryPlanets(int net) {
-  for (std::size_t g = 0; g < m_routes[at(net)].terminal.size(); ++g) {
-    const auto& carried = m_sections.planetsOf[at(net)][g];
+void CoaxialMaker::carryPlanets(NetOrdinal net) {
+  for (std::size_t g = 0; g < m_routes[net].terminal.size(); ++g) {
+    const auto& carried = m_sections.planetsOf[net][g];
     if (carried.empty()) continue;
-    const RouteTerminal& terminal = m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].terminal[g])];
+    const RouteTerminal& terminal = m_sections.nets[net].groups[g][m_routes[net].terminal[g]];
     const int c = m_grid.columnOf(terminal.cells.front());
     const double level = middleOf(c);
     const bool spider = isSpider(net, terminal);
     for (const std::size_t i : carried) {
       const CoaxialPlanets& planets = m_sections.planets[i];
-      const AxisLayout& there = m_axes[at(planets.axisClass)];
-      const double sense = there.direction.dot(m_axes[at(m_class)].direction) < 0 ? -1 : 1;
-      const auto carriedTo = [&](double x) { return there.coordinate(m_axes[at(m_class)].at(x)); };
+      const AxisLayout& there = m_axes[planets.axisClass];
+      const double sense = there.direction.dot(m_axes[m_class].direction) < 0 ? -1 : 1;
+      const auto carriedTo = [&](double x) { return there.coordinate(m_axes[m_class].at(x)); };
       for (const Bearing& b : there.bearings) {
         if (spider) {
           m_plan.arms.push_back({link(net), m_class, level, planets.axisClass, carriedTo(level), b.child});
@@ -270,13 +266,13 @@ void CoaxialMaker::carryPlanets(int net) {
       }
     }
     if (!spider) continue;
-    for (int r = m_sections.innerRows; r < m_grid.rows; ++r) m_isBody[at(m_grid.cell(c, r))] = false;
+    for (int r = m_sections.innerRows; r < m_grid.rows; ++r) m_isBody[m_grid.cell(c, r)] = false;
   }
 }
 
 /// Walls side by side in two columns are joined in one row: that of a wheel, else the inmost. The row where
 /// the block about this one, in a column and the next, is joined; -1: there is none.
-int CoaxialMaker::jointRow(int net, int c, int r) const {
+int CoaxialMaker::jointRow(NetOrdinal net, int c, int r) const {
   const auto both = [&](int row) { return isWall(net, c, row) && isWall(net, c + 1, row); };
   if (!both(r)) return -1;
   int first = r;
@@ -288,10 +284,10 @@ int CoaxialMaker::jointRow(int net, int c, int r) const {
 }
 
 /// Where along the axis a wall in a column is: at the middle of the net's wheel there, else of the column.
-double CoaxialMaker::wallPlace(int net, int c) const {
-  const AxisLayout& axis = m_axes[at(m_class)];
+double CoaxialMaker::wallPlace(NetOrdinal net, int c) const {
+  const AxisLayout& axis = m_axes[m_class];
   for (std::size_t g = 0; g < m_sections.netsOfGear.size(); ++g) {
-    const std::vector<int>& nets = m_sections.netsOfGear[g];
+    const std::vector<NetOrdinal>& nets = m_sections.netsOfGear[g];
     if (std::find(nets.begin(), nets.end(), net) == nets.end() || !hasWheel(net, c)) continue;
     const double middle = axis.coordinate(m_train.gears[g].pose.translation());
     const double half = m_train.gears[g].spec.faceWidth / 2;
@@ -301,7 +297,7 @@ double CoaxialMaker::wallPlace(int net, int c) const {
 }
 
 /// The net's walls by their middles, without dead ends.
-void CoaxialMaker::addWalls(int net) {
+void CoaxialMaker::addWalls(NetOrdinal net) {
   if (link(net) == 0) return;
   const auto level = [&](int c, int r) { return jointRow(net, c, r) == r; };
   for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
@@ -326,11 +322,10 @@ void CoaxialMaker::addWalls(int net) {
       if (wall.isOnShaft) include(m_sections.innerRadius);
       for (; isWall(net, c, r); ++r) {
         if (isWheel(m_grid.cell(c, r)) || level(c, r) || level(c - 1, r)) include(m_sections.rowMiddle(r));
-        for (std::size_t g = 0; g < m_routes[at(net)].terminal.size(); ++g) {
-          const RouteTerminal& terminal =
-              m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].terminal[g])];
+        for (std::size_t g = 0; g < m_routes[net].terminal.size(); ++g) {
+          const RouteTerminal& terminal = m_sections.nets[net].groups[g][m_routes[net].terminal[g]];
           if (m_grid.columnOf(terminal.cells.front()) != c) continue;
-          for (const std::size_t p : m_sections.planetsOf[at(net)][g]) {
+          for (const std::size_t p : m_sections.planetsOf[net][g]) {
             const double distance = m_sections.planets[p].distance;
             if (m_sections.rowLow(r) <= distance && distance < m_sections.rowLow(r + 1)) include(distance);
           }
@@ -342,15 +337,15 @@ void CoaxialMaker::addWalls(int net) {
 }
 
 /// Longer walls of drums become bars, which overlap what stands at their ends.
-void CoaxialMaker::openDrums(int net) {
+void CoaxialMaker::openDrums(NetOrdinal net) {
   const double module = m_sections.module;
   const auto body = [&](int c, int r) {
-    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_isBody[at(m_grid.cell(c, r))];
+    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_isBody[m_grid.cell(c, r)];
   };
   const auto isWall = [&](int c, int r) {
     return body(c, r) && owns(net, c - 1, r) && owns(net, c + 1, r) && !body(c, r - 1) && !body(c, r + 1);
   };
-  const std::vector<bool> before = m_isBody;
+  const ByCell<bool> before = m_isBody;
   for (int r = m_sections.innerRows + 1; r + 1 < m_grid.rows; ++r) {
     for (int c = 0; c < m_grid.columns; ++c) {
       if (!isWall(c, r)) continue;
@@ -364,17 +359,17 @@ void CoaxialMaker::openDrums(int net) {
         m_plan.cages.push_back({m_class, link(net), m_sections.rowLow(r) + 0.25 * module,
                                 m_sections.rowLow(r + 1) - 0.25 * module, column(c).low - into(c - 1),
                                 column(last).high + into(last + 1)});
-        for (int k = c; k <= last; ++k) m_isBody[at(m_grid.cell(k, r))] = false;
+        for (int k = c; k <= last; ++k) m_isBody[m_grid.cell(k, r)] = false;
       }
       c = last;
     }
   }
 }
 
-void CoaxialMaker::addRevolvedBodies(int net) {
+void CoaxialMaker::addRevolvedBodies(NetOrdinal net) {
   const double module = m_sections.module;
   OutlinePlaces places;
-  places.height = [&](int cell, int side) {
+  places.height = [&](CellOrdinal cell, int side) {
     const int c = m_grid.columnOf(cell);
     const double edge = side < 0 ? column(c).low : column(c).high;
     const int beside = c + side;
@@ -382,7 +377,7 @@ void CoaxialMaker::addRevolvedBodies(int net) {
                        isWheel(m_grid.cell(beside, m_grid.rowOf(cell)));
     return edge + side * (wheel ? 0.2 * module : -m_margin);  // into the own wheel, off the neighbours
   };
-  places.radius = [&](int cell, int side) {
+  places.radius = [&](CellOrdinal cell, int side) {
     const int r = m_grid.rowOf(cell);
     const int c = m_grid.columnOf(cell);
     const double inset = 0.2 * module;
@@ -410,13 +405,13 @@ void CoaxialMaker::addRevolvedBodies(int net) {
 }
 
 /// The bearing of the net's link on this axis: at the end where it comes out.
-void CoaxialMaker::placeBearing(int net) {
+void CoaxialMaker::placeBearing(NetOrdinal net) {
   if (link(net) == 0) return;
   const JointTree& tree = *m_placement.tree;
-  const ProfileRoute& route = m_routes[at(net)];
-  CoaxialBearing bearing{tree.joint[at(link(net))], 0, BearingForm::hidden};
+  const ProfileRoute& route = m_routes[net];
+  CoaxialBearing bearing{tree.joint[link(net)], 0, BearingForm::hidden};
   if (route.support >= 0) {
-    const RouteTerminal& terminal = m_sections.nets[at(net)].supports[at(route.support)];
+    const RouteTerminal& terminal = m_sections.nets[net].supports[static_cast<std::size_t>(route.support)];
     const int c = m_grid.columnOf(terminal.cells.front());
     bearing.at = middleOf(c);
     if (column(c).end != 0) bearing.form = BearingForm::boss;
@@ -429,13 +424,13 @@ void CoaxialMaker::setHubs() {
   for (std::size_t g = 0; g < m_sections.netsOfGear.size(); ++g) {
     const GearSpec& spec = m_train.gears[g].spec;
     if (m_sections.netsOfGear[g].empty() || spec.kind == GearKind::internal) continue;
-    const int net = m_sections.netsOfGear[g].front();
+    const NetOrdinal net = m_sections.netsOfGear[g].front();
     const int row = m_sections.innerRows;
-    for (const int cell : m_routes[at(net)].cells) {
+    for (const CellOrdinal cell : m_routes[net].cells) {
       const int c = m_grid.columnOf(cell);
       if (m_grid.rowOf(cell) != row || isWheel(cell)) continue;
-      const bool beside = (c > 0 && m_grid.owner[at(m_grid.cell(c - 1, row))] == net) ||
-                          (c + 1 < m_grid.columns && m_grid.owner[at(m_grid.cell(c + 1, row))] == net);
+      const bool beside = (c > 0 && m_grid.owner[m_grid.cell(c - 1, row)] == net) ||
+                          (c + 1 < m_grid.columns && m_grid.owner[m_grid.cell(c + 1, row)] == net);
       const double hub = 2 * (m_sections.rowLow(row + 1) + 0.2 * m_sections.module);
       if (beside && (m_plan.hubs.empty() || m_plan.hubs.back().first != g)) m_plan.hubs.push_back({g, hub});
     }
@@ -444,36 +439,36 @@ void CoaxialMaker::setHubs() {
 
 }  // namespace
 
-bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train) {
+bool needsCoaxialPlan(ClassOrdinal axisClass, const Placement& placement, const GearTrain& train) {
   const AxisClasses& classes = *placement.classes;
   const JointTree& tree = *placement.tree;
-  const auto isOf = [&](int link) { return classes.classOfLink(link) == axisClass; };
-  if (classes.classes[at(axisClass)].rootLink != 0) return false;
+  const auto isOf = [&](LinkOrdinal link) { return classes.classOfLink(link) == axisClass; };
+  if (classes.classes[axisClass].rootLink != 0) return false;
   int rings = 0;
   for (const TrainGear& gear : train.gears) {
     if (gear.axisClass == axisClass && gear.spec.kind == GearKind::internal) ++rings;
     if (gear.axisClass == axisClass && gear.spec.kind == GearKind::bevel) return false;
     if (gear.axisClass == axisClass && gear.link != 0 && !isOf(gear.link)) return false;
-    const int rootLink = classes.classes[at(gear.axisClass)].rootLink;
+    const LinkOrdinal rootLink = classes.classes[gear.axisClass].rootLink;
     if (gear.axisClass == axisClass || !isOf(rootLink)) continue;
     if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(gear.link) == gear.axisClass))
       return false;
   }
   if (rings < 2) return false;
   for (std::size_t c = 0; c < classes.classes.size(); ++c) {
-    const int rootLink = classes.classes[c].rootLink;
+    const LinkOrdinal rootLink = classes.classes[c].rootLink;
     if (isOf(rootLink)) {  // planets: on parallel axes, and nothing on them
       const auto own = placement.lineOfClass(axisClass).direction;
       const auto other = placement.lineOfClass(static_cast<int>(c)).direction;
       if (std::abs(std::abs(dot(own, other)) - 1) > 1e-9) return false;
-    } else if (rootLink != 0 && isOf(tree.parent[at(rootLink)])) {
+    } else if (rootLink != 0 && isOf(tree.parent[rootLink])) {
       return false;
     }
   }
   return true;
 }
 
-std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
+std::optional<CoaxialPlan> coaxialPlan(ClassOrdinal axisClass, SpanByClass<const AxisLayout> axes,
                                        const Placement& placement, const GearTrain& train,
                                        const std::stop_token& stop) {
   for (const bool runOn : {false, true}) {

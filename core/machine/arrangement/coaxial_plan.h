@@ -14,7 +14,7 @@ namespace geargraph::inline arrangement {
 
 /// The place of a bearing in the coaxial plan of its axis.
 struct CoaxialBearing {
-  int joint = 0;
+  JointOrdinal joint = 0;
   double at = 0;
   BearingForm form = BearingForm::boss;
 };
@@ -35,11 +35,13 @@ struct CoaxialPlan {
 
 /// Does the axis need a coaxial plan: with two ring gears or more, links that turn on the ground, and planets
 /// of theirs on parallel axes?
-[[nodiscard]] bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train);
+[[nodiscard]] bool needsCoaxialPlan(ClassOrdinal axisClass, const Placement& placement,
+                                    const GearTrain& train);
 
 /// The plan; std::nullopt if no routing is found, or `stop` was requested meanwhile. Cost: some milliseconds;
 /// see profile_router.h.
-[[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
+[[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(ClassOrdinal axisClass,
+                                                     SpanByClass<const AxisLayout> axes,
                                                      const Placement& placement, const GearTrain& train,
                                                      const std::stop_token& stop = {});
 

@@ -19,19 +19,15 @@ constexpr double kMostRows = 2000;  // cells get higher where there would be mor
 constexpr double kFewestRows = 50;
 constexpr double kRunsOn = 30;  // what it costs to run on what is inside, without a bearing
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 class SectionMaker {
  public:
-  SectionMaker(int axisClass, std::span<const AxisLayout> axes, const Placement& placement,
+  SectionMaker(ClassOrdinal axisClass, SpanByClass<const AxisLayout> axes, const Placement& placement,
                const GearTrain& train, bool runOn)
       : m_class(axisClass),
         m_axes(axes),
         m_placement(placement),
         m_train(train),
-        m_axis(axes[at(axisClass)]),
+        m_axis(axes[axisClass]),
         m_runOn(runOn) {
     m_made.module = m_axis.module;
     m_made.cell = kCell * m_axis.module;
@@ -50,20 +46,20 @@ class SectionMaker {
  private:
   /// A wheel on the axis, or on a fixed one beside it.
   struct Wheel {
-    std::size_t gear = 0;
+    GearOrdinal gear = 0;
     Interval span;
     double distance = 0;
   };
   void findWheels();
   /// Does the gear run in a ring of this axis?
-  [[nodiscard]] bool meshesInside(std::size_t gear) const {
-    const auto isRing = [&](int g) {
-      const TrainGear& other = m_train.gears[at(g)];
+  [[nodiscard]] bool meshesInside(GearOrdinal gear) const {
+    const auto isRing = [&](GearOrdinal g) {
+      const TrainGear& other = m_train.gears[g];
       return other.axisClass == m_class && other.spec.kind == GearKind::internal;
     };
     return std::any_of(m_train.meshes.begin(), m_train.meshes.end(), [&](const TrainMesh& mesh) {
-      return (at(mesh.tailGear) == gear && isRing(mesh.headGear)) ||
-             (at(mesh.headGear) == gear && isRing(mesh.tailGear));
+      return (mesh.tailGear == gear && isRing(mesh.headGear)) ||
+             (mesh.headGear == gear && isRing(mesh.tailGear));
     });
   }
   void cutColumns();
@@ -74,10 +70,10 @@ class SectionMaker {
   void makeNets();
   void addWheel(const Wheel& wheel);
   void addCarried();
-  void addHousing(int net);
-  void addSupports(int net, bool onGround);
+  void addHousing(NetOrdinal net);
+  void addSupports(NetOrdinal net, bool onGround);
   [[nodiscard]] std::vector<RouteTerminal> pinTerminals(const CoaxialPlanets& planets) const;
-  int netOf(int link);
+  int netOf(LinkOrdinal link);
 
   [[nodiscard]] const GearSpec& spec(const Wheel& w) const { return m_train.gears[w.gear].spec; }
   [[nodiscard]] const GearSpec& planetSpec(const CoaxialPlanets& p) const;
@@ -92,7 +88,7 @@ class SectionMaker {
   [[nodiscard]] std::pair<int, int> columnsOf(const Interval& s) const {
     int first = m_made.grid.columns, last = -1;
     for (int c = 0; c < m_made.grid.columns; ++c) {
-      const double middle = (m_made.columns[at(c)].low + m_made.columns[at(c)].high) / 2;
+      const double middle = (m_made.columns[c].low + m_made.columns[c].high) / 2;
       if (middle < s.low || middle > s.high) continue;
       first = std::min(first, c);
       last = c;
@@ -110,11 +106,11 @@ class SectionMaker {
   }
   void block(const Interval& s, double from, double to) {
     forCells(s, from, to,
-             [&](int c, int r) { m_made.grid.owner[at(m_made.grid.cell(c, r))] = ProfileGrid::kBlocked; });
+             [&](int c, int r) { m_made.grid.owner[m_made.grid.cell(c, r)] = ProfileGrid::kBlocked; });
   }
 
   int m_class;
-  std::span<const AxisLayout> m_axes;
+  SpanByClass<const AxisLayout> m_axes;
   const Placement& m_placement;
   const GearTrain& m_train;
   const AxisLayout& m_axis;
@@ -128,7 +124,7 @@ class SectionMaker {
 void SectionMaker::findWheels() {
   const AxisClasses& classes = *m_placement.classes;
   std::map<int, CoaxialPlanets> planets;
-  for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
+  for (const GearOrdinal g : m_train.gears.ordinals()) {
     const TrainGear& gear = m_train.gears[g];
     const int c = gear.axisClass;
     Wheel wheel{g, spanOf(gear), 0};
@@ -136,11 +132,11 @@ void SectionMaker::findWheels() {
       m_wheels.push_back(wheel);
       continue;
     }
-    const AxisLayout& other = m_axes[at(c)];
+    const AxisLayout& other = m_axes[c];
     if (other.direction.cross(m_axis.direction).norm() > 1e-6) continue;
     const Eigen::Vector3d apart = other.point - m_axis.point;
     wheel.distance = (apart - apart.dot(m_axis.direction) * m_axis.direction).norm();
-    const int rootLink = classes.classes[at(c)].rootLink;
+    const LinkOrdinal rootLink = classes.classes[c].rootLink;
     const bool inRing = rootLink == 0 && meshesInside(g);  // the ground is a carrier, too
     if (classes.classOfLink(rootLink) != m_class && !inRing) {
       m_beside.push_back(wheel);
@@ -229,7 +225,7 @@ void SectionMaker::cutRows() {
   const int middle = static_cast<int>(std::ceil((most - m_made.innerRadius) / m_made.cell)) + 1;
   grid.columns = static_cast<int>(m_made.columns.size());
   grid.rows = m_made.innerRows + middle + std::min(links, 6);
-  grid.owner.assign(at(grid.columns * grid.rows), ProfileGrid::kFree);
+  grid.owner.assign(static_cast<std::size_t>(grid.columns * grid.rows), ProfileGrid::kFree);
   for (const CoaxialColumn& column : m_made.columns) {
     const double width = std::min((column.high - column.low) / m_made.module, kMostWidth);
     grid.plates.push_back(width > 0.99 * kNarrowest);
@@ -251,7 +247,7 @@ void SectionMaker::blockBeside(const Wheel& wheel) {
   block(wheel.span, wheel.distance - reach, 1e300);
 }
 
-int SectionMaker::netOf(int link) {
+int SectionMaker::netOf(LinkOrdinal link) {
   const auto [known, added] = m_netOf.try_emplace(link, static_cast<int>(m_made.nets.size()));
   // What stands on the ground need not hang together.
   if (!added && link != 0) return known->second;
@@ -268,11 +264,11 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   const double play = 0.3 * m_made.module;
   const double rim = ring ? rimDiameter(s) / 2 : 0;
   block(wheel.span, ring ? nominalTipRadius(s) - play : 0, ring ? rim + play : nominalTipRadius(s) + play);
-  const int net = netOf(wheel.span.link);
+  const NetOrdinal net = netOf(wheel.span.link);
   m_made.netsOfGear[wheel.gear].push_back(net);
   RouteTerminal terminal;
   const auto own = [&](int c, int r) {
-    m_made.grid.owner[at(m_made.grid.cell(c, r))] = net;
+    m_made.grid.owner[m_made.grid.cell(c, r)] = net;
     terminal.cells.push_back(m_made.grid.cell(c, r));
   };
   if (ring) {
@@ -281,11 +277,11 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   } else {
     forCells(wheel.span, m_made.innerRadius + 0.1 * m_made.cell, m_made.innerRadius + 0.9 * m_made.cell, own);
   }
-  m_made.nets[at(net)].groups.push_back({terminal});
-  m_made.planetsOf[at(net)].emplace_back();
+  m_made.nets[net].groups.push_back({terminal});
+  m_made.planetsOf[net].emplace_back();
   if (wheel.span.link != 0) return;
   // A wheel of the ground stands in the housing: from its rim outwards nothing else may be.
-  ProfileNet& held = m_made.nets[at(net)];
+  ProfileNet& held = m_made.nets[net];
   held.needsSupport = true;
   if (!ring) {
     addSupports(net, true);
@@ -313,7 +309,7 @@ std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) c
   const auto bandOf = [&](int c) { return ProfileRun{grid.cell(c, low), grid.cell(c, high)}; };
   const auto terminalAt = [&](int c) {
     RouteTerminal terminal;
-    for (int cell = bandOf(c).first; cell < bandOf(c).end; ++cell) terminal.cells.push_back(cell);
+    for (CellOrdinal cell = bandOf(c).first; cell < bandOf(c).end; ++cell) terminal.cells.push_back(cell);
     return terminal;
   };
   std::vector<RouteTerminal> terminals;
@@ -324,8 +320,8 @@ std::vector<RouteTerminal> SectionMaker::pinTerminals(const CoaxialPlanets& p) c
       const int farther = beside + side;
       const auto inside = [&](int c) { return c >= 0 && c < grid.columns; };
       if (!inside(beside)) continue;
-      if (grid.plates[at(beside)]) terminals.push_back(terminalAt(beside));
-      if (!inside(farther) || !grid.plates[at(farther)]) continue;
+      if (grid.plates[beside]) terminals.push_back(terminalAt(beside));
+      if (!inside(farther) || !grid.plates[farther]) continue;
       terminals.push_back(terminalAt(farther));
       terminals.back().keptFree = bandOf(beside);
       terminals.back().cost = 6;
@@ -347,35 +343,34 @@ void SectionMaker::addCarried() {
   std::vector<bool> done(m_made.planets.size(), false);
   for (std::size_t i = 0; i < m_made.planets.size(); ++i) {
     if (done[i]) continue;
-    const int net = netOf(m_made.planets[i].carrier);
-    m_made.nets[at(net)].groups.push_back(pinTerminals(m_made.planets[i]));
-    m_made.planetsOf[at(net)].emplace_back();
+    const NetOrdinal net = netOf(m_made.planets[i].carrier);
+    m_made.nets[net].groups.push_back(pinTerminals(m_made.planets[i]));
+    m_made.planetsOf[net].emplace_back();
     if (m_made.planets[i].carrier == 0) addHousing(net);
     for (std::size_t k = i; k < m_made.planets.size(); ++k) {
       if (done[k] || !identical(m_made.planets[i], m_made.planets[k])) continue;
       done[k] = true;
-      m_made.planetsOf[at(net)].back().push_back(k);
+      m_made.planetsOf[net].back().push_back(k);
     }
   }
 }
 
 /// What the ground carries hangs on the housing, which is outside of everything.
-void SectionMaker::addHousing(int net) {
-  ProfileNet& held = m_made.nets[at(net)];
+void SectionMaker::addHousing(NetOrdinal net) {
+  ProfileNet& held = m_made.nets[net];
   held.needsSupport = true;
   for (int c = 0; c < m_made.grid.columns; ++c) {
-    if (m_made.grid.plates[at(c)])
-      held.supports.push_back({{m_made.grid.cell(c, m_made.grid.rows - 1)}, {}, 0});
+    if (m_made.grid.plates[c]) held.supports.push_back({{m_made.grid.cell(c, m_made.grid.rows - 1)}, {}, 0});
   }
 }
 
 /// Out at an end, with the room about it for the bearing; what has one wheel only may run on what is inside.
-void SectionMaker::addSupports(int net, bool onGround) {
+void SectionMaker::addSupports(NetOrdinal net, bool onGround) {
   const ProfileGrid& grid = m_made.grid;
-  ProfileNet& held = m_made.nets[at(net)];
+  ProfileNet& held = m_made.nets[net];
   for (int c = 0; c < grid.columns; ++c) {
-    if (!grid.plates[at(c)]) continue;
-    const CoaxialColumn& column = m_made.columns[at(c)];
+    if (!grid.plates[c]) continue;
+    const CoaxialColumn& column = m_made.columns[c];
     for (int r = 0; r < m_made.innerRows; ++r) {
       RouteTerminal terminal;
       terminal.cells = {grid.cell(c, r)};
@@ -396,10 +391,10 @@ void SectionMaker::makeNets() {
   for (const Wheel& wheel : m_wheels) addWheel(wheel);
   addCarried();
   for (std::size_t n = 0; n < m_made.nets.size(); ++n) {
-    const int link = m_made.linkOf[n];
+    const LinkOrdinal link = m_made.linkOf[n];
     if (link == 0) continue;
     m_made.nets[n].needsSupport = m_made.nets[n].groups.size() == 1;
-    addSupports(static_cast<int>(n), m_placement.tree->parent[at(link)] == 0);
+    addSupports(static_cast<int>(n), m_placement.tree->parent[link] == 0);
   }
 }
 
@@ -409,8 +404,8 @@ double shaftRoom(const GearSpec& spec) {
   return spec.bore > 0 ? spec.bore / 2 : 0.45 * largestBore(spec);
 }
 
-CoaxialSections coaxialSections(int axisClass, std::span<const AxisLayout> axes, const Placement& placement,
-                                const GearTrain& train, bool runOn) {
+CoaxialSections coaxialSections(ClassOrdinal axisClass, SpanByClass<const AxisLayout> axes,
+                                const Placement& placement, const GearTrain& train, bool runOn) {
   return SectionMaker(axisClass, axes, placement, train, runOn).make();
 }
 

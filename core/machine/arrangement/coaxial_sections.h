@@ -20,8 +20,8 @@ struct CoaxialColumn {
 
 /// The planets on one axis class parallel to the central axis.
 struct CoaxialPlanets {
-  int axisClass = 0;
-  int carrier = 0;  ///< link
+  ClassOrdinal axisClass = 0;
+  LinkOrdinal carrier = 0;  ///< link
   double distance = 0;
   std::vector<Interval> wheels;  ///< intervals along the central axis
 };
@@ -29,12 +29,12 @@ struct CoaxialPlanets {
 /// The half plane through an axis with the wheels in it, as a problem for routeProfiles().
 struct CoaxialSections {
   ProfileGrid grid;
-  std::vector<CoaxialColumn> columns;
-  std::vector<ProfileNet> nets;
-  std::vector<int> linkOf;                                       ///< by net
-  std::vector<std::vector<std::vector<std::size_t>>> planetsOf;  ///< by net and group: planets it carries
+  ByColumn<CoaxialColumn> columns;
+  ByNet<ProfileNet> nets;
+  ByNet<LinkOrdinal> linkOf;
+  ByNet<std::vector<std::vector<std::size_t>>> planetsOf;  ///< by group: planets it carries
   std::vector<CoaxialPlanets> planets;
-  std::vector<std::vector<int>> netsOfGear;  ///< by gear of the train: nets (one or none)
+  ByGear<std::vector<NetOrdinal>> netsOfGear;  ///< one or none
   int innerRows = 0;       ///< number of rows for sleeves inside the wheels, from the axis outwards
   double innerRadius = 0;  ///< outer radius of these rows
   double cell = 0;         ///< height of the other rows
@@ -49,7 +49,7 @@ constexpr double kPinBoss = 2.9;
 
 /// `runOn`: links with one wheel may also turn on the shaft inside them, without extending to an end of the
 /// axis.
-[[nodiscard]] CoaxialSections coaxialSections(int axisClass, std::span<const AxisLayout> axes,
+[[nodiscard]] CoaxialSections coaxialSections(ClassOrdinal axisClass, SpanByClass<const AxisLayout> axes,
                                               const Placement& placement, const GearTrain& train, bool runOn);
 
 /// The largest outer radius of shafts inside a wheel.

@@ -9,7 +9,7 @@ namespace {
 
 /// Would the link's shaft run within that of another on its axis, to the level beyond it, while that one runs
 /// within the link's own wheels?
-bool isAround(const PlanDraft& draft, int home, int link, double level) {
+bool isAround(const PlanDraft& draft, ClassOrdinal home, LinkOrdinal link, double level) {
   const AxisLayout& own = draft.axis(home);
   const auto wheels = own.wheelsOf(link);
   return wheels && std::any_of(own.bearings.begin(), own.bearings.end(), [&](const Bearing& other) {
@@ -23,7 +23,8 @@ bool isAround(const PlanDraft& draft, int home, int link, double level) {
 
 /// The bearing of the one shaft that a boss at the intersection holds: the one with wheels on both sides of
 /// it; where several have theirs on one side, the nearest, on which the others run. The end: there is none.
-std::vector<Bearing>::iterator heldByCrossShaftBoss(PlanDraft& draft, int link, int axisClass, double at) {
+std::vector<Bearing>::iterator heldByCrossShaftBoss(PlanDraft& draft, LinkOrdinal link,
+                                                    ClassOrdinal axisClass, double at) {
   AxisLayout& target = draft.axis(axisClass);
   std::vector<std::vector<Bearing>::iterator> passing, below, above;
   const auto none = target.bearings.end();
@@ -47,7 +48,7 @@ std::vector<Bearing>::iterator heldByCrossShaftBoss(PlanDraft& draft, int link, 
 
 }  // namespace
 
-bool placeCrossShaftBoss(PlanDraft& draft, int link, int home, int axisClass) {
+bool placeCrossShaftBoss(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, ClassOrdinal axisClass) {
   AxisLayout& own = draft.axis(home);
   AxisLayout& target = draft.axis(axisClass);
   const auto intersection = draft.intersectionOf(home, axisClass);
@@ -96,7 +97,7 @@ void trimCrossShaftBosses(PlanDraft& draft) {
         draft.plan.shaftAt(boss.axisClass, boss.at, boss.link) + 0.08 * draft.axis(boss.axisClass).module;
     const double sine = draft.axis(boss.home).direction.cross(draft.axis(boss.axisClass).direction).norm();
     const double cosine = std::abs(draft.axis(boss.home).direction.dot(draft.axis(boss.axisClass).direction));
-    for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(boss.home)]) {
+    for (const std::size_t s : draft.plan.shaftsOn[boss.home]) {
       ShaftSegment& shaft = draft.plan.shafts[s];
       if (shaft.link != boss.link) continue;
       const double off = (hole + 0.4 * draft.axis(boss.home).module + shaft.outer * cosine) / sine;

@@ -71,7 +71,7 @@ bool GearObstacles::isNear(const Gear& gear, const Vector3d& p, double margin) {
   return radius < tip + margin;
 }
 
-int GearObstacles::collisions(int link, const Vector3d& a, const Vector3d& b, double margin,
+int GearObstacles::collisions(LinkOrdinal link, const Vector3d& a, const Vector3d& b, double margin,
                               const Vector3d* across) const {
   int count = 0;
   const Vector3d middle = 0.5 * (a + b);

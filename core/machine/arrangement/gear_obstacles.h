@@ -22,19 +22,20 @@ class GearObstacles {
                              const Eigen::Vector3d& b, double margin) const;
   /// The number of collisions: of sample points along the bar from a to b, without the first, those inside or
   /// within `margin` of gears of other links.
-  [[nodiscard]] int collisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+  [[nodiscard]] int collisions(LinkOrdinal link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                double margin) const {
     return collisions(link, a, b, margin, nullptr);
   }
   /// The same for gears on axes that are not parallel to `axis` only.
-  [[nodiscard]] int nonParallelCollisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                          double margin, const Eigen::Vector3d& axis) const {
+  [[nodiscard]] int nonParallelCollisions(LinkOrdinal link, const Eigen::Vector3d& a,
+                                          const Eigen::Vector3d& b, double margin,
+                                          const Eigen::Vector3d& axis) const {
     return collisions(link, a, b, margin, &axis);
   }
 
  private:
   struct Gear {
-    int link = 0;
+    LinkOrdinal link = 0;
     bool ring = false;
     Eigen::Vector3d origin, axis;
     double low = 0, high = 0;  ///< along the axis from the origin
@@ -43,8 +44,8 @@ class GearObstacles {
     Eigen::Vector3d middle;
     double reach = 0;  ///< of the sphere about `middle` that holds it
   };
-  [[nodiscard]] int collisions(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
-                               const Eigen::Vector3d* across) const;
+  [[nodiscard]] int collisions(LinkOrdinal link, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                               double margin, const Eigen::Vector3d* across) const;
   [[nodiscard]] static bool isNear(const Gear& gear, const Eigen::Vector3d& p, double margin);
 
   std::vector<Gear> m_gears;

@@ -31,7 +31,7 @@ constexpr std::size_t kMostReaches = 16;
 
 /// A part of the ground on an axis: an interval of it.
 struct Piece {
-  int axisClass = 0;
+  ClassOrdinal axisClass = 0;
   double low = 0, high = 0;
   double outer = 0;
   bool isBearing = false;
@@ -39,7 +39,7 @@ struct Piece {
 
 /// A ring of the ground, on whose rim a bar may stand.
 struct Rim {
-  int axisClass = 0;
+  ClassOrdinal axisClass = 0;
   double low = 0, high = 0;
   double inner = 0, outer = 0;
   int piece = -1;  ///< that holds the ring
@@ -75,7 +75,7 @@ class FrameMaker {
   }
 
  private:
-  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[c]; }
   [[nodiscard]] double module() const { return m_plan.axes.front().module; }
 
   void findPieces();
@@ -179,8 +179,7 @@ void FrameMaker::findRims() {
     Rim rim{gear.axisClass, middle - half, middle + half,
             nominalRootRadius(gear.spec) + 0.4 * gear.spec.module, rimDiameter(gear.spec) / 2};
     for (const RingCarrierPlan& ringCarrier : m_plan.ringCarriers) {
-      if (&m_train.gears[static_cast<std::size_t>(ringCarrier.gear)] == &gear)
-        rim.piece = pieceAt(gear.axisClass, ringCarrier.plate);
+      if (&m_train.gears[ringCarrier.gear] == &gear) rim.piece = pieceAt(gear.axisClass, ringCarrier.plate);
     }
     if (rim.piece < 0) {
       rim.piece = static_cast<int>(m_pieces.size());
@@ -490,8 +489,7 @@ FramePlan planFrame(const Arrangement& plan, const GearTrain& train, const Place
   const auto cases = carrierCases(plan, train, placement);
   FramePlan frame = FrameMaker(plan, train, envelopes).make();
   if (cases.empty()) return frame;
-  for (const CasePlan& made : cases)
-    envelopes.push_back(envelopeOf(made, plan.axes[static_cast<std::size_t>(made.axisClass)]));
+  for (const CasePlan& made : cases) envelopes.push_back(envelopeOf(made, plan.axes[made.axisClass]));
   FramePlan round = FrameMaker(plan, train, std::move(envelopes)).make();
   return round.onPedestals.size() > frame.onPedestals.size() ? frame : round;
 }

@@ -110,7 +110,7 @@ int armCollisions(const PlanDraft& draft, const ArmPlan& arm) {
 }
 
 /// Levels beside the link's own wheel and arms, or outside of everything.
-std::vector<double> levelsBeside(const PlanDraft& draft, int link, int home) {
+std::vector<double> levelsBeside(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home) {
   const AxisLayout& own = draft.axis(home);
   std::vector<double> levels{own.outerSlot()};
   const double reach = own.gap() + own.width() / 2;
@@ -124,10 +124,10 @@ std::vector<double> levelsBeside(const PlanDraft& draft, int link, int home) {
 }
 
 /// Levels beyond the wheels on an axis that crosses, so that an arm goes round them.
-std::vector<double> levelsBeyond(const PlanDraft& draft, int home, int axisClass) {
+std::vector<double> levelsBeyond(const PlanDraft& draft, ClassOrdinal home, ClassOrdinal axisClass) {
   const AxisLayout& own = draft.axis(home);
   std::vector<double> levels;
-  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+  for (const GearOrdinal g : draft.gearsOn[axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
     const double beyond = nominalTipRadius(gear.spec) + own.width() / 2 + own.gap();
     const double middle = own.coordinate(gear.pose.translation());
@@ -137,7 +137,7 @@ std::vector<double> levelsBeyond(const PlanDraft& draft, int home, int axisClass
 }
 
 /// The arm to the bearing's axis that passes most, then the shortest.
-TriedArm bestArm(const PlanDraft& draft, int link, int home, const Bearing& bearing,
+TriedArm bestArm(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, const Bearing& bearing,
                  const std::vector<double>& levels) {
   const int c = draft.classOf(bearing);
   const AxisLayout& target = draft.axis(c);
@@ -159,8 +159,7 @@ TriedArm bestArm(const PlanDraft& draft, int link, int home, const Bearing& bear
   for (const double at : places) {
     if (draft.isStopped()) break;
     if (!target.slotIsFree(at)) continue;
-    for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)])
-      consider(at, draft.plan.arms[a].level, 0);
+    for (const std::size_t a : draft.armsOf[link]) consider(at, draft.plan.arms[a].level, 0);
     for (const double level : levels) {
       if (own.slotIsFree(level)) consider(at, level, 6 * own.module);
     }
@@ -170,7 +169,8 @@ TriedArm bestArm(const PlanDraft& draft, int link, int home, const Bearing& bear
 
 }  // namespace
 
-std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const Bearing& bearing) {
+std::optional<PinPlan> pinFor(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home,
+                              const Bearing& bearing) {
   const int c = draft.classOf(bearing);
   const AxisLayout& own = draft.axis(home);
   const AxisLayout& target = draft.axis(c);
@@ -197,7 +197,7 @@ std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home, const 
   return pin;
 }
 
-void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing) {
+void placeIntersecting(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, Bearing& bearing) {
   if (draft.tries.onPedestals.contains(bearing.child) && link == 0)
     return putOnPedestalOrReport(draft, bearing);
   TriedArm best = bestArm(draft, link, home, bearing, levelsBeside(draft, link, home));
@@ -218,7 +218,7 @@ void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing) {
   if (best.collisions > 0) draft.plan.blocked.push_back({link, bearing.child});
   bearing.at = best.arm.at;
   draft.axis(c).occupy(best.arm.at, link);
-  const auto& arms = draft.armsOf[static_cast<std::size_t>(link)];
+  const auto& arms = draft.armsOf[link];
   const bool stands = std::any_of(arms.begin(), arms.end(),
                                   [&](std::size_t a) { return draft.plan.arms[a].level == best.arm.level; });
   if (!stands) draft.axis(home).occupy(best.arm.level, link);

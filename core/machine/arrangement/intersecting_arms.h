@@ -10,12 +10,12 @@ namespace geargraph::inline arrangement {
 
 /// A cantilevered pin from a link's own shaft along an intersecting axis, for wheels that are all on one
 /// side; std::nullopt if it would collide with wheels or shafts of other links.
-[[nodiscard]] std::optional<PinPlan> pinFor(const PlanDraft& draft, int link, int home,
+[[nodiscard]] std::optional<PinPlan> pinFor(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home,
                                             const Bearing& bearing);
 
 /// Places bearing and arm for an axis that intersects the link's own. First criterion: clear of the gears;
 /// then bearings as drawn, arms beside the link's own wheel or at an arm that it has already. If no arm is
 /// clear of the gears, a pin is tried, then an arm around the wheels.
-void placeIntersecting(PlanDraft& draft, int link, int home, Bearing& bearing);
+void placeIntersecting(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement

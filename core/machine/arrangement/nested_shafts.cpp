@@ -12,9 +12,9 @@ namespace geargraph::inline arrangement {
 namespace {
 
 /// Largest radius that the bores of the link's wheels on this axis allow.
-double boreRoom(const PlanDraft& draft, int axisClass, int link) {
+double boreRoom(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link) {
   double room = 1e300;
-  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+  for (const GearOrdinal g : draft.gearsOn[axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     room = std::min(room, shaftRoom(gear.spec));
@@ -24,25 +24,25 @@ double boreRoom(const PlanDraft& draft, int axisClass, int link) {
 
 /// How many wheels, ring carriers and arms of a link another shaft on the axis would cut through if it went
 /// about the link's own.
-int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
+int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, LinkOrdinal link) {
   const AxisLayout& layout = draft.axis(outer.axisClass);
   const auto isCut = [&](double low, double high) {
     return layout.overlap(low, high, outer.low, outer.high) ? 1 : 0;
   };
   const double half = layout.width() / 2;
   int cuts = 0;
-  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(outer.axisClass)]) {
+  for (const GearOrdinal g : draft.gearsOn[outer.axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     const Interval wheel = draft.intervalOf(gear, axialSpan(gear.spec));
     cuts += isCut(wheel.low, wheel.high);
   }
   for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
-    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    const TrainGear& ring = draft.train.gears[ringCarrier.gear];
     if (ring.link == link && ring.axisClass == outer.axisClass)
       cuts += isCut(ringCarrier.plate - half, ringCarrier.plate + half);
   }
-  for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
+  for (const std::size_t a : draft.armsOf[link]) {
     const ArmPlan& arm = draft.plan.arms[a];
     if (arm.from == outer.axisClass) cuts += isCut(arm.level - half, arm.level + half);
   }
@@ -51,9 +51,9 @@ int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, int link) {
 
 }  // namespace
 
-void nestShafts(PlanDraft& draft, int axisClass) {
+void nestShafts(PlanDraft& draft, ClassOrdinal axisClass) {
   std::vector<ShaftSegment*> open;
-  for (const std::size_t s : draft.plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
+  for (const std::size_t s : draft.plan.shaftsOn[axisClass]) {
     open.push_back(&draft.plan.shafts[s]);
   }
   const double module = draft.axis(axisClass).module;

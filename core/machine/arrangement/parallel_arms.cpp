@@ -16,7 +16,7 @@ namespace {
 constexpr int kReserved = -2;  ///< in place of a link: kept free by reserveSlots()
 
 /// Outside of everything on all of these axes, on the bearings' side.
-double outmostLevel(const PlanDraft& draft, int home, const std::vector<Bearing*>& round) {
+double outmostLevel(const PlanDraft& draft, ClassOrdinal home, const std::vector<Bearing*>& round) {
   const int side = draft.axis(home).bearingSide;
   double outmost = draft.axis(home).outerSlot();
   for (const Bearing* b : round) {
@@ -29,7 +29,8 @@ double outmostLevel(const PlanDraft& draft, int home, const std::vector<Bearing*
 }
 
 /// Is a level free on the axes of all these bearings, and can straight arms reach them from the link's own?
-bool fits(const PlanDraft& draft, int link, int home, const std::vector<Bearing*>& round, double level) {
+bool fits(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, const std::vector<Bearing*>& round,
+          double level) {
   std::vector<int> involved{home};
   for (const Bearing* b : round) {
     involved.push_back(draft.classOf(*b));
@@ -58,7 +59,7 @@ bool fits(const PlanDraft& draft, int link, int home, const std::vector<Bearing*
 /// A level at which the link's arms lie in one plane, beside the wheels: the free one nearest to what is
 /// drawn. The ground stands at the bearings' end, behind everything; carriers keep to the other. None where
 /// there is none.
-std::optional<double> commonLevel(const PlanDraft& draft, int link, int home,
+std::optional<double> commonLevel(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home,
                                   const std::vector<Bearing*>& round) {
   const int side = draft.axis(home).bearingSide;
   std::vector<int> involved{home};
@@ -111,11 +112,11 @@ std::optional<double> commonLevel(const PlanDraft& draft, int link, int home,
 
 }  // namespace
 
-int homeOf(const PlanDraft& draft, int link) {
+int homeOf(const PlanDraft& draft, LinkOrdinal link) {
   const int own = draft.placement.classes->classOfLink(link);
   if (own >= 0) return own;
   const auto& held = draft.heldBy[static_cast<std::size_t>(link)];
-  int home = held.back().first;
+  ClassOrdinal home = held.back().first;
   std::pair<std::ptrdiff_t, std::ptrdiff_t> most{0, 0};
   for (auto it = held.rbegin(); it != held.rend(); ++it) {
     const auto alike = std::count_if(
@@ -132,7 +133,7 @@ int homeOf(const PlanDraft& draft, int link) {
 void reserveSlots(PlanDraft& draft) {
   for (const auto& [link, level] : draft.tries.roundBearings) {
     if (draft.tries.slotsFor.contains(link)) continue;  // that did not help
-    const int home = draft.placement.classes->classOfLink(link);
+    const ClassOrdinal home = draft.placement.classes->classOfLink(link);
     AxisLayout& own = draft.axis(home);
     Interval reserved{level - own.width() / 2, level + own.width() / 2, kReserved};
     double low = 1e300, high = -1e300;  // of the wheels
@@ -144,8 +145,8 @@ void reserveSlots(PlanDraft& draft) {
     if (own.isBelow(level, low)) reserved.high = std::max(reserved.high, low);
     own.occupied.push_back(reserved);
   }
-  for (const int link : draft.tries.slotsFor) {
-    const int home = draft.placement.classes->classOfLink(link);
+  for (const LinkOrdinal link : draft.tries.slotsFor) {
+    const ClassOrdinal home = draft.placement.classes->classOfLink(link);
     if (home < 0) continue;
     draft.axis(home).occupy(draft.axis(home).outerSlot(), kReserved);
     for (const auto& [c, b] : draft.heldBy[static_cast<std::size_t>(link)]) {
@@ -162,7 +163,7 @@ void releaseSlots(PlanDraft& draft) {
     std::erase_if(layout.occupied, [](const Interval& s) { return s.link == kReserved; });
 }
 
-std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home) {
+std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home) {
   std::vector<std::vector<Bearing*>> rounds;
   const auto& held = draft.heldBy[static_cast<std::size_t>(link)];
   for (std::size_t first = 0; first < held.size();) {
@@ -195,8 +196,8 @@ std::vector<std::vector<Bearing*>> roundsOf(PlanDraft& draft, int link, int home
   return rounds;
 }
 
-std::vector<AxisBar> barsOf(const PlanDraft& draft, int link, int home, const std::vector<Bearing*>& round,
-                            double level) {
+std::vector<AxisBar> barsOf(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home,
+                            const std::vector<Bearing*>& round, double level) {
   const auto place = [&](int c) { return draft.axis(c).at(draft.carried(home, level, c)); };
   const auto isShorter = [&](double a, double b) { return draft.axis(home).isBelow(a, b); };
   struct Open {
@@ -234,7 +235,7 @@ std::vector<AxisBar> barsOf(const PlanDraft& draft, int link, int home, const st
   return bars;
 }
 
-void placeParallel(PlanDraft& draft, int link, int home, std::vector<Bearing*> round) {
+void placeParallel(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, std::vector<Bearing*> round) {
   if (link == 0) {  // what cannot reach the frame behind everything else is on a pedestal of its own
     const double behind = outmostLevel(draft, home, round);
     std::erase_if(round, [&](Bearing* b) {

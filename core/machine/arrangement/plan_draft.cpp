@@ -16,8 +16,8 @@ PlanDraft::PlanDraft(const Mechanism& mechanism, const Placement& placed, const 
   coaxial.resize(plan.axes.size(), false);
   heldBy.resize(mechanism.links.size());
   armsOf.resize(mechanism.links.size());
-  for (std::size_t g = 0; g < train.gears.size(); ++g) {
-    gearsOn[static_cast<std::size_t>(train.gears[g].axisClass)].push_back(g);
+  for (const GearOrdinal g : train.gears.ordinals()) {
+    gearsOn[train.gears[g].axisClass].push_back(g);
   }
   for (std::size_t c = 0; c < plan.axes.size(); ++c) {
     for (std::size_t b = 0; b < plan.axes[c].bearings.size(); ++b) {
@@ -26,7 +26,7 @@ PlanDraft::PlanDraft(const Mechanism& mechanism, const Placement& placed, const 
   }
 }
 
-std::optional<std::pair<double, double>> PlanDraft::intersectionOf(int a, int b) const {
+std::optional<std::pair<double, double>> PlanDraft::intersectionOf(ClassOrdinal a, ClassOrdinal b) const {
   const AxisLayout& one = axis(a);
   const AxisLayout& other = axis(b);
   const Vector3d across = one.direction.cross(other.direction);

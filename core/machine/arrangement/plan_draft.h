@@ -34,29 +34,31 @@ struct PlanDraft {
             const PlanTries& tries, const std::stop_token& stop);
 
   [[nodiscard]] bool isStopped() const { return stop.stop_requested(); }
-  AxisLayout& axis(int c) { return plan.axes[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] const AxisLayout& axis(int c) const { return plan.axes[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] bool isCoaxial(int axisClass) const { return coaxial[static_cast<std::size_t>(axisClass)]; }
+  AxisLayout& axis(ClassOrdinal c) { return plan.axes[c]; }
+  [[nodiscard]] const AxisLayout& axis(ClassOrdinal c) const { return plan.axes[c]; }
+  [[nodiscard]] bool isCoaxial(ClassOrdinal axisClass) const { return coaxial[axisClass]; }
   [[nodiscard]] int classOf(const Bearing& bearing) const {
-    return placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+    return placement.classes->classOf[bearing.joint];
   }
-  [[nodiscard]] bool parallel(int a, int b) const {
+  [[nodiscard]] bool parallel(ClassOrdinal a, ClassOrdinal b) const {
     return axis(a).direction.cross(axis(b).direction).norm() < 1e-6;
   }
   /// Coordinate along class b of the plane through coordinate x of a parallel class a.
-  [[nodiscard]] double carried(int a, double x, int b) const { return axis(b).coordinate(axis(a).at(x)); }
+  [[nodiscard]] double carried(ClassOrdinal a, double x, ClassOrdinal b) const {
+    return axis(b).coordinate(axis(a).at(x));
+  }
   /// Where two axes intersect: the coordinates of the point along them; std::nullopt if they are skew or
   /// parallel.
-  [[nodiscard]] std::optional<std::pair<double, double>> intersectionOf(int a, int b) const;
+  [[nodiscard]] std::optional<std::pair<double, double>> intersectionOf(ClassOrdinal a, ClassOrdinal b) const;
   /// A span along a gear's own axis as an interval of its axis class.
   [[nodiscard]] Interval intervalOf(const TrainGear& gear, const AxialSpan& span) const;
 
   void addArm(const ArmPlan& arm) {
-    armsOf[static_cast<std::size_t>(arm.link)].push_back(plan.arms.size());
+    armsOf[arm.link].push_back(plan.arms.size());
     plan.arms.push_back(arm);
   }
   void addSegment(const ShaftSegment& shaft) {
-    plan.shaftsOn[static_cast<std::size_t>(shaft.axisClass)].push_back(plan.shafts.size());
+    plan.shaftsOn[shaft.axisClass].push_back(plan.shafts.size());
     plan.shafts.push_back(shaft);
   }
 
@@ -66,11 +68,11 @@ struct PlanDraft {
   const std::stop_token& stop;
   std::set<int> wantSlots;  ///< carriers whose arms found no level
   GearObstacles obstacles;
-  std::vector<std::vector<std::size_t>> gearsOn;  ///< gears by axis class
-  std::vector<bool> coaxial;                      ///< axis classes with a coaxial plan
+  ByClass<std::vector<GearOrdinal>> gearsOn;  ///< gears
+  ByClass<bool> coaxial;                      ///< axis classes with a coaxial plan
   std::vector<std::vector<std::pair<int, std::size_t>>>
-      heldBy;                                    ///< bearings (class, place) by the link that holds
-  std::vector<std::vector<std::size_t>> armsOf;  ///< arms by link
+      heldBy;                               ///< bearings (class, place) by the link that holds
+  ByLink<std::vector<std::size_t>> armsOf;  ///< arms
   Arrangement plan;
 };
 

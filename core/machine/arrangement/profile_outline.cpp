@@ -9,7 +9,7 @@ namespace {
 
 /// A side of a cell on the outline, in the sense of travel with the cell on the left.
 struct Edge {
-  int cell = 0;
+  CellOrdinal cell = 0;
   int direction = 0;  ///< 0: away from the axis, 1: up the axis, 2: towards it, 3: down
   int toColumn = 0;   ///< corner where it ends
   int toRow = 0;
@@ -28,7 +28,7 @@ std::vector<std::vector<ProfileVertex>> outlinesOf(const ProfileGrid& grid, cons
   for (int c = 0; c < grid.columns; ++c) {
     for (int r = 0; r < grid.rows; ++r) {
       if (!isIn(c, r)) continue;
-      const int cell = grid.cell(c, r);
+      const CellOrdinal cell = grid.cell(c, r);
       if (!isIn(c - 1, r)) from[{c, r}].push_back({cell, 0, c, r + 1});
       if (!isIn(c, r + 1)) from[{c, r + 1}].push_back({cell, 1, c + 1, r + 1});
       if (!isIn(c + 1, r)) from[{c + 1, r + 1}].push_back({cell, 2, c + 1, r});
@@ -68,7 +68,7 @@ std::vector<std::vector<ProfileVertex>> outlinesOf(const ProfileGrid& grid, cons
           // The part that reaches farther out is the shorter one.
           const int ahead = a.direction < 2 ? 1 : -1;
           const bool farther = a.direction == 0 || a.direction == 3 ? here < then : here > then;
-          const int cell = farther ? a.cell : b.cell;
+          const CellOrdinal cell = farther ? a.cell : b.cell;
           const int side = farther ? ahead : -ahead;
           const double along = level ? places.radius(cell, side) : places.height(cell, side);
           outline.push_back(level ? ProfileVertex{along, here} : ProfileVertex{here, along});

@@ -10,8 +10,10 @@ namespace geargraph::inline arrangement {
 
 /// The exact positions of the edges of a set of cells, by the cell inside and the side that the edge faces.
 struct OutlinePlaces {
-  std::function<double(int cell, int side)> height;  ///< of the edge at the column's low (-1) or high (1) end
-  std::function<double(int cell, int side)> radius;  ///< of the edge towards (-1) or away from (1) the axis
+  /// Height of the edge at the column's low (-1) or high (1) end.
+  std::function<double(CellOrdinal cell, int side)> height;
+  /// Radius of the edge towards (-1) or away from (1) the axis.
+  std::function<double(CellOrdinal cell, int side)> radius;
 };
 
 /// The outlines of a set of cells, material on the left, with corners at these positions. Cells that share

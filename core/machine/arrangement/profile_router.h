@@ -5,14 +5,27 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/foundations/base/ordinal.h"
+
 namespace geargraph::inline arrangement {
+
+using CellOrdinal = Ordinal<struct CellTag>;  ///< of a cell of a profile grid
+using NetOrdinal = Ordinal<struct NetTag>;    ///< of a net that is routed in it
+template <class T>
+using ByCell = OrdinalVector<CellTag, T>;
+template <class T>
+using ByNet = OrdinalVector<NetTag, T>;
+template <class T>
+using ByColumn = OrdinalVector<struct ColumnTag, T>;
+template <class T>
+using ByRow = OrdinalVector<struct RowTag, T>;
 
 /// Cells of one column, next to each other.
 struct ProfileRun {
   int first = 0;
   int end = 0;  ///< one past the last
 
-  [[nodiscard]] bool contains(int cell) const { return first <= cell && cell < end; }
+  [[nodiscard]] bool contains(CellOrdinal cell) const { return first <= cell && cell < end; }
   friend bool operator==(const ProfileRun&, const ProfileRun&) = default;
 };
 
@@ -24,24 +37,24 @@ struct ProfileGrid {
 
   int columns = 0;
   int rows = 0;
-  std::vector<int> owner;       ///< by cell: kFree, kBlocked, or the net whose wheel is there
-  std::vector<bool> plates;     ///< by column: is it wide enough for a disc?
-  std::vector<double> width;    ///< by column: the cost of a step along the axis
-  std::vector<double> rowCost;  ///< by row: the cost of a step away from the axis
+  ByCell<NetOrdinal> owner;  ///< kFree, kBlocked, or the net whose wheel is there
+  ByColumn<bool> plates;     ///< is it wide enough for a disc?
+  ByColumn<double> width;    ///< the cost of a step along the axis
+  ByRow<double> rowCost;     ///< the cost of a step away from the axis
 
-  [[nodiscard]] int cell(int column, int row) const { return column * rows + row; }
+  [[nodiscard]] CellOrdinal cell(int column, int row) const { return column * rows + row; }
   /// The cells of a column from a row outwards.
   [[nodiscard]] ProfileRun above(int column, int row) const {
     return {cell(column, row), cell(column, rows)};
   }
-  [[nodiscard]] int columnOf(int cell) const { return cell / rows; }
-  [[nodiscard]] int rowOf(int cell) const { return cell % rows; }
+  [[nodiscard]] int columnOf(CellOrdinal cell) const { return cell / rows; }
+  [[nodiscard]] int rowOf(CellOrdinal cell) const { return cell % rows; }
   friend bool operator==(const ProfileGrid&, const ProfileGrid&) = default;
 };
 
 /// A terminal of a net: `cells` become the net's, `keptFree` is reserved and stays empty.
 struct RouteTerminal {
-  std::vector<int> cells;
+  std::vector<CellOrdinal> cells;
   ProfileRun keptFree;
   double cost = 0;
   friend bool operator==(const RouteTerminal&, const RouteTerminal&) = default;
@@ -57,8 +70,8 @@ struct ProfileNet {
 
 /// The route of one net.
 struct ProfileRoute {
-  std::vector<int> cells;     ///< including those of its terminals
-  std::vector<int> terminal;  ///< by group: the terminal taken
+  std::vector<CellOrdinal> cells;  ///< including those of its terminals
+  std::vector<int> terminal;       ///< by group: the terminal taken
   int support = -1;
 };
 
@@ -72,9 +85,9 @@ constexpr std::size_t kMostRoutedCells = 4'000'000;
 /// PathFinder, FPGA 1995, where nets may overlap meanwhile). Deterministic, and similar nets get similar
 /// routes. std::nullopt after `tries` rounds, if a net has no path even by itself, if nets * cells exceeds
 /// kMostRoutedCells, or if `stop` was requested meanwhile. Cost: O(nets * cells) per round.
-[[nodiscard]] std::optional<std::vector<ProfileRoute>> routeProfiles(const ProfileGrid& grid,
-                                                                     const std::vector<ProfileNet>& nets,
-                                                                     int tries = kMostRouteRounds,
-                                                                     const std::stop_token& stop = {});
+[[nodiscard]] std::optional<ByNet<ProfileRoute>> routeProfiles(const ProfileGrid& grid,
+                                                               const ByNet<ProfileNet>& nets,
+                                                               int tries = kMostRouteRounds,
+                                                               const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline arrangement

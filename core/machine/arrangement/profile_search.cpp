@@ -9,17 +9,14 @@ namespace {
 constexpr double kFar = ProfileOwners::kFar;
 constexpr double kMostBuckets = 4096;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 ProfileBits::ProfileBits(const ProfileGrid& grid)
-    : m_perColumn((at(grid.rows) + 63) / 64), m_words(at(grid.columns) * m_perColumn) {
+    : m_perColumn((static_cast<std::size_t>(grid.rows) + 63) / 64),
+      m_words(static_cast<std::size_t>(grid.columns) * m_perColumn) {
   m_places.reserve(grid.owner.size());
-  for (std::size_t column = 0; column < at(grid.columns); ++column) {
-    for (std::size_t row = 0; row < at(grid.rows); ++row) {
+  for (std::size_t column = 0; column < static_cast<std::size_t>(grid.columns); ++column) {
+    for (std::size_t row = 0; row < static_cast<std::size_t>(grid.rows); ++row) {
       const std::size_t word = column * m_perColumn + row / 64;
       m_places.push_back({static_cast<std::uint32_t>(word), static_cast<int>(row % 64)});
     }
@@ -28,22 +25,22 @@ ProfileBits::ProfileBits(const ProfileGrid& grid)
 
 ProfileOwners::ProfileOwners(const ProfileGrid& grid, const ProfileBits& bits)
     : m_bits(&bits), m_owner(grid.owner), m_free(bits.words(), 0), m_costs(grid.owner.size(), kShut) {
-  for (int cell = 0; cell < static_cast<int>(m_owner.size()); ++cell) {
+  for (CellOrdinal cell = 0; cell < static_cast<int>(m_owner.size()); ++cell) {
     if (of(cell) == ProfileGrid::kFree) set(cell, ProfileGrid::kFree);
   }
 }
 
-void ProfileOwners::set(int cell, int owner) {
+void ProfileOwners::set(CellOrdinal cell, int owner) {
   const bool isFree = owner == ProfileGrid::kFree;
   const std::uint64_t bit = m_bits->bitOf(cell);
   std::uint64_t& word = m_free[m_bits->wordOf(cell)];
-  m_owner[at(cell)] = owner;
-  m_costs[at(cell)] = isFree ? kFar : kShut;
+  m_owner[cell] = owner;
+  m_costs[cell] = isFree ? kFar : kShut;
   word = isFree ? word | bit : word & ~bit;
 }
 
 bool ProfileOwners::isFree(const ProfileRun& run) const {
-  for (int cell = run.first; cell < run.end;) {  // word by word
+  for (CellOrdinal cell = run.first; cell < run.end;) {  // word by word
     const int place = m_bits->placeOf(cell);
     const int count = std::min(run.end - cell, 64 - place);
     const std::uint64_t mask = (~std::uint64_t{0} >> (64 - count)) << place;
@@ -55,8 +52,8 @@ bool ProfileOwners::isFree(const ProfileRun& run) const {
 
 ProfileSearch::ProfileSearch(const ProfileGrid& grid)
     : m_grid(grid),
-      m_columnAhead(at(grid.columns)),
-      m_rowAhead(at(grid.rows)),
+      m_columnAhead(static_cast<std::size_t>(grid.columns)),
+      m_rowAhead(static_cast<std::size_t>(grid.rows)),
       m_plates(grid.plates.begin(), grid.plates.end()) {
   for (const double cost : grid.rowCost) m_rowFactor.push_back(1 + cost);
   if (grid.width.empty() || grid.rowCost.empty()) return;
@@ -71,9 +68,9 @@ void ProfileSearch::lookAhead(const Places& ends) {
   std::fill(m_columnAhead.begin(), m_columnAhead.end(), kFar);
   std::fill(m_rowAhead.begin(), m_rowAhead.end(), kFar);
   for (const auto& [cell, cost] : ends) {
-    double& ahead = m_columnAhead[at(m_grid.columnOf(cell))];
+    double& ahead = m_columnAhead[m_grid.columnOf(cell)];
     ahead = std::min(ahead, cost);
-    m_rowAhead[at(m_grid.rowOf(cell))] = 0;
+    m_rowAhead[m_grid.rowOf(cell)] = 0;
   }
   const double factor = *std::min_element(m_rowFactor.begin(), m_rowFactor.end());
   const auto spread = [](std::vector<double>& ahead, const auto& price) {
@@ -91,13 +88,12 @@ void ProfileSearch::lookAhead(const Places& ends) {
 void ProfileSearch::makeBuckets(const Places& sources) {
   double low = kFar, high = 0, highestCost = 0;
   for (const auto& [cell, cost] : sources) {
-    const double rank =
-        cost + (m_columnAhead[at(m_grid.columnOf(cell))] + m_rowAhead[at(m_grid.rowOf(cell))]);
+    const double rank = cost + (m_columnAhead[m_grid.columnOf(cell)] + m_rowAhead[m_grid.rowOf(cell)]);
     low = std::min(low, rank);
     high = std::max(high, rank);
   }
   for (int r = 0; r < m_grid.rows; ++r)
-    highestCost = std::max({highestCost, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
+    highestCost = std::max({highestCost, m_widest * m_rowFactor[r], m_grid.rowCost[r]});
   highestCost += *std::max_element(m_extra.begin(), m_extra.end());
   const double span = std::max(2 * highestCost, high - low);
   m_perStep = std::min(1 / m_cheapest, kMostBuckets / span);
@@ -162,7 +158,7 @@ bool ProfileSearch::spread(std::size_t column) {
 /// of bits tell.
 bool ProfileSearch::isJoined(const ProfileBits& bits, const Places& sources, const Places& ends) {
   m_joined.assign(m_open.size(), 0);
-  m_isSpread.assign(at(m_grid.columns), 1);
+  m_isSpread.assign(static_cast<std::size_t>(m_grid.columns), 1);
   for (const auto& [cell, cost] : sources) {
     const std::size_t word = bits.wordOf(cell);
     m_joined[word] |= bits.bitOf(cell) & m_open[word];
@@ -183,41 +179,43 @@ bool ProfileSearch::isJoined(const ProfileBits& bits, const Places& sources, con
   return false;
 }
 
-bool ProfileSearch::begin(const ProfileOwners& owners, std::initializer_list<std::span<const int>> own,
-                          std::span<const double> extra, const Places& sources, const Places& ends) {
+bool ProfileSearch::begin(const ProfileOwners& owners,
+                          std::initializer_list<std::span<const CellOrdinal>> own,
+                          OrdinalSpan<CellTag, const double> extra, const Places& sources,
+                          const Places& ends) {
   const ProfileBits& bits = owners.bits();
   m_perColumn = bits.perColumn();
   m_open = owners.freeBits();
   for (const auto& cells : own) {
-    for (const int cell : cells) m_open[bits.wordOf(cell)] |= bits.bitOf(cell);
+    for (const CellOrdinal cell : cells) m_open[bits.wordOf(cell)] |= bits.bitOf(cell);
   }
   if (!isJoined(bits, sources, ends)) return false;
   m_cost = owners.costs();
   for (const auto& cells : own) {
-    for (const int cell : cells) m_cost[at(cell)] = kFar;
+    for (const CellOrdinal cell : cells) m_cost[cell] = kFar;
   }
   m_extra = extra;
   lookAhead(ends);
   makeBuckets(sources);
   m_from.resize(m_cost.size());
   for (const auto& [cell, cost] : sources) {
-    if (cost >= m_cost[at(cell)]) continue;
-    m_cost[at(cell)] = cost;
-    m_from[at(cell)] = -1;
+    if (cost >= m_cost[cell]) continue;
+    m_cost[cell] = cost;
+    m_from[cell] = -1;
     push(cost, cell, m_grid.columnOf(cell));
   }
   return true;
 }
 
-const std::vector<int>& ProfileSearch::settleBucket() {
+const std::vector<CellOrdinal>& ProfileSearch::settleBucket() {
   m_settled.clear();
   while (bucket(m_bucket) < 0) ++m_bucket;
   int& first = bucket(m_bucket);
   while (first >= 0) {  // more may come
-    const Front front = m_fronts[at(first)];
+    const Front front = m_fronts[static_cast<std::size_t>(first)];
     first = front.next;
     --m_waiting;
-    if (front.cost > m_cost[at(front.cell)]) continue;  // it was reached more cheaply before
+    if (front.cost > m_cost[front.cell]) continue;  // it was reached more cheaply before
     m_settled.push_back(front.cell);
     relax(front);
   }
@@ -225,28 +223,28 @@ const std::vector<int>& ProfileSearch::settleBucket() {
   return m_settled;
 }
 
-inline void ProfileSearch::reach(const Front& before, int cell, int column, double price) {
-  double& known = m_cost[at(cell)];
-  const double cost = before.cost + (price + m_extra[at(cell)]);
+inline void ProfileSearch::reach(const Front& before, CellOrdinal cell, int column, double price) {
+  double& known = m_cost[cell];
+  const double cost = before.cost + (price + m_extra[cell]);
   if (cost > known) return;
-  int& from = m_from[at(cell)];
+  CellOrdinal& from = m_from[cell];
   if (cost < known) {
     known = cost;
     from = before.cell;
     push(cost, cell, column);
-  } else if (from >= 0 && std::pair(before.cost, before.cell) < std::pair(m_cost[at(from)], from)) {
+  } else if (from >= 0 && std::pair(before.cost, before.cell) < std::pair(m_cost[from], from)) {
     from = before.cell;
   }
 }
 
 void ProfileSearch::relax(const Front& front) {
   const int row = front.cell - front.column * m_grid.rows;
-  const double along = m_grid.width[at(front.column)] * m_rowFactor[at(row)];
+  const double along = m_grid.width[front.column] * m_rowFactor[row];
   if (front.column > 0) reach(front, front.cell - m_grid.rows, front.column - 1, along);
   if (front.column + 1 < m_grid.columns) reach(front, front.cell + m_grid.rows, front.column + 1, along);
-  if (m_plates[at(front.column)] == 0) return;
-  if (row > 0) reach(front, front.cell - 1, front.column, m_grid.rowCost[at(row)]);
-  if (row + 1 < m_grid.rows) reach(front, front.cell + 1, front.column, m_grid.rowCost[at(row)]);
+  if (m_plates[front.column] == 0) return;
+  if (row > 0) reach(front, front.cell - 1, front.column, m_grid.rowCost[row]);
+  if (row + 1 < m_grid.rows) reach(front, front.cell + 1, front.column, m_grid.rowCost[row]);
 }
 
 }  // namespace geargraph::inline arrangement

@@ -19,9 +19,9 @@ class ProfileBits {
 
   [[nodiscard]] std::size_t perColumn() const { return m_perColumn; }  ///< words
   [[nodiscard]] std::size_t words() const { return m_words; }
-  [[nodiscard]] std::size_t wordOf(int cell) const { return m_places[static_cast<std::size_t>(cell)].word; }
-  [[nodiscard]] int placeOf(int cell) const { return m_places[static_cast<std::size_t>(cell)].bit; }
-  [[nodiscard]] std::uint64_t bitOf(int cell) const { return std::uint64_t{1} << placeOf(cell); }
+  [[nodiscard]] std::size_t wordOf(CellOrdinal cell) const { return m_places[cell].word; }
+  [[nodiscard]] int placeOf(CellOrdinal cell) const { return m_places[cell].bit; }
+  [[nodiscard]] std::uint64_t bitOf(CellOrdinal cell) const { return std::uint64_t{1} << placeOf(cell); }
 
  private:
   struct Place {
@@ -30,7 +30,7 @@ class ProfileBits {
   };
   std::size_t m_perColumn;
   std::size_t m_words;
-  std::vector<Place> m_places;  ///< by cell
+  ByCell<Place> m_places;
 };
 
 /// The owners of the cells of a grid during routing.
@@ -39,32 +39,32 @@ class ProfileOwners {
   /// `bits` outlives it.
   ProfileOwners(const ProfileGrid& grid, const ProfileBits& bits);
 
-  [[nodiscard]] int of(int cell) const { return m_owner[static_cast<std::size_t>(cell)]; }
-  [[nodiscard]] bool isOpen(int cell, int net) const {
+  [[nodiscard]] NetOrdinal of(CellOrdinal cell) const { return m_owner[cell]; }
+  [[nodiscard]] bool isOpen(CellOrdinal cell, NetOrdinal net) const {
     return of(cell) == ProfileGrid::kFree || of(cell) == net;
   }
   /// Are all cells of the run free? Cost: O(words).
   [[nodiscard]] bool isFree(const ProfileRun& run) const;
-  void give(int cell, int net) { set(cell, net); }
+  void give(CellOrdinal cell, NetOrdinal net) { set(cell, net); }
   void block(const ProfileRun& run) {
-    for (int cell = run.first; cell < run.end; ++cell) set(cell, ProfileGrid::kBlocked);
+    for (CellOrdinal cell = run.first; cell < run.end; ++cell) set(cell, ProfileGrid::kBlocked);
   }
 
   [[nodiscard]] const ProfileBits& bits() const { return *m_bits; }
   [[nodiscard]] const std::vector<std::uint64_t>& freeBits() const { return m_free; }
   /// The initial cost of each cell for a search: kFar for a free cell, kShut for any other.
-  [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
+  [[nodiscard]] const ByCell<double>& costs() const { return m_costs; }
 
   static constexpr double kFar = 1e300;
   static constexpr double kShut = -1;
 
  private:
-  void set(int cell, int owner);
+  void set(CellOrdinal cell, int owner);
 
   const ProfileBits* m_bits;
-  std::vector<int> m_owner;
+  ByCell<NetOrdinal> m_owner;
   std::vector<std::uint64_t> m_free;
-  std::vector<double> m_costs;
+  ByCell<double> m_costs;
 };
 
 /// The cheapest paths of a net from source cells of a grid to ends, searched only as far as requested. A step
@@ -81,15 +81,18 @@ class ProfileOwners {
 /// @pre widths and row costs are positive
 class ProfileSearch {
  public:
-  using Places = std::vector<std::pair<int, double>>;  ///< cells, and the cost of beginning or ending there
+  /// Cells, and the cost of beginning or ending there.
+  using Places = std::vector<std::pair<CellOrdinal, double>>;
 
   explicit ProfileSearch(const ProfileGrid& grid);
 
   /// Begins a new search over free cells and those in `own`. `extra`: additional costs of the cells, valid
   /// until the next call. False if no path leads from a source to an end.
   /// @pre there are ends; an extra cost for every cell, none below 0
-  [[nodiscard]] bool begin(const ProfileOwners& owners, std::initializer_list<std::span<const int>> own,
-                           std::span<const double> extra, const Places& sources, const Places& ends);
+  [[nodiscard]] bool begin(const ProfileOwners& owners,
+                           std::initializer_list<std::span<const CellOrdinal>> own,
+                           OrdinalSpan<CellTag, const double> extra, const Places& sources,
+                           const Places& ends);
   /// Are all reachable cells settled?
   [[nodiscard]] bool isDone() const { return m_waiting == 0; }
   /// Are all cells settled that are on a path of at most this cost, its end included? (And one bucket more,
@@ -97,17 +100,17 @@ class ProfileSearch {
   [[nodiscard]] bool isBeyond(double cost) const { return bucketOf(cost) + 1 < m_bucket; }
   /// Settles the next bucket and returns its cells, valid until the next call; a cell may occur twice.
   /// @pre !isDone()
-  [[nodiscard]] const std::vector<int>& settleBucket();
+  [[nodiscard]] const std::vector<CellOrdinal>& settleBucket();
 
-  [[nodiscard]] double cost(int cell) const { return m_cost[static_cast<std::size_t>(cell)]; }
+  [[nodiscard]] double cost(CellOrdinal cell) const { return m_cost[cell]; }
   /// The previous cell on the path; -1: the path begins here.
-  [[nodiscard]] int from(int cell) const { return m_from[static_cast<std::size_t>(cell)]; }
+  [[nodiscard]] CellOrdinal from(CellOrdinal cell) const { return m_from[cell]; }
 
  private:
   /// A reached cell, and the cost of the path to it.
   struct Front {
     double cost = 0;
-    int cell = 0;
+    CellOrdinal cell = 0;
     int column = 0;
     int next = -1;  ///< next of the same bucket: position in m_fronts; -1: none
   };
@@ -120,32 +123,31 @@ class ProfileSearch {
   bool spread(std::size_t column);
   void lookAhead(const Places& ends);
   void makeBuckets(const Places& sources);
-  void push(double cost, int cell, int column) {
-    const double rank = cost + (m_columnAhead[static_cast<std::size_t>(column)] +
-                                m_rowAhead[static_cast<std::size_t>(cell - column * m_grid.rows)]);
+  void push(double cost, CellOrdinal cell, int column) {
+    const double rank = cost + (m_columnAhead[column] + m_rowAhead[cell - column * m_grid.rows]);
     int& first = bucket(std::max(bucketOf(rank), m_bucket));
     m_fronts.push_back({cost, cell, column, first});
     first = static_cast<int>(m_fronts.size()) - 1;
     ++m_waiting;
   }
   void relax(const Front& front);
-  void reach(const Front& before, int cell, int column, double price);
+  void reach(const Front& before, CellOrdinal cell, int column, double price);
 
   const ProfileGrid& m_grid;
   double m_cheapest = 1;  ///< cost of a step
   double m_widest = 0;
-  double m_perStep = 1;               ///< buckets for a cost of 1
-  std::vector<double> m_rowFactor;    ///< of the width, for a step along the axis
-  std::vector<double> m_columnAhead;  ///< by column: lower bound of the cost along the axis to an end
-  std::vector<double> m_rowAhead;     ///< by row: the same for the cost across
-  std::vector<double> m_cost;         ///< by cell, so far; below 0: not open
-  std::vector<int> m_from;            ///< by cell
-  std::vector<char> m_plates;         ///< by column
-  std::span<const double> m_extra;    ///< by cell
-  std::vector<Front> m_fronts;        ///< of the whole search
-  std::vector<int> m_buckets;  ///< the last front of each, -1: none; as many as the most expensive step
-                               ///< spans, in a ring; a power of two
-  std::vector<int> m_settled;
+  double m_perStep = 1;            ///< buckets for a cost of 1
+  ByRow<double> m_rowFactor;       ///< of the width, for a step along the axis
+  ByColumn<double> m_columnAhead;  ///< lower bound of the cost along the axis to an end
+  ByRow<double> m_rowAhead;        ///< the same for the cost across
+  ByCell<double> m_cost;           ///< so far; below 0: not open
+  ByCell<CellOrdinal> m_from;
+  ByColumn<char> m_plates;
+  OrdinalSpan<CellTag, const double> m_extra;
+  std::vector<Front> m_fronts;  ///< of the whole search
+  std::vector<int> m_buckets;   ///< the last front of each, -1: none; as many as the most expensive step
+                                ///< spans, in a ring; a power of two
+  std::vector<CellOrdinal> m_settled;
   std::size_t m_perColumn = 0;          ///< words
   std::vector<std::uint64_t> m_open;    ///< by column and word: cells that are open
   std::vector<std::uint64_t> m_joined;  ///< of these: connected to a source

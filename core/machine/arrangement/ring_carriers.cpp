@@ -35,15 +35,15 @@ bool cutsPlanets(const PlanDraft& draft, const TrainGear& ring, double plate) {
 /// have a flange between them and the ring's plate?
 bool enclosesPlanets(const PlanDraft& draft, const TrainGear& ring) {
   return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
-    const auto isMesh = [&](int mesh) {
+    const auto isMesh = [&](MeshOrdinal mesh) {
       return std::find(ring.meshes.begin(), ring.meshes.end(), mesh) != ring.meshes.end();
     };
     if (&gear == &ring || !std::any_of(gear.meshes.begin(), gear.meshes.end(), isMesh)) return false;
     const AxisClasses& classes = *draft.placement.classes;
-    const int rootLink = classes.classes[static_cast<std::size_t>(gear.axisClass)].rootLink;
+    const LinkOrdinal rootLink = classes.classes[gear.axisClass].rootLink;
     if (rootLink == 0 || classes.classOfLink(rootLink) != ring.axisClass) return false;
     const auto& held = draft.heldBy[static_cast<std::size_t>(rootLink)];
-    return classes.classes[static_cast<std::size_t>(ring.axisClass)].rootLink == 0 &&
+    return classes.classes[ring.axisClass].rootLink == 0 &&
            std::all_of(held.begin(), held.end(),
                        [&](const auto& place) { return draft.parallel(ring.axisClass, place.first); });
   });
@@ -55,16 +55,16 @@ int ringCarrierSideFor(const PlanDraft& draft, const TrainGear& ring) {
   const AxisLayout& own = draft.axis(ring.axisClass);
   const double middle = own.coordinate(ring.pose.translation());
   double others = 0;
-  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(ring.axisClass)]) {
+  for (const GearOrdinal g : draft.gearsOn[ring.axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link == ring.link) others += own.coordinate(gear.pose.translation()) - middle;
   }
   if (std::abs(others) > own.module) return others < 0 ? -1 : 1;
-  const bool holdsFixed = std::any_of(ring.meshes.begin(), ring.meshes.end(), [&](int mesh) {
+  const bool holdsFixed = std::any_of(ring.meshes.begin(), ring.meshes.end(), [&](MeshOrdinal mesh) {
     return std::any_of(draft.train.gears.begin(), draft.train.gears.end(), [&](const TrainGear& gear) {
       const bool meshes = std::find(gear.meshes.begin(), gear.meshes.end(), mesh) != gear.meshes.end();
       return meshes && gear.axisClass != ring.axisClass &&
-             draft.placement.classes->classes[static_cast<std::size_t>(gear.axisClass)].rootLink == 0;
+             draft.placement.classes->classes[gear.axisClass].rootLink == 0;
     });
   });
   return holdsFixed ? -own.bearingSide : 0;
@@ -73,7 +73,7 @@ int ringCarrierSideFor(const PlanDraft& draft, const TrainGear& ring) {
 }  // namespace
 
 void placeRingCarriers(PlanDraft& draft) {
-  for (std::size_t g = 0; g < draft.train.gears.size(); ++g) {
+  for (const GearOrdinal g : draft.train.gears.ordinals()) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.spec.kind != GearKind::internal || draft.isCoaxial(gear.axisClass)) continue;
     AxisLayout& layout = draft.axis(gear.axisClass);

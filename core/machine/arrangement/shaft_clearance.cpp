@@ -24,7 +24,8 @@ bool isPastIntersection(const AxisLayout& layout, const Interval& held, double a
 
 /// Would a shaft part what another link has on the same axis, or a ring's plate come out through the wheels
 /// within the ring?
-bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& held, double at) {
+bool isCutOff(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link, const Interval& held,
+              double at) {
   const AxisLayout& layout = draft.axis(axisClass);
   const auto isBetween = [&](const Bearing& b) {
     const Interval other = heldInterval(draft, axisClass, b.child);
@@ -49,7 +50,7 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& h
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isAgainst)) return true;
   return std::any_of(draft.plan.ringCarriers.begin(), draft.plan.ringCarriers.end(),
                      [&](const RingCarrierPlan& ringCarrier) {
-                       const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+                       const TrainGear& ring = draft.train.gears[ringCarrier.gear];
                        if (ring.link != link || ring.axisClass != axisClass || held.low < held.high)
                          return false;
                        return std::any_of(layout.wheels.begin(), layout.wheels.end(), [&](const Interval& s) {
@@ -62,9 +63,9 @@ bool isCutOff(const PlanDraft& draft, int axisClass, int link, const Interval& h
 
 }  // namespace
 
-Interval hubInterval(const PlanDraft& draft, int axisClass, int link) {
+Interval hubInterval(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link) {
   Interval hubs{1e300, -1e300, link};
-  for (const std::size_t g : draft.gearsOn[static_cast<std::size_t>(axisClass)]) {
+  for (const GearOrdinal g : draft.gearsOn[axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     const Interval hub = draft.intervalOf(gear, hubSpan(gear.spec));
@@ -74,10 +75,10 @@ Interval hubInterval(const PlanDraft& draft, int axisClass, int link) {
   return hubs;
 }
 
-Interval heldInterval(const PlanDraft& draft, int axisClass, int link) {
+Interval heldInterval(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link) {
   Interval held = hubInterval(draft, axisClass, link);
   for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
-    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    const TrainGear& ring = draft.train.gears[ringCarrier.gear];
     if (ring.link != link || ring.axisClass != axisClass) continue;
     held.low = std::min(held.low, ringCarrier.plate);
     held.high = std::max(held.high, ringCarrier.plate);
@@ -115,7 +116,7 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
   const bool isThroughRingCarrier =
       std::any_of(draft.plan.ringCarriers.begin(), draft.plan.ringCarriers.end(),
                   [&](const RingCarrierPlan& ringCarrier) {
-                    const TrainGear& ring = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+                    const TrainGear& ring = draft.train.gears[ringCarrier.gear];
                     if (ring.axisClass == c || !draft.parallel(c, ring.axisClass)) return false;
                     const double plate = draft.carried(ring.axisClass, ringCarrier.plate, c),
                                  half = draft.axis(ring.axisClass).width() / 2;
@@ -130,7 +131,7 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
                                                layout.direction) == 0;
 }
 
-std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double level) {
+std::ptrdiff_t enclosedBy(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, double level) {
   auto own = draft.axis(home).wheelsOf(link);
   if (!own) return 0;
   for (const Bearing& b : draft.axis(home).bearings) {
@@ -145,7 +146,7 @@ std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double lev
                        });
 }
 
-bool isTrapped(const PlanDraft& draft, int link, int home, double level) {
+bool isTrapped(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, double level) {
   const Interval held = heldInterval(draft, home, link);
   if (held.low <= held.high) return false;
   const auto& bearings = draft.axis(home).bearings;
@@ -181,14 +182,14 @@ bool meetsArms(const PlanDraft& draft, const Bearing& bearing, double at) {
   });
 }
 
-bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int axisClass) {
+bool sweepsShafts(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, double level,
+                  ClassOrdinal axisClass) {
   const AxisLayout& own = draft.axis(home);
   const auto away = [&](int c) {
     const Vector3d apart = draft.axis(c).point - own.point;
     return (apart - apart.dot(own.direction) * own.direction).norm();
   };
-  if (axisClass == home || draft.placement.classes->classes[static_cast<std::size_t>(home)].rootLink != 0)
-    return false;
+  if (axisClass == home || draft.placement.classes->classes[home].rootLink != 0) return false;
   const double reach = away(axisClass) + (kShaftRadius + 1) * own.module;
   return std::any_of(draft.heldBy[0].begin(), draft.heldBy[0].end(), [&](const auto& place) {
     const int c = place.first;

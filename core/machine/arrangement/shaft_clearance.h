@@ -10,11 +10,11 @@ namespace geargraph::inline arrangement {
 
 /// The interval of the hubs of a link's wheels on the axis, without rings. Empty (low > high) if there are
 /// none.
-[[nodiscard]] Interval hubInterval(const PlanDraft& draft, int axisClass, int link);
+[[nodiscard]] Interval hubInterval(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link);
 
 /// The interval of what a link's shaft supports on the axis: wheels, and the discs of ring gears. Empty (low
 /// > high) if there is nothing.
-[[nodiscard]] Interval heldInterval(const PlanDraft& draft, int axisClass, int link);
+[[nodiscard]] Interval heldInterval(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link);
 
 /// Is the shaft of the bearing's link, from its wheels to the bearing at `at`, clear of the wheels on other
 /// axes in every pose?
@@ -22,15 +22,17 @@ namespace geargraph::inline arrangement {
 
 /// The number of wheels of other links on the axis between a level and the link's own parts there, including
 /// its bearing.
-[[nodiscard]] std::ptrdiff_t enclosedBy(const PlanDraft& draft, int link, int home, double level);
+[[nodiscard]] std::ptrdiff_t enclosedBy(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home,
+                                        double level);
 
 /// Has a carrier only its arm on its axis, and no path from there to its bearing past the parts of others?
-[[nodiscard]] bool isTrapped(const PlanDraft& draft, int link, int home, double level);
+[[nodiscard]] bool isTrapped(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, double level);
 
 /// Does the shaft that a carrier holds collide with an arm of another link as it revolves?
 [[nodiscard]] bool meetsArms(const PlanDraft& draft, const Bearing& bearing, double at);
 
 /// Does a carrier's arm to an axis collide with a shaft of the frame as it revolves?
-[[nodiscard]] bool sweepsShafts(const PlanDraft& draft, int link, int home, double level, int axisClass);
+[[nodiscard]] bool sweepsShafts(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, double level,
+                                ClassOrdinal axisClass);
 
 }  // namespace geargraph::inline arrangement

@@ -19,7 +19,7 @@ bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place)
 
 /// A frame has no shaft of its own: its arms begin about the shaft of the one link that it holds on their
 /// axis, where no wheels of other links are in between.
-std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link) {
+std::optional<double> heldLevel(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link) {
   const AxisLayout& layout = draft.axis(axisClass);
   if (layout.bearings.size() != 1 || layout.bearings.front().child != link) return std::nullopt;
   const Bearing& bearing = layout.bearings.front();
@@ -39,7 +39,7 @@ std::optional<double> heldLevel(const PlanDraft& draft, int axisClass, int link)
 
 /// A wheel of the frame that none of its bearings reaches is on a pedestal of its own, on the side where
 /// nothing crosses its axis.
-void addPedestal(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
+void addPedestal(PlanDraft& draft, ClassOrdinal axisClass, ShaftSegment& shaft) {
   AxisLayout& layout = draft.axis(axisClass);
   const double reach = layout.gap() + layout.width() / 2;
   double place = shaft.low - reach;
@@ -52,7 +52,7 @@ void addPedestal(PlanDraft& draft, int axisClass, ShaftSegment& shaft) {
 }
 
 /// True where the link has wheels here.
-bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
+bool includeWheels(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link, ShaftSegment& shaft) {
   const Interval hubs = hubInterval(draft, axisClass, link);
   if (hubs.low > hubs.high) return false;
   shaft.include(hubs.low, hubs.high);
@@ -60,15 +60,15 @@ bool includeWheels(const PlanDraft& draft, int axisClass, int link, ShaftSegment
 }
 
 /// Arms, ring carriers, cross-shaft bosses and pins of the link that stand on the axis.
-void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment& shaft) {
+void includeBodies(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link, ShaftSegment& shaft) {
   const double half = draft.axis(axisClass).width() / 2;
-  for (const std::size_t a : draft.armsOf[static_cast<std::size_t>(link)]) {
+  for (const std::size_t a : draft.armsOf[link]) {
     const ArmPlan& arm = draft.plan.arms[a];
     if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
   }
   if (const auto level = heldLevel(draft, axisClass, link)) shaft.include(*level - half, *level + half);
   for (const RingCarrierPlan& ringCarrier : draft.plan.ringCarriers) {
-    const TrainGear& gear = draft.train.gears[static_cast<std::size_t>(ringCarrier.gear)];
+    const TrainGear& gear = draft.train.gears[ringCarrier.gear];
     if (gear.link == link && gear.axisClass == axisClass)
       shaft.include(ringCarrier.plate - half, ringCarrier.plate + half);
   }
@@ -85,7 +85,7 @@ void includeBodies(const PlanDraft& draft, int axisClass, int link, ShaftSegment
 
 }  // namespace
 
-void addShaft(PlanDraft& draft, int axisClass, int link) {
+void addShaft(PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link) {
   const AxisLayout& layout = draft.axis(axisClass);
   ShaftSegment shaft;
   shaft.axisClass = axisClass;

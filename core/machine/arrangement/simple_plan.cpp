@@ -13,7 +13,7 @@ namespace {
 /// Bearings of an axis stand in a row outside of its wheels, on the bearings' side: nearest the one whose
 /// link has its wheels nearest to that end, so that the shafts of the others, which come from farther in, are
 /// the inner ones.
-void placeInRow(PlanDraft& draft, int axisClass) {
+void placeInRow(PlanDraft& draft, ClassOrdinal axisClass) {
   AxisLayout& layout = draft.axis(axisClass);
   const int side = layout.bearingSide;
   double end = -1e300;  // of all wheels, towards the bearings' side
@@ -24,7 +24,7 @@ void placeInRow(PlanDraft& draft, int axisClass) {
     const auto [known, isNew] = depths.try_emplace(s.link, edge);
     if (!isNew) known->second = std::max(known->second, edge);
   }
-  const auto depthOf = [&](int link) {
+  const auto depthOf = [&](LinkOrdinal link) {
     const auto found = depths.find(link);
     return found == depths.end() ? -1e300 : found->second;
   };
@@ -46,7 +46,7 @@ void placeInRow(PlanDraft& draft, int axisClass) {
 
 void planWithoutRouting(PlanDraft& draft) {
   draft.plan.isSimple = true;
-  for (std::size_t g = 0; g < draft.train.gears.size(); ++g) {
+  for (const GearOrdinal g : draft.train.gears.ordinals()) {
     const TrainGear& gear = draft.train.gears[g];
     if (gear.spec.kind != GearKind::internal) continue;
     AxisLayout& layout = draft.axis(gear.axisClass);
@@ -58,7 +58,7 @@ void planWithoutRouting(PlanDraft& draft) {
   for (std::size_t c = 0; c < draft.plan.axes.size() && !draft.isStopped(); ++c) {
     placeInRow(draft, static_cast<int>(c));
     for (const Bearing& bearing : draft.plan.axes[c].bearings) {
-      const int home = draft.placement.classes->classOfLink(bearing.parent);
+      const ClassOrdinal home = draft.placement.classes->classOfLink(bearing.parent);
       if (bearing.parent == 0 || home == static_cast<int>(c)) continue;
       const double level = draft.axis(home).coordinate(draft.plan.axes[c].at(bearing.at));
       draft.addArm({bearing.parent, home, level, static_cast<int>(c), bearing.at, bearing.child});

@@ -89,11 +89,11 @@ std::vector<SweptEnvelope> sweptEnvelopes(const Arrangement& plan, const GearTra
   for (const BodyHull& hull : bodyHulls(plan, train, {0, true})) {
     if (hull.link == 0) continue;
     DiscHull discs = hull.discs;
-    int link = hull.link;
+    LinkOrdinal link = hull.link;
     while (true) {
       const int c = classes.classOfLink(link);
-      SweptEnvelope swept = sweptAbout(plan.axes[static_cast<std::size_t>(c)], discs);
-      link = classes.classes[static_cast<std::size_t>(c)].rootLink;
+      SweptEnvelope swept = sweptAbout(plan.axes[c], discs);
+      link = classes.classes[c].rootLink;
       if (link != 0) {
         discs = endsOf(swept);
         continue;

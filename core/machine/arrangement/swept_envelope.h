@@ -10,9 +10,9 @@ namespace geargraph::inline arrangement {
 /// The hollow cylinder about an axis of the ground that contains a moving part in every pose of the train.
 struct SweptEnvelope {
   HullKind kind = HullKind::gear;
-  int link = 0;
-  int axisClass = 0;      ///< the axis of the ground
-  bool isOnAxis = false;  ///< the part itself is placed on this axis
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = 0;  ///< the axis of the ground
+  bool isOnAxis = false;       ///< the part itself is placed on this axis
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double low = 0, high = 0;     ///< along the axis from the point

@@ -32,7 +32,7 @@ class BodyBuilder {
  public:
   BodyBuilder(const Arrangement& plan, const GearTrain& train, std::size_t links)
       : m_plan(plan), m_train(train), m_recipes(links), m_armsOf(links) {
-    for (const ArmPlan& arm : plan.arms) m_armsOf[static_cast<std::size_t>(arm.link)].push_back(&arm);
+    for (const ArmPlan& arm : plan.arms) m_armsOf[arm.link].push_back(&arm);
   }
 
   void addCase(const CasePlan& made);
@@ -63,10 +63,10 @@ class BodyBuilder {
 
  private:
   template <class Shape>
-  void add(int link, Shape shape, const AxisLayout& layout, const Eigen::Isometry3d& placed) {
-    m_recipes[static_cast<std::size_t>(link)].push_back({std::move(shape), layout.module, placed});
+  void add(LinkOrdinal link, Shape shape, const AxisLayout& layout, const Eigen::Isometry3d& placed) {
+    m_recipes[link].push_back({std::move(shape), layout.module, placed});
   }
-  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[c]; }
   [[nodiscard]] static Eigen::Isometry3d line(const AxisLayout& layout) {
     return frameAlong(layout.point, layout.direction);
   }
@@ -81,7 +81,7 @@ class BodyBuilder {
 
   /// An arm in the plane of the bearing has its boss there already, at either end.
   [[nodiscard]] bool isBossOfArm(int c, const Bearing& bearing) const {
-    const auto& arms = m_armsOf[static_cast<std::size_t>(bearing.parent)];
+    const auto& arms = m_armsOf[bearing.parent];
     return std::any_of(arms.begin(), arms.end(), [&](const ArmPlan* each) {
       const ArmPlan& arm = *each;
       const bool parallel = axis(arm.from).direction.cross(axis(arm.to).direction).norm() < 1e-6;
@@ -134,8 +134,8 @@ class BodyBuilder {
 
   const Arrangement& m_plan;
   const GearTrain& m_train;
-  std::vector<BodyRecipe> m_recipes;
-  std::vector<std::vector<const ArmPlan*>> m_armsOf;  ///< by link
+  ByLink<BodyRecipe> m_recipes;
+  ByLink<std::vector<const ArmPlan*>> m_armsOf;
 };
 
 /// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
@@ -323,7 +323,7 @@ void BodyBuilder::addFrame(const FramePlan& frame) {
 /// The bore about the link's own shaft, or with play about what passes.
 void fitBore(const Arrangement& plan, TrainGear& gear) {
   if (gear.spec.kind == GearKind::internal || gear.spec.bore != 0) return;
-  const AxisLayout& layout = plan.axes[static_cast<std::size_t>(gear.axisClass)];
+  const AxisLayout& layout = plan.axes[gear.axisClass];
   const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
   const AxialSpan hub = hubSpan(gear.spec);
   const double middle = layout.coordinate(gear.pose.translation()) + sense * (hub.low + hub.high) / 2;
@@ -336,12 +336,12 @@ void fitBore(const Arrangement& plan, TrainGear& gear) {
   if (passing > 0) gear.spec.bore = 2 * (passing + 0.12 * layout.module);
 }
 
-Diagnostic blockedDiagnostic(const Mechanism& mechanism, const std::vector<int>& links) {
+Diagnostic blockedDiagnostic(const Mechanism& mechanism, const std::vector<LinkOrdinal>& links) {
   std::vector<std::string> labels;
   std::vector<ElementId> elements;
-  for (const int link : links) {
+  for (const LinkOrdinal link : links) {
     labels.push_back(std::to_string(link));
-    elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+    elements.emplace_back(mechanism.links[link].id);
   }
   return makeDiagnostic(
       Detail::bodiesOverlap,
@@ -360,7 +360,7 @@ Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train) 
   return found;
 }
 
-LinkBody bodyOf(int link, BodyRecipe recipe) {
+LinkBody bodyOf(LinkOrdinal link, BodyRecipe recipe) {
   const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
   const double module = std::min_element(recipe.begin(), recipe.end(), byModule)->module;
   const auto shared = std::make_shared<const BodyRecipe>(std::move(recipe));

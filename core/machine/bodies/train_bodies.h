@@ -19,6 +19,6 @@ Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, Ge
 [[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train);
 
 /// The body of a link. @pre the recipe has at least one part
-[[nodiscard]] LinkBody bodyOf(int link, BodyRecipe recipe);
+[[nodiscard]] LinkBody bodyOf(LinkOrdinal link, BodyRecipe recipe);
 
 }  // namespace geargraph::inline bodies

@@ -13,7 +13,7 @@ namespace {
 /// Meshes by gear.
 using MeshesOf = std::vector<std::vector<std::size_t>>;
 
-int across(const TrainMesh& mesh, int gear) {
+int across(const TrainMesh& mesh, GearOrdinal gear) {
   return mesh.tailGear == gear ? mesh.headGear : mesh.tailGear;
 }
 
@@ -31,7 +31,7 @@ struct Loop {
       }
     }
     meshes.push_back(closing);
-    for (int gear = mesh.headGear; gear != mesh.tailGear;) {
+    for (GearOrdinal gear = mesh.headGear; gear != mesh.tailGear;) {
       gears.push_back(gear);
       meshes.push_back(from.at(gear));
       gear = across(train.meshes[from.at(gear)], gear);
@@ -211,9 +211,9 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
     std::vector<std::size_t> meshes = loop.meshes;
     std::sort(meshes.begin(), meshes.end());
     for (const std::size_t other : meshes) {
-      const int mesh = train.meshes[other].mesh;
+      const MeshOrdinal mesh = train.meshes[other].mesh;
       labels += (labels.empty() ? "" : ", ") + std::to_string(mechanism.meshLabel(mesh));
-      d.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+      d.elements.emplace_back(mechanism.gearMeshes[mesh].id);
     }
     d.message = translated(
         "The loop of meshes %1 cannot be assembled as drawn: at mesh %2 the teeth miss each other by %3 of a "

@@ -15,29 +15,28 @@ class FaceShortener {
   FaceShortener(TrainWheels& train, const Placement& placement, const std::stop_token& stop)
       : m_train(train), m_envelopes(train, placement), m_stop(stop), m_pairsOf(train.wheels.size()) {
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
-      for (const int w : {train.pairs[p].tail, train.pairs[p].head})
-        m_pairsOf[static_cast<std::size_t>(w)].push_back(p);
+      for (const GearOrdinal w : {train.pairs[p].tail, train.pairs[p].head}) m_pairsOf[w].push_back(p);
     }
   }
 
   /// Shortens one of them, or both, until they are out of each other; else leaves them as they were.
   /// Cost: 21 comparisons of two wheels at most, and the bevels that mesh with each other.
-  void part(int a, int b) {
-    std::vector<std::vector<int>> choices{together(a), together(b), {}};
+  void part(GearOrdinal a, GearOrdinal b) {
+    std::vector<std::vector<GearOrdinal>> choices{together(a), together(b), {}};
     for (const std::size_t one : {0, 1}) {
-      for (const int w : choices[one]) {
+      for (const GearOrdinal w : choices[one]) {
         if (std::find(choices[2].begin(), choices[2].end(), w) == choices[2].end()) choices[2].push_back(w);
       }
     }
     std::vector<double> widths;
-    for (const int w : choices[2]) widths.push_back(faceWidth(w));
+    for (const GearOrdinal w : choices[2]) widths.push_back(faceWidth(w));
     double share = 1;
     for (int i = 0; i < kMostSteps; ++i) {
       share *= kStep;
-      for (const std::vector<int>& choice : choices) {
+      for (const std::vector<GearOrdinal>& choice : choices) {
         if (choice.empty()) continue;
         if (m_stop.stop_requested()) return;
-        for (const int w : choice) setFaceWidth(w, faceWidth(w) * share);
+        for (const GearOrdinal w : choice) setFaceWidth(w, faceWidth(w) * share);
         if (!m_envelopes.collide(a, b)) return;
         for (std::size_t k = 0; k < widths.size(); ++k) setFaceWidth(choices[2][k], widths[k]);
       }
@@ -47,23 +46,23 @@ class FaceShortener {
  private:
   /// The bevel and those that mesh with it and with each other; none where the document gives the face width
   /// of one of them.
-  [[nodiscard]] std::vector<int> together(int wheel) const {
-    std::vector<int> found{wheel};
+  [[nodiscard]] std::vector<GearOrdinal> together(GearOrdinal wheel) const {
+    std::vector<GearOrdinal> found{wheel};
     for (std::size_t next = 0; next < found.size(); ++next) {
-      for (const std::size_t p : m_pairsOf[static_cast<std::size_t>(found[next])]) {
+      for (const std::size_t p : m_pairsOf[found[next]]) {
         const TrainPair& pair = m_train.pairs[p];
         if (pair.kind != MeshKind::bevel || !pair.openFace) return {};
-        const int partner = pair.tail == found[next] ? pair.head : pair.tail;
+        const GearOrdinal partner = pair.tail == found[next] ? pair.head : pair.tail;
         if (std::find(found.begin(), found.end(), partner) == found.end()) found.push_back(partner);
       }
     }
     return found;
   }
 
-  [[nodiscard]] double faceWidth(int wheel) const {
+  [[nodiscard]] double faceWidth(GearOrdinal wheel) const {
     return m_train.wheels[static_cast<std::size_t>(wheel)].spec.faceWidth;
   }
-  void setFaceWidth(int wheel, double width) {
+  void setFaceWidth(GearOrdinal wheel, double width) {
     double& known = m_train.wheels[static_cast<std::size_t>(wheel)].spec.faceWidth;
     if (known == width) return;
     known = width;
@@ -73,7 +72,7 @@ class FaceShortener {
   TrainWheels& m_train;
   WheelEnvelopes m_envelopes;
   const std::stop_token& m_stop;
-  std::vector<std::vector<std::size_t>> m_pairsOf;  ///< by wheel
+  ByGear<std::vector<std::size_t>> m_pairsOf;
 };
 
 }  // namespace
@@ -84,7 +83,7 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
   });
   if (!open) return;
   // In the order of meshes, of each the smaller wheel first: tail and head make no difference.
-  const auto rank = [&](int w) {
+  const auto rank = [&](GearOrdinal w) {
     const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
     return std::pair(wheel.meshes.front(), wheel.workingRadius);
   };

@@ -89,15 +89,14 @@ double toothLossFactor(const MeshContact& contact) {
 
 std::vector<std::optional<MeshContact>> meshContacts(const Mechanism& mechanism, const Placement& placement,
                                                      const std::stop_token& stop) {
-  std::vector<std::optional<MeshContact>> contacts(mechanism.gearMeshes.size());
+  ByMesh<std::optional<MeshContact>> contacts(mechanism.gearMeshes.size());
   TrainWheels train = wheelsOf(mechanism, placement, stop);
   if (stop.stop_requested()) return contacts;
   shapeWheels(mechanism, train, stop);
   if (stop.stop_requested()) return contacts;
   for (const TrainPair& pair : train.pairs) {
-    contacts[static_cast<std::size_t>(pair.mesh)] =
-        contactOf(pair, train.wheels[static_cast<std::size_t>(pair.tail)].spec,
-                  train.wheels[static_cast<std::size_t>(pair.head)].spec);
+    contacts[pair.mesh] = contactOf(pair, train.wheels[static_cast<std::size_t>(pair.tail)].spec,
+                                    train.wheels[static_cast<std::size_t>(pair.head)].spec);
   }
   return contacts;
 }

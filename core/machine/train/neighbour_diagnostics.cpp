@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 /// A gear beside another that it meshes with, and where it stands about that one's axis.
 struct Planet {
-  int gear = 0;
+  GearOrdinal gear = 0;
   double azimuth = 0;
 };
 
@@ -24,7 +24,7 @@ class NeighbourFinder {
   NeighbourFinder(const Mechanism& mechanism, const Placement& placement, const GearTrain& train)
       : m_mechanism(mechanism), m_train(train) {
     for (const TrainMesh& mesh : train.meshes) {
-      const int carrier = placement.meshes[static_cast<std::size_t>(mesh.mesh)]->carrier;
+      const LinkOrdinal carrier = placement.meshes[mesh.mesh]->carrier;
       addPlanet(mesh.tailGear, mesh.headGear, carrier);
       addPlanet(mesh.headGear, mesh.tailGear, carrier);
       m_said.insert(std::minmax(&gear(mesh.tailGear), &gear(mesh.headGear)));
@@ -36,7 +36,7 @@ class NeighbourFinder {
 
  private:
   [[nodiscard]] const TrainGear& gear(int g) const { return m_train.gears[static_cast<std::size_t>(g)]; }
-  void addPlanet(int centre, int planet, int carrier);
+  void addPlanet(int centre, int planet, LinkOrdinal carrier);
   void check(const TrainGear& centre, std::vector<Planet>& planets);
   void report(const TrainGear& centre, const TrainGear& a, const TrainGear& b, double overlap);
   /// Modules by which the tips of both reach into each other; below 0 they pass.
@@ -49,7 +49,7 @@ class NeighbourFinder {
                                                                    ///< and a ring have the same planets
 };
 
-void NeighbourFinder::addPlanet(int centre, int planet, int carrier) {
+void NeighbourFinder::addPlanet(int centre, int planet, LinkOrdinal carrier) {
   const TrainGear& middle = gear(centre);
   const TrainGear& round = gear(planet);
   if (round.spec.kind == GearKind::internal || round.spec.coneAngle > pi / 2)
@@ -109,7 +109,7 @@ void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const 
   }
   std::vector<ElementId> elements;
   for (const TrainGear* g : {&a, &b}) {
-    elements.emplace_back(m_mechanism.links[static_cast<std::size_t>(g->link)].id);
+    elements.emplace_back(m_mechanism.links[g->link].id);
   }
   found.push_back(makeDiagnostic(Detail::planetsOverlap, std::move(message), std::move(elements)));
 }

@@ -3,6 +3,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/foundations/base/ordinal.h"
+
 namespace geargraph::inline train {
 
 /// The problem of stacking planes of wheels along parallel axes: any order in which nothing overlaps is
@@ -10,21 +12,21 @@ namespace geargraph::inline train {
 struct StackPlanes {
   struct Wheel {
     int plane = 0;
-    int link = 0;
-    int axisClass = 0;
+    LinkOrdinal link = 0;
+    ClassOrdinal axisClass = 0;
     double offset = 0;  ///< of its middle from that of its plane
   };
   /// A wheel through which another parallel axis passes, so that no shaft is possible there.
   struct Cover {
     int plane = 0;
-    int axisClass = 0;  ///< the other axis
+    ClassOrdinal axisClass = 0;  ///< the other axis
     double offset = 0;
   };
   /// A link whose arms hold the axes of wheels: the arms are on one side of all of these.
   struct Carrier {
-    int link = 0;
-    int axisClass = 0;        ///< about whose line it turns
-    std::vector<int> planes;  ///< of the wheels that it carries
+    LinkOrdinal link = 0;
+    ClassOrdinal axisClass = 0;  ///< about whose line it turns
+    std::vector<int> planes;     ///< of the wheels that it carries
   };
 
   std::vector<double> thickness;         ///< by plane: of its wheels

@@ -20,9 +20,8 @@ constexpr double kDiagnosticTolerance = 0.2;
 
 std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear) {
   std::vector<ElementId> elements;
-  for (const int mesh : gear.meshes)
-    elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
-  elements.emplace_back(mechanism.links[static_cast<std::size_t>(gear.link)].id);
+  for (const MeshOrdinal mesh : gear.meshes) elements.emplace_back(mechanism.gearMeshes[mesh].id);
+  elements.emplace_back(mechanism.links[gear.link].id);
   if (gear.wheel) elements.emplace_back(*gear.wheel);
   return elements;
 }
@@ -111,7 +110,7 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
   if (!m_teeth[t] || !m_teeth[h]) return;
   const TrainGear& tail = m_train.gears[t];
   const TrainGear& head = m_train.gears[h];
-  const ElementId id = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh.mesh)].id;
+  const ElementId id = m_mechanism.gearMeshes[mesh.mesh].id;
   const std::string pair = translated("Mesh %1, %2 and %3 teeth",
                                       {std::to_string(m_mechanism.meshLabel(mesh.mesh)),
                                        std::to_string(tail.spec.teeth), std::to_string(head.spec.teeth)});

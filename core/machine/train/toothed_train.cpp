@@ -11,7 +11,7 @@ namespace {
 /// The wheels' ids in the document, else "15:tail" by the first mesh of each.
 std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& train) {
   std::vector<std::string> names(train.wheels.size());
-  const auto name = [&](int w, int mesh, const char* side) {
+  const auto name = [&](GearOrdinal w, MeshOrdinal mesh, const char* side) {
     const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
     if (wheel.meshes.front() != mesh) return;
     names[static_cast<std::size_t>(w)] =
@@ -49,10 +49,12 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
   std::vector<Eigen::Isometry3d> frames;
   const PhaseSolution phases = phasesOf(wheels, frames);
   const std::vector<std::string> names = namesOf(mechanism, wheels);
-  for (std::size_t w = 0; w < wheels.wheels.size(); ++w) {
+  for (const GearOrdinal w : wheels.wheels.ordinals()) {
     const TrainWheel& wheel = wheels.wheels[w];
-    train.gears.push_back({names[w], wheel.link, wheel.axisClass, wheel.meshes, wheel.id, wheel.spec,
-                           frames[w] * Eigen::AngleAxisd(phases.angles[w], Eigen::Vector3d::UnitZ())});
+    train.gears.push_back(
+        {names[static_cast<std::size_t>(w)], wheel.link, wheel.axisClass, wheel.meshes, wheel.id, wheel.spec,
+         frames[static_cast<std::size_t>(w)] *
+             Eigen::AngleAxisd(phases.angles[static_cast<std::size_t>(w)], Eigen::Vector3d::UnitZ())});
   }
   for (std::size_t p = 0; p < wheels.pairs.size(); ++p) {
     const TrainPair& pair = wheels.pairs[p];
@@ -86,8 +88,7 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
                : translated("Gears %1 and %2 overlap and do not mesh. Move the pitch point of "
                             "one along its axis, or leave it open.",
                             {one.name, other.name}),
-        {mechanism.links[static_cast<std::size_t>(one.link)].id,
-         mechanism.links[static_cast<std::size_t>(other.link)].id}));
+        {mechanism.links[one.link].id, mechanism.links[other.link].id}));
   }
   return found;
 }

@@ -22,9 +22,9 @@ struct TrainGear {
   /// "15:tail" by the label of its mesh; for a wheel of several meshes its id in the document, else the name
   /// by the first mesh.
   std::string name;
-  int link = 0;             ///< position: the gear moves with this link
-  int axisClass = 0;        ///< of the placement
-  std::vector<int> meshes;  ///< positions, in document order
+  LinkOrdinal link = 0;             ///< the gear moves with this link
+  ClassOrdinal axisClass = 0;       ///< of the placement
+  std::vector<MeshOrdinal> meshes;  ///< in document order
   std::optional<WheelId> wheel;
   GearSpec spec;
   /// Gear frame (gear_spec.h) to base frame in the reference pose, turned so that its teeth mesh.
@@ -33,9 +33,9 @@ struct TrainGear {
 
 /// Two gears of the train in mesh.
 struct TrainMesh {
-  int mesh = 0;  ///< position in the document
-  int tailGear = 0;
-  int headGear = 0;
+  MeshOrdinal mesh = 0;  ///< of the document
+  GearOrdinal tailGear;
+  GearOrdinal headGear;
   Eigen::Vector3d
       pitchPoint;       ///< in the gears' plane; gears that the program stacked have left the document's
   double residual = 0;  ///< phase error in pitches; not 0 where a loop cannot be assembled
@@ -44,7 +44,7 @@ struct TrainMesh {
 /// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
 /// it.
 struct LinkBody {
-  int link = 0;
+  LinkOrdinal link = 0;
   double module = 1;                            ///< the smallest of its parts
   std::shared_ptr<const DeferredSolid> fine;    ///< chordal error at most kBodyTolerance, made on first use
   std::shared_ptr<const DeferredSolid> coarse;  ///< at most kFarthestTolerance
@@ -60,11 +60,11 @@ constexpr std::size_t kMostRoutedGears = 400;
 /// The mechanism in three dimensions. Every mesh with a geometry has its two gears; a mesh without one is
 /// left out (the placement's diagnostics give the reason).
 struct GearTrain {
-  std::vector<TrainGear> gears;
+  ByGear<TrainGear> gears;
   std::vector<TrainMesh> meshes;
   std::vector<LinkBody> bodies;
   /// Links whose bodies have no clearance from each other: two, or all of one axis.
-  std::vector<std::vector<int>> blocked;
+  std::vector<std::vector<LinkOrdinal>> blocked;
   /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other, its
   /// wheels are discs without webs.
   bool hasSimpleBodies = false;

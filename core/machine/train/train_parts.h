@@ -12,11 +12,11 @@ namespace geargraph::inline train {
 
 /// A solid that is part of a link.
 struct LinkPart {
-  int link = 0;  ///< its position in the document
+  LinkOrdinal link = 0;  ///< its position in the document
   std::string name;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to the base frame, reference pose
   std::shared_ptr<const Solid> solid;
-  int gear = -1;  ///< its position in the train; -1: the link's body
+  GearOrdinal gear = -1;  ///< of the train; -1: the link's body
 };
 
 struct TrainParts {

@@ -24,7 +24,7 @@ class Groups {
       if (pair.kind != MeshKind::bevel) m_parent[root(pair.tail)] = root(pair.head);
     }
   }
-  std::size_t root(int wheel) {
+  std::size_t root(GearOrdinal wheel) {
     auto w = static_cast<std::size_t>(wheel);
     while (m_parent[w] != w) w = m_parent[w] = m_parent[m_parent[w]];
     return w;
@@ -58,7 +58,7 @@ void setModules(TrainWheels& train) {
     double& least = module[groups.root(pair.tail)];
     if (least == 0 || wanted < least) least = wanted;
   }
-  for (std::size_t w = 0; w < train.wheels.size(); ++w) {
+  for (const GearOrdinal w : train.wheels.ordinals()) {
     GearSpec& spec = train.wheels[w].spec;
     if (spec.kind != GearKind::bevel) spec.module = module[groups.root(static_cast<int>(w))];
     spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
@@ -99,8 +99,8 @@ void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::st
       const int free = (fixed[a] ? 0 : 1) + (fixed[b] ? 0 : 1);
       if (free == 0) continue;
       worst = std::max(worst, std::abs(missing));
-      const auto give = [&](std::size_t w) {
-        if (fixed[w]) return;
+      const auto give = [&](GearOrdinal w) {
+        if (fixed[static_cast<std::size_t>(w)]) return;
         const bool against =
             pair.kind == MeshKind::internal && train.wheels[w].spec.kind == GearKind::external;
         train.wheels[w].spec.profileShift += (against ? -missing : missing) / free;
@@ -136,23 +136,23 @@ struct Cover {
 };
 
 void setFaces(const Mechanism& mechanism, TrainWheels& train) {
-  std::vector<Cover> covers(train.wheels.size());
+  ByGear<Cover> covers(train.wheels.size());
   for (TrainPair& pair : train.pairs) {
-    std::optional<Number> stated = mechanism.gearMeshes[static_cast<std::size_t>(pair.mesh)].faceWidth;
+    std::optional<Number> stated = mechanism.gearMeshes[pair.mesh].faceWidth;
     if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
     pair.openFace = !stated || stated->value() <= 0;
-    for (const int w : {pair.tail, pair.head}) {
+    for (const GearOrdinal w : {pair.tail, pair.head}) {
       const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
       double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec);
       if (wheel.spec.kind == GearKind::bevel) face = std::min(face, 0.6 * coneDistance(wheel.spec));
       const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
       const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
-      Cover& cover = covers[static_cast<std::size_t>(w)];
+      Cover& cover = covers[w];
       cover.low = std::min(cover.low, plane - face / 2);
       cover.high = std::max(cover.high, plane + face / 2);
     }
   }
-  for (std::size_t w = 0; w < covers.size(); ++w) {
+  for (const GearOrdinal w : covers.ordinals()) {
     TrainWheel& wheel = train.wheels[w];
     wheel.spec.faceWidth = covers[w].high - covers[w].low;
     const double middle = (covers[w].low + covers[w].high) / 2;

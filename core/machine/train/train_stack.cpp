@@ -25,21 +25,21 @@ constexpr double kStride = 1.0 / 12;  // of the way
 
 /// Wheels that lie in one plane because they mesh.
 struct Plane {
-  std::vector<int> wheels;
+  std::vector<GearOrdinal> wheels;
   bool movable = true;
 };
 
 std::vector<Plane> planesOf(const TrainWheels& train) {
-  std::vector<int> planeOf(train.wheels.size(), -1);
+  ByGear<int> planeOf(train.wheels.size(), -1);
   std::vector<Plane> planes;
   const auto join = [&](int from, int to) {
-    for (const int w : planes[static_cast<std::size_t>(from)].wheels) {
+    for (const GearOrdinal w : planes[static_cast<std::size_t>(from)].wheels) {
       planeOf[static_cast<std::size_t>(w)] = to;
       planes[static_cast<std::size_t>(to)].wheels.push_back(w);
     }
     planes[static_cast<std::size_t>(from)].wheels.clear();
   };
-  for (std::size_t w = 0; w < train.wheels.size(); ++w) {
+  for (const GearOrdinal w : train.wheels.ordinals()) {
     planeOf[w] = static_cast<int>(w);
     planes.push_back({{static_cast<int>(w)}, true});
   }
@@ -76,7 +76,7 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
   std::map<int, StackPlanes::Carrier> carriers;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     double thickness = 0;
-    for (const int w : planes[p].wheels) {
+    for (const GearOrdinal w : planes[p].wheels) {
       const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
       const bool isAcross = wheel.axis.cross(axis).norm() > 1e-9;
       if (isAcross && planes[p].movable) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
         if (envelopes.covers(w, static_cast<int>(c)))
           stack.covers.push_back({static_cast<int>(p), static_cast<int>(c), middleOf(wheel).dot(axis)});
       }
-      const int rootLink = classes.classes[static_cast<std::size_t>(wheel.axisClass)].rootLink;
+      const LinkOrdinal rootLink = classes.classes[wheel.axisClass].rootLink;
       const int home = classes.classOfLink(rootLink);
       if (home < 0) continue;
       StackPlanes::Carrier& carrier = carriers[rootLink];
@@ -125,15 +125,15 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
     const Plane& plane = planes[p];
     const Vector3d axis = train.wheels[static_cast<std::size_t>(plane.wheels.front())].axis;
     double side = 0;
-    for (const int w : plane.wheels) side += envelopes.freeSide(w).dot(axis);
+    for (const GearOrdinal w : plane.wheels) side += envelopes.freeSide(w).dot(axis);
     const Vector3d direction = side < 0 ? Vector3d(-axis) : axis;
     double step = 0;
-    for (const int w : plane.wheels) {
+    for (const GearOrdinal w : plane.wheels) {
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
       step = std::max(step, spec.faceWidth + gap * spec.module);
     }
     near.clear();
-    for (const int w : plane.wheels) {
+    for (const GearOrdinal w : plane.wheels) {
       for (std::size_t s = 0; plane.movable && s < standing.size(); ++s)
         if (envelopes.mayIntersect(w, standing[s])) near.emplace_back(w, standing[s]);
     }
@@ -143,7 +143,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
       const bool isFirst = attempt % 2 == 1 || sides != Sides::both;
       if (isFirst) far += attempt < kNearTries ? step : std::max(step, kStride * far);
       const double goal = isFirst == (sides != Sides::other) ? far : -far;
-      for (const int w : plane.wheels) envelopes.move(w, (goal - at) * direction);
+      for (const GearOrdinal w : plane.wheels) envelopes.move(w, (goal - at) * direction);
       at = goal;
     }
     moves.by[p] = at * direction;
@@ -157,9 +157,10 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
 void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const WheelEnvelopes& envelopes,
                  const std::stop_token& stop) {
   const auto meet = [&](const Plane& a, const Plane& b) {
-    return std::any_of(a.wheels.begin(), a.wheels.end(), [&](int w) {
-      return std::any_of(b.wheels.begin(), b.wheels.end(),
-                         [&](int other) { return !stop.stop_requested() && envelopes.collide(w, other); });
+    return std::any_of(a.wheels.begin(), a.wheels.end(), [&](GearOrdinal w) {
+      return std::any_of(b.wheels.begin(), b.wheels.end(), [&](GearOrdinal other) {
+        return !stop.stop_requested() && envelopes.collide(w, other);
+      });
     });
   };
   for (const Plane& plane : planes) {
@@ -267,7 +268,7 @@ void stackWheels(TrainWheels& train, const Placement& placement, const std::stop
     moves = stacker.improved(std::move(moves));  // linked sets find ways through (coaxial_plan.h)
   std::vector<Vector3d> moved(train.wheels.size(), Vector3d::Zero());
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    for (const int w : planes[p].wheels) {
+    for (const GearOrdinal w : planes[p].wheels) {
       moved[static_cast<std::size_t>(w)] = moves[p];
       train.wheels[static_cast<std::size_t>(w)].origin += moves[p];
     }
@@ -279,7 +280,7 @@ std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train, con
                                                    const std::stop_token& stop) {
   const WheelEnvelopes envelopes(train, placement);
   std::vector<std::set<int>> near;  // the wheel itself and those it meshes with
-  for (std::size_t w = 0; w < train.wheels.size(); ++w) near.push_back({static_cast<int>(w)});
+  for (const GearOrdinal w : train.wheels.ordinals()) near.push_back({static_cast<int>(w)});
   for (const TrainPair& pair : train.pairs) {
     near[static_cast<std::size_t>(pair.tail)].insert(pair.head);
     near[static_cast<std::size_t>(pair.head)].insert(pair.tail);
@@ -290,7 +291,7 @@ std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train, con
     const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
     if (train.wheels[a].link == train.wheels[b].link || near[a].contains(other)) continue;
     const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
-    const auto isNeighbour = [&](int w) { return near[b].contains(w); };
+    const auto isNeighbour = [&](GearOrdinal w) { return near[b].contains(w); };
     if (envelopes.collide(one, other) &&
         (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
       found.emplace_back(one, other);

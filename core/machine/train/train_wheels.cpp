@@ -19,8 +19,8 @@ bool same(double a, double b, double scale) {
 constexpr double kSameWheel = 0.12;
 
 struct Side {
-  int link;
-  int axisClass;
+  LinkOrdinal link;
+  ClassOrdinal axisClass;
   int teeth;
   double radius;
   std::optional<WheelId> named;
@@ -36,30 +36,30 @@ class WheelFinder {
 
   TrainWheels find(const std::stop_token& stop) {
     for (int m = 0; m < m_mechanism.c() && !stop.stop_requested(); ++m) {
-      const auto& geometry = m_placement.meshes[static_cast<std::size_t>(m)];
+      const auto& geometry = m_placement.meshes[m];
       if (geometry) addPair(m, *geometry);
     }
     return std::move(m_train);
   }
 
  private:
-  void addPair(int mesh, const MeshGeometry& geometry);
+  void addPair(MeshOrdinal mesh, const MeshGeometry& geometry);
   [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const;
   void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
-  [[nodiscard]] std::vector<int> like(const TrainWheel& wheel) const;
-  int add(TrainWheel wheel, std::optional<int> known, int mesh);
+  [[nodiscard]] std::vector<GearOrdinal> like(const TrainWheel& wheel) const;
+  int add(TrainWheel wheel, std::optional<int> known, MeshOrdinal mesh);
   [[nodiscard]] static bool isSame(const TrainWheel& a, const TrainWheel& b);
 
   const Mechanism& m_mechanism;
   const Placement& m_placement;
   WheelSharing m_sharing;
   TrainWheels m_train;
-  std::vector<std::vector<int>> m_ofLink;  ///< wheels by link
+  ByLink<std::vector<GearOrdinal>> m_ofLink;  ///< wheels
 };
 
-void WheelFinder::addPair(int mesh, const MeshGeometry& geometry) {
-  const GearMesh& drawn = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
+  const GearMesh& drawn = m_mechanism.gearMeshes[mesh];
   const Side tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, std::abs(geometry.tailRadius),
                   drawn.tailWheel};
   const Side head{geometry.head, geometry.headClass, drawn.headTeeth, std::abs(geometry.headRadius),
@@ -81,8 +81,8 @@ void WheelFinder::addPair(int mesh, const MeshGeometry& geometry) {
   }
   a.id = tail.named;
   b.id = head.named;
-  const std::vector<int> tails = like(a), heads = like(b);
-  const auto first = [](const std::vector<int>& known) {
+  const std::vector<GearOrdinal> tails = like(a), heads = like(b);
+  const auto first = [](const std::vector<GearOrdinal>& known) {
     return known.empty() ? std::nullopt : std::optional(known.front());
   };
   WheelSharing::Choice known{first(tails), first(heads)};
@@ -153,15 +153,15 @@ bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
 }
 
 /// The link's wheels that the wheel may be.
-std::vector<int> WheelFinder::like(const TrainWheel& wheel) const {
-  std::vector<int> found;
-  for (const int w : m_ofLink[static_cast<std::size_t>(wheel.link)]) {
+std::vector<GearOrdinal> WheelFinder::like(const TrainWheel& wheel) const {
+  std::vector<GearOrdinal> found;
+  for (const GearOrdinal w : m_ofLink[wheel.link]) {
     if (isSame(m_train.wheels[static_cast<std::size_t>(w)], wheel)) found.push_back(w);
   }
   return found;
 }
 
-int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
+int WheelFinder::add(TrainWheel wheel, std::optional<int> known, MeshOrdinal mesh) {
   if (known) {
     TrainWheel& shared = m_train.wheels[static_cast<std::size_t>(*known)];
     const double plane = (wheel.origin - shared.origin).dot(shared.axis);
@@ -170,7 +170,7 @@ int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
     return *known;
   }
   const int position = static_cast<int>(m_train.wheels.size());
-  m_ofLink[static_cast<std::size_t>(wheel.link)].push_back(position);
+  m_ofLink[wheel.link].push_back(position);
   wheel.meshes.push_back(mesh);
   wheel.planes.push_back(0);
   m_train.wheels.push_back(std::move(wheel));

@@ -14,10 +14,10 @@ namespace geargraph::inline train {
 
 /// A wheel during the construction of the train.
 struct TrainWheel {
-  int link = 0;
-  int axisClass = 0;
-  std::vector<int> meshes;
-  std::vector<double> planes;  ///< by mesh: coordinate along the axis from the base origin; bevels: 0
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = 0;
+  std::vector<MeshOrdinal> meshes;
+  std::vector<double> planes;  ///< of its meshes: coordinate along the axis from the base origin; bevels: 0
   std::optional<WheelId> id;
   Eigen::Vector3d axis;      ///< +z of the gear; bevel: from the apex to the gear
   Eigen::Vector3d origin;    ///< of the gear's frame: middle of the face, or the apex
@@ -26,9 +26,9 @@ struct TrainWheel {
 };
 
 struct TrainPair {
-  int mesh = 0;
-  int tail = 0;  ///< positions of wheels
-  int head = 0;
+  MeshOrdinal mesh = 0;
+  GearOrdinal tail;
+  GearOrdinal head;
   MeshKind kind = MeshKind::external;
   Eigen::Vector3d pitchPoint;
   double distance = 0;    ///< of the axes; 0 for bevels
@@ -37,7 +37,7 @@ struct TrainPair {
 };
 
 struct TrainWheels {
-  std::vector<TrainWheel> wheels;
+  ByGear<TrainWheel> wheels;
   std::vector<TrainPair> pairs;
 };
 

@@ -50,12 +50,12 @@ bool areParallel(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-WheelOrbit orbitOf(int axisClass, const Placement& placement) {
+WheelOrbit orbitOf(ClassOrdinal axisClass, const Placement& placement) {
   const AxisClasses& classes = *placement.classes;
   const AxisLine& line = placement.lineOfClass(axisClass);
   WheelOrbit orbit;
   orbit.at = wide(line.point);
-  orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
+  orbit.carrier = classes.classes[axisClass].rootLink;
   const int about = classes.classOfLink(orbit.carrier);
   if (about < 0) return orbit;
   const AxisLine& centre = placement.lineOfClass(about);
@@ -82,7 +82,7 @@ WheelEnvelopes::WheelEnvelopes(const TrainWheels& train, const Placement& placem
   m_envelopes.reserve(train.wheels.size());
   for (const TrainWheel& wheel : train.wheels) {
     const Envelope& envelope = m_envelopes.emplace_back(envelopeOf(wheel, hasArms));
-    if (envelope.bevel) m_freeSide[static_cast<std::size_t>(wheel.axisClass)] += wheel.axis;
+    if (envelope.bevel) m_freeSide[wheel.axisClass] += wheel.axis;
   }
 }
 
@@ -98,7 +98,7 @@ WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, boo
   const bool ring = wheel.spec.kind == GearKind::internal;
   if (ring) envelope.inner = nominalTipRadius(wheel.spec);
   envelope.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
-  envelope.orbit = m_orbits[static_cast<std::size_t>(wheel.axisClass)];
+  envelope.orbit = m_orbits[wheel.axisClass];
   envelope.hasArm = hasArms && !envelope.bevel;
   const double arm = envelope.hasArm ? kArmAllowance * wheel.spec.module : 0;
   envelope.hull = hullOf(wheel, envelope.low - arm, envelope.high + arm, envelope.outer);
@@ -115,7 +115,7 @@ WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, boo
   return envelope;
 }
 
-void WheelEnvelopes::update(int wheel) {
+void WheelEnvelopes::update(GearOrdinal wheel) {
   Envelope& known = m_envelopes[static_cast<std::size_t>(wheel)];
   known = envelopeOf(m_train.wheels[static_cast<std::size_t>(wheel)], known.hasArm);
 }
@@ -131,7 +131,7 @@ std::vector<std::pair<int, int>> WheelEnvelopes::nearPairs(const std::stop_token
     high = high.cwiseMax(each.centre());
   }
   if (!m_envelopes.empty()) (high - low).maxCoeff(&along);
-  for (std::size_t w = 0; w < m_envelopes.size(); ++w) {
+  for (const GearOrdinal w : m_envelopes.ordinals()) {
     const Envelope& each = m_envelopes[w];
     starts.emplace_back(each.centre()[static_cast<Eigen::Index>(along)] - each.reach, static_cast<int>(w));
     if (each.orbit.about >= 0) orbiting[each.orbit.about].push_back(static_cast<int>(w));
@@ -159,7 +159,7 @@ std::vector<std::pair<int, int>> WheelEnvelopes::nearPairs(const std::stop_token
   return pairs;
 }
 
-bool WheelEnvelopes::mayIntersect(int moving, int other) const {
+bool WheelEnvelopes::mayIntersect(GearOrdinal moving, GearOrdinal other) const {
   const Envelope& a = envelope(moving);
   const Envelope& b = envelope(other);
   if (shareOrbit(a, b)) return true;
@@ -167,7 +167,7 @@ bool WheelEnvelopes::mayIntersect(int moving, int other) const {
   return acrossPart(b.centre() - a.centre(), a.axis).squaredNorm() <= reach * reach;
 }
 
-bool WheelEnvelopes::covers(int wheel, int axisClass) const {
+bool WheelEnvelopes::covers(GearOrdinal wheel, ClassOrdinal axisClass) const {
   const Envelope& covering = envelope(wheel);
   const auto c = static_cast<std::size_t>(axisClass);
   if (covering.bevel || covering.axisClass == axisClass || !areParallel(covering.axis, m_lines[c]))
@@ -179,7 +179,7 @@ bool WheelEnvelopes::covers(int wheel, int axisClass) const {
   return std::max(nearest, now) + shaft > covering.inner + touch && nearest < covering.outer + shaft - touch;
 }
 
-void WheelEnvelopes::move(int wheel, const Vector3d& by) {
+void WheelEnvelopes::move(GearOrdinal wheel, const Vector3d& by) {
   Envelope& moved = m_envelopes[static_cast<std::size_t>(wheel)];
   moved.origin += by;
   for (Disc& disc : moved.hull) disc.centre = disc.centre + narrow(by);
@@ -205,7 +205,7 @@ bool WheelEnvelopes::hullsCollide(const Envelope& a, const Envelope& b) {
   return !a.hull.empty() && !b.hull.empty() && areNear(a.hull, b.hull);
 }
 
-bool WheelEnvelopes::collide(int one, int other) const {
+bool WheelEnvelopes::collide(GearOrdinal one, GearOrdinal other) const {
   const Envelope& a = envelope(one);
   const Envelope& b = envelope(other);
   if (a.bevel && b.bevel && a.axisClass == b.axisClass)

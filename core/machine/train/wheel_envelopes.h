@@ -13,13 +13,13 @@ namespace geargraph::inline train {
 /// The orbit of a wheel's axis on its carrier: two wheels on parallel axes whose carriers turn about one
 /// third axis can come as close as the difference of their orbits' radii.
 struct WheelOrbit {
-  int carrier = 0;     ///< the link that holds the wheel's axis
-  int about = -1;      ///< the axis class that the carrier turns about; -1: the carrier is the ground
-  double radius = 0;   ///< of the orbit
-  Eigen::Vector3d at;  ///< a point of the wheel's axis
+  LinkOrdinal carrier = 0;  ///< the link that holds the wheel's axis
+  ClassOrdinal about = -1;  ///< the axis class that the carrier turns about; -1: the carrier is the ground
+  double radius = 0;        ///< of the orbit
+  Eigen::Vector3d at;       ///< a point of the wheel's axis
 };
 
-[[nodiscard]] WheelOrbit orbitOf(int axisClass, const Placement& placement);
+[[nodiscard]] WheelOrbit orbitOf(ClassOrdinal axisClass, const Placement& placement);
 
 /// The smallest distance between two parallel axes in any pose; their present distance if both are held by
 /// one carrier, or one carries the other.
@@ -31,30 +31,30 @@ class WheelEnvelopes {
   WheelEnvelopes(const TrainWheels& train, const Placement& placement);
 
   /// Moves a wheel; `by` is along its axis.
-  void move(int wheel, const Eigen::Vector3d& by);
+  void move(GearOrdinal wheel, const Eigen::Vector3d& by);
   /// Updates a wheel after a change of its face width.
-  void update(int wheel);
+  void update(GearOrdinal wheel);
   /// Every pair (a, b), a < b, for which collide() may be true: wheels whose bounding spheres overlap, and
   /// wheels whose carriers revolve about one axis. Ordered by a, then b. Incomplete if `stop` was requested
   /// meanwhile. Cost: O(n log n), and the comparison of those whose spheres overlap along one coordinate, and
   /// of those on one axis.
   [[nodiscard]] std::vector<std::pair<int, int>> nearPairs(const std::stop_token& stop = {}) const;
   /// Can the wheels collide() for some position of the first one along its axis?
-  [[nodiscard]] bool mayIntersect(int moving, int other) const;
+  [[nodiscard]] bool mayIntersect(GearOrdinal moving, GearOrdinal other) const;
   /// Do two wheels overlap in the reference pose, or on parallel axes in any pose?
-  [[nodiscard]] bool collide(int a, int b) const;
+  [[nodiscard]] bool collide(GearOrdinal a, GearOrdinal b) const;
   /// Does another parallel axis pass through the wheel in any pose?
-  [[nodiscard]] bool covers(int wheel, int axisClass) const;
+  [[nodiscard]] bool covers(GearOrdinal wheel, ClassOrdinal axisClass) const;
   /// The preferred direction for moving a wheel along its axis: the side from which the bevels on it come; 0
   /// if there are none.
-  [[nodiscard]] const Eigen::Vector3d& freeSide(int wheel) const {
-    return m_freeSide[static_cast<std::size_t>(envelope(wheel).axisClass)];
+  [[nodiscard]] const Eigen::Vector3d& freeSide(GearOrdinal wheel) const {
+    return m_freeSide[envelope(wheel).axisClass];
   }
 
  private:
   struct Envelope {
     Eigen::Vector3d origin, axis;
-    int axisClass = 0;
+    ClassOrdinal axisClass = 0;
     double low = 0, high = 0;  ///< along the axis from the origin
     double inner = 0, outer = 0;
     bool bevel = false;
@@ -70,15 +70,15 @@ class WheelEnvelopes {
   [[nodiscard]] static bool shareOrbit(const Envelope& a, const Envelope& b) {
     return a.orbit.about >= 0 && a.orbit.about == b.orbit.about && a.orbit.carrier != b.orbit.carrier;
   }
-  [[nodiscard]] const Envelope& envelope(int w) const { return m_envelopes[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] const Envelope& envelope(GearOrdinal w) const { return m_envelopes[w]; }
   [[nodiscard]] static bool discsCollide(const Envelope& a, const Envelope& b);
   [[nodiscard]] static bool hullsCollide(const Envelope& a, const Envelope& b);
 
   const TrainWheels& m_train;
-  std::vector<Envelope> m_envelopes;
-  std::vector<WheelOrbit> m_orbits;         ///< by axis class
-  std::vector<Eigen::Vector3d> m_lines;     ///< their directions
-  std::vector<Eigen::Vector3d> m_freeSide;  ///< by axis class
+  ByGear<Envelope> m_envelopes;
+  ByClass<WheelOrbit> m_orbits;
+  std::vector<Eigen::Vector3d> m_lines;  ///< their directions
+  ByClass<Eigen::Vector3d> m_freeSide;
 };
 
 }  // namespace geargraph::inline train

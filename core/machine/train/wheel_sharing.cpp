@@ -10,10 +10,6 @@ constexpr std::size_t kMostAsked = 200;
 constexpr double kTip = 1;  // modules beyond the pitch circle
 constexpr double kRim = 3;  // the same of a ring's rim
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 WheelSharing::WheelSharing(const Mechanism& mechanism, const Placement& placement) {
@@ -45,38 +41,39 @@ WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
 bool WheelSharing::pass(const Round& a, const Round& b) const {
   if (m_meshing.contains({a.link, a.teeth, b.link, b.teeth})) return true;
   if (a.axisClass == b.axisClass) return a.outer <= b.inner || b.outer <= a.inner;
-  const WheelOrbit& one = m_orbits[at(a.axisClass)];
-  const WheelOrbit& other = m_orbits[at(b.axisClass)];
+  const WheelOrbit& one = m_orbits[a.axisClass];
+  const WheelOrbit& other = m_orbits[b.axisClass];
   if (one.carrier == other.carrier) return true;
   const double distance = nearestAxes(one, other, a.axis);
   return distance >= a.outer + b.outer || distance + a.outer <= b.inner || distance + b.outer <= a.inner;
 }
 
-std::span<const int> WheelSharing::planeOf(std::optional<int> wheel) const {
-  if (!wheel || at(*wheel) >= m_rounds.size() || !m_rounds[at(*wheel)]) return {};
-  return m_wheels[at(m_planes[at(*wheel)])];
+std::span<const GearOrdinal> WheelSharing::planeOf(std::optional<GearOrdinal> wheel) const {
+  if (!wheel || *wheel >= m_rounds.count() || !m_rounds[*wheel]) return {};
+  return m_wheels[m_planes[*wheel]];
 }
 
 /// Do all in the plane of one pass all in that of the other, but for the two that mesh?
-bool WheelSharing::passWith(std::optional<int> tail, const TrainWheel& tailWheel, std::optional<int> head,
-                            const TrainWheel& headWheel) const {
+bool WheelSharing::passWith(std::optional<GearOrdinal> tail, const TrainWheel& tailWheel,
+                            std::optional<GearOrdinal> head, const TrainWheel& headWheel) const {
   const auto tails = planeOf(tail), heads = planeOf(head);
   if (!tails.empty() && tails.data() == heads.data()) return true;
   if (tails.size() + heads.size() > kMostAsked) return true;
   const Round newTail = roundOf(tailWheel), newHead = roundOf(headWheel);
-  const auto passes = [&](int tailAt, int headAt) {
+  const auto passes = [&](GearOrdinal tailAt, GearOrdinal headAt) {
     if (tailAt == tail.value_or(-1) && headAt == head.value_or(-1)) return true;
-    return pass(tailAt < 0 ? newTail : *m_rounds[at(tailAt)], headAt < 0 ? newHead : *m_rounds[at(headAt)]);
+    return pass(tailAt < 0 ? newTail : *m_rounds[tailAt], headAt < 0 ? newHead : *m_rounds[headAt]);
   };
-  const int none[] = {-1};
-  const std::span<const int> all = tails.empty() ? none : tails, others = heads.empty() ? none : heads;
-  return std::all_of(all.begin(), all.end(), [&](int a) {
-    return std::all_of(others.begin(), others.end(), [&](int b) { return passes(a, b); });
+  const GearOrdinal none[] = {-1};
+  const std::span<const GearOrdinal> all = tails.empty() ? none : tails,
+                                     others = heads.empty() ? none : heads;
+  return std::all_of(all.begin(), all.end(), [&](GearOrdinal a) {
+    return std::all_of(others.begin(), others.end(), [&](GearOrdinal b) { return passes(a, b); });
   });
 }
 
-WheelSharing::Choice WheelSharing::choose(const TrainWheel& tail, std::span<const int> tails,
-                                          const TrainWheel& head, std::span<const int> heads) const {
+WheelSharing::Choice WheelSharing::choose(const TrainWheel& tail, std::span<const GearOrdinal> tails,
+                                          const TrainWheel& head, std::span<const GearOrdinal> heads) const {
   for (const int t : tails) {
     for (const int h : heads) {
       if (passWith(t, tail, h, head)) return {t, h};
@@ -92,28 +89,29 @@ WheelSharing::Choice WheelSharing::choose(const TrainWheel& tail, std::span<cons
 }
 
 /// The wheel's plane; a new one where it has none.
-int WheelSharing::take(int wheel, const TrainWheel& as) {
-  if (m_rounds.size() <= at(wheel)) {
-    m_rounds.resize(at(wheel) + 1);
-    m_planes.resize(at(wheel) + 1, -1);
+WheelSharing::PlaneOrdinal WheelSharing::take(GearOrdinal wheel, const TrainWheel& as) {
+  if (m_rounds.count() <= wheel) {
+    m_rounds.resize(static_cast<std::size_t>(wheel) + 1);
+    m_planes.resize(static_cast<std::size_t>(wheel) + 1, -1);
   }
-  if (!m_rounds[at(wheel)]) {
-    m_rounds[at(wheel)] = roundOf(as);
-    m_planes[at(wheel)] = static_cast<int>(m_wheels.size());
+  if (!m_rounds[wheel]) {
+    m_rounds[wheel] = roundOf(as);
+    m_planes[wheel] = m_wheels.count();
     m_wheels.push_back({wheel});
   }
-  return m_planes[at(wheel)];
+  return m_planes[wheel];
 }
 
-void WheelSharing::join(int tail, const TrainWheel& tailWheel, int head, const TrainWheel& headWheel) {
-  int into = take(tail, tailWheel), from = take(head, headWheel);
+void WheelSharing::join(GearOrdinal tail, const TrainWheel& tailWheel, GearOrdinal head,
+                        const TrainWheel& headWheel) {
+  PlaneOrdinal into = take(tail, tailWheel), from = take(head, headWheel);
   if (into == from) return;
-  if (m_wheels[at(into)].size() < m_wheels[at(from)].size()) std::swap(into, from);
-  for (const int w : m_wheels[at(from)]) {
-    m_planes[at(w)] = into;
-    m_wheels[at(into)].push_back(w);
+  if (m_wheels[into].size() < m_wheels[from].size()) std::swap(into, from);
+  for (const GearOrdinal w : m_wheels[from]) {
+    m_planes[w] = into;
+    m_wheels[into].push_back(w);
   }
-  m_wheels[at(from)].clear();
+  m_wheels[from].clear();
 }
 
 }  // namespace geargraph::inline train

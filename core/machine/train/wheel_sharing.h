@@ -18,39 +18,41 @@ class WheelSharing {
   WheelSharing(const Mechanism& mechanism, const Placement& placement);
 
   struct Choice {
-    std::optional<int> tail;  ///< an existing wheel; none: a new one
-    std::optional<int> head;
+    std::optional<GearOrdinal> tail;  ///< an existing wheel; none: a new one
+    std::optional<GearOrdinal> head;
   };
   /// The existing wheels that a mesh uses instead of new ones: the first of the equal ones (`tails`, `heads`)
   /// with which nothing in their plane interferes. Cost: O(wheels of both planes) squared, for planes with
   /// few wheels.
-  [[nodiscard]] Choice choose(const TrainWheel& tail, std::span<const int> tails, const TrainWheel& head,
-                              std::span<const int> heads) const;
+  [[nodiscard]] Choice choose(const TrainWheel& tail, std::span<const GearOrdinal> tails,
+                              const TrainWheel& head, std::span<const GearOrdinal> heads) const;
   /// Records that a mesh has these wheels of the train, by position; their planes become one.
-  void join(int tail, const TrainWheel& tailWheel, int head, const TrainWheel& headWheel);
+  void join(GearOrdinal tail, const TrainWheel& tailWheel, GearOrdinal head, const TrainWheel& headWheel);
 
  private:
+  using PlaneOrdinal = Ordinal<struct PlaneTag>;
+
   /// A wheel as a disc or ring in its plane.
   struct Round {
-    int link = 0;
+    LinkOrdinal link = 0;
     int teeth = 0;
-    int axisClass = 0;
+    ClassOrdinal axisClass = 0;
     double inner = 0, outer = 0;
     Eigen::Vector3d axis;
   };
 
   [[nodiscard]] static Round roundOf(const TrainWheel& wheel);
   [[nodiscard]] bool pass(const Round& a, const Round& b) const;
-  [[nodiscard]] bool passWith(std::optional<int> tail, const TrainWheel& tailWheel, std::optional<int> head,
-                              const TrainWheel& headWheel) const;
-  [[nodiscard]] std::span<const int> planeOf(std::optional<int> wheel) const;
-  int take(int wheel, const TrainWheel& as);
+  [[nodiscard]] bool passWith(std::optional<GearOrdinal> tail, const TrainWheel& tailWheel,
+                              std::optional<GearOrdinal> head, const TrainWheel& headWheel) const;
+  [[nodiscard]] std::span<const GearOrdinal> planeOf(std::optional<GearOrdinal> wheel) const;
+  PlaneOrdinal take(GearOrdinal wheel, const TrainWheel& as);
 
-  std::set<std::array<int, 4>> m_meshing;      ///< link and teeth of one wheel, then of the other
-  std::vector<WheelOrbit> m_orbits;            ///< by axis class
-  std::vector<std::optional<Round>> m_rounds;  ///< by wheel; none: not placed in a plane yet
-  std::vector<int> m_planes;                   ///< by wheel
-  std::vector<std::vector<int>> m_wheels;      ///< by plane
+  std::set<std::array<int, 4>> m_meshing;  ///< link and teeth of one wheel, then of the other
+  ByClass<WheelOrbit> m_orbits;
+  ByGear<std::optional<Round>> m_rounds;  ///< none: not placed in a plane yet
+  ByGear<PlaneOrdinal> m_planes;
+  OrdinalVector<struct PlaneTag, std::vector<GearOrdinal>> m_wheels;  ///< by plane
 };
 
 }  // namespace geargraph::inline train

@@ -122,6 +122,9 @@ void forEachRow(const Mechanism& mechanism, const Take& take) {
 
 /// Drops the members that this program does not know; true where there were any.
 template <class Element>
+requires requires(Element element) {
+  element.unknown;
+}
 bool dropUnknown(Element& element) {
   const bool had = !element.unknown.empty();
   element.unknown.clear();

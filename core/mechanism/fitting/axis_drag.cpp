@@ -21,41 +21,41 @@ namespace geargraph::inline fitting {
 namespace {
 
 /// Pairs of axes whose wheels are those of one, step by step: their modules are one.
-std::set<AxisPair> pairsOfOneModule(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+std::set<AxisPair> pairsOfOneModule(const Mechanism& mechanism, const Placement& placement,
+                                    ClassOrdinal axisClass) {
   std::set<AxisPair> pairs;
-  for (const int mesh : meshesOfOneModule(mechanism, placement, [&](int each) {
-         const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+  for (const MeshOrdinal mesh : meshesOfOneModule(mechanism, placement, [&](int each) {
+         const MeshGeometry& geometry = *placement.meshes[each];
          return geometry.kind != MeshKind::bevel &&
                 (geometry.tailClass == axisClass || geometry.headClass == axisClass);
        })) {
-    pairs.insert(axisPairOf(*placement.meshes[static_cast<std::size_t>(mesh)]));
+    pairs.insert(axisPairOf(*placement.meshes[mesh]));
   }
   return pairs;
 }
 
 struct MovedAxis {
-  int axisClass = -1;
-  int neighbour = -1;  ///< the class that it meshes with, nearest the ground
+  ClassOrdinal axisClass = -1;
+  ClassOrdinal neighbour = -1;  ///< the class that it meshes with, nearest the ground
 };
 
 MovedAxis movedAxis(const Mechanism& mechanism, const Placement& placement, AxisId axis) {
   MovedAxis moved;
   const auto& classes = placement.classes->classes;
   for (std::size_t c = 0; c < classes.size(); ++c) {
-    if (mechanism.axes[static_cast<std::size_t>(classes[c].axis)].id == axis)
-      moved.axisClass = static_cast<int>(c);
+    if (mechanism.axes[classes[c].axis].id == axis) moved.axisClass = static_cast<int>(c);
   }
   for (const auto& mesh : placement.meshes) {
     if (mesh->kind == MeshKind::bevel) continue;
     if (mesh->tailClass != moved.axisClass && mesh->headClass != moved.axisClass) continue;
     const int other = mesh->tailClass == moved.axisClass ? mesh->headClass : mesh->tailClass;
-    const auto depth = [&](int c) { return classes[static_cast<std::size_t>(c)].depth; };
+    const auto depth = [&](int c) { return classes[c].depth; };
     if (moved.neighbour < 0 || depth(other) < depth(moved.neighbour)) moved.neighbour = other;
   }
   return moved;
 }
 
-double distanceFrom(const Placement& placement, int axisClass, const Vector3& point) {
+double distanceFrom(const Placement& placement, ClassOrdinal axisClass, const Vector3& point) {
   const AxisLine& line = placement.lineOfClass(axisClass);
   return length(cross(line.direction, point - line.point));
 }

@@ -45,10 +45,10 @@ class AxisFitter {
     m_shift.resize(classes);
     m_hasPins =
         std::any_of(before.axes.begin(), before.axes.end(), [](const Axis& axis) { return isPinned(axis); });
-    for (int axisClass = 0; axisClass < static_cast<int>(classes); ++axisClass) {
+    for (ClassOrdinal axisClass = 0; axisClass < static_cast<int>(classes); ++axisClass) {
       m_lines.push_back(exactLineOfClass(before, placement, axisClass));
       const int carrying = placement.classes->classOfLink(classAt(axisClass).rootLink);
-      if (carrying >= 0) m_along[static_cast<std::size_t>(axisClass)].push_back(carrying);
+      if (carrying >= 0) m_along[axisClass].push_back(carrying);
     }
     for (const auto& mesh : placement.meshes) {
       const auto tail = static_cast<std::size_t>(mesh->tailClass);
@@ -69,7 +69,7 @@ class AxisFitter {
   Expected<std::vector<ExactVector3>> run() {
     for (int placed = 0; placed < count(); ++placed) {
       const int next = nextClass();
-      m_shift[static_cast<std::size_t>(next)] = shiftOf(next);
+      m_shift[next] = shiftOf(next);
       if (!m_rejections.empty()) return std::move(m_rejections);
     }
     if (m_hasPins || !m_pinned.empty()) checkHeld();
@@ -81,12 +81,10 @@ class AxisFitter {
 
  private:
   [[nodiscard]] int count() const { return static_cast<int>(m_shift.size()); }
-  [[nodiscard]] const AxisClasses::Class& classAt(int axisClass) const {
-    return m_placement.classes->classes[static_cast<std::size_t>(axisClass)];
+  [[nodiscard]] const AxisClasses::Class& classAt(ClassOrdinal axisClass) const {
+    return m_placement.classes->classes[axisClass];
   }
-  [[nodiscard]] bool isPlaced(int axisClass) const {
-    return m_shift[static_cast<std::size_t>(axisClass)].has_value();
-  }
+  [[nodiscard]] bool isPlaced(ClassOrdinal axisClass) const { return m_shift[axisClass].has_value(); }
   [[nodiscard]] std::vector<int> placedOf(const std::vector<int>& classes) const {
     std::vector<int> placed;
     std::copy_if(classes.begin(), classes.end(), std::back_inserter(placed),
@@ -98,7 +96,7 @@ class AxisFitter {
     return found == m_scales.end() ? Rational(1) : found->second;
   }
 
-  [[nodiscard]] bool isHeld(int axisClass) const {
+  [[nodiscard]] bool isHeld(ClassOrdinal axisClass) const {
     return m_pinned.contains(axisClass) || isPinned(axisOfClass(m_before, m_placement, axisClass));
   }
 
@@ -107,7 +105,7 @@ class AxisFitter {
   [[nodiscard]] int nextClass() const {
     int best = -1;
     std::tuple<int, int, int, int> bestRank;
-    for (int axisClass = 0; axisClass < count(); ++axisClass) {
+    for (ClassOrdinal axisClass = 0; axisClass < count(); ++axisClass) {
       if (isPlaced(axisClass)) continue;
       const auto at = static_cast<std::size_t>(axisClass);
       const int meshes = static_cast<int>(placedOf(m_neighbours[at]).size());
@@ -121,7 +119,7 @@ class AxisFitter {
     return best;
   }
 
-  ExactVector3 shiftOf(int axisClass) {
+  ExactVector3 shiftOf(ClassOrdinal axisClass) {
     const auto at = static_cast<std::size_t>(axisClass);
     if (const auto pinned = m_pinned.find(axisClass); pinned != m_pinned.end())
       return pinned->second - m_lines[at].point;
@@ -129,11 +127,11 @@ class AxisFitter {
     const std::vector<int> neighbours = placedOf(m_neighbours[at]);
     if (neighbours.empty()) {
       const std::vector<int> along = placedOf(m_along[at]);
-      return along.empty() ? ExactVector3{} : *m_shift[static_cast<std::size_t>(along.front())];
+      return along.empty() ? ExactVector3{} : *m_shift[along.front()];
     }
-    const ExactVector3& first = *m_shift[static_cast<std::size_t>(neighbours.front())];
+    const ExactVector3& first = *m_shift[neighbours.front()];
     const bool rigid = std::all_of(neighbours.begin(), neighbours.end(), [&](int other) {
-      return scaleOf(axisClass, other) == 1 && isZero(*m_shift[static_cast<std::size_t>(other)] - first);
+      return scaleOf(axisClass, other) == 1 && isZero(*m_shift[other] - first);
     });
     if (rigid) return first;
     if (neighbours.size() == 1) {
@@ -149,9 +147,8 @@ class AxisFitter {
       const MeshGeometry& mesh = *m_placement.meshes[m];
       if (mesh.kind == MeshKind::bevel) continue;
       const ExactVector3 was = radial(mesh.tailClass, mesh.headClass);
-      const ExactVector3 shift = *m_shift[static_cast<std::size_t>(mesh.headClass)] -
-                                 *m_shift[static_cast<std::size_t>(mesh.tailClass)];
-      const Vector3 direction = unit(toDoubles(m_lines[static_cast<std::size_t>(mesh.tailClass)].direction));
+      const ExactVector3 shift = *m_shift[mesh.headClass] - *m_shift[mesh.tailClass];
+      const Vector3 direction = unit(toDoubles(m_lines[mesh.tailClass].direction));
       const double now = length(cross(direction, toDoubles(was + shift)));
       const double wanted = length(toDoubles(was)) * scaleOf(mesh.tailClass, mesh.headClass).toDouble();
       if (std::abs(now - wanted) <= kGeometryFits * wanted) continue;
@@ -165,26 +162,26 @@ class AxisFitter {
 
   /// From one line to a parallel other, at right angles to both, as they were.
   [[nodiscard]] ExactVector3 radial(int from, int to) const {
-    const ExactLine& line = m_lines[static_cast<std::size_t>(from)];
-    const ExactVector3 between = m_lines[static_cast<std::size_t>(to)].point - line.point;
+    const ExactLine& line = m_lines[from];
+    const ExactVector3 between = m_lines[to].point - line.point;
     const Rational along = dot(between, line.direction) / dot(line.direction, line.direction);
     return between - along * line.direction;
   }
 
   /// Where the new distances from two neighbours meet; any others have to agree.
-  ExactVector3 heldByTwo(int axisClass, const std::vector<int>& neighbours) {
+  ExactVector3 heldByTwo(ClassOrdinal axisClass, const std::vector<int>& neighbours) {
     struct Circle {
       Vector3 centre;
       double radius = 0;
     };
     std::vector<Circle> circles;
-    const Vector3 old = toDoubles(m_lines[static_cast<std::size_t>(axisClass)].point);
+    const Vector3 old = toDoubles(m_lines[axisClass].point);
     for (const int other : neighbours) {
       const Vector3 off = toDoubles(radial(other, axisClass));
-      circles.push_back({old - off + toDoubles(*m_shift[static_cast<std::size_t>(other)]),
-                         length(off) * scaleOf(axisClass, other).toDouble()});
+      circles.push_back(
+          {old - off + toDoubles(*m_shift[other]), length(off) * scaleOf(axisClass, other).toDouble()});
     }
-    const Vector3 direction = unit(toDoubles(m_lines[static_cast<std::size_t>(axisClass)].direction));
+    const Vector3 direction = unit(toDoubles(m_lines[axisClass].direction));
     const Vector3 between = circles[1].centre - circles[0].centre;
     const double distance = length(between);
     const double a = circles[0].radius, b = circles[1].radius;
@@ -210,7 +207,7 @@ class AxisFitter {
     return shift;
   }
 
-  void reject(int axisClass, const std::vector<int>& neighbours) {
+  void reject(ClassOrdinal axisClass, const std::vector<int>& neighbours) {
     if (!m_rejections.empty()) return;
     Diagnostic why;
     why.code = Code::teethGeometry;
@@ -223,7 +220,7 @@ class AxisFitter {
       names += (names.empty() ? "" : ", ") + std::to_string(m_before.meshLabel(static_cast<int>(m)));
       why.elements.emplace_back(m_before.gearMeshes[m].id);
     }
-    const AxisId axis = m_before.axes[static_cast<std::size_t>(classAt(axisClass).axis)].id;
+    const AxisId axis = m_before.axes[classAt(axisClass).axis].id;
     why.elements.emplace_back(axis);
     why.message = translated(
         "There is no place for axis %1 where the wheels of meshes %2 would touch at these tooth counts. "
@@ -236,11 +233,11 @@ class AxisFitter {
   const Placement& m_placement;
   const std::map<AxisPair, Rational>& m_scales;
   const std::map<int, ExactVector3>& m_pinned;
-  bool m_hasPins = false;                      ///< of the user
-  std::vector<ExactLine> m_lines;              ///< by class, as they were
-  std::vector<std::vector<int>> m_neighbours;  ///< by class: parallel ones it meshes with
-  std::vector<std::vector<int>> m_along;       ///< by class: those it goes along with
-  std::vector<std::optional<ExactVector3>> m_shift;
+  bool m_hasPins = false;                  ///< of the user
+  ByClass<ExactLine> m_lines;              ///< as they were
+  ByClass<std::vector<int>> m_neighbours;  ///< parallel ones it meshes with
+  ByClass<std::vector<int>> m_along;       ///< those it goes along with
+  ByClass<std::optional<ExactVector3>> m_shift;
   Diagnostics m_rejections;
 };
 
@@ -251,16 +248,16 @@ class PitchPointFitter {
                    const std::vector<ExactVector3>& shifts)
       : m_before(before), m_placement(placement), m_edited(edited), m_shifts(shifts) {}
 
-  [[nodiscard]] ExactVector3 pointOf(int mesh) {
-    const MeshGeometry& was = *m_placement.meshes[static_cast<std::size_t>(mesh)];
+  [[nodiscard]] ExactVector3 pointOf(MeshOrdinal mesh) {
+    const MeshGeometry& was = *m_placement.meshes[mesh];
     const ExactLine tail = lineNow(was.tailClass);
     const ExactLine head = lineNow(was.headClass);
-    const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    const GearMesh& element = m_edited.gearMeshes[mesh];
     if (was.kind == MeshKind::bevel) return bevelPoint(mesh, was, tail, head);
     const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                   head.direction, element.tailTeeth, element.headTeeth};
     const bool internal = element.kind.value_or(was.kind) == MeshKind::internal;
-    const NumberTriple& point = *m_before.gearMeshes[static_cast<std::size_t>(mesh)].pitchPoint;
+    const NumberTriple& point = *m_before.gearMeshes[mesh].pitchPoint;
     const ExactVector3 level{point[0].exact(), point[1].exact(), point[2].exact()};
     return parallelPitchPoint(pair, internal, level + m_shifts[static_cast<std::size_t>(was.tailClass)]);
   }
@@ -269,17 +266,17 @@ class PitchPointFitter {
   /// Axes that coincide after the edit share a class, so a class of before is found by its axis. Only where
   /// the program places it, the edited document has to be placed.
   [[nodiscard]] ExactLine lineNow(int classBefore) {
-    const int axis = m_placement.classes->classes[static_cast<std::size_t>(classBefore)].axis;
-    const Axis& stated = m_edited.axes[static_cast<std::size_t>(axis)];
+    const AxisOrdinal axis = m_placement.classes->classes[classBefore].axis;
+    const Axis& stated = m_edited.axes[axis];
     if (stated.point && stated.direction) return {toFractions(*stated.point), toFractions(*stated.direction)};
     if (!m_now) m_now = placementOf(m_edited);
     return exactLine(m_edited, *m_now, axis);
   }
 
   /// On the same half axes as before, at the module of the mesh: radius over teeth.
-  [[nodiscard]] ExactVector3 bevelPoint(int mesh, const MeshGeometry& was, const ExactLine& tail,
+  [[nodiscard]] ExactVector3 bevelPoint(MeshOrdinal mesh, const MeshGeometry& was, const ExactLine& tail,
                                         const ExactLine& head) const {
-    const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    const GearMesh& element = m_edited.gearMeshes[mesh];
     const GearPair<double> pair{toDoubles(tail.point),     toDoubles(tail.direction), toDoubles(head.point),
                                 toDoubles(head.direction), element.tailTeeth,         element.headTeeth};
     const AxisLine& oldTail = m_placement.lineOfClass(was.tailClass);
@@ -315,8 +312,8 @@ Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement,
   if (!shifts) return shifts.error();
   std::set<int> moved;  // axes; several classes of one name go with the first
   for (std::size_t c = 0; c < shifts->size(); ++c) {
-    const int axis = placement.classes->classes[c].axis;
-    Axis& element = edited.axes[static_cast<std::size_t>(axis)];
+    const AxisOrdinal axis = placement.classes->classes[c].axis;
+    Axis& element = edited.axes[axis];
     const ExactVector3& shift = (*shifts)[c];
     if (!element.point || isZero(shift) || !moved.insert(axis).second) continue;
     const NumberTriple& at = *element.point;
@@ -324,16 +321,16 @@ Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement,
   }
   PitchPointFitter fitter(before, placement, edited, *shifts);
   std::vector<std::pair<int, ExactVector3>> points;
-  for (int mesh = 0; mesh < edited.c(); ++mesh) {
-    const GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
-    const MeshGeometry& was = *placement.meshes[static_cast<std::size_t>(mesh)];
-    const bool stays = !meshChanged(before.gearMeshes[static_cast<std::size_t>(mesh)], element) &&
+  for (MeshOrdinal mesh = 0; mesh < edited.c(); ++mesh) {
+    const GearMesh& element = edited.gearMeshes[mesh];
+    const MeshGeometry& was = *placement.meshes[mesh];
+    const bool stays = !meshChanged(before.gearMeshes[mesh], element) &&
                        isZero((*shifts)[static_cast<std::size_t>(was.tailClass)]) &&
                        isZero((*shifts)[static_cast<std::size_t>(was.headClass)]);
     if (element.pitchPoint && !stays) points.emplace_back(mesh, fitter.pointOf(mesh));
   }
   for (const auto& [mesh, point] : points) {
-    auto& stated = edited.gearMeshes[static_cast<std::size_t>(mesh)].pitchPoint;
+    auto& stated = edited.gearMeshes[mesh].pitchPoint;
     stated = written(point, stated);
   }
   return edited;

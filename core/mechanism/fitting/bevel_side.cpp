@@ -11,8 +11,8 @@ namespace {
 
 /// On the other half of the axis of one of its wheels, at the module that the mesh has.
 NumberTriple mirroredPoint(const Mechanism& mechanism, const Placement& placement, int end) {
-  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(end / 2)];
-  const GearMesh& mesh = mechanism.gearMeshes[static_cast<std::size_t>(end / 2)];
+  const MeshGeometry& geometry = *placement.meshes[end / 2];
+  const GearMesh& mesh = mechanism.gearMeshes[end / 2];
   const AxisLine& tail = placement.lineOfClass(geometry.tailClass);
   const AxisLine& head = placement.lineOfClass(geometry.headClass);
   const GearPair<double> pair{tail.point,     tail.direction, head.point,
@@ -37,7 +37,7 @@ Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, Me
   if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // rejects unknown-id
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Placement& placement = before.placement();
-  const auto& geometry = placement.meshes[static_cast<std::size_t>(position)];
+  const auto& geometry = placement.meshes[position];
   if (!geometry || geometry->kind != MeshKind::bevel) {
     Diagnostic rejection;
     rejection.code = Code::pitchGeometry;
@@ -55,8 +55,7 @@ Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, Me
   Mechanism edited = mechanism;
   std::vector<NumberTriple> points;
   for (const int end : ends) points.push_back(mirroredPoint(edited, placement, end));
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    edited.gearMeshes[static_cast<std::size_t>(ends[i] / 2)].pitchPoint = points[i];
+  for (std::size_t i = 0; i < ends.size(); ++i) edited.gearMeshes[ends[i] / 2].pitchPoint = points[i];
   return unlessBroken(before, std::move(edited));
 }
 

@@ -29,20 +29,19 @@ Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange
   const auto fit = fitTeeth(before, placement, wheels, change);
   if (!fit) return fit.error();
   Mechanism edited = before;
-  for (int mesh = 0; mesh < edited.c(); ++mesh) {
-    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
+  for (MeshOrdinal mesh = 0; mesh < edited.c(); ++mesh) {
+    GearMesh& element = edited.gearMeshes[mesh];
     element.tailTeeth = fit->teeth[static_cast<std::size_t>(2 * mesh)];
     element.headTeeth = fit->teeth[static_cast<std::size_t>(2 * mesh + 1)];
-    if (mesh == change.mesh && change.kind != placement.meshes[static_cast<std::size_t>(mesh)]->kind)
-      element.kind = change.kind;
+    if (mesh == change.mesh && change.kind != placement.meshes[mesh]->kind) element.kind = change.kind;
   }
   return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
 }
 
-bool isSharedWheel(const Mechanism& mechanism, const Placement& placement, int mesh, int other) {
+bool isSharedWheel(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh, int other) {
   const auto wheelsOf = [&](int each) {
-    const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(each)];
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+    const GearMesh& element = mechanism.gearMeshes[each];
+    const MeshGeometry& geometry = *placement.meshes[each];
     using Wheel = std::tuple<int, int, int>;
     return std::pair(Wheel(geometry.tail, geometry.tailClass, element.tailTeeth),
                      Wheel(geometry.head, geometry.headClass, element.headTeeth));
@@ -57,18 +56,18 @@ bool areBetweenTheSame(const MeshGeometry& a, const MeshGeometry& b) {
 }
 
 /// Meshes that can only be bevels together with this one: between the same two axes, or on one of its wheels.
-std::vector<int> bevelsWith(const Mechanism& mechanism, const Placement& placement, int mesh) {
+std::vector<int> bevelsWith(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
   std::vector<int> found{mesh};
-  std::vector<bool> isFound(placement.meshes.size(), false);
-  isFound[static_cast<std::size_t>(mesh)] = true;
+  ByMesh<bool> isFound(placement.meshes.size(), false);
+  isFound[mesh] = true;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(found[i])];
+    const MeshGeometry& geometry = *placement.meshes[found[i]];
     for (int other = 0; other < mechanism.c(); ++other) {
-      const MeshGeometry& each = *placement.meshes[static_cast<std::size_t>(other)];
-      if (isFound[static_cast<std::size_t>(other)] || each.carrier != geometry.carrier) continue;
+      const MeshGeometry& each = *placement.meshes[other];
+      if (isFound[other] || each.carrier != geometry.carrier) continue;
       if (!areBetweenTheSame(geometry, each) && !isSharedWheel(mechanism, placement, found[i], other))
         continue;
-      isFound[static_cast<std::size_t>(other)] = true;
+      isFound[other] = true;
       found.push_back(other);
     }
   }
@@ -86,18 +85,18 @@ void makeSideGear(GearMesh& ring, const GearMesh& sun, LinkId planet) {
 }
 
 /// The mesh becomes a bevel pair, and so do those that must be with it.
-Mechanism withBevels(const Mechanism& before, const Placement& placement, int mesh) {
+Mechanism withBevels(const Mechanism& before, const Placement& placement, MeshOrdinal mesh) {
   Mechanism edited = before;
   const std::vector<int> bevels = bevelsWith(before, placement, mesh);
   for (const int each : bevels) {
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
-    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(each)];
+    const MeshGeometry& geometry = *placement.meshes[each];
+    GearMesh& element = edited.gearMeshes[each];
     if (geometry.kind == MeshKind::bevel) continue;
     element.kind = MeshKind::bevel;
     if (geometry.kind != MeshKind::internal) continue;
     for (const int other : bevels) {
-      const GearMesh& sun = before.gearMeshes[static_cast<std::size_t>(other)];
-      const MeshGeometry& place = *placement.meshes[static_cast<std::size_t>(other)];
+      const GearMesh& sun = before.gearMeshes[other];
+      const MeshGeometry& place = *placement.meshes[other];
       if (place.kind != MeshKind::external || !areBetweenTheSame(geometry, place)) continue;
       for (const LinkId planet : {element.tail, element.head}) {
         if (planet == sun.tail || planet == sun.head) makeSideGear(element, sun, planet);
@@ -108,12 +107,14 @@ Mechanism withBevels(const Mechanism& before, const Placement& placement, int me
 }
 
 /// The class of an axis, the classes of the wheels of a mesh; none where they have no place.
-std::vector<int> classesOf(const Mechanism& mechanism, const Placement& placement, const ElementId& element) {
+std::vector<ClassOrdinal> classesOf(const Mechanism& mechanism, const Placement& placement,
+                                    const ElementId& element) {
   if (element.kind == ElementKind::gearMesh) {
-    const auto& mesh = placement.meshes[static_cast<std::size_t>(positionOf(mechanism, MeshId(element.id)))];
-    return mesh ? std::vector{mesh->tailClass, mesh->headClass} : std::vector<int>{};
+    const auto& mesh = placement.meshes[positionOf(mechanism, MeshId(element.id))];
+    return mesh ? std::vector{mesh->tailClass, mesh->headClass} : std::vector<ClassOrdinal>{};
   }
-  for (int axisClass = 0; axisClass < static_cast<int>(placement.classes->classes.size()); ++axisClass) {
+  for (ClassOrdinal axisClass = 0; axisClass < static_cast<int>(placement.classes->classes.size());
+       ++axisClass) {
     if (ElementId(axisOfClass(mechanism, placement, axisClass).id) == element) return {axisClass};
   }
   return {};
@@ -129,7 +130,7 @@ Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId 
   const Placement& placement = before.placement();
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
-  const MeshKind kind = placement.meshes[static_cast<std::size_t>(position)]->kind;
+  const MeshKind kind = placement.meshes[position]->kind;
   return fitted(before, {position, tailTeeth, headTeeth, kind});
 }
 
@@ -140,11 +141,11 @@ Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId m
   const Placement& placement = before.placement();
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
-  const MeshKind was = placement.meshes[static_cast<std::size_t>(position)]->kind;
+  const MeshKind was = placement.meshes[position]->kind;
   if (was != kind && kind == MeshKind::bevel)
     return unlessBroken(before, withBevels(mechanism, placement, position));
   if (was == kind || was == MeshKind::bevel) return unlessBroken(before, std::move(plain));
-  const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(position)];
+  const GearMesh& element = mechanism.gearMeshes[position];
   return fitted(before, {position, element.tailTeeth, element.headTeeth, kind});
 }
 
@@ -169,9 +170,9 @@ Expected<PlacedMechanism> withAllPinned(const PlacedMechanism& before, std::span
   std::set<int> classes;
   for (const ElementId& element : elements) {
     if (element.kind == ElementKind::link) continue;
-    for (const int axisClass : classesOf(mechanism, placement, element)) classes.insert(axisClass);
+    for (const ClassOrdinal axisClass : classesOf(mechanism, placement, element)) classes.insert(axisClass);
   }
-  for (const int axisClass : classes) {
+  for (const ClassOrdinal axisClass : classes) {
     const Axis& axis = axisOfClass(mechanism, placement, axisClass);
     if (axis.point && axis.direction) continue;
     const ExactLine line = exactLineOfClass(mechanism, placement, axisClass);

@@ -18,9 +18,9 @@ Diagnostics brokenPins(const PlacedMechanism& placedBefore, const PlacedMechanis
   const Mechanism& before = placedBefore.mechanism();
   const Mechanism& edited = placedAfter.mechanism();
   Diagnostics broken;
-  for (int mesh = 0; mesh < std::min(before.c(), edited.c()); ++mesh) {
-    const GearMesh& element = before.gearMeshes[static_cast<std::size_t>(mesh)];
-    if (!isPinned(element) || edited.gearMeshes[static_cast<std::size_t>(mesh)].id != element.id) continue;
+  for (MeshOrdinal mesh = 0; mesh < std::min(before.c(), edited.c()); ++mesh) {
+    const GearMesh& element = before.gearMeshes[mesh];
+    if (!isPinned(element) || edited.gearMeshes[mesh].id != element.id) continue;
     const auto was = moduleOf(before, placedBefore.placement(), mesh);
     const auto is = moduleOf(edited, placedAfter.placement(), mesh);
     if (was && is && std::abs(*is - *was) > kGeometryFits * *was)

@@ -16,27 +16,27 @@ namespace {
 
 /// One gear of a mesh.
 struct Side {
-  int link = 0;
-  int axisClass = 0;
+  LinkOrdinal link = 0;
+  ClassOrdinal axisClass = 0;
   int teeth = 0;
   double radius = 0;
 };
 
-std::array<Side, 2> sidesOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
-  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
-  const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+std::array<Side, 2> sidesOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
+  const MeshGeometry& geometry = *placement.meshes[mesh];
+  const GearMesh& element = mechanism.gearMeshes[mesh];
   return {Side{geometry.tail, geometry.tailClass, element.tailTeeth, std::abs(geometry.tailRadius)},
           Side{geometry.head, geometry.headClass, element.headTeeth, std::abs(geometry.headRadius)}};
 }
 
-bool isBevel(const Placement& placement, int mesh) {
-  return placement.meshes[static_cast<std::size_t>(mesh)]->kind == MeshKind::bevel;
+bool isBevel(const Placement& placement, MeshOrdinal mesh) {
+  return placement.meshes[mesh]->kind == MeshKind::bevel;
 }
 
 /// The module that a gear of the mesh has in the others.
-std::optional<double> moduleElsewhere(const Mechanism& mechanism, const Placement& placement, int mesh,
-                                      const Side& wheel) {
-  for (int other = 0; other < mechanism.c(); ++other) {
+std::optional<double> moduleElsewhere(const Mechanism& mechanism, const Placement& placement,
+                                      MeshOrdinal mesh, const Side& wheel) {
+  for (MeshOrdinal other = 0; other < mechanism.c(); ++other) {
     if (other == mesh || isBevel(placement, other)) continue;
     for (const Side& side : sidesOf(mechanism, placement, other)) {
       if (side.link == wheel.link && side.axisClass == wheel.axisClass && side.teeth == wheel.teeth)
@@ -46,8 +46,9 @@ std::optional<double> moduleElsewhere(const Mechanism& mechanism, const Placemen
   return std::nullopt;
 }
 
-bool holdsOther(const Mechanism& mechanism, const Placement& placement, int mesh, int a, int b) {
-  for (int other = 0; other < mechanism.c(); ++other) {
+bool holdsOther(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh, ClassOrdinal a,
+                ClassOrdinal b) {
+  for (MeshOrdinal other = 0; other < mechanism.c(); ++other) {
     const auto [tail, head] = sidesOf(mechanism, placement, other);
     if (other != mesh && std::minmax(tail.axisClass, head.axisClass) == std::minmax(a, b)) return true;
   }
@@ -55,7 +56,7 @@ bool holdsOther(const Mechanism& mechanism, const Placement& placement, int mesh
 }
 
 /// By how much the distance of the axes has to grow; nothing where it is right, or nothing says what is.
-std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
+std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
   const auto [tail, head] = sidesOf(mechanism, placement, mesh);
   if (isBevel(placement, mesh) || placement.lineOfClass(tail.axisClass).automatic ||
       placement.lineOfClass(head.axisClass).automatic) {
@@ -67,7 +68,7 @@ std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& pl
   if (!ofTail && !ofHead) return std::nullopt;
   const double module = ofTail.value_or(ofHead.value_or(1));
   if (ofHead && std::abs(*ofHead - module) > kGeometryFits * module) return std::nullopt;
-  const bool isInternal = placement.meshes[static_cast<std::size_t>(mesh)]->kind == MeshKind::internal;
+  const bool isInternal = placement.meshes[mesh]->kind == MeshKind::internal;
   const double now = isInternal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius;
   const int teeth = isInternal ? std::abs(tail.teeth - head.teeth) : tail.teeth + head.teeth;
   const double wanted = module * teeth / 2;
@@ -87,7 +88,7 @@ Expected<PlacedMechanism> withMeshSnapped(const PlacedMechanism& before, MeshId 
   if (!canBeFitted(placement)) return before;
   const auto growth = growthOf(mechanism, placement, position);
   if (!growth) return before;
-  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(position)];
+  const MeshGeometry& geometry = *placement.meshes[position];
   const std::map<AxisPair, Rational> scales{{std::minmax(geometry.tailClass, geometry.headClass), *growth}};
   const auto moved = [&](int held) {
     return unlessBroken(before, fitAxes(mechanism, placement, mechanism, scales,

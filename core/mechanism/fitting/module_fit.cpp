@@ -17,12 +17,12 @@
 namespace geargraph::inline fitting {
 namespace {
 
-const MeshGeometry& geometryOf(const Placement& placement, int mesh) {
-  return *placement.meshes[static_cast<std::size_t>(mesh)];
+const MeshGeometry& geometryOf(const Placement& placement, MeshOrdinal mesh) {
+  return *placement.meshes[mesh];
 }
 
 /// The pitch point of a bevel mesh, `factor` times as far from the apex.
-NumberTriple grownPoint(const Mechanism& mechanism, const Placement& placement, int mesh,
+NumberTriple grownPoint(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh,
                         const Rational& factor) {
   const MeshGeometry& geometry = geometryOf(placement, mesh);
   const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
@@ -41,9 +41,9 @@ NumberTriple grownPoint(const Mechanism& mechanism, const Placement& placement, 
 
 /// Open axes have the program's module, so both of a mesh are stated where they lie.
 void stateAxes(Mechanism& edited, const Placement& placement, const MeshGeometry& mesh) {
-  for (const int axisClass : {mesh.tailClass, mesh.headClass}) {
-    const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
-    Axis& stated = edited.axes[static_cast<std::size_t>(axis)];
+  for (const ClassOrdinal axisClass : {mesh.tailClass, mesh.headClass}) {
+    const AxisOrdinal axis = placement.classes->classes[axisClass].axis;
+    Axis& stated = edited.axes[axis];
     if (!stated.point) stated.point = numbersOf(exactLineOfClass(edited, placement, axisClass).point);
   }
 }
@@ -54,10 +54,10 @@ Diagnostic rejection(MeshId mesh, std::string why) {
 
 }  // namespace
 
-std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
-  const auto& geometry = placement.meshes[static_cast<std::size_t>(mesh)];
+std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
+  const auto& geometry = placement.meshes[mesh];
   if (!geometry) return std::nullopt;
-  return 2 * std::abs(geometry->tailRadius) / mechanism.gearMeshes[static_cast<std::size_t>(mesh)].tailTeeth;
+  return 2 * std::abs(geometry->tailRadius) / mechanism.gearMeshes[mesh].tailTeeth;
 }
 
 Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh, const Rational& module) {
@@ -79,8 +79,7 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   Mechanism edited = mechanism;
   if (geometryOf(placement, position).kind == MeshKind::bevel) {
     for (const int each : along)
-      edited.gearMeshes[static_cast<std::size_t>(each)].pitchPoint =
-          grownPoint(mechanism, placement, each, factor);
+      edited.gearMeshes[each].pitchPoint = grownPoint(mechanism, placement, each, factor);
     return unlessBroken(before, std::move(edited));
   }
   std::map<AxisPair, Rational> scales;

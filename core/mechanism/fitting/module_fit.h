@@ -10,7 +10,7 @@ namespace geargraph::inline fitting {
 /// The module of a mesh in the document's unit, 2 r / N: for bevels at the pitch point, which is at the large
 /// end. std::nullopt if the mesh has no geometry in this placement of the mechanism.
 [[nodiscard]] std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement,
-                                             int mesh);
+                                             MeshOrdinal mesh);
 
 /// Sets the module of a mesh, and of the meshes of the same wheels and of the same pair of axes: centre
 /// distances change, bevels are scaled about their apex. Tooth counts stay, so no ratio changes. Rejects

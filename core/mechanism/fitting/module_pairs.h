@@ -11,6 +11,6 @@ namespace geargraph::inline fitting {
 /// same wheel, and meshes between the same pair of parallel axes. Bevels and meshes of parallel axes do not
 /// affect each other.
 [[nodiscard]] std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& placement,
-                                                 const std::function<bool(int mesh)>& starts);
+                                                 const std::function<bool(MeshOrdinal mesh)>& starts);
 
 }  // namespace geargraph::inline fitting

@@ -6,25 +6,25 @@
 
 namespace geargraph::inline fitting {
 
-const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
-  const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
-  return mechanism.axes[static_cast<std::size_t>(axis)];
+const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, ClassOrdinal axisClass) {
+  const AxisOrdinal axis = placement.classes->classes[axisClass].axis;
+  return mechanism.axes[axis];
 }
 
-Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement, int mesh) {
-  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
+Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
+  const MeshGeometry& geometry = *placement.meshes[mesh];
   Diagnostic rejection;
   rejection.code = Code::teethGeometry;
   rejection.detail = Detail::pinnedWheel;
-  rejection.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  rejection.elements.emplace_back(mechanism.gearMeshes[mesh].id);
   std::vector<std::string> pinned;
-  for (const int link : {geometry.tail, geometry.head}) {
-    const Link& element = mechanism.links[static_cast<std::size_t>(link)];
+  for (const LinkOrdinal link : {geometry.tail, geometry.head}) {
+    const Link& element = mechanism.links[link];
     if (!isPinned(element)) continue;
     rejection.elements.emplace_back(element.id);
     pinned.push_back(translated("gear %1", {std::to_string(mechanism.linkLabel(link))}));
   }
-  for (const int axisClass : {geometry.tailClass, geometry.headClass}) {
+  for (const ClassOrdinal axisClass : {geometry.tailClass, geometry.headClass}) {
     const Axis& axis = axisOfClass(mechanism, placement, axisClass);
     if (!isPinned(axis)) continue;
     rejection.elements.emplace_back(axis.id);
@@ -49,14 +49,14 @@ Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement, 
   return rejection;
 }
 
-Diagnostic modulePinRejection(const Mechanism& mechanism, int mesh) {
+Diagnostic modulePinRejection(const Mechanism& mechanism, MeshOrdinal mesh) {
   Diagnostic rejection;
   rejection.code = Code::teethGeometry;
   rejection.detail = Detail::pinnedModule;
   rejection.message =
       translated("The module of mesh %1 is pinned, and would change. What fits: unpin it, or another change.",
                  {std::to_string(mechanism.meshLabel(mesh))});
-  rejection.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  rejection.elements.emplace_back(mechanism.gearMeshes[mesh].id);
   return rejection;
 }
 

@@ -5,13 +5,15 @@
 namespace geargraph::inline fitting {
 
 /// The axis that gives an axis class its name.
-[[nodiscard]] const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass);
+[[nodiscard]] const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement,
+                                      ClassOrdinal axisClass);
 
 /// teeth-geometry: a mesh cannot be fitted, because the gears or axes that would have to change are pinned.
 /// Names them.
-[[nodiscard]] Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement, int mesh);
+[[nodiscard]] Diagnostic pinRejection(const Mechanism& mechanism, const Placement& placement,
+                                      MeshOrdinal mesh);
 /// teeth-geometry: the mesh's module is pinned and would change.
-[[nodiscard]] Diagnostic modulePinRejection(const Mechanism& mechanism, int mesh);
+[[nodiscard]] Diagnostic modulePinRejection(const Mechanism& mechanism, MeshOrdinal mesh);
 /// teeth-geometry: the axis is pinned and would move.
 [[nodiscard]] Diagnostic pinRejection(const Axis& axis);
 

@@ -19,7 +19,7 @@ class TeethFitter {
               const MeshChange& change)
       : m_mechanism(mechanism), m_placement(placement), m_wheels(wheels), m_change(change) {
     for (int end = 0; end < 2 * mechanism.c(); ++end) m_fit.teeth.push_back(teethOf(mechanism, end));
-    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
       if (geometry(mesh).kind != MeshKind::bevel) m_pairs[axisPairOf(geometry(mesh))].push_back(mesh);
     }
     for (int wheel = 0; wheel < wheels.count(); ++wheel) {
@@ -40,7 +40,7 @@ class TeethFitter {
       settle(next->first, next->second);
     }
     // Also of meshes that no pair was settled by: their gears may have been given equal teeth.
-    for (int mesh = 0; m_rejections.empty() && mesh < m_mechanism.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; m_rejections.empty() && mesh < m_mechanism.c(); ++mesh) {
       if (newReach(mesh) == 0) rejectEqual(mesh);
     }
     if (!m_rejections.empty()) return std::move(m_rejections);
@@ -48,27 +48,25 @@ class TeethFitter {
   }
 
  private:
-  [[nodiscard]] const MeshGeometry& geometry(int mesh) const {
-    return *m_placement.meshes[static_cast<std::size_t>(mesh)];
-  }
-  [[nodiscard]] MeshKind kindOf(int mesh) const {
+  [[nodiscard]] const MeshGeometry& geometry(MeshOrdinal mesh) const { return *m_placement.meshes[mesh]; }
+  [[nodiscard]] MeshKind kindOf(MeshOrdinal mesh) const {
     return mesh == m_change.mesh ? m_change.kind : geometry(mesh).kind;
   }
   /// Teeth whose sum or difference makes the centre distance.
   static int reach(MeshKind kind, int tail, int head) {
     return kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
   }
-  [[nodiscard]] int oldReach(int mesh) const {
+  [[nodiscard]] int oldReach(MeshOrdinal mesh) const {
     return reach(geometry(mesh).kind, teethOf(m_mechanism, 2 * mesh), teethOf(m_mechanism, 2 * mesh + 1));
   }
-  [[nodiscard]] int newReach(int mesh) const {
+  [[nodiscard]] int newReach(MeshOrdinal mesh) const {
     return reach(kindOf(mesh), m_fit.teeth[static_cast<std::size_t>(2 * mesh)],
                  m_fit.teeth[static_cast<std::size_t>(2 * mesh + 1)]);
   }
 
   [[nodiscard]] const Link& linkOf(int end) const {
     const MeshGeometry& mesh = geometry(end / 2);
-    return m_mechanism.links[static_cast<std::size_t>(isTailEnd(end) ? mesh.tail : mesh.head)];
+    return m_mechanism.links[isTailEnd(end) ? mesh.tail : mesh.head];
   }
 
   void type(int wheel, int teeth) {
@@ -86,15 +84,14 @@ class TeethFitter {
     }
   }
 
-  [[nodiscard]] bool isChanged(int mesh) const {
+  [[nodiscard]] bool isChanged(MeshOrdinal mesh) const {
     return m_changed.contains(m_wheels.wheelOf(2 * mesh)) ||
            m_changed.contains(m_wheels.wheelOf(2 * mesh + 1));
   }
 
   /// A pinned module is kept before others, and one of an external pair before that of an internal one.
-  [[nodiscard]] int rankAsBase(int mesh) const {
-    return (isPinned(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)]) ? 2 : 0) +
-           (kindOf(mesh) == MeshKind::external ? 1 : 0);
+  [[nodiscard]] int rankAsBase(MeshOrdinal mesh) const {
+    return (isPinned(m_mechanism.gearMeshes[mesh]) ? 2 : 0) + (kindOf(mesh) == MeshKind::external ? 1 : 0);
   }
 
   /// A pair with a changed wheel that has no distance yet, and the mesh that gives it one.
@@ -102,7 +99,7 @@ class TeethFitter {
     for (const auto& [pair, meshes] : m_pairs) {
       if (m_fit.scales.contains(pair)) continue;
       int base = -1;
-      for (const int mesh : meshes) {
+      for (const MeshOrdinal mesh : meshes) {
         if (!isChanged(mesh)) continue;
         if (base < 0 || rankAsBase(mesh) > rankAsBase(base)) base = mesh;
       }
@@ -114,14 +111,14 @@ class TeethFitter {
   void settle(const AxisPair& pair, int base) {
     if (newReach(base) == 0) return rejectEqual(base);
     const bool stays = areBothPinned(pair);
-    for (const int mesh : m_pairs.at(pair)) {
+    for (const MeshOrdinal mesh : m_pairs.at(pair)) {
       if (mesh != base && !stays) bend(base, mesh);
     }
     if (stays) follow(base, Rational(1), true);
     const Rational scale = stays ? Rational(1) : Rational(newReach(base), oldReach(base));
     m_fit.scales[pair] = scale;
     m_given.insert({m_wheels.wheelOf(2 * base), m_wheels.wheelOf(2 * base + 1)});
-    for (const int mesh : m_pairs.at(pair)) {
+    for (const MeshOrdinal mesh : m_pairs.at(pair)) {
       if (mesh != base) follow(mesh, scale, stays);
     }
   }
@@ -133,7 +130,7 @@ class TeethFitter {
 
   /// Where both wheels of `mesh` are held, one of them by a pin, and the other is the base's too: the count
   /// of that one with which both meshes get one distance.
-  void bend(int base, int mesh) {
+  void bend(int base, MeshOrdinal mesh) {
     const Rational wanted = Rational(newReach(base), oldReach(base)) * Rational(oldReach(mesh));
     if (wanted == Rational(newReach(mesh)) || followingEnd(mesh, base) >= 0) return;
     for (const int end : {2 * mesh, 2 * mesh + 1}) {
@@ -161,7 +158,7 @@ class TeethFitter {
   }
 
   /// `strict`: the axes cannot give way, so that a wheel has to.
-  void follow(int mesh, const Rational& scale, bool strict) {
+  void follow(MeshOrdinal mesh, const Rational& scale, bool strict) {
     const Rational wanted = scale * Rational(oldReach(mesh));
     if (wanted == Rational(newReach(mesh)) || (!wanted.isInteger() && !strict)) return;
     const int reachWanted = static_cast<int>(wanted.toDouble());
@@ -175,7 +172,7 @@ class TeethFitter {
     const auto [sign, rest] = reachOver(end);
     const int teeth = sign * (reachWanted - rest);
     if (teeth < kFewestFollowing || teeth > kMostTeeth) {
-      const int link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;
+      const LinkOrdinal link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;
       return reject(mesh,
                     translated("gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.",
                                {std::to_string(m_mechanism.linkLabel(link)), std::to_string(teeth)}));
@@ -191,7 +188,7 @@ class TeethFitter {
 
   /// The end whose wheel is not given: of two, the one that no changed wheel is, of an internal pair the
   /// ring. No wheel of the mesh `without` counts.
-  [[nodiscard]] int followingEnd(int mesh, int without = -1) const {
+  [[nodiscard]] int followingEnd(MeshOrdinal mesh, int without = -1) const {
     int best = -1;
     for (const int end : {2 * mesh, 2 * mesh + 1}) {
       const int wheel = m_wheels.wheelOf(end);
@@ -204,17 +201,17 @@ class TeethFitter {
     return best;
   }
 
-  void rejectPinned(int mesh) {
+  void rejectPinned(MeshOrdinal mesh) {
     if (m_rejections.empty()) m_rejections.push_back(pinRejection(m_mechanism, m_placement, mesh));
   }
 
-  void rejectEqual(int mesh) {
+  void rejectEqual(MeshOrdinal mesh) {
     reject(mesh, translated("an internal pair needs different tooth counts, the ring the larger one."));
   }
 
-  void reject(int mesh, const std::string& why) {
-    const GearMesh& element = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
-    const GearMesh& edited = m_mechanism.gearMeshes[static_cast<std::size_t>(m_change.mesh)];
+  void reject(MeshOrdinal mesh, const std::string& why) {
+    const GearMesh& element = m_mechanism.gearMeshes[mesh];
+    const GearMesh& edited = m_mechanism.gearMeshes[m_change.mesh];
     m_rejections.push_back({Code::teethGeometry,
                             translated("Mesh %1: %2", {std::to_string(m_mechanism.meshLabel(mesh)), why}),
                             {element.id, element.tail, element.head, edited.id},

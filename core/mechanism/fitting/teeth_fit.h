@@ -11,7 +11,7 @@
 namespace geargraph::inline fitting {
 
 /// Two axis classes with meshes of parallel axes between them, the smaller first: one centre distance.
-using AxisPair = std::pair<int, int>;
+using AxisPair = std::pair<ClassOrdinal, ClassOrdinal>;
 
 /// The tooth counts and centre distances after a change.
 struct TeethFit {
@@ -21,7 +21,7 @@ struct TeethFit {
 
 /// A change of the teeth of one mesh, or of its kind.
 struct MeshChange {
-  int mesh = 0;
+  MeshOrdinal mesh = 0;
   int tailTeeth = 1;
   int headTeeth = 1;
   MeshKind kind = MeshKind::external;

@@ -9,7 +9,7 @@ namespace geargraph::inline fitting {
 namespace {
 
 const MeshGeometry& geometryOf(const Placement& placement, int end) {
-  return *placement.meshes[static_cast<std::size_t>(end / 2)];
+  return *placement.meshes[end / 2];
 }
 
 int linkOfEnd(const Placement& placement, int end) {
@@ -18,7 +18,7 @@ int linkOfEnd(const Placement& placement, int end) {
 }
 
 std::optional<WheelId> namedWheel(const Mechanism& mechanism, int end) {
-  const GearMesh& mesh = mechanism.gearMeshes[static_cast<std::size_t>(end / 2)];
+  const GearMesh& mesh = mechanism.gearMeshes[end / 2];
   return isTailEnd(end) ? mesh.tailWheel : mesh.headWheel;
 }
 
@@ -31,7 +31,7 @@ double levelOf(const Placement& placement, int end) {
 }  // namespace
 
 int teethOf(const Mechanism& mechanism, int end) {
-  const GearMesh& mesh = mechanism.gearMeshes[static_cast<std::size_t>(end / 2)];
+  const GearMesh& mesh = mechanism.gearMeshes[end / 2];
   return isTailEnd(end) ? mesh.tailTeeth : mesh.headTeeth;
 }
 

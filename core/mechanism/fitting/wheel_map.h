@@ -28,7 +28,7 @@ class WheelMap {
   struct Neighbour {
     int wheel = 0;
     MeshKind kind = MeshKind::external;
-    int carrier = 0;
+    LinkOrdinal carrier = 0;
     friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
   };
   [[nodiscard]] bool isSame(const Mechanism& mechanism, const Placement& placement, int end, int other) const;

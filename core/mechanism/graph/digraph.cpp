@@ -37,9 +37,9 @@ void Digraph::collectTurningEdges() {
   }
   // Counting sort: each node's places are filled from their end, so that its edges stand in order.
   int end = m_turningCount + m_nodeCount + 1;
-  for (int node = 0; node < m_nodeCount; ++node) end = start[node] += end;
+  for (LinkOrdinal node = 0; node < m_nodeCount; ++node) end = start[node] += end;
   start[m_nodeCount] = end;
-  for (int joint = m_turningCount - 1; joint >= 0; --joint) {
+  for (JointOrdinal joint = m_turningCount - 1; joint >= 0; --joint) {
     const DigraphEdge& edge = turningEdge(joint);
     m_numbers[static_cast<std::size_t>(--start[edge.tail])] = joint;
     m_numbers[static_cast<std::size_t>(--start[edge.head])] = joint;

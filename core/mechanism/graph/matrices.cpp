@@ -9,7 +9,7 @@
 namespace geargraph::inline graph {
 namespace {
 
-Heading nodeHeading(const Digraph& graph, int node) {
+Heading nodeHeading(const Digraph& graph, LinkOrdinal node) {
   const int label = graph.nodeLabel(node);
   return {label, std::to_string(label), graph.nodeId(node)};
 }
@@ -19,7 +19,7 @@ Heading edgeHeading(const Digraph& graph, int edge) {
   return {label, std::to_string(label), graph.edgeId(edge)};
 }
 
-Heading cycleHeading(const Digraph& graph, int mesh) {
+Heading cycleHeading(const Digraph& graph, MeshOrdinal mesh) {
   Heading heading = edgeHeading(graph, graph.t() + mesh);
   heading.text.insert(0, 1, 'C');
   return heading;
@@ -40,7 +40,7 @@ class Incidence final : public IntegerMatrix {
   [[nodiscard]] Heading columnHeading(int column) const override { return edgeHeading(*m_graph, column); }
   [[nodiscard]] int entry(int row, int column) const override {
     const DigraphEdge& edge = m_graph->edge(column);
-    const int node = row + m_firstNode;
+    const LinkOrdinal node = row + m_firstNode;
     return (edge.head == node ? 1 : 0) - (edge.tail == node ? 1 : 0);
   }
   void rowEntries(int row, std::vector<MatrixEntry>& entries) const override {
@@ -63,7 +63,7 @@ class Incidence final : public IntegerMatrix {
     for (std::size_t i = 1; i < m_start.size(); ++i) m_start[i] += m_start[i - 1];
     m_edges.resize(static_cast<std::size_t>(m_graph->edgeCount()) * 2);
     std::vector<int> next = m_start;
-    const auto put = [&](int node, int edge, int value) {
+    const auto put = [&](LinkOrdinal node, int edge, int value) {
       m_edges[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = {edge, value};
     };
     for (int e = 0; e < m_graph->edgeCount(); ++e) {  // in edge order, so every row is sorted
@@ -71,7 +71,7 @@ class Incidence final : public IntegerMatrix {
       put(m_graph->edge(e).head, e, +1);
     }
   }
-  int& startBehind(int node) const { return m_start[static_cast<std::size_t>(node) + 1]; }
+  int& startBehind(LinkOrdinal node) const { return m_start[static_cast<std::size_t>(node) + 1]; }
 
   DigraphPtr m_graph;
   MatrixKind m_kind;
@@ -91,18 +91,18 @@ class TreeMatrix : public IntegerMatrix {
   [[nodiscard]] const SpanningTree& tree() const { return *m_tree; }
 
   /// T(mesh, joint), Eq. (4).
-  [[nodiscard]] int treeBlockEntry(int mesh, int joint) const {
+  [[nodiscard]] int treeBlockEntry(MeshOrdinal mesh, JointOrdinal joint) const {
     const DigraphEdge& edge = graph().meshEdge(mesh);
     return tree().pathEntry(joint, edge.head) - tree().pathEntry(joint, edge.tail);
   }
   /// The non-zeros of a row of T, sorted.
-  void treeBlockRow(int mesh, std::vector<MatrixEntry>& entries) const {
+  void treeBlockRow(MeshOrdinal mesh, std::vector<MatrixEntry>& entries) const {
     const DigraphEdge& edge = graph().meshEdge(mesh);
     entries.clear();
     const int meeting = tree().commonAncestor(edge.head, edge.tail);
-    const auto walk = [&](int node, int sign) {
+    const auto walk = [&](LinkOrdinal node, int sign) {
       for (; node != meeting; node = tree().parent(node)) {
-        const int joint = tree().jointToParent(node);
+        const JointOrdinal joint = tree().jointToParent(node);
         entries.push_back({joint, sign * tree().directionToGround(joint)});
       }
     };
@@ -153,7 +153,7 @@ class Path final : public TreeMatrix {
       return true;
     }
     if (nodes.size() < size / 16) {
-      for (const int node : nodes) {
+      for (const LinkOrdinal node : nodes) {
         words[(node - 1) / 64] |= std::uint64_t{1} << (static_cast<unsigned>(node - 1) % 64);
       }
       return true;
@@ -161,7 +161,7 @@ class Path final : public TreeMatrix {
     // Many nodes: marks are only stored, never read back, so that one does not wait for the one before.
     uniform.marks.assign((size + 63) / 64 * 64, 0);
     std::uint8_t* const marks = uniform.marks.data();
-    for (const int node : nodes) marks[node - 1] = 1;
+    for (const LinkOrdinal node : nodes) marks[node - 1] = 1;
     for (std::size_t column = 0; column < uniform.marks.size(); column += 8) {
       std::uint64_t eight = 0;
       for (unsigned k = 0; k < 8; ++k) eight |= std::uint64_t{marks[column + k]} << (8 * k);
@@ -229,7 +229,7 @@ class Cutset final : public TreeMatrix {
   }
   void rowEntries(int row, std::vector<MatrixEntry>& entries) const override {
     entries.assign(1, {row, 1});
-    for (int mesh = 0; mesh < graph().c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < graph().c(); ++mesh) {
       const int value = -treeBlockEntry(mesh, row);
       if (value != 0) entries.push_back({graph().t() + mesh, value});
     }

@@ -28,7 +28,7 @@ bool walk(const Digraph& graph, const TreeParts& tree) {
   tree.depth[0] = 0;
   int seen = 0;
   while (stack < nodes) {
-    const int node = tree.order[stack++];
+    const LinkOrdinal node = tree.order[stack++];
     tree.order[seen] = node;
     tree.preorder[node] = seen++;
     const std::span<const int> here = graph.turningEdgesAt(node);
@@ -51,7 +51,7 @@ bool walk(const Digraph& graph, const TreeParts& tree) {
 
 void closeIntervals(int nodes, const TreeParts& tree) {
   for (int place = nodes; place-- > 0;) {
-    const int node = tree.order[place];
+    const LinkOrdinal node = tree.order[place];
     int& end = tree.subtreeEnd[node];
     end = std::max(end, place + 1);
     if (node == 0) continue;
@@ -74,7 +74,7 @@ std::optional<SpanningTree> SpanningTree::of(const Digraph& graph) {
   return tree;
 }
 
-int SpanningTree::commonAncestor(int a, int b) const {
+LinkOrdinal SpanningTree::commonAncestor(LinkOrdinal a, LinkOrdinal b) const {
   while (depth(a) > depth(b)) a = parent(a);
   while (depth(b) > depth(a)) b = parent(b);
   while (a != b) {
@@ -84,16 +84,16 @@ int SpanningTree::commonAncestor(int a, int b) const {
   return a;
 }
 
-std::vector<PathStep> treePath(const SpanningTree& tree, int from, int to) {
+std::vector<PathStep> treePath(const SpanningTree& tree, LinkOrdinal from, LinkOrdinal to) {
   const int meeting = tree.commonAncestor(from, to);
   std::vector<PathStep> path;
-  for (int node = from; node != meeting; node = tree.parent(node)) {
-    const int joint = tree.jointToParent(node);
+  for (LinkOrdinal node = from; node != meeting; node = tree.parent(node)) {
+    const JointOrdinal joint = tree.jointToParent(node);
     path.push_back({joint, tree.directionToGround(joint)});
   }
   const auto half = static_cast<std::ptrdiff_t>(path.size());
-  for (int node = to; node != meeting; node = tree.parent(node)) {
-    const int joint = tree.jointToParent(node);
+  for (LinkOrdinal node = to; node != meeting; node = tree.parent(node)) {
+    const JointOrdinal joint = tree.jointToParent(node);
     path.push_back({joint, -tree.directionToGround(joint)});
   }
   std::reverse(path.begin() + half, path.end());

@@ -24,33 +24,33 @@ class SpanningTree {
   [[nodiscard]] int nodeCount() const { return m_nodeCount; }
 
   /// The node next on the walk to the ground, and the turning joint that leads there; -1 for the ground.
-  [[nodiscard]] int parent(int node) const { return at(Part::parent, node); }
-  [[nodiscard]] int jointToParent(int node) const { return at(Part::jointToParent, node); }
+  [[nodiscard]] LinkOrdinal parent(LinkOrdinal node) const { return at(Part::parent, node); }
+  [[nodiscard]] JointOrdinal jointToParent(LinkOrdinal node) const { return at(Part::jointToParent, node); }
   /// The node of joint e that is farther from the ground.
-  [[nodiscard]] int child(int joint) const { return at(Part::child, joint); }
-  [[nodiscard]] int depth(int node) const { return at(Part::depth, node); }
+  [[nodiscard]] LinkOrdinal child(JointOrdinal joint) const { return at(Part::child, joint); }
+  [[nodiscard]] int depth(LinkOrdinal node) const { return at(Part::depth, node); }
 
   /// +1 if the walk from the child to the ground runs along the joint in its direction (head nearer the
   /// ground), -1 if against it (the usual case: drawn from parent to child).
-  [[nodiscard]] int directionToGround(int joint) const { return at(Part::towardsGround, joint); }
+  [[nodiscard]] int directionToGround(JointOrdinal joint) const { return at(Part::towardsGround, joint); }
 
   /// Is the joint on the walk from the node to the ground? Cost: O(1).
-  [[nodiscard]] bool isOnWalk(int joint, int node) const {
-    const int below = child(joint);
+  [[nodiscard]] bool isOnWalk(JointOrdinal joint, LinkOrdinal node) const {
+    const LinkOrdinal below = child(joint);
     const int place = at(Part::preorder, node);
     return at(Part::preorder, below) <= place && place < at(Part::subtreeEnd, below);
   }
   /// Entry Z(e, node) of the path matrix, Eq. (3); 0 for the ground. Cost: O(1).
-  [[nodiscard]] int pathEntry(int joint, int node) const {
+  [[nodiscard]] int pathEntry(JointOrdinal joint, LinkOrdinal node) const {
     return isOnWalk(joint, node) ? directionToGround(joint) : 0;
   }
 
   /// The lowest common ancestor of two nodes. Cost: O(depth).
-  [[nodiscard]] int commonAncestor(int a, int b) const;
+  [[nodiscard]] LinkOrdinal commonAncestor(LinkOrdinal a, LinkOrdinal b) const;
 
   /// The nodes beyond joint e, seen from the ground, in preorder.
-  [[nodiscard]] std::span<const int> below(int joint) const {
-    const int top = child(joint);
+  [[nodiscard]] std::span<const int> below(JointOrdinal joint) const {
+    const LinkOrdinal top = child(joint);
     const int first = at(Part::preorder, top);
     return preorder().subspan(static_cast<std::size_t>(first),
                               static_cast<std::size_t>(at(Part::subtreeEnd, top) - first));
@@ -58,11 +58,13 @@ class SpanningTree {
 
   /// Nodes in preorder, the ground first: every node comes after its parent.
   [[nodiscard]] std::span<const int> preorder() const { return part(Part::order); }
-  /// parent(), jointToParent() by node and child() by joint, as arrays.
-  [[nodiscard]] std::span<const int> parents() const { return part(Part::parent); }
-  [[nodiscard]] std::span<const int> jointsToParents() const { return part(Part::jointToParent); }
-  [[nodiscard]] std::span<const int> children() const {
-    return part(Part::child).first(static_cast<std::size_t>(m_nodeCount) - 1);
+  /// parent(), jointToParent() and child() as arrays.
+  [[nodiscard]] SpanByLink<const int> parents() const { return SpanByLink<const int>(part(Part::parent)); }
+  [[nodiscard]] SpanByLink<const int> jointsToParents() const {
+    return SpanByLink<const int>(part(Part::jointToParent));
+  }
+  [[nodiscard]] SpanByJoint<const int> children() const {
+    return SpanByJoint<const int>(part(Part::child).first(static_cast<std::size_t>(m_nodeCount) - 1));
   }
 
  private:
@@ -93,11 +95,11 @@ using SpanningTreePtr = std::shared_ptr<const SpanningTree>;
 /// One step along a tree walk: a turning joint, and whether the walk runs in the joint's direction (+1) or
 /// against.
 struct PathStep {
-  int joint = 0;
+  JointOrdinal joint = 0;
   int direction = 0;
 };
 
 /// The walk from one node to another through the tree, in order. Cost: O(its length).
-[[nodiscard]] std::vector<PathStep> treePath(const SpanningTree& tree, int from, int to);
+[[nodiscard]] std::vector<PathStep> treePath(const SpanningTree& tree, LinkOrdinal from, LinkOrdinal to);
 
 }  // namespace geargraph::inline graph

@@ -38,8 +38,7 @@ void addMembers(GraphPart part, JsonValue element, Attributes& attributes) {
 class DigraphWriter {
  public:
   explicit DigraphWriter(const Mechanism& mechanism) : m_mechanism(mechanism) {
-    for (int i = 0; i <= mechanism.n(); ++i)
-      m_positions.emplace(mechanism.links[static_cast<std::size_t>(i)].id, i);
+    for (int i = 0; i <= mechanism.n(); ++i) m_positions.emplace(mechanism.links[i].id, i);
   }
 
   GraphDescription describe(JsonValue document) {

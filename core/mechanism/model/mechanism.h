@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/foundations/base/id.h"
+#include "core/foundations/base/ordinal.h"
 #include "core/foundations/base/shared_optional.h"
 #include "core/mechanism/model/link_mass.h"
 #include "core/mechanism/model/load.h"
@@ -205,14 +206,14 @@ struct Mechanism {
   std::string name;
   std::string notes;
   std::string unit = "mm";
-  std::vector<Link> links;
-  std::vector<Axis> axes;
-  std::vector<TurningJoint> turningJoints;
-  std::vector<GearMesh> gearMeshes;
-  std::vector<Wheel> wheels;
+  ByLink<Link> links;
+  ByAxis<Axis> axes;
+  ByJoint<TurningJoint> turningJoints;
+  ByMesh<GearMesh> gearMeshes;
+  ByWheel<Wheel> wheels;
   std::optional<GearDefaults> gearDefaults;
   std::optional<std::vector<Input>> inputs;
-  std::vector<Coupling> couplings;
+  ByCoupling<Coupling> couplings;
   std::vector<ShiftState> states;
   std::vector<CouplingId> engaged;  ///< couplings that are engaged now; the analysis applies to this state
   std::vector<Load> loads;

@@ -26,7 +26,7 @@ constexpr Vector3 kKeyWeights{0.7310, 0.5179, 0.4451};
 /// 4. In the end, number the classes in the order of their first joints, which also give the senses.
 class ClassFinder {
  public:
-  ClassFinder(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
+  ClassFinder(const Mechanism& mechanism, const JointTree& tree, SpanByAxis<const AxisLine> lines)
       : m_mechanism(mechanism), m_tree(tree), m_comparison(mechanism, *tree.graph, lines) {
     const LineKeys keys(lines);
     m_closeKeys = keys.window;
@@ -40,7 +40,7 @@ class ClassFinder {
   bool run(AxisClasses& result, Diagnostics& diagnostics) {
     result.classOf.resize(m_tree.joints.size());
     result.orientationSign.resize(m_tree.joints.size());
-    for (const int link : m_tree.order) {
+    for (const LinkOrdinal link : m_tree.order) {
       const std::span<const int> joints = m_tree.graph->turningEdgesAt(link);
       if (link != 0 && joints.size() == 1) continue;  // its class is known
       groupByAxis(link, joints);
@@ -54,12 +54,12 @@ class ClassFinder {
  private:
   struct AxisMark {
     double key = 0;
-    int link = -1;   ///< where its joints were met last,
-    int group = -1;  ///< and the number of their group there
+    LinkOrdinal link = -1;  ///< where its joints were met last,
+    int group = -1;         ///< and the number of their group there
   };
   /// Joints of one axis at the link being treated.
   struct Group {
-    int axis = 0;
+    AxisOrdinal axis = 0;
     int set = 0;     ///< the first of the groups that it is joined with
     int sign = 1;    ///< of its axis against that one's
     int found = -1;  ///< of the first one of a set: its class, and its axis' sign against that class
@@ -67,7 +67,7 @@ class ClassFinder {
   };
   /// A class before it has its number.
   struct Found {
-    int rootLink = 0;
+    LinkOrdinal rootLink = 0;
     int depth = 0;
     int number = -1;
     int sign = 1;  ///< of its first joint
@@ -79,9 +79,9 @@ class ClassFinder {
     auto operator<=>(const Merged&) const = default;
   };
 
-  void groupByAxis(int link, std::span<const int> joints) {
+  void groupByAxis(LinkOrdinal link, std::span<const int> joints) {
     m_groups.clear();
-    for (const int joint : joints) {
+    for (const JointOrdinal joint : joints) {
       const int position = m_tree.axisOf[joint];
       AxisMark& axis = m_axes[position];
       if (axis.link == link) continue;
@@ -133,7 +133,7 @@ class ClassFinder {
     }
   }
 
-  void giveClasses(int link, std::span<const int> joints, AxisClasses& result) {
+  void giveClasses(LinkOrdinal link, std::span<const int> joints, AxisClasses& result) {
     const int up = m_tree.joint[link];
     int depth = 0;
     if (up >= 0) {
@@ -143,7 +143,7 @@ class ClassFinder {
       set.against = result.orientationSign[up] * group.sign;
       depth = m_found[set.found].depth + 1;
     }
-    for (const int joint : joints) {
+    for (const JointOrdinal joint : joints) {
       const Group& group = groupOf(joint);
       Group& set = m_groups[group.set];
       if (set.found < 0) {
@@ -155,7 +155,9 @@ class ClassFinder {
     }
   }
 
-  [[nodiscard]] const Group& groupOf(int joint) const { return m_groups[m_axes[m_tree.axisOf[joint]].group]; }
+  [[nodiscard]] const Group& groupOf(JointOrdinal joint) const {
+    return m_groups[static_cast<std::size_t>(m_axes[m_tree.axisOf[joint]].group)];
+  }
 
   bool number(AxisClasses& result) {
     constexpr int kNone = -1;
@@ -163,9 +165,9 @@ class ClassFinder {
     for (AxisMark& axis : m_axes) axis.group = kNone;  // from now on the class of its joints
     result.classes.reserve(m_found.size());
     result.ofLink.resize(m_tree.joint.size(), kNone);
-    for (int joint = 0; joint < static_cast<int>(m_tree.joints.size()); ++joint) {
+    for (JointOrdinal joint = 0; joint < static_cast<int>(m_tree.joints.size()); ++joint) {
       Found& found = m_found[result.classOf[joint]];
-      const int axis = m_tree.axisOf[joint];
+      const AxisOrdinal axis = m_tree.axisOf[joint];
       if (found.number < 0) {
         found.number = static_cast<int>(result.classes.size());
         found.sign = result.orientationSign[joint];
@@ -215,7 +217,7 @@ class ClassFinder {
 
 void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisClasses& classes,
                   Diagnostics& diagnostics) {
-  std::vector<std::vector<int>> classesOfAxis(mechanism.axes.size());
+  ByAxis<std::vector<int>> classesOfAxis(mechanism.axes.size());
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     std::vector<int>& list = classesOfAxis[tree.axisOf[j]];
     const int of = classes.classOf[j];
@@ -228,7 +230,7 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
     diagnostic.elements = {mechanism.axes[a].id};
     std::string groups;
     for (const int of : classesOfAxis[a]) {
-      const int joint = classes.classes[of].joint;
+      const JointOrdinal joint = classes.classes[of].joint;
       groups += (groups.empty() ? "" : ", ") + std::to_string(mechanism.jointLabel(joint));
       diagnostic.elements.emplace_back(mechanism.turningJoints[joint].id);
     }
@@ -242,7 +244,7 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
 
 }  // namespace
 
-AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
+AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
                          Diagnostics& diagnostics) {
   const bool isSplit = ClassFinder(mechanism, tree, lines).run(*this, diagnostics);
   if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);

@@ -17,27 +17,27 @@ namespace geargraph::inline placement {
 /// the ground is in the class; so two classes share at most one link, which carries a mesh between them.
 struct AxisClasses {
   struct Class {
-    int joint = 0;     ///< the first in the document's order: its axis gives the class's line and orientation
-    int axis = 0;      ///< that joint's axis
-    int rootLink = 0;  ///< the root link: the one nearest the ground
-    int depth = 0;     ///< number of classes between the root link and the ground
+    JointOrdinal joint = 0;    ///< the first in the document's order: gives the class's line, orientation
+    AxisOrdinal axis = 0;      ///< that joint's axis
+    LinkOrdinal rootLink = 0;  ///< the root link: the one nearest the ground
+    int depth = 0;             ///< number of classes between the root link and the ground
   };
 
-  std::vector<Class> classes;        ///< in the order of their first joints
-  std::vector<int> classOf;          ///< by joint
-  std::vector<int> orientationSign;  ///< by joint: +1 if its axis points along the class's line, else -1
-  std::vector<int> ofLink;  ///< by link: the class of its joint towards the ground; -1 for the ground
+  ByClass<Class> classes;  ///< in the order of their first joints
+  ByJoint<ClassOrdinal> classOf;
+  ByJoint<int> orientationSign;  ///< +1 if its axis points along the class's line, else -1
+  ByLink<ClassOrdinal> ofLink;   ///< the class of its joint towards the ground; -1 for the ground
 
   /// Joints of one axis that share a link are in one class; so are joints of different axes that share a link
   /// and whose lines coincide (diagnostic `merged-axes`). Joints of one axis in several classes:
   /// `split-axis`. `lines`: givenLines() of the mechanism. Cost: O(n), more for joints that share a link and
   /// a line.
-  AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
+  AxisClasses(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
               Diagnostics& diagnostics);
   /// No classes, for a mechanism without a tree.
   AxisClasses() = default;
 
-  [[nodiscard]] int classOfLink(int link) const { return ofLink[static_cast<std::size_t>(link)]; }
+  [[nodiscard]] ClassOrdinal classOfLink(LinkOrdinal link) const { return ofLink[link]; }
 };
 
 }  // namespace geargraph::inline placement

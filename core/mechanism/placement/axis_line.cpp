@@ -23,7 +23,7 @@ Vector3 unitDirection(const NumberTriple& direction) {
   return square > kSmallest && square < kLargest ? unit(doubles) : unitDirection(toFractions(direction));
 }
 
-std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
+ByAxis<AxisLine> givenLines(const Mechanism& mechanism) {
   std::vector<AxisLine> lines;
   lines.reserve(mechanism.axes.size());
   for (const Axis& axis : mechanism.axes) {

@@ -36,6 +36,6 @@ struct AxisLine {
 };
 
 /// The lines given in the document, by axis; one that it leaves open is at the origin and marked automatic.
-[[nodiscard]] std::vector<AxisLine> givenLines(const Mechanism& mechanism);
+[[nodiscard]] ByAxis<AxisLine> givenLines(const Mechanism& mechanism);
 
 }  // namespace geargraph::inline placement

@@ -28,7 +28,7 @@ ExactVector3 acrossOf(const ExactVector3& direction) {
 class AxisPlacer {
  public:
   AxisPlacer(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-             const std::vector<std::optional<MeshWord>>& words, const LineComparison* train)
+             const ByMesh<std::optional<MeshWord>>& words, const LineComparison* train)
       : m_mechanism(mechanism),
         m_classes(classes),
         m_words(words),
@@ -59,8 +59,8 @@ class AxisPlacer {
 
  private:
   struct Partner {
-    int mesh = 0;
-    int axis = 0;
+    MeshOrdinal mesh = 0;
+    AxisOrdinal axis = 0;
   };
 
   struct PlacedLine {
@@ -71,24 +71,24 @@ class AxisPlacer {
   };
 
   void takeGivenLines() {
-    for (std::size_t i = 0; i < m_lines.size(); ++i) {
-      const Axis& axis = m_mechanism.axes[i];
+    for (const AxisOrdinal at : m_lines.ordinals()) {
+      const Axis& axis = m_mechanism.axes[at];
       if (axis.point && axis.direction) {
-        setLine(static_cast<int>(i), lineOf(toFractions(*axis.point), toFractions(*axis.direction), false));
+        setLine(at, lineOf(toFractions(*axis.point), toFractions(*axis.direction), false));
       }
     }
   }
 
-  void setLine(int axis, PlacedLine line) {
+  void setLine(AxisOrdinal axis, PlacedLine line) {
     m_bevels.setLine(axis, line.point, line.direction);
     m_lines[axis] = std::move(line);
   }
 
   void standGivenBevels() {
     std::set<std::pair<int, int>> seen;
-    for (std::size_t axis = 0; axis < m_lines.size(); ++axis) {
+    for (const AxisOrdinal axis : m_lines.ordinals()) {
       for (const Partner& partner : m_meshesAt[axis]) {
-        const auto [a, b] = std::minmax({static_cast<int>(axis), partner.axis});
+        const auto [a, b] = std::minmax<AxisOrdinal>(axis, partner.axis);
         if (!m_lines[a] || !m_lines[b] || !seen.insert({a, b}).second) continue;
         const PlacedLine& one = *m_lines[a];
         const PlacedLine& other = *m_lines[b];
@@ -111,20 +111,20 @@ class AxisPlacer {
   }
 
   void collectMeshes() {
-    for (std::size_t i = 0; i < m_words.size(); ++i) {
-      if (!m_words[i]) continue;
-      const int tail = m_classes.classes[m_words[i]->tailClass].axis;
-      const int head = m_classes.classes[m_words[i]->headClass].axis;
+    for (const MeshOrdinal mesh : m_words.ordinals()) {
+      if (!m_words[mesh]) continue;
+      const AxisOrdinal tail = m_classes.classes[m_words[mesh]->tailClass].axis;
+      const AxisOrdinal head = m_classes.classes[m_words[mesh]->headClass].axis;
       if (tail == head) continue;
-      m_meshesAt[tail].push_back({static_cast<int>(i), head});
-      m_meshesAt[head].push_back({static_cast<int>(i), tail});
+      m_meshesAt[tail].push_back({mesh, head});
+      m_meshesAt[head].push_back({mesh, tail});
     }
   }
 
-  [[nodiscard]] const GearMesh& mesh(int position) const { return m_mechanism.gearMeshes[position]; }
+  [[nodiscard]] const GearMesh& mesh(MeshOrdinal of) const { return m_mechanism.gearMeshes[of]; }
 
   /// Teeth whose sum (external) or difference (internal) times half the module is the centre distance.
-  [[nodiscard]] int distanceTeeth(int position) const {
+  [[nodiscard]] int distanceTeeth(MeshOrdinal position) const {
     const GearMesh& of = mesh(position);
     return isInternal(of) ? std::abs(of.tailTeeth - of.headTeeth) : of.tailTeeth + of.headTeeth;
   }
@@ -147,7 +147,7 @@ class AxisPlacer {
   }
 
   void placeOutward() {
-    std::vector<int> queue;
+    std::vector<AxisOrdinal> queue;
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       if (m_lines[i]) queue.push_back(static_cast<int>(i));
     }
@@ -162,7 +162,7 @@ class AxisPlacer {
   }
 
   /// A new group: at the origin, or beside all that is there.
-  void placeAlone(int axis, bool first) {
+  void placeAlone(AxisOrdinal axis, bool first) {
     const Axis& element = m_mechanism.axes[axis];
     ExactVector3 point{0, 0, 0};
     if (!first) {
@@ -177,8 +177,8 @@ class AxisPlacer {
             lineOf(point, element.direction ? toFractions(*element.direction) : ExactVector3{0, 0, 1}, true));
   }
 
-  void placeNeighbours(int axis, std::vector<int>& queue) {
-    std::map<int, std::vector<Partner>> open;  // by carrier
+  void placeNeighbours(AxisOrdinal axis, std::vector<AxisOrdinal>& queue) {
+    std::map<LinkOrdinal, std::vector<Partner>> open;  // by carrier
     for (const Partner& partner : m_meshesAt[axis]) {
       if (m_lines[partner.axis]) continue;
       std::vector<Partner>& list = open[m_words[partner.mesh]->carrier];
@@ -196,7 +196,7 @@ class AxisPlacer {
 
   /// Axis `partner` beside the placed one, as number `index` of `count` round it. `apex`: where along the
   /// placed one the last bevel axis of its carrier meets it, in the arranger's steps.
-  void place(int axis, const Partner& partner, int index, int count, int& apex) {
+  void place(AxisOrdinal axis, const Partner& partner, int index, int count, int& apex) {
     const PlacedLine& from = *m_lines[axis];
     const Axis& element = m_mechanism.axes[partner.axis];
     const ExactVector3 outward = spoke(from.exact.direction, index, count);
@@ -255,7 +255,7 @@ class AxisPlacer {
 
   /// Where the circles of two placed parallel neighbours on one carrier cross; nothing where there is no
   /// second neighbour or they miss each other.
-  [[nodiscard]] std::optional<ExactVector3> heldByTwo(int axis, const Partner& partner) const {
+  [[nodiscard]] std::optional<ExactVector3> heldByTwo(AxisOrdinal axis, const Partner& partner) const {
     const PlacedLine& a = *m_lines[axis];
     for (const Partner& other : m_meshesAt[partner.axis]) {
       if (other.axis == axis || !m_lines[other.axis] || mesh(other.mesh).kind == MeshKind::bevel) continue;
@@ -282,18 +282,18 @@ class AxisPlacer {
 
   const Mechanism& m_mechanism;
   const AxisClasses& m_classes;
-  const std::vector<std::optional<MeshWord>>& m_words;
+  const ByMesh<std::optional<MeshWord>>& m_words;
   const LineComparison* m_train;  ///< as given; none without a tree, where nothing is compared
-  std::vector<std::optional<PlacedLine>> m_lines;
-  std::vector<std::vector<Partner>> m_meshesAt;  ///< by axis
+  ByAxis<std::optional<PlacedLine>> m_lines;
+  ByAxis<std::vector<Partner>> m_meshesAt;
   Rational m_module = kDefaultModule;
   BevelArranger m_bevels;
 };
 
 }  // namespace
 
-PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given, const JointTree* tree,
-                      const AxisClasses& classes, const std::vector<std::optional<MeshWord>>& words) {
+PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const JointTree* tree,
+                      const AxisClasses& classes, const ByMesh<std::optional<MeshWord>>& words) {
   // All given is the usual case, and needs no fractions.
   const bool open =
       std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });

@@ -12,11 +12,11 @@ namespace geargraph::inline placement {
 constexpr int kDefaultModule = 2;
 
 struct PlacedAxes {
-  std::vector<AxisLine> lines;    ///< by axis of the document
+  ByAxis<AxisLine> lines;
   std::vector<ExactLine> chosen;  ///< the automatic lines in fractions
   Rational module = kDefaultModule;
-  std::vector<int> bevelSizes;  ///< by mesh: the module of a derived bevel pair, in halves of `module`;
-                                ///< empty: of the usual size
+  ByMesh<int> bevelSizes;  ///< the module of a derived bevel pair, in halves of `module`;
+                           ///< empty: of the usual size
 };
 
 /// Places the axes that the document leaves open.
@@ -33,8 +33,7 @@ struct PlacedAxes {
 ///
 /// `given`: givenLines(), which marks the open axes. `words`: by mesh, none for a mesh without a carrier;
 /// empty without a tree.
-[[nodiscard]] PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given,
-                                    const JointTree* tree, const AxisClasses& classes,
-                                    const std::vector<std::optional<MeshWord>>& words);
+[[nodiscard]] PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const JointTree* tree,
+                                    const AxisClasses& classes, const ByMesh<std::optional<MeshWord>>& words);
 
 }  // namespace geargraph::inline placement

@@ -42,7 +42,7 @@ std::pair<int, int> ordered(int a, int b) {
 }  // namespace
 
 BevelArranger::BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-                             std::span<const std::optional<MeshWord>> words)
+                             SpanByMesh<const std::optional<MeshWord>> words)
     : m_mechanism(mechanism),
       m_tree(tree),
       m_classes(classes),
@@ -70,12 +70,12 @@ const std::vector<int>& BevelArranger::meshesBetween(int from, int to) const {
   return m_between.at(ordered(from, to));
 }
 
-void BevelArranger::addPair(Wheels& wheels, int mesh, int size, const Vector3& apex, const Line& from,
-                            const Line& to, int fromAxis, double module) {
+void BevelArranger::addPair(Wheels& wheels, MeshOrdinal mesh, int size, const Vector3& apex, const Line& from,
+                            const Line& to, AxisOrdinal fromAxis, double module) {
   const auto m = static_cast<std::size_t>(mesh);
   const auto [tailClass, headClass, carrier] = *m_words[m];
   const GearMesh& drawn = m_mechanism.gearMeshes[m];
-  const bool tailIsFrom = m_classes.classes[static_cast<std::size_t>(tailClass)].axis == fromAxis;
+  const bool tailIsFrom = m_classes.classes[tailClass].axis == fromAxis;
   const Vector3 tailAxis =
       static_cast<double>(m_sides[m].first) * (tailIsFrom ? from.direction : to.direction);
   const Vector3 headAxis =
@@ -97,8 +97,8 @@ void BevelArranger::addPair(Wheels& wheels, int mesh, int size, const Vector3& a
 BevelArranger::Wheels BevelArranger::wheelsBetween(int from, int to, const Vector3& apex, const Line& a,
                                                    const Line& b, double module) {
   Wheels wheels;
-  for (const int mesh : meshesBetween(from, to))
-    addPair(wheels, mesh, m_sizes[static_cast<std::size_t>(mesh)], apex, a, b, from, module);
+  for (const MeshOrdinal mesh : meshesBetween(from, to))
+    addPair(wheels, mesh, m_sizes[mesh], apex, a, b, from, module);
   return wheels;
 }
 
@@ -119,8 +119,8 @@ void BevelArranger::setSizes(int from, int to, const Line& a, const Line& b, dou
       });
     });
   };
-  for (const int mesh : meshesBetween(from, to)) {
-    int& size = m_sizes[static_cast<std::size_t>(mesh)];
+  for (const MeshOrdinal mesh : meshesBetween(from, to)) {
+    int& size = m_sizes[mesh];
     for (;; size += std::max(1, size / 8)) {
       Wheels pair;
       addPair(pair, mesh, size, {}, a, b, from, module);
@@ -141,7 +141,7 @@ bool BevelArranger::meet(const Wheel& wheel, const Wheel& other) const {
   path.walk(m_classes, wheel.link, other.link);
   for (const int c : path.classes()) {
     if (c == wheel.axisClass || c == other.axisClass) continue;
-    const auto& line = m_lines[static_cast<std::size_t>(m_classes.classes[static_cast<std::size_t>(c)].axis)];
+    const auto& line = m_lines[m_classes.classes[c].axis];
     if (!line) continue;
     for (int i = 1; i < kTurns; ++i) {
       const double angle = 2 * std::numbers::pi * i / kTurns;
@@ -179,7 +179,7 @@ void BevelArranger::add(Wheels wheels) {
 }
 
 int BevelArranger::place(int from, int to, const Vector3& direction, double module, int first) {
-  const Line a = *m_lines[static_cast<std::size_t>(from)];
+  const Line a = *m_lines[from];
   const Line b{{}, direction};
   m_margin = kMargin * module;
   setSizes(from, to, a, b, module);
@@ -203,8 +203,8 @@ int BevelArranger::place(int from, int to, const Vector3& direction, double modu
 }
 
 void BevelArranger::stand(int from, int to, double module) {
-  const Line& a = *m_lines[static_cast<std::size_t>(from)];
-  const Line& b = *m_lines[static_cast<std::size_t>(to)];
+  const Line& a = *m_lines[from];
+  const Line& b = *m_lines[to];
   const Vector3 normal = cross(a.direction, b.direction);
   const double along = dot(cross(b.point - a.point, b.direction), normal) / dot(normal, normal);
   add(wheelsBetween(from, to, a.point + along * a.direction, a, b, module));

@@ -22,7 +22,7 @@ constexpr int kUsualBevelSize = 2;
 /// differential, one on each half.
 class SideNumbers {
  public:
-  int side(int axisClass, int carrier, int link, int partner) {
+  int side(ClassOrdinal axisClass, LinkOrdinal carrier, LinkOrdinal link, int partner) {
     const auto [known, isNew] = m_sides.try_emplace({axisClass, carrier, link}, -1);
     std::set<int>& taken = m_taken[{axisClass, carrier, partner}];
     if (isNew && taken.contains(-1) && !taken.contains(1)) known->second = 1;
@@ -44,11 +44,11 @@ class BevelArranger {
   /// `words`: by mesh, none for a mesh without a carrier; empty without a tree. All arguments outlive this
   /// object.
   BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-                std::span<const std::optional<MeshWord>> words);
+                SpanByMesh<const std::optional<MeshWord>> words);
 
   /// Records the place of a line. `direction` is a unit vector.
-  void setLine(int axis, const Vector3& point, const Vector3& direction) {
-    m_lines[static_cast<std::size_t>(axis)] = Line{point, direction};
+  void setLine(AxisOrdinal axis, const Vector3& point, const Vector3& direction) {
+    m_lines[axis] = Line{point, direction};
   }
   /// The number of steps (kStep modules each) along the placed line `from`, from its point to where axis `to`
   /// intersects it; `first` is tried first, then places farther and farther from 0. The wheels between the
@@ -58,7 +58,7 @@ class BevelArranger {
   void stand(int from, int to, double module);
 
   /// By mesh: the module of the pair in halves of the placement's.
-  [[nodiscard]] const std::vector<int>& sizes() const { return m_sizes; }
+  [[nodiscard]] const ByMesh<int>& sizes() const { return m_sizes; }
 
   static constexpr int kStep = 2;  ///< modules
 
@@ -68,8 +68,8 @@ class BevelArranger {
     Vector3 direction{};
   };
   struct Wheel {
-    int link = 0;
-    int axisClass = 0;
+    LinkOrdinal link = 0;
+    ClassOrdinal axisClass = 0;
     int teeth = 0;
     DiscHull hull;
     int partner = -1;  ///< index of the other wheel in a pair's list
@@ -77,8 +77,8 @@ class BevelArranger {
   using Wheels = std::vector<Wheel>;
 
   [[nodiscard]] const std::vector<int>& meshesBetween(int from, int to) const;
-  void addPair(Wheels& wheels, int mesh, int size, const Vector3& apex, const Line& from, const Line& to,
-               int fromAxis, double module);
+  void addPair(Wheels& wheels, MeshOrdinal mesh, int size, const Vector3& apex, const Line& from,
+               const Line& to, AxisOrdinal fromAxis, double module);
   [[nodiscard]] Wheels wheelsBetween(int from, int to, const Vector3& apex, const Line& a, const Line& b,
                                      double module);
   void setSizes(int from, int to, const Line& a, const Line& b, double module);
@@ -89,12 +89,12 @@ class BevelArranger {
   const Mechanism& m_mechanism;
   const JointTree* m_tree;
   const AxisClasses& m_classes;
-  std::span<const std::optional<MeshWord>> m_words;
-  std::vector<std::optional<Line>> m_lines;  ///< by axis
-  std::set<int> m_rooted;                    ///< axes whose wheels are on their positive half
+  SpanByMesh<const std::optional<MeshWord>> m_words;
+  ByAxis<std::optional<Line>> m_lines;
+  std::set<int> m_rooted;  ///< axes whose wheels are on their positive half
   std::map<std::pair<int, int>, std::vector<int>> m_between;  ///< meshes by their axes, the smaller first
-  std::vector<std::pair<int, int>> m_sides;                   ///< by mesh: of tail and head
-  std::vector<int> m_sizes;
+  ByMesh<std::pair<int, int>> m_sides;                        ///< of tail and head
+  ByMesh<int> m_sizes;
   Wheels m_standing;
   double m_margin = 0;
 };

@@ -24,10 +24,10 @@ std::vector<int> JointTree::breadthFirst() const {
   std::vector<int> links{0};
   links.reserve(parent.size());
   for (std::size_t at = 0; at < links.size(); ++at) {
-    const int link = links[at];
+    const LinkOrdinal link = links[at];
     for (const int below : graph->turningEdgesAt(link)) {
-      if (below != joint[static_cast<std::size_t>(link)]) {
-        links.push_back(child[static_cast<std::size_t>(below)]);
+      if (below != joint[link]) {
+        links.push_back(child[below]);
       }
     }
   }

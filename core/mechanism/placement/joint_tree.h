@@ -22,13 +22,13 @@ struct JointTree {
 
   DigraphPtr graph;
   SpanningTreePtr tree;
-  std::span<const DigraphEdge> joints;  ///< link positions
-  std::span<const DigraphEdge> meshes;
-  std::span<const int> axisOf;  ///< by joint: position of its axis
-  std::span<const int> parent;  ///< by link: the next towards the ground; -1 for the ground
-  std::span<const int> joint;   ///< by link: the joint to the parent; -1 for the ground
-  std::span<const int> child;   ///< by joint: its link farther from the ground
-  std::span<const int> order;   ///< links, each after its parent
+  SpanByJoint<const DigraphEdge> joints;
+  SpanByMesh<const DigraphEdge> meshes;
+  SpanByJoint<const int> axisOf;
+  SpanByLink<const int> parent;  ///< the next towards the ground; -1 for the ground
+  SpanByLink<const int> joint;   ///< the joint to the parent; -1 for the ground
+  SpanByJoint<const int> child;  ///< its link farther from the ground
+  std::span<const int> order;    ///< links, each after its parent
 };
 
 }  // namespace geargraph::inline placement

@@ -35,7 +35,8 @@ std::string pitchPointText(const MeshGeometry& found) {
   return text(found.pitchPoint, reachOf(found.tailToPitch));
 }
 
-Diagnostic makeDiagnostic(const Mechanism& mechanism, int mesh, Code code, const std::string& message) {
+Diagnostic makeDiagnostic(const Mechanism& mechanism, MeshOrdinal mesh, Code code,
+                          const std::string& message) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   Diagnostic result;
   result.code = code;
@@ -44,7 +45,8 @@ Diagnostic makeDiagnostic(const Mechanism& mechanism, int mesh, Code code, const
   return result;
 }
 
-Diagnostic makeDiagnostic(const Mechanism& mechanism, int mesh, Detail detail, const std::string& message) {
+Diagnostic makeDiagnostic(const Mechanism& mechanism, MeshOrdinal mesh, Detail detail,
+                          const std::string& message) {
   Diagnostic result = makeDiagnostic(mechanism, mesh, codeOf(detail), message);
   result.detail = detail;
   return result;
@@ -94,7 +96,7 @@ std::string kindWord(MeshKind kind) {
   return translated("bevel");
 }
 
-Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& found, bool ofTail) {
+Diagnostic onAxis(const Mechanism& mechanism, MeshOrdinal mesh, const MeshGeometry& found, bool ofTail) {
   return makeDiagnostic(mechanism, mesh, Code::pitchPointOnAxis,
                         ofTail
                             ? translated("the pitch point %1 lies on the axis of the tail gear, so its pitch "
@@ -105,8 +107,8 @@ Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& foun
                                          {pitchPointText(found)}));
 }
 
-Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
-                    const MeshGeometry& found) {
+Diagnostic offPlane(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
+                    LinePosition position, const MeshGeometry& found) {
   const bool parallel = position == LinePosition::parallel;
   const Vector3 normal = parallel ? cross(pair.tailDirection, pair.headPoint - pair.tailPoint)
                                   : cross(pair.tailDirection, pair.headDirection);
@@ -127,7 +129,7 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
                  {pitchPointText(found), text(off), fit(pair, position, found, sign)}));
 }
 
-Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
+Diagnostic wrongKind(const Mechanism& mechanism, MeshOrdinal mesh, MeshKind kind, LinePosition position) {
   return makeDiagnostic(
       mechanism, mesh, Detail::kindAgainstAxes,
       position == LinePosition::parallel
@@ -136,7 +138,7 @@ Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePo
           : translated("it says %1, but its axes meet. What fits: bevel.", {kindWord(kind)}));
 }
 
-Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+Diagnostic wrongSign(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
                      LinePosition position, const MeshGeometry& found) {
   const bool saysInternal = found.kind != MeshKind::internal;  // what it is, is the other one
   std::string message =
@@ -154,7 +156,7 @@ Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double
   return makeDiagnostic(mechanism, mesh, Detail::kindAgainstSides, message);
 }
 
-Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+Diagnostic wrongTeeth(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
                       LinePosition position, const MeshGeometry& found) {
   const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
@@ -186,7 +188,7 @@ LinePosition positionOf(const GearPair<double>& pair, const LineComparison& trai
   return meet ? LinePosition::intersecting : LinePosition::skew;
 }
 
-Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
+Diagnostic skewAxes(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair) {
   return makeDiagnostic(
       mechanism, mesh, Detail::skewAxes,
       translated("its axes are skew, %1 apart: there is no point where the gears could roll. What "
@@ -194,15 +196,15 @@ Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>
                  {text(axisDistance(pair))}));
 }
 
-Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
+Diagnostic equalInternalTeeth(const Mechanism& mechanism, MeshOrdinal mesh) {
   return makeDiagnostic(
       mechanism, mesh, Detail::equalInternalTeeth,
       translated("an internal pair needs different tooth counts, the ring the larger one; both have %1.",
                  {std::to_string(mechanism.gearMeshes[mesh].tailTeeth)}));
 }
 
-bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
-                   MeshGeometry& geometry, Diagnostics& diagnostics) {
+bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
+                   LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics) {
   const auto reject = [&](Diagnostic why) {
     diagnostics.push_back(std::move(why));
     return false;

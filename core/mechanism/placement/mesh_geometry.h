@@ -13,11 +13,11 @@ namespace geargraph::inline placement {
 /// The geometry of a gear mesh in the reference pose. The axes A (tail's gear) and B (head's) are the lines
 /// of the two axis classes; both are fixed in the carrier, so nothing here changes with the pose.
 struct MeshGeometry {
-  int tail = 0;  ///< link positions
-  int head = 0;
-  int carrier = 0;  ///< the transfer vertex
-  int tailClass = 0;
-  int headClass = 0;
+  LinkOrdinal tail = 0;  ///< link positions
+  LinkOrdinal head = 0;
+  LinkOrdinal carrier = 0;  ///< the transfer vertex
+  ClassOrdinal tailClass = 0;
+  ClassOrdinal headClass = 0;
   int tailTeeth = 1;
   int headTeeth = 1;
   /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
@@ -48,12 +48,12 @@ enum class LinePosition { parallel, intersecting, skew };
 /// pitch-geometry or teeth-geometry, which names what was found and what would fit, if it does not fit.
 /// @pre the lines are not skew, `position` is theirs; the points of `pair` are relative to the point of the
 /// tail's line; `geometry` has pitchPoint and tailToPitch
-[[nodiscard]] bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+[[nodiscard]] bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
                                  LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
 
 /// pitch-geometry, for axes that are neither parallel nor intersecting.
-[[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair);
+[[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair);
 /// teeth-geometry, for an internal pair with equal tooth counts.
-[[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh);
+[[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, MeshOrdinal mesh);
 
 }  // namespace geargraph::inline placement

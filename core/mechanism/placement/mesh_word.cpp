@@ -8,35 +8,38 @@
 namespace geargraph::inline placement {
 namespace {
 
-std::string wordText(const Mechanism& mechanism, const AxisClasses& classes, const std::vector<int>& word) {
+std::string wordText(const Mechanism& mechanism, const AxisClasses& classes,
+                     const std::vector<ClassOrdinal>& word) {
   std::string text;
-  for (const int letter : word) {
+  for (const ClassOrdinal letter : word) {
     text += (text.empty() ? "" : "|") + mechanism.axes[classes.classes[letter].axis].id.text();
   }
   return text;
 }
 
 /// The class that two links share, -1 where there is none. @pre the links differ
-int sharedClass(const AxisClasses& classes, int a, int b) {
-  const int ofA = classes.classOfLink(a);
-  const int ofB = classes.classOfLink(b);
+ClassOrdinal sharedClass(const AxisClasses& classes, LinkOrdinal a, LinkOrdinal b) {
+  const ClassOrdinal ofA = classes.classOfLink(a);
+  const ClassOrdinal ofB = classes.classOfLink(b);
   if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].rootLink == b)) return ofA;
-  return ofB >= 0 && classes.classes[ofB].rootLink == a ? ofB : -1;
+  return ofB >= 0 && classes.classes[ofB].rootLink == a ? ofB : ClassOrdinal(-1);
 }
 
 /// The two classes of a proper word share one link only, the carrier, which is the root link of one of them:
 /// of the tail's or of the head's.
-std::optional<MeshWord> properWord(const AxisClasses& classes, int tail, int head) {
-  const int ofTail = classes.classOfLink(tail);
-  const int ofHead = classes.classOfLink(head);
-  const auto rootOf = [&](int axisClass) { return axisClass < 0 ? -1 : classes.classes[axisClass].rootLink; };
-  const auto canCarry = [&](int link) { return link >= 0 && link != tail && link != head; };
-  if (const int carrier = rootOf(ofTail); canCarry(carrier)) {
-    const int shared = sharedClass(classes, head, carrier);
+std::optional<MeshWord> properWord(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal head) {
+  const ClassOrdinal ofTail = classes.classOfLink(tail);
+  const ClassOrdinal ofHead = classes.classOfLink(head);
+  const auto rootOf = [&](ClassOrdinal axisClass) {
+    return axisClass < 0 ? LinkOrdinal(-1) : classes.classes[axisClass].rootLink;
+  };
+  const auto canCarry = [&](LinkOrdinal link) { return link >= 0 && link != tail && link != head; };
+  if (const LinkOrdinal carrier = rootOf(ofTail); canCarry(carrier)) {
+    const ClassOrdinal shared = sharedClass(classes, head, carrier);
     if (shared >= 0 && shared != ofTail) return MeshWord{ofTail, shared, carrier};
   }
-  if (const int carrier = rootOf(ofHead); canCarry(carrier)) {
-    const int shared = sharedClass(classes, tail, carrier);
+  if (const LinkOrdinal carrier = rootOf(ofHead); canCarry(carrier)) {
+    const ClassOrdinal shared = sharedClass(classes, tail, carrier);
     if (shared >= 0 && shared != ofHead) return MeshWord{shared, ofHead, carrier};
   }
   return std::nullopt;
@@ -44,25 +47,25 @@ std::optional<MeshWord> properWord(const AxisClasses& classes, int tail, int hea
 
 }  // namespace
 
-void ClassPath::climb(const AxisClasses& classes, int& link, std::vector<int>& word,
-                      std::vector<int>& links) {
-  const int at = classes.classOfLink(link);
+void ClassPath::climb(const AxisClasses& classes, LinkOrdinal& link, std::vector<ClassOrdinal>& word,
+                      std::vector<LinkOrdinal>& links) {
+  const ClassOrdinal at = classes.classOfLink(link);
   word.push_back(at);
   link = classes.classes[at].rootLink;
   links.push_back(link);
 }
 
-void ClassPath::walk(const AxisClasses& classes, int tail, int head) {
-  const auto depthOf = [&](int link) {
-    const int at = classes.classOfLink(link);
+void ClassPath::walk(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal head) {
+  const auto depthOf = [&](LinkOrdinal link) {
+    const ClassOrdinal at = classes.classOfLink(link);
     return at < 0 ? -1 : classes.classes[at].depth;
   };
   m_classes.clear();
   m_changes.clear();
   m_headClasses.clear();
   m_headChanges.clear();
-  int a = tail;
-  int b = head;
+  LinkOrdinal a = tail;
+  LinkOrdinal b = head;
   while (a != b) {
     if (classes.classOfLink(a) == classes.classOfLink(b)) {  // they meet along one axis
       m_classes.push_back(classes.classOfLink(a));
@@ -81,7 +84,8 @@ void ClassPath::walk(const AxisClasses& classes, int tail, int head) {
 }
 
 std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
-                                 const JointTree& tree, int mesh, ClassPath& path, Diagnostics& diagnostics) {
+                                 const JointTree& tree, MeshOrdinal mesh, ClassPath& path,
+                                 Diagnostics& diagnostics) {
   const auto [tail, head] = tree.meshes[mesh];
   if (const auto proper = properWord(classes, tail, head)) return proper;
   path.walk(classes, tail, head);

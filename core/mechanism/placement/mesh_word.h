@@ -10,33 +10,35 @@ namespace geargraph::inline placement {
 
 /// The path of a mesh through the tree as a word over axis classes: a proper one is A..A B..B.
 struct MeshWord {
-  int tailClass = 0;  ///< A, the axis of the tail's gear
-  int headClass = 0;  ///< B
-  int carrier = 0;    ///< the link where A changes to B: the transfer vertex
+  ClassOrdinal tailClass = 0;  ///< A, the axis of the tail's gear
+  ClassOrdinal headClass = 0;  ///< B
+  LinkOrdinal carrier = 0;     ///< the link where A changes to B: the transfer vertex
 };
 
 /// The path from one link to another as axis classes. Reused from mesh to mesh to save allocations.
 class ClassPath {
  public:
   /// Cost: O(axis classes on the path), whatever its length in joints.
-  void walk(const AxisClasses& classes, int tail, int head);
+  void walk(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal head);
 
-  [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< without repetition
+  /// Without repetition.
+  [[nodiscard]] const std::vector<ClassOrdinal>& classes() const { return m_classes; }
   /// The link between classes i and i + 1.
-  [[nodiscard]] int change(std::size_t i) const { return m_changes[i]; }
+  [[nodiscard]] LinkOrdinal change(std::size_t i) const { return m_changes[i]; }
 
  private:
-  void climb(const AxisClasses& classes, int& link, std::vector<int>& word, std::vector<int>& links);
+  void climb(const AxisClasses& classes, LinkOrdinal& link, std::vector<ClassOrdinal>& word,
+             std::vector<LinkOrdinal>& links);
 
-  std::vector<int> m_classes;
-  std::vector<int> m_changes;
-  std::vector<int> m_headClasses;  ///< climbed from the head, to be reversed
-  std::vector<int> m_headChanges;
+  std::vector<ClassOrdinal> m_classes;
+  std::vector<LinkOrdinal> m_changes;
+  std::vector<ClassOrdinal> m_headClasses;  ///< climbed from the head, to be reversed
+  std::vector<LinkOrdinal> m_headChanges;
 };
 
 /// std::nullopt, with coaxial-mesh or no-transfer-vertex, if the word is not proper.
 [[nodiscard]] std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
-                                               const JointTree& tree, int mesh, ClassPath& path,
+                                               const JointTree& tree, MeshOrdinal mesh, ClassPath& path,
                                                Diagnostics& diagnostics);
 
 }  // namespace geargraph::inline placement

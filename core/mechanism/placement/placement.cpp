@@ -11,7 +11,7 @@ namespace geargraph::inline placement {
 namespace {
 
 /// Is the tail's axis the inner one, nearer the ground?
-bool tailIsInner(const Placement& placement, int tailClass, int headClass) {
+bool tailIsInner(const Placement& placement, ClassOrdinal tailClass, ClassOrdinal headClass) {
   const auto& classes = placement.classes->classes;
   return classes[tailClass].depth <= classes[headClass].depth;
 }
@@ -23,7 +23,7 @@ class SideChooser {
       : m_mechanism(mechanism), m_placement(placement), m_train(train) {}
 
   /// The pair's places are relative to the point of the tail's line.
-  BevelSides choose(int mesh, const MeshWord& word, const GearPair<double>& pair) {
+  BevelSides choose(MeshOrdinal mesh, const MeshWord& word, const GearPair<double>& pair) {
     const auto [tail, head] = m_placement.tree->meshes[mesh];
     const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
     const Vector3 apex = apexOf(pair);
@@ -35,12 +35,12 @@ class SideChooser {
   }
 
  private:
-  int side(int link, int axisClass, int carrier, int partner, const Vector3& apex, const ExactVector3& origin,
-           bool inner) {
+  int side(LinkOrdinal link, ClassOrdinal axisClass, LinkOrdinal carrier, int partner, const Vector3& apex,
+           const ExactVector3& origin, bool inner) {
     const AxisLine& line = m_placement.lineOfClass(axisClass);
     if (m_placement.classes->classOfLink(link) == axisClass) {
-      const int joint = m_placement.tree->joint[link];
-      const int axis = m_placement.tree->axisOf[joint];
+      const JointOrdinal joint = m_placement.tree->joint[link];
+      const AxisOrdinal axis = m_placement.tree->axisOf[joint];
       const AxisLine& own = m_placement.axes[axis];
       const double offset = m_mechanism.turningJoints[joint].offset.value();
       const bool silent = own.automatic && offset == 0;
@@ -69,7 +69,7 @@ class SideChooser {
 class MeshLocator {
  public:
   MeshLocator(const Mechanism& mechanism, Placement& placement, const LineComparison& train,
-              std::span<const int> bevelSizes)
+              SpanByMesh<const int> bevelSizes)
       : m_mechanism(mechanism),
         m_placement(placement),
         m_bevelSizes(bevelSizes),
@@ -78,7 +78,7 @@ class MeshLocator {
         m_sides(mechanism, placement, train) {}
 
   /// False, and a diagnostic, where it comes to nothing.
-  bool locate(int mesh, const MeshWord& word, MeshGeometry& geometry) {
+  bool locate(MeshOrdinal mesh, const MeshWord& word, MeshGeometry& geometry) {
     const GearMesh& element = m_mechanism.gearMeshes[mesh];
     const AxisLine& tail = m_placement.lineOfClass(word.tailClass);
     const AxisLine& head = m_placement.lineOfClass(word.headClass);
@@ -131,8 +131,8 @@ class MeshLocator {
   }
 
   /// False where an internal pair has equal teeth.
-  bool derivePitchPoint(int mesh, const GearPair<double>& pair, const MeshWord& word, LinePosition position,
-                        MeshGeometry& geometry) {
+  bool derivePitchPoint(MeshOrdinal mesh, const GearPair<double>& pair, const MeshWord& word,
+                        LinePosition position, MeshGeometry& geometry) {
     geometry.derived = true;
     if (position == LinePosition::intersecting) {
       geometry.sides = m_sides.choose(mesh, word, pair);
@@ -150,7 +150,7 @@ class MeshLocator {
 
   const Mechanism& m_mechanism;
   Placement& m_placement;
-  std::span<const int> m_bevelSizes;  ///< by mesh; none where no bevel pair was placed
+  SpanByMesh<const int> m_bevelSizes;  ///< none where no bevel pair was placed
   double m_module = 0;
   const LineComparison& m_train;
   SideChooser m_sides;
@@ -170,7 +170,7 @@ Placement placementOf(const Mechanism& mechanism) {
 
 Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree) {
   Placement placement;
-  std::vector<AxisLine> given = givenLines(mechanism);
+  ByAxis<AxisLine> given = givenLines(mechanism);
   if (!tree) {
     placement.meshes.resize(mechanism.gearMeshes.size());
     PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisClasses(), {});
@@ -179,10 +179,10 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   }
   placement.tree = std::move(tree);
   placement.classes.emplace(mechanism, *placement.tree, given, placement.diagnostics);
-  std::vector<std::optional<MeshWord>> words;
+  ByMesh<std::optional<MeshWord>> words;
   words.reserve(mechanism.gearMeshes.size());
   ClassPath path;
-  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
     words.push_back(
         meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
   }
@@ -191,26 +191,26 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   const LineComparison train(mechanism, *placement.tree->graph, placement.axes);
   MeshLocator locator(mechanism, placement, train, placed.bevelSizes);
   placement.meshes.reserve(words.size());
-  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
     auto& geometry = placement.meshes.emplace_back();
     if (words[mesh] && !locator.locate(mesh, *words[mesh], geometry.emplace())) geometry.reset();
   }
   return placement;
 }
 
-ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis) {
+ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, AxisOrdinal axis) {
   const AxisLine& line = placement.axes[axis];
   if (line.chosen >= 0) return placement.chosen[line.chosen];
   const Axis& given = mechanism.axes[axis];
   return {toFractions(*given.point), toFractions(*given.direction)};
 }
 
-ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, ClassOrdinal axisClass) {
   return exactLine(mechanism, placement, placement.classes->classes[axisClass].axis);
 }
 
 std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
-                                            int mesh) {
+                                            MeshOrdinal mesh) {
   const MeshGeometry& geometry = *placement.meshes[mesh];
   if (!geometry.derived) {
     return toFractions(*mechanism.gearMeshes[mesh].pitchPoint);

@@ -14,15 +14,15 @@ namespace geargraph::inline placement {
 struct Placement {
   std::optional<JointTree> tree;       ///< none if the turning joints are no spanning tree: no meshes then
   std::optional<AxisClasses> classes;  ///< with the tree
-  std::vector<AxisLine> axes;          ///< by axis of the document
-  std::vector<ExactLine> chosen;       ///< of the automatic axes, in fractions
-  std::vector<std::optional<MeshGeometry>> meshes;  ///< by mesh; none for a mesh with a diagnostic
-  Rational module = kDefaultModule;                 ///< that automatic axes and bevel points were placed with
+  ByAxis<AxisLine> axes;
+  std::vector<ExactLine> chosen;               ///< of the automatic axes, in fractions
+  ByMesh<std::optional<MeshGeometry>> meshes;  ///< none for a mesh with a diagnostic
+  Rational module = kDefaultModule;            ///< that automatic axes and bevel points were placed with
   Diagnostics diagnostics;
 
   /// The line of an axis class. @pre there is a tree
-  [[nodiscard]] const AxisLine& lineOfClass(int axisClass) const {
-    return axes[static_cast<std::size_t>(classes->classes[static_cast<std::size_t>(axisClass)].axis)];
+  [[nodiscard]] const AxisLine& lineOfClass(ClassOrdinal axisClass) const {
+    return axes[classes->classes[axisClass].axis];
   }
 };
 
@@ -44,16 +44,16 @@ struct Placement {
 
 /// The line of an axis in fractions: as chosen, or as written in the document.
 /// @pre the placement is the mechanism's
-[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis);
+[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, AxisOrdinal axis);
 
 /// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
 [[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
-                                         int axisClass);
+                                         ClassOrdinal axisClass);
 
 /// The pitch point of a mesh in fractions, if it is rational: written in the document, or derived without an
 /// irrational root; else std::nullopt.
 /// @pre the mesh has a geometry in this placement of the mechanism
 [[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
-                                                          const Placement& placement, int mesh);
+                                                          const Placement& placement, MeshOrdinal mesh);
 
 }  // namespace geargraph::inline placement

@@ -31,9 +31,9 @@ Vector3 exactDifference(const ExactVector3& to, const ExactVector3& from) {
   return toDoubles(to - from);
 }
 
-int LineComparison::coincidence(int axis, int other) const {
-  const AxisLine& a = m_lines[static_cast<std::size_t>(axis)];
-  const AxisLine& b = m_lines[static_cast<std::size_t>(other)];
+int LineComparison::coincidence(AxisOrdinal axis, int other) const {
+  const AxisLine& a = m_lines[axis];
+  const AxisLine& b = m_lines[other];
   if (!areParallel(a.direction, b.direction)) return 0;
   const int sense = dot(a.direction, b.direction) > 0 ? 1 : -1;
   const double limit = kSameLine * size();
@@ -44,9 +44,8 @@ int LineComparison::coincidence(int axis, int other) const {
   return exactOffset(axis, other) <= limit ? sense : 0;
 }
 
-double LineComparison::exactOffset(int axis, int other) const {
-  return offsetOf(exactly(m_mechanism.axes[static_cast<std::size_t>(axis)]),
-                  exactly(m_mechanism.axes[static_cast<std::size_t>(other)]));
+double LineComparison::exactOffset(AxisOrdinal axis, int other) const {
+  return offsetOf(exactly(m_mechanism.axes[axis]), exactly(m_mechanism.axes[other]));
 }
 
 double LineComparison::size() const {
@@ -61,14 +60,14 @@ double LineComparison::size() const {
 
 double LineComparison::medianDistance(bool exactly) const {
   std::vector<double> distances;
-  const auto axisAt = [&](int link) {
+  const auto axisAt = [&](LinkOrdinal link) {
     const std::span<const int> joints = m_graph.turningEdgesAt(link);
-    return joints.empty() ? -1 : m_graph.axisOf()[static_cast<std::size_t>(joints.front())];
+    return joints.empty() ? -1 : m_graph.axisOf()[joints.front()];
   };
-  const auto measure = [&](int axis, int other) {
+  const auto measure = [&](AxisOrdinal axis, int other) {
     if (axis < 0 || other < 0 || axis == other) return;
-    const AxisLine& a = m_lines[static_cast<std::size_t>(axis)];
-    const AxisLine& b = m_lines[static_cast<std::size_t>(other)];
+    const AxisLine& a = m_lines[axis];
+    const AxisLine& b = m_lines[other];
     if (a.automatic || b.automatic) return;
     const Vector3 apart = b.point - a.point;
     double distance = exactly
@@ -77,10 +76,9 @@ double LineComparison::medianDistance(bool exactly) const {
     if (!exactly && distance <= roundingOf(reachOf(a.point) + reachOf(b.point))) distance = 0;
     if (distance > 0) distances.push_back(distance);
   };
-  for (int link = 1; link < m_graph.nodeCount(); ++link) {
+  for (LinkOrdinal link = 1; link < m_graph.nodeCount(); ++link) {
     const int first = axisAt(link);
-    for (const int joint : m_graph.turningEdgesAt(link))
-      measure(first, m_graph.axisOf()[static_cast<std::size_t>(joint)]);
+    for (const JointOrdinal joint : m_graph.turningEdgesAt(link)) measure(first, m_graph.axisOf()[joint]);
   }
   for (const DigraphEdge& mesh : m_graph.meshEdges()) {
     if (mesh.tail != 0 && mesh.head != 0) measure(axisAt(mesh.tail), axisAt(mesh.head));
@@ -91,7 +89,7 @@ double LineComparison::medianDistance(bool exactly) const {
   return *middle;
 }
 
-LineKeys::LineKeys(std::span<const AxisLine> lines) {
+LineKeys::LineKeys(SpanByAxis<const AxisLine> lines) {
   const AxisLine* first = nullptr;
   double extent = 0;
   for (const AxisLine& line : lines) {

@@ -50,12 +50,12 @@ constexpr double kGeometryFits = 1e-4;
 class LineComparison {
  public:
   /// `lines`: by axis; automatic ones are never compared. All three arguments outlive this object.
-  LineComparison(const Mechanism& mechanism, const Digraph& graph, std::span<const AxisLine> lines)
+  LineComparison(const Mechanism& mechanism, const Digraph& graph, SpanByAxis<const AxisLine> lines)
       : m_mechanism(mechanism), m_graph(graph), m_lines(lines) {}
 
   /// +1 or -1 if both are one line, with equal or opposite directions, else 0.
   /// @pre neither is automatic
-  [[nodiscard]] int coincidence(int axis, int other) const;
+  [[nodiscard]] int coincidence(AxisOrdinal axis, int other) const;
 
   /// The train's size: the median distance between axes that share a moving link or a mesh, without
   /// coincident ones; 0 if there are none. So the place of the train, the distance between two trains in one
@@ -64,19 +64,19 @@ class LineComparison {
   [[nodiscard]] double size() const;
 
  private:
-  [[nodiscard]] double exactOffset(int axis, int other) const;
+  [[nodiscard]] double exactOffset(AxisOrdinal axis, int other) const;
   [[nodiscard]] double medianDistance(bool exactly) const;
 
   const Mechanism& m_mechanism;
   const Digraph& m_graph;
-  std::span<const AxisLine> m_lines;
+  SpanByAxis<const AxisLine> m_lines;
   mutable std::optional<double> m_size;
 };
 
 /// Sort keys of the given lines of a document: the keys of lines that coincidence() regards as one differ by
 /// less than `window`. Independent of place and size. Cost: O(axes).
 struct LineKeys {
-  explicit LineKeys(std::span<const AxisLine> lines);
+  explicit LineKeys(SpanByAxis<const AxisLine> lines);
   /// Infinite for an automatic line.
   [[nodiscard]] double of(const AxisLine& line, const Vector3& weights) const;
 

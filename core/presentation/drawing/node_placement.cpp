@@ -125,7 +125,7 @@ Extent hatchingExtent(const NodePlace& ground) {
 
 void placeNames(std::vector<NodePlace>& nodes, const Mechanism& mechanism, ObstacleGrid& taken) {
   for (NodePlace& node : nodes) {
-    const std::string& name = mechanism.links[static_cast<std::size_t>(node.label)].name;
+    const std::string& name = mechanism.links[node.label].name;
     if (name.empty() || name == std::to_string(node.label)) continue;
     const std::string shown = elided(name, kNameCharacters);
     const double halfWidth = textWidth(shown, kNameSize, false) / 2;

@@ -23,7 +23,7 @@ struct TtLinePlace {
 /// The geometry of a drawing of the T-T graph.
 struct TtGraphGeometry {
   std::vector<NodePlace> nodes;          ///< in the document's order
-  std::vector<bool> isTransfer;          ///< by node: the carrier arm of some mesh
+  ByLink<bool> isTransfer;               ///< the carrier arm of some mesh
   std::vector<TtLinePlace> lines;        ///< branches first
   std::vector<CouplingPlace> couplings;  ///< not part of the graph: additional equations
 };

@@ -16,20 +16,18 @@ std::string primes(int count) {
 std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph& digraph,
                                       const TtGraph* graph) {
   std::vector<TtGraphLine> lines;
-  for (int joint = 0; joint < digraph.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < digraph.t(); ++joint) {
     const DigraphEdge& edge = digraph.turningEdge(joint);
-    const std::string level = graph != nullptr
-                                  ? graph->levels().levelOf(joint)
-                                  : mechanism.turningJoints[static_cast<std::size_t>(joint)].axis.text();
+    const std::string level =
+        graph != nullptr ? graph->levels().levelOf(joint) : mechanism.turningJoints[joint].axis.text();
     lines.push_back({TtLine::branch, edge.head, edge.tail, joint, level});
   }
-  for (int mesh = 0; mesh < digraph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < digraph.c(); ++mesh) {
     const DigraphEdge& edge = digraph.meshEdge(mesh);
     const int ordinal = digraph.t() + mesh;
     const std::string label = std::to_string(digraph.edgeLabel(ordinal));
-    const auto& vertices =
-        graph != nullptr ? graph->transferVertices().ofMesh : std::vector<std::optional<TransferVertex>>();
-    const auto& vertex = graph != nullptr ? vertices[static_cast<std::size_t>(mesh)] : std::nullopt;
+    const std::optional<TransferVertex> vertex =
+        graph != nullptr ? graph->transferVertices().ofMesh[mesh] : std::nullopt;
     if (!vertex) {
       lines.push_back({TtLine::open, edge.tail, edge.head, ordinal, label});
       continue;

@@ -56,11 +56,11 @@ class DataWriter {
   void writeElements() {
     m_json.key("elements");
     m_json.beginArray();
-    for (int link = 0; link <= m_mechanism.n(); ++link) {
+    for (LinkOrdinal link = 0; link <= m_mechanism.n(); ++link) {
       const std::string name = linkName(link);
       element(m_graph.nodeId(link), m_graph.nodeLabel(link), {name, name, linkLines(link)});
     }
-    for (int joint = 0; joint < m_mechanism.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_mechanism.t(); ++joint) {
       const DigraphEdge& edge = m_graph.turningEdge(joint);
       const std::string label = std::to_string(m_mechanism.jointLabel(joint));
       element(m_graph.edgeId(joint), m_mechanism.jointLabel(joint),
@@ -68,7 +68,7 @@ class DataWriter {
                translated("joint %1", {label}),
                {translated("From %1 to %2.", {linkName(edge.tail), linkName(edge.head)})}});
     }
-    for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const std::string label = std::to_string(m_mechanism.meshLabel(mesh));
       element(m_graph.edgeId(m_mechanism.t() + mesh), m_mechanism.meshLabel(mesh),
               {translated("Mesh %1", {label}), translated("mesh %1", {label}), meshLines(mesh)}, mesh);
@@ -83,7 +83,7 @@ class DataWriter {
     std::vector<std::string> lines;
   };
 
-  void element(ElementId id, int label, const Wording& wording, int mesh = -1) {
+  void element(ElementId id, int label, const Wording& wording, MeshOrdinal mesh = -1) {
     m_json.beginObject(Layout::row);
     m_json.member("list", listName(id.kind));
     m_json.member("id", id.id.text());
@@ -103,7 +103,7 @@ class DataWriter {
   }
 
   /// The row of C as a walk: along the mesh, then back to its tail through the tree [AU, Eq. (5)].
-  void writeWalk(int mesh) {
+  void writeWalk(MeshOrdinal mesh) {
     m_json.key("walk");
     m_json.beginArray(Layout::row);
     int edge = m_mechanism.t() + mesh;
@@ -140,26 +140,26 @@ class DataWriter {
                          : translated("Against mesh %1, from %2 to %3: %4.", {label, from, to, entry});
   }
 
-  [[nodiscard]] std::string nodeName(int link) const {
+  [[nodiscard]] std::string nodeName(LinkOrdinal link) const {
     return link == 0 ? translated("the ground")
                      : translated("link %1", {std::to_string(m_mechanism.linkLabel(link))});
   }
 
-  [[nodiscard]] std::string linkName(int link) const {
-    const std::string& name = m_mechanism.links[static_cast<std::size_t>(link)].name;
+  [[nodiscard]] std::string linkName(LinkOrdinal link) const {
+    const std::string& name = m_mechanism.links[link].name;
     if (link == 0 || name.empty()) return nodeName(link);
     return translated("link %1 (%2)", {std::to_string(m_mechanism.linkLabel(link)), name});
   }
-  [[nodiscard]] std::string jointName(int joint) const {
+  [[nodiscard]] std::string jointName(JointOrdinal joint) const {
     return translated("Joint %1", {std::to_string(m_mechanism.jointLabel(joint))});
   }
 
-  [[nodiscard]] std::vector<std::string> linkLines(int link) const {
+  [[nodiscard]] std::vector<std::string> linkLines(LinkOrdinal link) const {
     std::vector<std::string> joints;
-    for (const int joint : m_graph.turningEdgesAt(link))
+    for (const JointOrdinal joint : m_graph.turningEdgesAt(link))
       joints.push_back(std::to_string(m_mechanism.jointLabel(joint)));
     std::vector<std::string> meshes;
-    for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const DigraphEdge& edge = m_graph.meshEdge(mesh);
       if (edge.tail == link || edge.head == link)
         meshes.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
@@ -171,7 +171,7 @@ class DataWriter {
   }
 
   /// Joints of the mesh's cycle with their signs, ascending; none without a tree.
-  [[nodiscard]] std::vector<std::pair<int, int>> cycleOf(int mesh) const {
+  [[nodiscard]] std::vector<std::pair<int, int>> cycleOf(MeshOrdinal mesh) const {
     std::vector<std::pair<int, int>> cycle;
     const IntegerMatrixPtr& matrix = m_snapshot.matrix(MatrixKind::spanningTree);
     if (!matrix) return cycle;
@@ -181,7 +181,7 @@ class DataWriter {
     return cycle;
   }
 
-  [[nodiscard]] std::vector<std::string> meshLines(int mesh) const {
+  [[nodiscard]] std::vector<std::string> meshLines(MeshOrdinal mesh) const {
     std::vector<std::string> lines{gearsText(mesh)};
     std::vector<std::string> along;
     std::vector<std::string> against;
@@ -200,8 +200,8 @@ class DataWriter {
   }
 
   /// "Gears of link 1 and link 2 on link 3, external, 20 : 30 teeth."
-  [[nodiscard]] std::string gearsText(int mesh) const {
-    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+  [[nodiscard]] std::string gearsText(MeshOrdinal mesh) const {
+    const GearMesh& gears = m_mechanism.gearMeshes[mesh];
     const DigraphEdge& edge = m_graph.meshEdge(mesh);
     const std::string tail = linkName(edge.tail), head = linkName(edge.head);
     const std::string tailTeeth = std::to_string(gears.tailTeeth),
@@ -210,7 +210,7 @@ class DataWriter {
     std::optional<int> carrier;
     if (m_snapshot.kinematics) {
       const auto& vertices = m_snapshot.kinematics->ttGraph->transferVertices().ofMesh;
-      if (const auto& vertex = vertices[static_cast<std::size_t>(mesh)]) carrier = vertex->carrier;
+      if (const auto& vertex = vertices[mesh]) carrier = vertex->carrier;
     }
     if (carrier && gears.kind)
       return translated("Gears of %1 and %2 on %3, %4, %5 : %6 teeth.",
@@ -227,7 +227,7 @@ class DataWriter {
     const std::vector<AngleLimits> limits = angleLimits(m_mechanism);
     m_json.key("joints");
     m_json.beginArray();
-    for (int joint = 0; joint < m_mechanism.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_mechanism.t(); ++joint) {
       const ElementId id = m_graph.edgeId(joint);
       m_json.beginObject(Layout::row);
       m_json.member("id", id.id.text());
@@ -247,7 +247,7 @@ class DataWriter {
     if (isSolved()) {
       const KinematicModel& model = *m_snapshot.kinematics->model;
       const CoefficientMatrix matrix(m_mechanism, model, m_snapshot.kinematics->placement());
-      for (int mesh = 0; mesh < matrix.rows(); ++mesh) {
+      for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) {
         const Rational ratio = matrix.ratio(mesh);
         m_json.beginArray(Layout::row);
         for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
@@ -303,8 +303,8 @@ class DataWriter {
     m_json.key("movers");
     m_json.beginArray();
     m_json.null();
-    for (int link = 1; link <= m_graph.n(); ++link) {
-      const int joint = tree.jointToParent(link);
+    for (LinkOrdinal link = 1; link <= m_graph.n(); ++link) {
+      const JointOrdinal joint = tree.jointToParent(link);
       const TurningLine& line = lines[static_cast<std::size_t>(joint)];
       m_json.beginObject(Layout::row);
       m_json.member("parent", tree.parent(link));
@@ -323,7 +323,7 @@ class DataWriter {
     m_json.endArray();
   }
 
-  void coefficient(int joint, const Rational& value) {
+  void coefficient(JointOrdinal joint, const Rational& value) {
     m_json.beginArray(Layout::row);
     m_json.number(static_cast<std::int64_t>(joint));
     m_json.string(value.toString());
@@ -336,7 +336,7 @@ class DataWriter {
     m_json.key("inputs");
     m_json.beginArray(Layout::row);
     if (matroid != nullptr)
-      for (const int joint : matroid->choice.joints) m_json.number(static_cast<std::int64_t>(joint));
+      for (const JointOrdinal joint : matroid->choice.joints) m_json.number(static_cast<std::int64_t>(joint));
     m_json.endArray();
     m_json.key("speeds");
     m_json.beginArray(Layout::row);

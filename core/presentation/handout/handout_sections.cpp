@@ -72,7 +72,8 @@ std::string matrixTable(const IntegerMatrix& matrix) {
 }
 
 /// An entry of P: exact where the radius is a fraction, else four decimal places.
-std::string lengthText(const CoefficientMatrix& matrix, int mesh, const CoefficientMatrix::Entry& entry) {
+std::string lengthText(const CoefficientMatrix& matrix, MeshOrdinal mesh,
+                       const CoefficientMatrix::Entry& entry) {
   if (const auto radius = matrix.exactRadius(mesh, entry.tail))
     return (entry.length < 0 ? "-" : "") + radius->toString();
   std::array<char, 32> text{};
@@ -81,7 +82,7 @@ std::string lengthText(const CoefficientMatrix& matrix, int mesh, const Coeffici
 }
 
 /// "20 \dot{\theta}_{9} - 30 \dot{\theta}_{12} = 0": radii where both are fractions, else the gear ratio.
-std::string rowEquation(const Digraph& graph, const CoefficientMatrix& matrix, int mesh) {
+std::string rowEquation(const Digraph& graph, const CoefficientMatrix& matrix, MeshOrdinal mesh) {
   const bool isExact = matrix.exactRadius(mesh, true) && matrix.exactRadius(mesh, false);
   std::string sum;
   for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
@@ -102,7 +103,7 @@ std::string rowEquations(const AnalysisSnapshot& snapshot, const CoefficientMatr
   if (matrix.rows() == 0 || matrix.rows() > kMostListed) return {};
   const Digraph& graph = *snapshot.graph;
   std::vector<ReportBlock> blocks{ReportHeading{2, translated("Rows of P times the rates (17)")}};
-  for (int mesh = 0; mesh < matrix.rows(); ++mesh)
+  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh)
     blocks.emplace_back(
         ReportEquation{rowEquation(graph, matrix, mesh), std::nullopt, {graph.edgeId(graph.t() + mesh)}});
   return reportHtmlBlocks(blocks);
@@ -113,16 +114,16 @@ std::string coefficientTable(const AnalysisSnapshot& snapshot) {
   const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
                                  snapshot.kinematics->placement());
   std::string table = "<table class=\"matrix\"><thead><tr><td></td>";
-  for (int joint = 0; joint < matrix.columns(); ++joint)
+  for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint)
     table += head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "col");
   table += "</tr></thead>\n<tbody>\n";
-  for (int mesh = 0; mesh < matrix.rows(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) {
     const ElementId element = graph.edgeId(graph.t() + mesh);
     table += "<tr" + elementAttribute(element) + ">" +
              head(std::to_string(graph.edgeLabel(graph.t() + mesh)), element, "row");
     const auto entries = matrix.row(mesh);
     auto next = entries.begin();
-    for (int joint = 0; joint < matrix.columns(); ++joint) {
+    for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) {
       const bool isHere = next != entries.end() && next->joint == joint;
       table += isHere ? cell(lengthText(matrix, mesh, *next), next->length < 0 ? -1 : 1, false)
                       : cell({}, 0, false);
@@ -230,7 +231,7 @@ std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_to
   }
   table += head(translated("now, rad/s"), {}, "col") + "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
-    const int joint = exact.outputs[row];
+    const JointOrdinal joint = exact.outputs[row];
     table += "<tr" + elementAttribute(graph.edgeId(joint)) + ">" +
              head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "row");
     if (hasMatrix) {
@@ -238,7 +239,7 @@ std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_to
         table += "<td>" + printed(exact.matrix[row * exact.inputs.size() + column].toString()) + "</td>";
     }
     table += "<td class=\"now\" data-now=\"" + std::to_string(joint) + "\">" +
-             printed(exact.rates[static_cast<std::size_t>(joint)].toString()) + "</td></tr>\n";
+             printed(exact.rates[joint].toString()) + "</td></tr>\n";
   }
   text += scrolled(translated("Speeds of the joints"), table + "</tbody></table>");
   if (snapshot.solved->agreement && snapshot.solved->agreement->equal)

@@ -16,7 +16,7 @@ std::string nameOf(const Link& link, int label) {
 }
 
 /// Where each link's frame has its origin: on its joint's line; the ground's is the base frame.
-Eigen::Vector3d originOf(const LinkSceneSource& source, int link) {
+Eigen::Vector3d originOf(const LinkSceneSource& source, LinkOrdinal link) {
   if (link == 0) return Eigen::Vector3d::Zero();
   return source.kinematics.line(source.tree.jointToParent(link)).point;
 }
@@ -50,7 +50,7 @@ std::variant<Period, MeshFileError> stretchOf(const UniformMotion& motion) {
 }
 
 /// How the joint turns; no keys where it stands still.
-std::vector<RotationKey> keysOf(const LinkSceneSource& source, const Period& period, int joint) {
+std::vector<RotationKey> keysOf(const LinkSceneSource& source, const Period& period, JointOrdinal joint) {
   const auto place = static_cast<std::size_t>(joint);
   const Eigen::Vector3d axis = source.kinematics.line(joint).direction;
   const int sense = -source.tree.directionToGround(joint);
@@ -79,14 +79,14 @@ std::variant<Period, MeshFileError> periodOf(const UniformMotion& motion) {
 void addLinks(MeshScene& scene, const LinkSceneSource& source, const Period& period,
               std::vector<std::size_t>& places) {
   places.assign(source.mechanism.links.size(), 0);
-  for (const int link : source.tree.preorder()) {
+  for (const LinkOrdinal link : source.tree.preorder()) {
     const auto position = static_cast<std::size_t>(link);
     MeshNode node;
     node.name = nameOf(source.mechanism.links[position], link);
     node.pose.translation() = originOf(source, link);
     if (link != 0) {
       const int parent = source.tree.parent(link);
-      const int joint = source.tree.jointToParent(link);
+      const JointOrdinal joint = source.tree.jointToParent(link);
       node.parent = places[static_cast<std::size_t>(parent)];
       node.pose.translation() -= originOf(source, parent);
       node.keys = keysOf(source, period, joint);

@@ -11,7 +11,8 @@ namespace geargraph::inline meshfile {
 namespace {
 
 /// Rate of a gear against its carrier about the line of their axis class.
-Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates, int carrier, int gear) {
+Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates, LinkOrdinal carrier,
+                      int gear) {
   Rational sum;
   for (const PathStep& step : treePath(placed.tree, carrier, gear)) {
     const auto joint = static_cast<std::size_t>(step.joint);
@@ -120,7 +121,7 @@ std::vector<double> pitchRates(const PlacedTrain& placed, std::span<const Ration
   std::vector<double> pitches;
   for (const TrainMesh& mesh : placed.train.meshes) {
     const TrainGear& tail = placed.train.gears[static_cast<std::size_t>(mesh.tailGear)];
-    const auto& geometry = placed.placement.meshes[static_cast<std::size_t>(mesh.mesh)];
+    const auto& geometry = placed.placement.meshes[mesh.mesh];
     GEARGRAPH_REQUIRE(geometry.has_value());
     const Rational rate = relativeRate(placed, rates, geometry->carrier, tail.link);
     pitches.push_back((Rational(tail.spec.teeth) * rate).toDouble() / (2 * std::numbers::pi));

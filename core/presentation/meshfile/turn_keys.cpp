@@ -16,7 +16,7 @@ std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Q
   keys.reserve(static_cast<std::size_t>(count) + 1);
   for (long long i = 0; i <= count; ++i) {
     const long long turned = (quarters < 0 ? -i : quarters > 0 ? i : 0) & 7;
-    const Eigen::Vector3d vector = cosine[static_cast<std::size_t>((turned + 6) & 7)] * axis;  // sine
+    const Eigen::Vector3d vector = cosine[(turned + 6) & 7] * axis;  // sine
     const Eigen::Quaterniond turn(cosine[static_cast<std::size_t>(turned)], vector.x(), vector.y(),
                                   vector.z());
     keys.push_back({seconds * static_cast<double>(i) / static_cast<double>(count), turn * rest});

@@ -26,7 +26,7 @@ class DigraphBands {
   }
 
   [[nodiscard]] Tint tintOf(const DrawnFlow& flow) const { return tintOfFlow(flow, m_mechanism); }
-  static const DrawnPort* portAt(const DrawnFlow& flow, int link) {
+  static const DrawnPort* portAt(const DrawnFlow& flow, LinkOrdinal link) {
     for (const DrawnPort& port : flow.ports)
       if (port.link == link) return &port;
     return nullptr;
@@ -71,8 +71,8 @@ class DigraphBands {
     m_painter.add(LossStub{flow.element, middle, flow.lost});
   }
 
-  [[nodiscard]] const NodePlace* nodeOf(int link) const {
-    return m_geometry.node(m_mechanism.links[static_cast<std::size_t>(link)].id);
+  [[nodiscard]] const NodePlace* nodeOf(LinkOrdinal link) const {
+    return m_geometry.node(m_mechanism.links[link].id);
   }
   static std::vector<SheetPoint> toRim(SheetPoint from, SheetPoint node) {
     const double rim = std::min(kNodeRadius, distance(from, node) / 2);

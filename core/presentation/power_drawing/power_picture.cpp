@@ -19,7 +19,7 @@ ElementId elementOf(const Mechanism& mechanism, const ElementPower& element) {
     case ElementPower::Kind::balance:
       break;
   }
-  return mechanism.links[static_cast<std::size_t>(element.ports.front().link)].id;
+  return mechanism.links[element.ports.front().link].id;
 }
 
 DrawnFlow drawnFlow(const Mechanism& mechanism, const ElementPower& element, double least) {
@@ -35,7 +35,7 @@ DrawnFlow drawnFlow(const Mechanism& mechanism, const ElementPower& element, dou
   return flow;
 }
 
-std::vector<double> membersOf(const StaticsSolution& solution, int mesh) {
+std::vector<double> membersOf(const StaticsSolution& solution, MeshOrdinal mesh) {
   std::vector<double> members(solution.selfStresses.size());
   for (std::size_t i = 0; i < members.size(); ++i)
     for (const auto& [unknown, weight] : solution.selfStresses[i])
@@ -46,7 +46,7 @@ std::vector<double> membersOf(const StaticsSolution& solution, int mesh) {
 /// Where a loop enters a link and where it leaves it: of the elements on the loop those that deliver and take
 /// most there.
 void addLoop(const Circulation& loop, std::vector<DrawnFlow>& flows, const std::vector<char>& isOnLoop) {
-  for (const int link : loop.links) {
+  for (const LinkOrdinal link : loop.links) {
     DrawnPort* most = nullptr;
     DrawnPort* least = nullptr;
     for (std::size_t i = 0; i < flows.size(); ++i) {
@@ -70,13 +70,13 @@ void addLoops(const Mechanism& mechanism, const std::vector<Circulation>& circul
   for (const Circulation& each : circulations) {
     if (each.power.number() <= kNoticeable * picture.fed) continue;
     DrawnLoop loop{each.power.number(), {}, {}};
-    for (const int link : each.links) loop.links.push_back(mechanism.linkLabel(link));
+    for (const LinkOrdinal link : each.links) loop.links.push_back(mechanism.linkLabel(link));
     std::vector<char> isOnLoop(picture.flows.size());
-    for (const int mesh : each.meshes) loop.meshes.push_back(mechanism.meshLabel(mesh));
+    for (const MeshOrdinal mesh : each.meshes) loop.meshes.push_back(mechanism.meshLabel(mesh));
     for (std::size_t i = 0; i < picture.flows.size(); ++i) {
       const ElementId& element = picture.flows[i].element;
-      const bool isMeshOfLoop = std::any_of(each.meshes.begin(), each.meshes.end(), [&](int mesh) {
-        return ElementId(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id) == element;
+      const bool isMeshOfLoop = std::any_of(each.meshes.begin(), each.meshes.end(), [&](MeshOrdinal mesh) {
+        return ElementId(mechanism.gearMeshes[mesh].id) == element;
       });
       isOnLoop[i] = isMeshOfLoop || element.kind == ElementKind::coupling ? 1 : 0;
     }
@@ -88,7 +88,7 @@ void addLoops(const Mechanism& mechanism, const std::vector<Circulation>& circul
 }  // namespace
 
 PowerPicture powerPicture(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
-                          const StaticsReport& report, int observer) {
+                          const StaticsReport& report, LinkOrdinal observer) {
   PowerPicture picture;
   picture.observer = mechanism.linkLabel(observer);
   if (!report.flow || !report.sums) return picture;

@@ -8,7 +8,7 @@ namespace geargraph::inline power_drawing {
 
 /// Power that an element delivers to a link, W; below 0: it takes power from the link.
 struct DrawnPort {
-  int link = 0;  ///< ordinal
+  LinkOrdinal link = 0;  ///< ordinal
   double power = 0;
   double circulating = 0;  ///< the circulating part of it, with the same sign
 };
@@ -36,7 +36,7 @@ struct DrawnLoop {
 struct PowerPicture {
   std::vector<DrawnFlow> flows;  ///< those that pass power
   std::vector<DrawnLoop> loops;  ///< the greatest first; seen from the ground
-  int observer = 0;              ///< label of the observing link
+  LinkOrdinal observer = 0;      ///< label of the observing link
   double fed = 0;                ///< into the train, W, seen from the ground
   double largest = 0;            ///< of all ports
 
@@ -47,6 +47,6 @@ struct PowerPicture {
 /// powerFlow(). @pre all of one mechanism; the observer is a link
 [[nodiscard]] PowerPicture powerPicture(const Mechanism& mechanism, const KinematicModel& model,
                                         const Placement& placement, const StaticsReport& report,
-                                        int observer = 0);
+                                        LinkOrdinal observer = 0);
 
 }  // namespace geargraph::inline power_drawing

@@ -78,17 +78,18 @@ class SchematicBands {
     const auto found = m_drawnAs.find(element);
     return found == m_drawnAs.end() ? element : found->second;
   }
-  [[nodiscard]] int drawnLink(int link) const {
-    const auto found = m_links.find(drawn(m_mechanism.links[static_cast<std::size_t>(link)].id));
-    return found == m_links.end() ? link : found->second;  // a drawing of the document as it was before
+  [[nodiscard]] LinkOrdinal drawnLink(LinkOrdinal link) const {
+    const auto found = m_links.find(drawn(m_mechanism.links[link].id));
+    return found == m_links.end() ? link
+                                  : LinkOrdinal(found->second);  // a drawing of the document as it was before
   }
-  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
-  [[nodiscard]] BandNetwork& network(int link) { return m_networks[static_cast<std::size_t>(link)]; }
+  [[nodiscard]] Tint tintOf(LinkOrdinal link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
+  [[nodiscard]] BandNetwork& network(LinkOrdinal link) { return m_networks[link]; }
 
   /// The lines of each link, and where bearings, meshes and couplings are.
   void readMarks() {
     std::unordered_map<int, int> byLabel;
-    for (int link = 0; link < static_cast<int>(m_mechanism.links.size()); ++link)
+    for (LinkOrdinal link = 0; link < static_cast<int>(m_mechanism.links.size()); ++link)
       byLabel[m_mechanism.linkLabel(link)] = link;
     for (const Mark& mark : m_geometry.marks) {
       const auto* stroke = std::get_if<Stroke>(&mark.what);
@@ -149,8 +150,8 @@ class SchematicBands {
     }
   }
 
-  void enter(int link, SheetPoint at, const DrawnPort& port, const Joined& flow) {
-    m_entries[static_cast<std::size_t>(link)].push_back({at, port.power, port.circulating});
+  void enter(LinkOrdinal link, SheetPoint at, const DrawnPort& port, const Joined& flow) {
+    m_entries[link].push_back({at, port.power, port.circulating});
     if (!flow.isDetermined) m_unknown.push_back(link);
     if (flow.isAssumed) m_assumed.push_back(link);
   }
@@ -224,7 +225,7 @@ class SchematicBands {
   void addOnLink(const Joined& flow) {
     for (const auto& [link, port] : flow.ports) {
       if (link == 0 || network(link).isEmpty()) continue;
-      const LinkId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
+      const LinkId id = m_mechanism.links[link].id;
       for (const TurningJoint& joint : m_mechanism.turningJoints) {
         const auto place = m_places.find(joint.id);
         if ((joint.tail != id && joint.head != id) || place == m_places.end()) continue;
@@ -234,7 +235,7 @@ class SchematicBands {
     }
   }
 
-  void addFromOutside(const ElementId& element, int link, SheetPoint bearing, const DrawnPort& port,
+  void addFromOutside(const ElementId& element, LinkOrdinal link, SheetPoint bearing, const DrawnPort& port,
                       const Joined& flow) {
     const SheetPoint on = network(link).nearest(bearing);
     const SheetPoint end = network(link).nearestEnd(bearing, kShaftEnds);
@@ -246,16 +247,16 @@ class SchematicBands {
                                       flow.isDetermined, false, flow.isAssumed});
   }
 
-  [[nodiscard]] bool carriesUnknown(int link) const {
+  [[nodiscard]] bool carriesUnknown(LinkOrdinal link) const {
     return std::find(m_unknown.begin(), m_unknown.end(), link) != m_unknown.end();
   }
 
-  void addRuns(int link) {
+  void addRuns(LinkOrdinal link) {
     if (network(link).isEmpty()) return;
     const bool isKnown = !carriesUnknown(link);
     const bool isAssumed = std::find(m_assumed.begin(), m_assumed.end(), link) != m_assumed.end();
-    const ElementId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
-    for (BandNetwork::Run& run : network(link).runs(m_entries[static_cast<std::size_t>(link)]))
+    const ElementId id = m_mechanism.links[link].id;
+    for (BandNetwork::Run& run : network(link).runs(m_entries[link]))
       m_painter.add(Band{id, std::move(run.course), tintOf(link), run.power, std::max(0.0, run.circulating),
                          isKnown, true, isAssumed});
   }
@@ -267,12 +268,12 @@ class SchematicBands {
   std::unordered_map<ElementId, int> m_links;
   std::unordered_map<ElementId, ElementId> m_drawnAs;
   std::unordered_map<ElementId, std::vector<SheetPoint>> m_places;  ///< pitch points, bearings, plates
-  std::vector<BandNetwork> m_networks;                              ///< by link
-  std::vector<std::vector<BandNetwork::Entry>> m_entries;           ///< by link
+  ByLink<BandNetwork> m_networks;
+  ByLink<std::vector<BandNetwork::Entry>> m_entries;
   std::map<Key, Joined> m_joined;
-  std::vector<std::pair<int, Band>> m_outside;  ///< of motors and loads, by link
-  std::vector<int> m_unknown;                   ///< links that carry unknown parts of a load
-  std::vector<int> m_assumed;                   ///< links that carry parts decided by stiffness
+  ByLink<std::pair<int, Band>> m_outside;  ///< of motors and loads
+  std::vector<int> m_unknown;              ///< links that carry unknown parts of a load
+  std::vector<int> m_assumed;              ///< links that carry parts decided by stiffness
   int m_onLinks = 0;
 };
 

@@ -234,9 +234,9 @@ std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsR
     if (isKnown && torque == 0) continue;
     ShownTorque& found = shown.emplace_back();
     if (place.inJoint()) {
-      found.element = mechanism.turningJoints[static_cast<std::size_t>(place.joint)].id;
+      found.element = mechanism.turningJoints[place.joint].id;
     } else {
-      found.element = mechanism.links[static_cast<std::size_t>(place.link)].id;
+      found.element = mechanism.links[place.link].id;
     }
     found.isGiven = false;
     found.sense = isKnown ? signOf(torque) : 0;

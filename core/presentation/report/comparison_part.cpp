@@ -56,7 +56,7 @@ class ComparisonPart : private ReportPart {
     for (const ComparedMesh& mesh : comparison.perMesh) {
       if (isStopped() || ++listed > kMostListed) return;
       equation(texLines({row(mesh, true), row(mesh, false)}), std::nullopt,
-               {m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh.mesh)].id});
+               {m_snapshot.mechanism->gearMeshes[mesh.mesh].id});
     }
   }
 
@@ -77,8 +77,8 @@ class ComparisonPart : private ReportPart {
   }
   [[nodiscard]] bool onTail(const ComparedMesh& mesh, const ComparedMesh::Term& term) const {
     const Placement& placement = m_snapshot.kinematics->placement();
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh.mesh)];
-    return placement.classes->classOf[static_cast<std::size_t>(term.joint)] == geometry.tailClass;
+    const MeshGeometry& geometry = *placement.meshes[mesh.mesh];
+    return placement.classes->classOf[term.joint] == geometry.tailClass;
   }
 
   static double countOf(const Operations& operations) {

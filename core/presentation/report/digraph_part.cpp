@@ -30,7 +30,7 @@ class DigraphPart : private ReportPart {
   DigraphPart(Report& report, const AnalysisSnapshot& snapshot)
       : ReportPart(report), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism) {
     for (int i = 0; i <= m_mechanism.n(); ++i) {
-      m_labels[m_mechanism.links[static_cast<std::size_t>(i)].id] = std::to_string(m_mechanism.linkLabel(i));
+      m_labels[m_mechanism.links[i].id] = std::to_string(m_mechanism.linkLabel(i));
     }
   }
 
@@ -93,7 +93,7 @@ class DigraphPart : private ReportPart {
   void addLinks() {
     ReportTable table{{translated("Link"), translated("Name")}, {}};
     for (int i = 0; i <= m_mechanism.n(); ++i) {
-      const Link& link = m_mechanism.links[static_cast<std::size_t>(i)];
+      const Link& link = m_mechanism.links[i];
       table.rows.push_back({plainWords(std::to_string(m_mechanism.linkLabel(i))),
                             plainWords(link.name.empty() ? link.id.text() : link.name)});
     }
@@ -104,7 +104,7 @@ class DigraphPart : private ReportPart {
     ReportTable table{{translated("Turning joint"), translated("From"), translated("To"), translated("Axis")},
                       {}};
     for (int i = 0; i < m_mechanism.t(); ++i) {
-      const TurningJoint& joint = m_mechanism.turningJoints[static_cast<std::size_t>(i)];
+      const TurningJoint& joint = m_mechanism.turningJoints[i];
       table.rows.push_back({plainWords(std::to_string(m_mechanism.jointLabel(i))),
                             plainWords(m_labels[joint.tail]), plainWords(m_labels[joint.head]),
                             plainWords(joint.axis.text())});
@@ -117,7 +117,7 @@ class DigraphPart : private ReportPart {
                        translated("Kind")},
                       {}};
     for (int i = 0; i < m_mechanism.c(); ++i) {
-      const GearMesh& mesh = m_mechanism.gearMeshes[static_cast<std::size_t>(i)];
+      const GearMesh& mesh = m_mechanism.gearMeshes[i];
       table.rows.push_back(
           {plainWords(std::to_string(m_mechanism.meshLabel(i))), plainWords(m_labels[mesh.tail]),
            plainWords(m_labels[mesh.head]),

@@ -27,12 +27,12 @@ class MatroidPart : private ReportPart {
  private:
   [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
 
-  [[nodiscard]] ElementId elementOf(int joint) const {
-    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  [[nodiscard]] ElementId elementOf(JointOrdinal joint) const {
+    return m_snapshot.mechanism->turningJoints[joint].id;
   }
   [[nodiscard]] std::vector<ElementId> elementsOf(const std::vector<int>& joints) const {
     std::vector<ElementId> elements;
-    for (const int joint : joints) elements.push_back(elementOf(joint));
+    for (const JointOrdinal joint : joints) elements.push_back(elementOf(joint));
     return elements;
   }
 
@@ -102,8 +102,8 @@ class MatroidPart : private ReportPart {
                                    m_snapshot.kinematics->placement());
     std::vector<std::string> lines;
     std::vector<ElementId> meshes;
-    for (int mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {
-      const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)];
+    for (MeshOrdinal mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {
+      const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[mesh];
       meshes.emplace_back(teeth.id);
       const DigraphEdge& gears = m_graph.meshEdge(mesh);
       const std::string counts =
@@ -127,7 +127,7 @@ class MatroidPart : private ReportPart {
         "below those of the meshes, which stay as they are."));
     ReportTable table{{translated("Coupling"), translated("Equation")}, {}};
     for (const KinematicModel::HeldRow& row : held) {
-      const Coupling& coupling = m_snapshot.mechanism->couplings[static_cast<std::size_t>(row.coupling)];
+      const Coupling& coupling = m_snapshot.mechanism->couplings[row.coupling];
       std::string sum;
       for (const KinematicModel::HeldRow::Term& term : row.joints) {
         sum += term.factor < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
@@ -181,7 +181,7 @@ class MatroidPart : private ReportPart {
     }
     if (!m_matroid.solution) return;
     std::vector<std::string> names;
-    for (const int joint : m_matroid.solution->inputs) names.push_back(label(joint));
+    for (const JointOrdinal joint : m_matroid.solution->inputs) names.push_back(label(joint));
     if (names.empty()) return;
     paragraph(
         filled(translated(inputsText(names.size() == 1, m_matroid.inputsGiven)), {listed(names, kAllNames)}));
@@ -250,9 +250,8 @@ class MatroidPart : private ReportPart {
     if (exact.outputs.size() > static_cast<std::size_t>(kMostListed)) return;
     const auto lines = [&](const std::vector<int>& joints) {
       std::vector<std::string> texts;
-      for (const int joint : joints) {
-        texts.push_back(rateName(m_graph, joint) + " = " +
-                        latexOf(exact.rates[static_cast<std::size_t>(joint)]));
+      for (const JointOrdinal joint : joints) {
+        texts.push_back(rateName(m_graph, joint) + " = " + latexOf(exact.rates[joint]));
       }
       return texts;
     };

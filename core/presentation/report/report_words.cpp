@@ -46,7 +46,7 @@ ReportWords plainWords(std::string text) {
   return {{std::move(text), false}};
 }
 
-std::string rateName(const Digraph& graph, int joint) {
+std::string rateName(const Digraph& graph, JointOrdinal joint) {
   return "\\dot{\\theta}_{" + std::to_string(graph.edgeLabel(joint)) + "}";
 }
 
@@ -58,7 +58,7 @@ std::string texColumn(const std::vector<std::string>& names) {
 
 std::string rateColumn(const Digraph& graph, std::span<const int> joints) {
   std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(rateName(graph, joint));
+  for (const JointOrdinal joint : joints) names.push_back(rateName(graph, joint));
   return texColumn(names);
 }
 

@@ -28,7 +28,7 @@ constexpr int kMostReportRows = 80;
 /// "(\dot{\theta}_8, ...)" as a column.
 [[nodiscard]] std::string rateColumn(const Digraph& graph, std::span<const int> joints);
 /// "\dot{\theta}_{8}"
-[[nodiscard]] std::string rateName(const Digraph& graph, int joint);
+[[nodiscard]] std::string rateName(const Digraph& graph, JointOrdinal joint);
 /// A matrix of TeX entries in brackets; with a bar before the column `partition`.
 [[nodiscard]] std::string texMatrix(const std::vector<std::vector<std::string>>& rows,
                                     std::optional<int> partition = std::nullopt);

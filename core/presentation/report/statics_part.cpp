@@ -42,20 +42,18 @@ class StaticsPart : private ReportPart {
   }
 
  private:
-  [[nodiscard]] std::string label(int joint) const { return std::to_string(m_graph.edgeLabel(joint)); }
-  [[nodiscard]] std::string torque(int joint) const { return "\\tau_{" + label(joint) + "}"; }
-  [[nodiscard]] std::string force(int mesh) const {
+  [[nodiscard]] std::string label(JointOrdinal joint) const {
+    return std::to_string(m_graph.edgeLabel(joint));
+  }
+  [[nodiscard]] std::string torque(JointOrdinal joint) const { return "\\tau_{" + label(joint) + "}"; }
+  [[nodiscard]] std::string force(MeshOrdinal mesh) const {
     return "F_{" + std::to_string(m_mechanism.meshLabel(mesh)) + "}";
   }
-  [[nodiscard]] ElementId jointId(int joint) const {
-    return m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
-  }
-  [[nodiscard]] ElementId meshId(int mesh) const {
-    return m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id;
-  }
+  [[nodiscard]] ElementId jointId(JointOrdinal joint) const { return m_mechanism.turningJoints[joint].id; }
+  [[nodiscard]] ElementId meshId(MeshOrdinal mesh) const { return m_mechanism.gearMeshes[mesh].id; }
   [[nodiscard]] std::string torqueColumn(std::span<const int> joints) const {
     std::vector<std::string> names;
-    for (const int joint : joints) names.push_back(torque(joint));
+    for (const JointOrdinal joint : joints) names.push_back(torque(joint));
     return texColumn(names);
   }
   [[nodiscard]] static std::string number(const Real& value) {
@@ -78,8 +76,8 @@ class StaticsPart : private ReportPart {
   }
 
   /// "T_{A}" of an engaged coupling; by its position where its name is no word of a formula.
-  [[nodiscard]] std::string couplingName(int coupling) const {
-    const std::string& id = m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text();
+  [[nodiscard]] std::string couplingName(CouplingOrdinal coupling) const {
+    const std::string& id = m_mechanism.couplings[coupling].id.text();
     const bool isWord = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
       return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     });
@@ -87,7 +85,7 @@ class StaticsPart : private ReportPart {
   }
   /// What is added to the torque in a joint: the loads and balances on links beyond it, and the engaged
   /// couplings whose circuit it is on. " + \\ell_{8} - T_{A}"
-  [[nodiscard]] std::string besides(int joint) const {
+  [[nodiscard]] std::string besides(JointOrdinal joint) const {
     std::string sum = hasLinkLoads() ? " + \\ell_{" + label(joint) + "}" : "";
     for (const HeldPart& part : m_statics.held) {
       if (part.coupling < 0) continue;
@@ -124,7 +122,7 @@ class StaticsPart : private ReportPart {
     const CutsetEquations cutsets(CoefficientMatrix(m_mechanism, m_model, m_placement));
     std::vector<std::string> lines;
     std::vector<ElementId> joints;
-    for (int joint = 0; joint < cutsets.count(); ++joint) {
+    for (JointOrdinal joint = 0; joint < cutsets.count(); ++joint) {
       std::string sum;
       for (const CutsetEquations::Term& term : cutsets.terms(joint))
         addTerm(sum, term.length < 0,
@@ -196,11 +194,10 @@ class StaticsPart : private ReportPart {
   void addForces() {
     std::vector<std::string> lines;
     std::vector<ElementId> elements;
-    for (int mesh = 0; mesh < m_model.c() && mesh < kMostListed; ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_model.c() && mesh < kMostListed; ++mesh) {
       if (m_statics.forces.meshes.empty() || !m_statics.lossless.isDetermined(mesh)) continue;
-      lines.push_back(
-          force(mesh) + " = " +
-          spokenTexNumber(shortDecimal(m_statics.forces.meshes[static_cast<std::size_t>(mesh)].tangential)));
+      lines.push_back(force(mesh) + " = " +
+                      spokenTexNumber(shortDecimal(m_statics.forces.meshes[mesh].tangential)));
       elements.push_back(meshId(mesh));
     }
     if (lines.empty()) return;
@@ -214,7 +211,9 @@ class StaticsPart : private ReportPart {
     name.replace(0, std::string("\\omega").size(), "M");
     return name;
   }
-  [[nodiscard]] std::string branch(int joint) const { return torqueName(branchName(m_graph, joint)); }
+  [[nodiscard]] std::string branch(JointOrdinal joint) const {
+    return torqueName(branchName(m_graph, joint));
+  }
 
   void addTtGraphMethod() {
     heading(2, toTranslate("The same by the T-T graph"));
@@ -224,7 +223,7 @@ class StaticsPart : private ReportPart {
     paragraph(translated(
         "A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in "
         "the inverse ratio of their speeds:"));
-    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_graph.c(); ++mesh) {
       const TerminalPair& pair = *m_ttGraph.terminal(mesh);
       dualEquation(torqueName(headChordName(pair)) + " = " + (pair.sign > 0 ? "-" : "") +
                        names[static_cast<std::size_t>(mesh)].inverseLatex + " " +
@@ -235,7 +234,7 @@ class StaticsPart : private ReportPart {
         "Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that "
         "the branch belongs to:"));
     std::vector<std::string> cutsets(static_cast<std::size_t>(m_graph.t()));
-    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_graph.c(); ++mesh) {
       const TerminalPair& pair = *m_ttGraph.terminal(mesh);
       const auto add = [&](std::span<const CircuitTerm> circuit, const VelocityName& chord) {
         for (const CircuitTerm& term : circuit)
@@ -245,7 +244,7 @@ class StaticsPart : private ReportPart {
       add(m_ttGraph.headCircuit(mesh), headChordName(pair));
     }
     const int first = numbers.terminal(m_graph.c() - 1) + 1;
-    for (int joint = 0; joint < m_graph.t() && !isStopped(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_graph.t() && !isStopped(); ++joint) {
       const std::string& chords = cutsets[static_cast<std::size_t>(joint)];
       const std::string sum = chords.empty() ? "" : (chords.front() == '-' ? " " : " + ") + chords;
       dualEquation(branch(joint) + sum + besides(joint) + " = 0", first + joint, {jointId(joint)});
@@ -261,13 +260,13 @@ class StaticsPart : private ReportPart {
     if (!q || columns > kMostReportColumns || m_graph.t() > kMostReportRows) return;
     std::vector<std::string> torques;
     std::vector<std::vector<std::string>> rows(static_cast<std::size_t>(m_graph.t()));
-    for (int joint = 0; joint < m_graph.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_graph.t(); ++joint) {
       torques.push_back(branch(joint));
       auto& row = rows[static_cast<std::size_t>(joint)];
       row.assign(static_cast<std::size_t>(columns), "0");
       row[static_cast<std::size_t>(joint)] = "1";
     }
-    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_graph.c(); ++mesh) {
       const TerminalPair& pair = *m_ttGraph.terminal(mesh);
       for (const bool isTail : {true, false}) {
         for (const CircuitTerm& term : isTail ? m_ttGraph.tailCircuit(mesh) : m_ttGraph.headCircuit(mesh))

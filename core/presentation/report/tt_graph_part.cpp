@@ -29,11 +29,9 @@ class TtGraphPart : private ReportPart {
   }
 
  private:
-  [[nodiscard]] ElementId meshId(int mesh) const {
-    return m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)].id;
-  }
-  [[nodiscard]] ElementId jointId(int joint) const {
-    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  [[nodiscard]] ElementId meshId(MeshOrdinal mesh) const { return m_snapshot.mechanism->gearMeshes[mesh].id; }
+  [[nodiscard]] ElementId jointId(JointOrdinal joint) const {
+    return m_snapshot.mechanism->turningJoints[joint].id;
   }
   [[nodiscard]] const SolvedKinematics& solved() const { return *m_snapshot.solved; }
 
@@ -44,9 +42,8 @@ class TtGraphPart : private ReportPart {
         "level."));
     const AxisLevels& levels = m_graph.levels();
     std::map<int, std::vector<std::string>> joints;
-    for (int joint = 0; joint < m_digraph.t(); ++joint) {
-      joints[levels.ofJoint[static_cast<std::size_t>(joint)]].push_back(
-          std::to_string(m_digraph.edgeLabel(joint)));
+    for (JointOrdinal joint = 0; joint < m_digraph.t(); ++joint) {
+      joints[levels.ofJoint[joint]].push_back(std::to_string(m_digraph.edgeLabel(joint)));
     }
     ReportTable table{{translated("Level"), translated("Turning joints")}, {}};
     for (const auto& [level, labels] : joints) {
@@ -64,7 +61,7 @@ class TtGraphPart : private ReportPart {
         "transfer "
         "vertex, which carries both gears. A mesh is written as its gear pair and its carrier."));
     ReportTable table{{translated("Mesh"), translated("Walk"), translated("Pair and carrier")}, {}};
-    for (int mesh = 0; mesh < m_digraph.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_digraph.c(); ++mesh) {
       const std::string label = std::to_string(m_digraph.edgeLabel(m_digraph.t() + mesh));
       if (const auto words = meshWords(m_graph, mesh)) {
         table.rows.push_back({plainWords(label), plainWords(words->path), plainWords(words->set)});
@@ -86,14 +83,14 @@ class TtGraphPart : private ReportPart {
         "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
         "teeth, with "
         "a plus sign where both turn the same way, each seen along its own axis:"));
-    for (int mesh = 0; mesh < m_digraph.c(); ++mesh)
+    for (MeshOrdinal mesh = 0; mesh < m_digraph.c(); ++mesh)
       equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
     heading(2, toTranslate("Fundamental circuits"));
     paragraph(translated(
         "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
         "branches:"));
     std::map<int, std::pair<std::string, int>> circuits;  // by number: those of several branches come first
-    for (int mesh = 0; mesh < m_digraph.c() && !isStopped(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_digraph.c() && !isStopped(); ++mesh) {
       circuits[numbers.tailCircuit(mesh)] = {equations.tailCircuit(mesh), mesh};
       circuits[numbers.headCircuit(mesh)] = {equations.headCircuit(mesh), mesh};
     }
@@ -129,7 +126,7 @@ class TtGraphPart : private ReportPart {
     heading(2, toTranslate("Solution by substitution"));
     const TtEquations equations(m_graph, solved().ttPlan, RatioNaming::ttGraph, FormulaStyle::latex);
     std::vector<std::string> given;
-    for (const int joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
+    for (const JointOrdinal joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
     if (!given.empty()) {
       const std::string names = listed(given, kAllNames);
       paragraph(
@@ -204,10 +201,12 @@ class TtGraphPart : private ReportPart {
     return rows;
   }
 
-  [[nodiscard]] std::string branch(int joint) const { return branchName(m_digraph, joint).toLatex(); }
+  [[nodiscard]] std::string branch(JointOrdinal joint) const {
+    return branchName(m_digraph, joint).toLatex();
+  }
   [[nodiscard]] std::string branches(const std::vector<int>& joints) const {
     std::vector<std::string> names;
-    for (const int joint : joints) names.push_back(branch(joint));
+    for (const JointOrdinal joint : joints) names.push_back(branch(joint));
     return texColumn(names);
   }
 

@@ -59,7 +59,8 @@ void writeTorqueMatrix(ByteSink& sink, const CsvOptions& options, const Mechanis
                        const StaticsReport& report) {
   const TorqueMatrix& matrix = *report.matrix;
   std::vector<std::string> columns;
-  for (const int joint : matrix.loaded) columns.push_back(std::to_string(mechanism.jointLabel(joint)));
+  for (const JointOrdinal joint : matrix.loaded)
+    columns.push_back(std::to_string(mechanism.jointLabel(joint)));
   CsvWriter csv(sink, columns, options);
   std::vector<double> values(matrix.loaded.size());
   for (std::size_t row = 0; row < report.balancedJoints.size() && !csv.failed(); ++row) {
@@ -74,11 +75,11 @@ void writeCutsets(ByteSink& sink, const CsvOptions& options, const AnalysisSnaps
   const CutsetEquations cutsets(
       CoefficientMatrix(mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement()));
   std::vector<std::string> columns;
-  for (int mesh = 0; mesh < mechanism.c(); ++mesh)
+  for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh)
     columns.push_back(std::to_string(mechanism.meshLabel(mesh)));
   CsvWriter csv(sink, columns, options);
   std::vector<Sparse> entries;
-  for (int joint = 0; joint < cutsets.count() && !csv.failed(); ++joint) {
+  for (JointOrdinal joint = 0; joint < cutsets.count() && !csv.failed(); ++joint) {
     entries.clear();
     for (const CutsetEquations::Term& term : cutsets.terms(joint))
       entries.push_back({term.mesh, term.length});

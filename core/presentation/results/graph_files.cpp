@@ -6,7 +6,7 @@ namespace {
 std::vector<DescribedNode> nodesOf(const Mechanism& mechanism) {
   std::vector<DescribedNode> nodes;
   for (int i = 0; i <= mechanism.n(); ++i) {
-    const Link& link = mechanism.links[static_cast<std::size_t>(i)];
+    const Link& link = mechanism.links[i];
     nodes.push_back({mechanism.linkLabel(i), {{"linkId", link.id.text()}, {"name", link.name}}});
   }
   return nodes;
@@ -20,7 +20,7 @@ std::optional<std::string> ttGraphFile(const AnalysisSnapshot& snapshot, GraphFo
   const Digraph& digraph = ttGraph.graph();
   GraphDescription graph{snapshot.mechanism->name};
   graph.nodes = nodesOf(*snapshot.mechanism);
-  for (int joint = 0; joint < digraph.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < digraph.t(); ++joint) {
     const int label = digraph.edgeLabel(joint);
     const DigraphEdge& edge = digraph.turningEdge(joint);
     graph.edges.push_back(
@@ -29,7 +29,7 @@ std::optional<std::string> ttGraphFile(const AnalysisSnapshot& snapshot, GraphFo
          std::to_string(label),
          {{"label", label}, {"kind", "branch"}, {"level", ttGraph.levels().levelOf(joint)}}});
   }
-  for (int mesh = 0; mesh < digraph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < digraph.c(); ++mesh) {
     const TerminalPair& pair = *ttGraph.terminal(mesh);
     const int label = digraph.edgeLabel(digraph.t() + mesh);
     for (const bool isTail : {true, false}) {

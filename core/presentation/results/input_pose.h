@@ -18,10 +18,10 @@ struct InputAngles {
 
 /// The pose of a mechanism for given angles of its inputs.
 struct InputPose {
-  std::vector<double> angles;            ///< by joint, rad, above -pi, to pi
-  std::vector<double> wholeAngles;       ///< by joint, rad, with all turns, for comparison with limits
-  std::vector<Eigen::Isometry3d> links;  ///< by link: displacement from the reference pose, base frame
-  std::vector<int> beyondLimits;         ///< joints whose whole angles are beyond their limits
+  ByJoint<double> angles;           ///< rad, above -pi, to pi
+  ByJoint<double> wholeAngles;      ///< rad, with all turns, for comparison with limits
+  ByLink<Eigen::Isometry3d> links;  ///< displacement from the reference pose, base frame
+  std::vector<int> beyondLimits;    ///< joints whose whole angles are beyond their limits
 };
 
 /// All angles 0. @pre the snapshot has a matroid analysis

@@ -14,7 +14,7 @@ void writeNumber(JsonWriter& json, int value) {
 void writeLabels(JsonWriter& json, std::string_view name, const Digraph& graph, std::span<const int> joints) {
   json.key(name);
   json.beginArray(Layout::row);
-  for (const int joint : joints) writeNumber(json, graph.edgeLabel(joint));
+  for (const JointOrdinal joint : joints) writeNumber(json, graph.edgeLabel(joint));
   json.endArray();
 }
 
@@ -51,22 +51,22 @@ struct Path {
   std::vector<int> word;
 };
 
-Path pathOf(const TtGraph& graph, int mesh) {
+Path pathOf(const TtGraph& graph, MeshOrdinal mesh) {
   const DigraphEdge& edge = graph.graph().meshEdge(mesh);
   Path path{{edge.tail}, {}};
   for (const PathStep& step : treePath(graph.tree(), edge.tail, edge.head)) {
     const DigraphEdge& joint = graph.graph().turningEdge(step.joint);
     path.nodes.push_back(joint.tail == path.nodes.back() ? joint.head : joint.tail);
-    const int level = graph.levels().ofJoint[static_cast<std::size_t>(step.joint)];
+    const int level = graph.levels().ofJoint[step.joint];
     if (path.word.empty() || path.word.back() != level) path.word.push_back(level);
   }
   return path;
 }
 
-void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int mesh) {
+void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, MeshOrdinal mesh) {
   const TtGraph& graph = *snapshot.kinematics->ttGraph;
   const Path path = pathOf(graph, mesh);
-  const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+  const auto& vertex = graph.transferVertices().ofMesh[mesh];
   const auto& terminal = graph.terminal(mesh);
   json.beginObject(Layout::row);
   json.member("mesh", graph.graph().edgeLabel(graph.graph().t() + mesh));
@@ -78,7 +78,7 @@ void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int
   }
   json.key("path");
   json.beginArray();
-  for (const int node : path.nodes) writeNumber(json, graph.graph().nodeLabel(node));
+  for (const LinkOrdinal node : path.nodes) writeNumber(json, graph.graph().nodeLabel(node));
   json.endArray();
   json.key("axes");
   json.beginArray();
@@ -98,7 +98,7 @@ void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int
 void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.kinematics) return json.null();
   json.beginArray();
-  for (int mesh = 0; mesh < snapshot.graph->c(); ++mesh) writeTransferVertex(json, snapshot, mesh);
+  for (MeshOrdinal mesh = 0; mesh < snapshot.graph->c(); ++mesh) writeTransferVertex(json, snapshot, mesh);
   json.endArray();
 }
 
@@ -107,19 +107,19 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
   const Digraph& graph = *snapshot.graph;
   const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
                                  snapshot.kinematics->placement());
-  const auto meshLabel = [&](int mesh) { return graph.edgeLabel(graph.t() + mesh); };
+  const auto meshLabel = [&](MeshOrdinal mesh) { return graph.edgeLabel(graph.t() + mesh); };
   json.beginObject();
   json.key("rows");
   json.beginArray(Layout::row);
-  for (int mesh = 0; mesh < matrix.rows(); ++mesh) writeNumber(json, meshLabel(mesh));
+  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) writeNumber(json, meshLabel(mesh));
   json.endArray();
   json.key("columns");
   json.beginArray(Layout::row);
-  for (int joint = 0; joint < matrix.columns(); ++joint) writeNumber(json, graph.edgeLabel(joint));
+  for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) writeNumber(json, graph.edgeLabel(joint));
   json.endArray();
   json.key(asTriplets ? "triplets" : "entries");
   json.beginArray();
-  for (int mesh = 0; mesh < matrix.rows(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) {
     const auto entries = matrix.row(mesh);
     if (asTriplets) {
       for (const auto& entry : entries) {
@@ -133,7 +133,7 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
     }
     json.beginArray(Layout::row);
     auto next = entries.begin();
-    for (int joint = 0; joint < matrix.columns(); ++joint) {
+    for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) {
       const bool isHere = next != entries.end() && next->joint == joint;
       json.number(isHere ? (next++)->length : 0);
     }
@@ -150,12 +150,11 @@ void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.beginObject();
   json.key("rows");
   json.beginArray(Layout::row);
-  for (const auto& row : held)
-    json.string(snapshot.mechanism->couplings[static_cast<std::size_t>(row.coupling)].id.text());
+  for (const auto& row : held) json.string(snapshot.mechanism->couplings[row.coupling].id.text());
   json.endArray();
   json.key("columns");
   json.beginArray(Layout::row);
-  for (int joint = 0; joint < joints; ++joint) writeNumber(json, snapshot.graph->edgeLabel(joint));
+  for (JointOrdinal joint = 0; joint < joints; ++joint) writeNumber(json, snapshot.graph->edgeLabel(joint));
   json.endArray();
   writeRows(json, "entries", held.size(), static_cast<std::size_t>(joints), [&](auto row, auto column) {
     int factor = 0;
@@ -234,7 +233,7 @@ void writeJointSpeeds(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.solved || !snapshot.solved->exact) return json.null();
   const std::vector<Rational>& rates = snapshot.solved->exact->rates;
   json.beginObject(Layout::row);
-  for (int joint = 0; joint < snapshot.graph->t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < snapshot.graph->t(); ++joint) {
     json.member(std::to_string(snapshot.graph->edgeLabel(joint)),
                 rates[static_cast<std::size_t>(joint)].toString());
   }
@@ -245,7 +244,7 @@ void writeLinkVelocities(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.solved || snapshot.matroid() == nullptr) return json.null();
   const std::vector<Vector3>& velocities = snapshot.matroid()->linkVelocities;
   json.beginObject();
-  for (int node = 1; node < snapshot.graph->nodeCount(); ++node) {
+  for (LinkOrdinal node = 1; node < snapshot.graph->nodeCount(); ++node) {
     json.key(std::to_string(snapshot.graph->nodeLabel(node)));
     json.beginArray(Layout::row);
     for (const double component : velocities[static_cast<std::size_t>(node)]) json.number(component);

@@ -88,23 +88,20 @@ class StaticsJson {
   [[nodiscard]] std::optional<Real> determined(int unknown, const Real& number) const {
     return m_solution.isDetermined(unknown) ? std::optional(number) : std::nullopt;
   }
-  [[nodiscard]] std::string axisId(int axis) const {
-    return m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
-  }
+  [[nodiscard]] std::string axisId(AxisOrdinal axis) const { return m_mechanism.axes[axis].id.text(); }
 
   void engaged() {
     m_json.key("engaged");
     m_json.beginArray(Layout::row);
-    for (const int coupling : m_report.problem.engaged)
-      m_json.string(m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text());
+    for (const CouplingOrdinal coupling : m_report.problem.engaged)
+      m_json.string(m_mechanism.couplings[coupling].id.text());
     m_json.endArray();
   }
 
   void speeds() {
     m_json.beginObject(Layout::row);
-    for (int joint = 0; joint < m_model.t(); ++joint)
-      m_json.member(std::to_string(m_mechanism.jointLabel(joint)),
-                    (*m_report.motion)[static_cast<std::size_t>(joint)].toString());
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint)
+      m_json.member(std::to_string(m_mechanism.jointLabel(joint)), (*m_report.motion)[joint].toString());
     m_json.endObject();
   }
 
@@ -132,7 +129,7 @@ class StaticsJson {
         m_json.member("joint", m_mechanism.jointLabel(m_joints.at(inJoint->joint)));
         m_json.member("torque", inJoint->torque.exact().toString());
       } else if (const auto* torque = std::get_if<LinkTorque>(&report.load.action)) {
-        const int link = m_links.at(torque->link);
+        const LinkOrdinal link = m_links.at(torque->link);
         m_json.member("link", m_mechanism.linkLabel(link));
         m_json.member("axis", axisId(onLink(m_mechanism, m_placement, link, torque->axis).axis));
         m_json.member("torque", torque->torque.exact().toString());
@@ -202,7 +199,7 @@ class StaticsJson {
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const HeldPart& held = m_report.held[part];
       if (held.coupling < 0 || !held.isMain) continue;
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(held.coupling)];
+      const Coupling& coupling = m_mechanism.couplings[held.coupling];
       m_json.key(coupling.id.text());
       m_json.beginObject(Layout::row);
       m_json.member("kind", std::string_view(coupling.kind == CouplingKind::brake ? "brake" : "clutch"));
@@ -218,7 +215,7 @@ class StaticsJson {
   }
 
   /// The components of a coupling about further directions, by axis; left out where there are none.
-  void across(int coupling) {
+  void across(CouplingOrdinal coupling) {
     bool isOpen = false;
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const HeldPart& held = m_report.held[part];
@@ -235,11 +232,11 @@ class StaticsJson {
 
   void meshes() {
     m_json.beginArray();
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) writeMesh(mesh);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) writeMesh(mesh);
     m_json.endArray();
   }
 
-  void writeMesh(int mesh) {
+  void writeMesh(MeshOrdinal mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     const MeshGeometry& geometry = *m_placement.meshes[at];
     const std::span<const MeshLoss> losses = m_report.losses();
@@ -269,7 +266,7 @@ class StaticsJson {
     m_json.endObject();
   }
 
-  void writeMeshPower(int mesh, const MeshLoss& loss, const Real& driven) {
+  void writeMeshPower(MeshOrdinal mesh, const MeshLoss& loss, const Real& driven) {
     const Real& power = m_report.powers.mesh[static_cast<std::size_t>(mesh)];
     if (!m_report.losses().empty()) member("efficiency", driven);
     m_json.key("driver");
@@ -297,7 +294,7 @@ class StaticsJson {
 
   void jointPowers() {
     m_json.beginObject();
-    for (int joint = 0; joint < m_model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       m_json.key(std::to_string(m_mechanism.jointLabel(joint)));
       m_json.beginObject(Layout::row);
       const ElementPower& element = m_report.flow->of(ElementPower::Kind::joint, joint);
@@ -343,7 +340,7 @@ class StaticsJson {
     if (unknown < m_model.c()) return std::to_string(m_mechanism.meshLabel(unknown));
     const HeldPart& part = m_report.held[static_cast<std::size_t>(unknown - m_model.c())];
     if (part.coupling >= 0) {
-      const std::string id = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)].id.text();
+      const std::string id = m_mechanism.couplings[part.coupling].id.text();
       return part.isMain ? id : id + "@" + axisId(part.axis);
     }
     const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(part.balance)];

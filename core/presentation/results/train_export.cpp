@@ -156,7 +156,7 @@ std::variant<MeshScene, ExportFailure> gearScene(const ExportTrain& from, const 
   if (auto failure = tooManyTriangles(alone, tolerance)) return *std::move(failure);
   auto solid = gearSolid(gear->spec, tolerance);
   if (!solid) return ExportFailure{Kind::mechanism, {}, solid.error()};
-  const Link& link = from.mechanism().links[static_cast<std::size_t>(gear->link)];
+  const Link& link = from.mechanism().links[gear->link];
   const int label = from.mechanism().linkLabel(gear->link);
   MeshScene scene{gear->name, from.mechanism().unit, {}, {}};
   scene.materials.push_back(

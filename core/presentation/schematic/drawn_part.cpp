@@ -132,13 +132,11 @@ void omitIdentical(DrawnPart& part, const PlacedMechanism& placed) {
         (g == 0 ? planets.drawn : planets.others).push_back(part.linkLabels[link]);
         if (g == 0) continue;
         links[link] = joints[joint] = false;
-        part.represented.push_back({m.links[static_cast<std::size_t>(set[0].links[k])].id, m.links[link].id});
-        part.represented.push_back(
-            {m.turningJoints[static_cast<std::size_t>(set[0].joints[k])].id, m.turningJoints[joint].id});
+        part.represented.push_back({m.links[set[0].links[k]].id, m.links[link].id});
+        part.represented.push_back({m.turningJoints[set[0].joints[k]].id, m.turningJoints[joint].id});
       }
       for (std::size_t k = 0; g > 0 && k < group.meshes.size(); ++k) {
-        part.represented.push_back({m.gearMeshes[static_cast<std::size_t>(set[0].meshes[k])].id,
-                                    m.gearMeshes[static_cast<std::size_t>(group.meshes[k])].id});
+        part.represented.push_back({m.gearMeshes[set[0].meshes[k]].id, m.gearMeshes[group.meshes[k]].id});
       }
     }
     part.planets.push_back(std::move(planets));

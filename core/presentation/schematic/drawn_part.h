@@ -11,7 +11,7 @@ namespace geargraph::inline schematic {
 /// labels of its elements in the document.
 struct DrawnPart {
   Mechanism mechanism;
-  std::vector<int> linkLabels;   ///< by position
+  ByLink<int> linkLabels;        ///< by position
   std::vector<int> jointLabels;  //
   std::vector<int> meshLabels;   //
   std::vector<int> loose;        ///< labels of links that no turning joints connect to the ground

@@ -45,19 +45,18 @@ class TrainFilter {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   void takePlacement() {
     m_train.placement = placementOf(m_part.mechanism);
     for (std::size_t a = 0; a < m_part.mechanism.axes.size(); ++a) {
       const auto isSame = [&](const Axis& axis) { return axis.id == m_part.mechanism.axes[a].id; };
       const auto found = std::find_if(m_axes.begin(), m_axes.end(), isSame);
-      m_train.placement.axes[a] = m_whole.axes[static_cast<std::size_t>(found - m_axes.begin())];
+      m_train.placement.axes[a] = m_whole.axes[found - m_axes.begin()];
     }
     m_classes.assign(m_whole.classes->classes.size(), kNotDrawn);
     for (std::size_t j = 0; j < m_joints.size(); ++j) {
       if (m_joints[j] >= 0)
-        m_classes[at(m_whole.classes->classOf[j])] = m_train.placement.classes->classOf[at(m_joints[j])];
+        m_classes[static_cast<std::size_t>(m_whole.classes->classOf[j])] =
+            m_train.placement.classes->classOf[m_joints[j]];
     }
   }
 
@@ -91,7 +90,8 @@ class TrainFilter {
   }
 
   /// Renumbers; false if it is not drawn.
-  [[nodiscard]] bool take(const Positions& positions, int& position) const {
+  template <class At>
+  [[nodiscard]] bool take(const Positions& positions, At& position) const {
     position = drawnAt(positions, position);
     return position >= 0;
   }
@@ -102,11 +102,11 @@ class TrainFilter {
     drawn.axes.resize(m_train.placement.classes->classes.size());
     drawn.shaftsOn.resize(drawn.axes.size());
     for (std::size_t c = 0; c < whole.axes.size(); ++c) {
-      if (m_classes[c] >= 0) drawn.axes[at(m_classes[c])] = axisOf(whole.axes[c]);
+      if (m_classes[c] >= 0) drawn.axes[m_classes[c]] = axisOf(whole.axes[c]);
     }
     for (ShaftSegment shaft : whole.shafts) {
       if (!take(m_links, shaft.link) || !take(m_classes, shaft.axisClass)) continue;
-      drawn.shaftsOn[at(shaft.axisClass)].push_back(drawn.shafts.size());
+      drawn.shaftsOn[shaft.axisClass].push_back(drawn.shafts.size());
       drawn.shafts.push_back(shaft);
     }
     for (ArmPlan arm : whole.arms) {

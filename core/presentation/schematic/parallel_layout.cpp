@@ -10,10 +10,6 @@
 namespace geargraph::inline schematic {
 namespace {
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 Vector3 narrow(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
@@ -26,8 +22,8 @@ class Roller {
          const std::vector<bool>& givenUp)
       : m_layout(layout), m_train(train), m_placement(placement), m_height(layout.axes.size()) {
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
-      const int a = train.wheels[at(train.pairs[p].tail)].axisClass;
-      const int b = train.wheels[at(train.pairs[p].head)].axisClass;
+      const int a = train.wheels[train.pairs[p].tail].axisClass;
+      const int b = train.wheels[train.pairs[p].head].axisClass;
       if (!givenUp[p]) m_meshing.insert({std::min(a, b), std::max(a, b)});
     }
     m_placed.assign(layout.axes.size(), false);
@@ -35,7 +31,7 @@ class Roller {
     for (const TrainWheel& wheel : train.wheels) m_along.push_back(plane(narrow(wheel.origin)));
   }
 
-  std::vector<double> heights() {
+  ByClass<double> heights() {
     const auto classes = m_placement.classes->classes.size();
     if (classes > 0) start(root());
     for (std::size_t c = 0; c < classes; ++c) {
@@ -47,15 +43,15 @@ class Roller {
 
   [[nodiscard]] int root() const {
     const auto& classes = m_placement.classes->classes;
-    std::vector<int> weight(classes.size());
+    ByClass<int> weight(classes.size());
     for (const auto& c : classes) {
       const int carrier = c.rootLink == 0 ? -1 : axisOfLink(m_placement, c.rootLink);
-      if (carrier >= 0) weight[at(carrier)] += 3;
+      if (carrier >= 0) weight[carrier] += 3;
     }
-    for (const int c : m_placement.classes->classOf) ++weight[at(c)];
+    for (const int c : m_placement.classes->classOf) ++weight[c];
     int best = -1;
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      if (classes[c].rootLink == 0 && (best < 0 || weight[c] > weight[at(best)])) best = static_cast<int>(c);
+      if (classes[c].rootLink == 0 && (best < 0 || weight[c] > weight[best])) best = static_cast<int>(c);
     }
     return best;
   }
@@ -64,21 +60,21 @@ class Roller {
   [[nodiscard]] double plane(const Vector3& p) const { return m_layout.axes.front().spaceCoordinate(p); }
 
   [[nodiscard]] double trueDistance(int a, int b) const {
-    const Vector3 apart = m_layout.axes[at(b)].base - m_layout.axes[at(a)].base;
+    const Vector3 apart = m_layout.axes[b].base - m_layout.axes[a].base;
     return length(cross(m_layout.axes.front().direction, apart));
   }
 
   void start(int first) {
-    m_placed[at(first)] = true;
+    m_placed[first] = true;
     std::deque<int> queue{first};
     while (!queue.empty()) {
       const int c = queue.front();
       queue.pop_front();
       for (const TrainPair& pair : m_train.pairs) {
-        const int a = m_train.wheels[at(pair.tail)].axisClass;
-        const int b = m_train.wheels[at(pair.head)].axisClass;
+        const int a = m_train.wheels[pair.tail].axisClass;
+        const int b = m_train.wheels[pair.head].axisClass;
         const int next = a == c ? b : a;
-        if ((a != c && b != c) || m_placed[at(next)]) continue;
+        if ((a != c && b != c) || m_placed[next]) continue;
         place(c, next, pair.distance);
         queue.push_back(next);
       }
@@ -100,19 +96,19 @@ class Roller {
 
   /// Away from the neighbour in the direction it was placed itself; the other way where that is taken.
   void place(int from, int axis, double distance) {
-    const int rootLink = m_placement.classes->classes[at(axis)].rootLink;
+    const int rootLink = m_placement.classes->classes[axis].rootLink;
     const bool orbits = rootLink != 0 && axisOfLink(m_placement, rootLink) == from;
-    const int way = orbits ? 1 : m_way[at(from)];
+    const int way = orbits ? 1 : m_way[from];
     for (const int sense : {way, -way}) {
-      m_height[at(axis)] = m_height[at(from)] + sense * distance;
-      m_way[at(axis)] = sense;
+      m_height[axis] = m_height[from] + sense * distance;
+      m_way[axis] = sense;
       if (isFree(axis)) break;
       if (sense == -way) {
-        m_height[at(axis)] = m_height[at(from)] + way * distance;
-        m_way[at(axis)] = way;
+        m_height[axis] = m_height[from] + way * distance;
+        m_way[axis] = way;
       }
     }
-    m_placed[at(axis)] = true;
+    m_placed[axis] = true;
   }
 
   /// Does any wheel of the axis stand in the room of another? Meshing axes will be moved apart.
@@ -121,7 +117,7 @@ class Roller {
       if (m_train.wheels[w].axisClass != axis) continue;
       for (std::size_t v = 0; v < m_train.wheels.size(); ++v) {
         const int other = m_train.wheels[v].axisClass;
-        if (other == axis || !m_placed[at(other)]) continue;
+        if (other == axis || !m_placed[other]) continue;
         if (m_meshing.contains({std::min(axis, other), std::max(axis, other)})) continue;
         if (overlap(w, v)) return false;
       }
@@ -133,7 +129,7 @@ class Roller {
     const TrainWheel& a = m_train.wheels[w];
     const TrainWheel& b = m_train.wheels[v];
     if (std::abs(m_along[w] - m_along[v]) > 0.45 * (a.spec.faceWidth + b.spec.faceWidth)) return false;
-    const double apart = std::abs(m_height[at(a.axisClass)] - m_height[at(b.axisClass)]);
+    const double apart = std::abs(m_height[a.axisClass] - m_height[b.axisClass]);
     const double slack = 0.02 * std::min(a.workingRadius, b.workingRadius);
     if (a.spec.kind == GearKind::internal && b.spec.kind == GearKind::internal) return apart < slack;
     if (a.spec.kind == GearKind::internal) return apart + b.workingRadius > a.workingRadius + slack;
@@ -149,7 +145,7 @@ class Roller {
     }
     const int first = root();
     const double wanted = first >= 0 ? trueDistance(first, axis) : 0;
-    m_height[at(axis)] = std::max(wanted, top + 1.15 * reach(axis));
+    m_height[axis] = std::max(wanted, top + 1.15 * reach(axis));
     start(axis);
   }
 
@@ -163,16 +159,16 @@ class Roller {
 
   [[nodiscard]] double lonely(int axis) const {
     const int first = root();
-    return first >= 0 ? m_height[at(first)] + trueDistance(first, axis) : trueDistance(0, axis);
+    return first >= 0 ? m_height[first] + trueDistance(first, axis) : trueDistance(0, axis);
   }
 
   const SheetLayout& m_layout;
   const TrainWheels& m_train;
   const Placement& m_placement;
   std::set<std::pair<int, int>> m_meshing;  ///< axes whose wheels shall touch
-  std::vector<double> m_height;
-  std::vector<bool> m_placed;
-  std::vector<int> m_way;
+  ByClass<double> m_height;
+  ByClass<bool> m_placed;
+  ByClass<int> m_way;
   std::vector<double> m_along;
 };
 
@@ -185,8 +181,8 @@ double scaleFor(const RadialSystem& system) {
   double high = 0;
   double least = 1e300;
   for (const RadialSystem::Wheel& wheel : system.wheels) {
-    low = std::min(low, system.heights[at(wheel.axis)] - wheel.radius);
-    high = std::max(high, system.heights[at(wheel.axis)] + wheel.radius);
+    low = std::min(low, system.heights[wheel.axis] - wheel.radius);
+    high = std::max(high, system.heights[wheel.axis] + wheel.radius);
     least = std::min(least, wheel.radius);
   }
   for (const double height : system.heights) {
@@ -239,15 +235,15 @@ void cutInHalf(SheetLayout& layout, const Placement& placement, int root) {
   const bool central = std::any_of(classes.begin(), classes.end(), [&](const AxisClasses::Class& c) {
     return c.rootLink != 0 && axisOfLink(placement, c.rootLink) == root;
   });
-  const double level = layout.axes[at(root)].origin.y;
+  const double level = layout.axes[root].origin.y;
   const bool alone = std::all_of(layout.axes.begin(), layout.axes.end(),
                                  [&](const SheetAxis& axis) { return axis.origin.y <= level + 1e-9; });
-  layout.axes[at(root)].half = central && alone;
+  layout.axes[root].half = central && alone;
 }
 
 /// From the root to the first axis that lies beside it; x, else y, where there is none.
 Vector3 sideways(const SheetLayout& layout) {
-  const SheetAxis& root = layout.axes[at(layout.root)];
+  const SheetAxis& root = layout.axes[layout.root];
   const auto across = [&](const Vector3& v) { return v - dot(v, root.direction) * root.direction; };
   double farthest = 0;
   for (const SheetAxis& axis : layout.axes)
@@ -283,7 +279,7 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   layout.root = std::max(root, 0);
   layout.right = first.direction;
   layout.up = sideways(layout);
-  const double ground = root >= 0 ? system.heights[at(root)] : 0;
+  const double ground = root >= 0 ? system.heights[root] : 0;
   for (std::size_t c = 0; c < layout.axes.size(); ++c) {
     SheetAxis& axis = layout.axes[c];
     axis.base = axis.base + (-first.spaceCoordinate(axis.base)) * first.direction;

@@ -19,8 +19,8 @@ class PlanetFinder {
         m_meshesOf(mechanism.links.size()) {
     std::iota(m_groupOf.begin(), m_groupOf.end(), 0);
     for (std::size_t m = 0; m < m_tree.meshes.size(); ++m) {
-      m_meshesOf[at(m_tree.meshes[m].tail)].push_back(static_cast<int>(m));
-      m_meshesOf[at(m_tree.meshes[m].head)].push_back(static_cast<int>(m));
+      m_meshesOf[m_tree.meshes[m].tail].push_back(static_cast<int>(m));
+      m_meshesOf[m_tree.meshes[m].head].push_back(static_cast<int>(m));
     }
   }
 
@@ -41,10 +41,8 @@ class PlanetFinder {
   }
 
  private:
-  static std::size_t at(int position) { return static_cast<std::size_t>(position); }
-
   int root(int c) {
-    while (m_groupOf[at(c)] != c) c = m_groupOf[at(c)];
+    while (m_groupOf[c] != c) c = m_groupOf[c];
     return c;
   }
 
@@ -55,12 +53,12 @@ class PlanetFinder {
     m_isPlanet.assign(m_classes.classes.size(), false);
     for (std::size_t c = 0; c < m_isPlanet.size(); ++c) m_isPlanet[c] = m_classes.classes[c].rootLink != 0;
     for (const auto& other : m_classes.classes) {
-      if (other.rootLink != 0) m_isPlanet[at(classOf(other.rootLink))] = false;
+      if (other.rootLink != 0) m_isPlanet[classOf(other.rootLink)] = false;
     }
     std::set<JointId> driven;
     for (const Input& input : m_mechanism.inputs.value_or(std::vector<Input>{})) driven.insert(input.joint);
     for (std::size_t j = 0; j < m_tree.joints.size(); ++j) {
-      if (driven.contains(m_mechanism.turningJoints[j].id)) m_isPlanet[at(m_classes.classOf[j])] = false;
+      if (driven.contains(m_mechanism.turningJoints[j].id)) m_isPlanet[m_classes.classOf[j]] = false;
     }
   }
 
@@ -68,16 +66,16 @@ class PlanetFinder {
     for (const auto [tail, head] : m_tree.meshes) {
       const int a = classOf(tail);
       const int b = classOf(head);
-      if (a < 0 || b < 0 || a == b || !m_isPlanet[at(a)] || !m_isPlanet[at(b)]) continue;
-      if (m_classes.classes[at(a)].rootLink != m_classes.classes[at(b)].rootLink) continue;
-      m_groupOf[at(std::max(root(a), root(b)))] = std::min(root(a), root(b));
+      if (a < 0 || b < 0 || a == b || !m_isPlanet[a] || !m_isPlanet[b]) continue;
+      if (m_classes.classes[a].rootLink != m_classes.classes[b].rootLink) continue;
+      m_groupOf[std::max(root(a), root(b))] = std::min(root(a), root(b));
     }
   }
 
   /// A mesh as a link of the group sees it; partners outside of the group by position.
   [[nodiscard]] std::string wordOf(int mesh, int link, const std::set<int>& members) const {
-    const auto [tail, head] = m_tree.meshes[at(mesh)];
-    const GearMesh& drawn = m_mechanism.gearMeshes[at(mesh)];
+    const auto [tail, head] = m_tree.meshes[mesh];
+    const GearMesh& drawn = m_mechanism.gearMeshes[mesh];
     const bool isTail = tail == link;
     const int partner = isTail ? head : tail;
     const int own = isTail ? drawn.tailTeeth : drawn.headTeeth;
@@ -89,7 +87,7 @@ class PlanetFinder {
 
   [[nodiscard]] std::string wordsOf(int link, const std::set<int>& members) const {
     std::vector<std::string> words;
-    for (const int mesh : m_meshesOf[at(link)]) words.push_back(wordOf(mesh, link, members));
+    for (const MeshOrdinal mesh : m_meshesOf[link]) words.push_back(wordOf(mesh, link, members));
     std::sort(words.begin(), words.end());
     std::string all;
     for (const std::string& word : words) all += word + " ";
@@ -100,19 +98,19 @@ class PlanetFinder {
     std::set<int> members;
     for (const int link : m_tree.order) {
       const int c = classOf(link);
-      if (c >= 0 && m_isPlanet[at(c)] && root(c) == first) members.insert(link);
+      if (c >= 0 && m_isPlanet[c] && root(c) == first) members.insert(link);
     }
     std::vector<std::pair<std::string, int>> links;
     for (const int link : members) links.emplace_back(wordsOf(link, members), link);
     std::sort(links.begin(), links.end());
     PlanetGroup group;
-    std::string signature = std::to_string(m_classes.classes[at(first)].rootLink) + ": ";
+    std::string signature = std::to_string(m_classes.classes[first].rootLink) + ": ";
     for (const auto& [words, link] : links) {
       group.links.push_back(link);
-      group.joints.push_back(m_tree.joint[at(link)]);
+      group.joints.push_back(m_tree.joint[link]);
       signature += words + "| ";
       std::vector<std::pair<std::string, int>> meshes;
-      for (const int mesh : m_meshesOf[at(link)]) meshes.emplace_back(wordOf(mesh, link, members), mesh);
+      for (const MeshOrdinal mesh : m_meshesOf[link]) meshes.emplace_back(wordOf(mesh, link, members), mesh);
       std::sort(meshes.begin(), meshes.end());
       for (const auto& [word, mesh] : meshes) {
         if (std::find(group.meshes.begin(), group.meshes.end(), mesh) == group.meshes.end()) {
@@ -126,9 +124,9 @@ class PlanetFinder {
   const Mechanism& m_mechanism;
   const JointTree& m_tree;
   const AxisClasses& m_classes;
-  std::vector<bool> m_isPlanet;  ///< by axis class
-  std::vector<int> m_groupOf;    ///< by axis class: union-find
-  std::vector<std::vector<int>> m_meshesOf;
+  ByClass<bool> m_isPlanet;
+  ByClass<ClassOrdinal> m_groupOf;  ///< union-find
+  ByLink<std::vector<MeshOrdinal>> m_meshesOf;
 };
 
 }  // namespace

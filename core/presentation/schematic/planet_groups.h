@@ -9,9 +9,9 @@ namespace geargraph::inline schematic {
 
 /// Planets of one carrier that are connected by meshes: a single planet, or the two of a Ravigneaux pair.
 struct PlanetGroup {
-  std::vector<int> links;   ///< positions; equal groups list them in corresponding order
-  std::vector<int> joints;  //
-  std::vector<int> meshes;  //
+  std::vector<LinkOrdinal> links;    ///< positions; equal groups list them in corresponding order
+  std::vector<JointOrdinal> joints;  //
+  std::vector<MeshOrdinal> meshes;   //
 };
 
 /// Sets of equal groups, which differ only in their position around their carrier's axis: same carrier, same

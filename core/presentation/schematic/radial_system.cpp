@@ -9,23 +9,18 @@ namespace {
 constexpr double kLeastShare = 0.25;  ///< of its radius that a wheel keeps
 constexpr double kFits = 2e-3;        ///< profile shifts and decimals are not worth a word
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 }  // namespace
 
 /// By how much the wheels miss each other.
 double RadialSystem::error(const Contact& contact) const {
-  const Wheel& tail = wheels[at(contact.tail)];
-  const Wheel& head = wheels[at(contact.head)];
-  const double distance = std::abs(heights[at(tail.axis)] - heights[at(head.axis)]);
+  const Wheel& tail = wheels[contact.tail];
+  const Wheel& head = wheels[contact.head];
+  const double distance = std::abs(heights[tail.axis] - heights[head.axis]);
   return distance - (contact.internal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius);
 }
 
 bool RadialSystem::fits(const Contact& contact) const {
-  return std::abs(error(contact)) <=
-         kFits * (wheels[at(contact.tail)].radius + wheels[at(contact.head)].radius);
+  return std::abs(error(contact)) <= kFits * (wheels[contact.tail].radius + wheels[contact.head].radius);
 }
 
 /// The stationary point of sum ((r - R)/R)^2 under the contacts kept, by its Lagrange conditions. A weak pull
@@ -45,10 +40,10 @@ bool RadialSystem::trySolve() {
   const double pull = 1e-6 / (mean * mean);
   for (Eigen::Index i = 0; i < axes; ++i) {
     system(i, i) = pull;
-    right(i) = pull * heights[static_cast<std::size_t>(i)];
+    right(i) = pull * heights[i];
   }
   for (Eigen::Index w = 0; w < count - axes; ++w) {
-    const double radius = wheels[static_cast<std::size_t>(w)].radius;
+    const double radius = wheels[w].radius;
     system(axes + w, axes + w) = 1 / (radius * radius);
     right(axes + w) = 1 / radius;
   }
@@ -58,9 +53,9 @@ bool RadialSystem::trySolve() {
       system(row, column) += value;
       system(column, row) += value;
     };
-    const Wheel& tail = wheels[at(used[k]->tail)];
-    const Wheel& head = wheels[at(used[k]->head)];
-    const double rise = heights[at(tail.axis)] - heights[at(head.axis)];
+    const Wheel& tail = wheels[used[k]->tail];
+    const Wheel& head = wheels[used[k]->head];
+    const double rise = heights[tail.axis] - heights[head.axis];
     const bool level = std::abs(rise) < 1e-6 * (tail.radius + head.radius);  // then the later axis lies above
     const double sense = (level ? tail.axis > head.axis : rise > 0) ? 1 : -1;
     put(tail.axis, sense);
@@ -72,12 +67,12 @@ bool RadialSystem::trySolve() {
   }
   const Eigen::VectorXd found = system.completeOrthogonalDecomposition().solve(right);
   for (Eigen::Index w = 0; w < count - axes; ++w) {
-    if (found(axes + w) < kLeastShare * wheels[static_cast<std::size_t>(w)].radius) return false;
+    if (found(axes + w) < kLeastShare * wheels[w].radius) return false;
   }
   RadialSystem next = *this;
-  for (Eigen::Index i = 0; i < axes; ++i) next.heights[static_cast<std::size_t>(i)] = found(i);
+  for (Eigen::Index i = 0; i < axes; ++i) next.heights[i] = found(i);
   for (Eigen::Index w = 0; w < count - axes; ++w) {
-    next.wheels[static_cast<std::size_t>(w)].radius = found(axes + w);
+    next.wheels[w].radius = found(axes + w);
   }
   for (const Contact* contact : used) {
     if (!next.fits(*contact)) return false;

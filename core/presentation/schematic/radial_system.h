@@ -3,6 +3,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/foundations/base/ordinal.h"
+
 namespace geargraph::inline schematic {
 
 /// Parallel axes unrolled into one plane: the heights of the axes and the drawn radii of the wheels.
@@ -17,8 +19,8 @@ struct RadialSystem {
     bool internal = false;
     bool kept = true;  ///< the wheels touch in the result
   };
-  std::vector<double> heights;  ///< by axis: the initial value, whose order is kept; then the result
-  std::vector<Wheel> wheels;
+  ByClass<double> heights;  ///< of the axes: the initial value, whose order is kept; then the result
+  ByGear<Wheel> wheels;
   std::vector<Contact> contacts;
   bool changed = false;  ///< radii differ from the given ones
 

@@ -19,10 +19,6 @@ constexpr double kContactWidth = 5;
 constexpr int kAxisDepth = kLineDepth - 2;
 constexpr int kSymbolDepth = kLineDepth + 2;
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 class SectionBuilder {
  public:
   SectionBuilder(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
@@ -65,13 +61,13 @@ class SectionBuilder {
   void addAxes();
 
   // --- how ---
-  [[nodiscard]] const SheetAxis& axis(int a) const { return m_layout.axes[at(a)]; }
+  [[nodiscard]] const SheetAxis& axis(int a) const { return m_layout.axes[a]; }
   [[nodiscard]] std::vector<double> sides(int a) const {
     return axis(a).half ? std::vector<double>{1} : std::vector<double>{1, -1};
   }
-  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_part.linkLabels[at(link)]); }
-  [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[at(link)].id; }
-  [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[at(joint)].id; }
+  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_part.linkLabels[link]); }
+  [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[link].id; }
+  [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[joint].id; }
   /// Height of the link's shaft above an axis, of several the one nearest to the place.
   [[nodiscard]] double laneOf(int a, int link, double near) const {
     const SheetShaft* shaft = m_plan.shaft(a, link, near);
@@ -109,8 +105,8 @@ class SectionBuilder {
   const ShaftPlan& m_plan;
   const std::stop_token& m_stop;
   Section m_section;
-  std::vector<std::vector<LinkLine>> m_armLines;  ///< by joint: of the arm to its bearing
-  double m_hold = 0;                              ///< what it costs to fasten an arm to what is drawn now
+  ByJoint<std::vector<LinkLine>> m_armLines;  ///< of the arm to its bearing
+  double m_hold = 0;                          ///< what it costs to fasten an arm to what is drawn now
 };
 
 void SectionBuilder::addShaft(const SheetShaft& shaft) {
@@ -125,7 +121,7 @@ void SectionBuilder::addShaft(const SheetShaft& shaft) {
     line(shaft.link, from, to, shaft.turns && !fixed ? kShaftWidth : kLinkWidth);
     if (fixed) hatch(idOf(0), from, to, side * on.up);
   }
-  anchor(m_section.links[at(shaft.link)], on.at((shaft.low + shaft.high) / 2, height));
+  anchor(m_section.links[shaft.link], on.at((shaft.low + shaft.high) / 2, height));
 }
 
 /// Pitch lines and bodies; the wall of a ring comes with its ring carrier.
@@ -145,8 +141,8 @@ void SectionBuilder::addWheel(std::size_t w) {
       line(wheel.link, on.at(wheel.at, side * foot), on.at(wheel.at, side * wheel.radius), kLinkWidth);
     }
   }
-  anchor(m_section.links[at(wheel.link)], on.at(wheel.at, (wheel.radius + lane) / 2));
-  anchor(m_section.links[at(wheel.link)], on.at(wheel.barTo.x, wheel.barTo.y));
+  anchor(m_section.links[wheel.link], on.at(wheel.at, (wheel.radius + lane) / 2));
+  anchor(m_section.links[wheel.link], on.at(wheel.barTo.x, wheel.barTo.y));
   m_hold = 0;
   if (!own) addFrame(wheel);
 }
@@ -178,7 +174,7 @@ void SectionBuilder::addFrame(const SheetWheel& wheel) {
 }
 
 void SectionBuilder::addRingCarrier(const RingCarrierSymbol& ringCarrier) {
-  const SheetWheel& wheel = m_layout.wheels[at(ringCarrier.wheel)];
+  const SheetWheel& wheel = m_layout.wheels[ringCarrier.wheel];
   const SheetAxis& on = axis(wheel.axis);
   const double rim = wheel.radius + kRimHeight;
   const double lane = laneOf(wheel.axis, wheel.link, ringCarrier.at);
@@ -186,9 +182,9 @@ void SectionBuilder::addRingCarrier(const RingCarrierSymbol& ringCarrier) {
     line(wheel.link, on.at(wheel.at, side * rim), on.at(ringCarrier.at, side * rim), kLinkWidth);
     line(wheel.link, on.at(ringCarrier.at, side * rim), on.at(ringCarrier.at, side * lane), kLinkWidth);
   }
-  m_section.links[at(wheel.link)].places.insert(m_section.links[at(wheel.link)].places.begin(),
-                                                on.at((wheel.at + ringCarrier.at) / 2, rim));
-  anchor(m_section.links[at(wheel.link)], on.at(ringCarrier.at, (rim + lane) / 2));
+  m_section.links[wheel.link].places.insert(m_section.links[wheel.link].places.begin(),
+                                            on.at((wheel.at + ringCarrier.at) / 2, rim));
+  anchor(m_section.links[wheel.link], on.at(ringCarrier.at, (rim + lane) / 2));
 }
 
 void SectionBuilder::addWall(const SheetWall& wall) {
@@ -196,7 +192,7 @@ void SectionBuilder::addWall(const SheetWall& wall) {
   for (const double side : sides(wall.axis)) {
     line(wall.link, on.at(wall.from.x, side * wall.from.y), on.at(wall.to.x, side * wall.to.y), kLinkWidth);
   }
-  anchor(m_section.links[at(wall.link)], on.at((wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2));
+  anchor(m_section.links[wall.link], on.at((wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2));
 }
 
 void SectionBuilder::addBar(const SheetBearing& bearing, double height, double out) {
@@ -218,15 +214,15 @@ void SectionBuilder::addParentLine(const SheetBearing& bearing) {
 }
 
 void SectionBuilder::addStraightArm(const SheetArm& arm) {
-  const SheetBearing& bearing = m_plan.bearings[at(arm.joint)];
+  const SheetBearing& bearing = m_plan.bearings[arm.joint];
   const SheetAxis& from = axis(arm.axis);
   const SheetPoint end = axis(bearing.axis).at(bearing.at, 0);
   const double side = from.heightOf(end) < 0 ? -1 : 1;
   const SheetPoint start = from.at(arm.at, side * laneOf(arm.axis, arm.link, arm.at));
   const SheetPoint bar = end - (bearing.height + kBearingGap) * unit(end - start);
   line(arm.link, start, bar, kLinkWidth);
-  m_armLines[at(arm.joint)].push_back({start, bar, arm.link, 0});
-  anchor(m_section.links[at(arm.link)], between(start, bar, 0.5));
+  m_armLines[arm.joint].push_back({start, bar, arm.link, 0});
+  anchor(m_section.links[arm.link], between(start, bar, 0.5));
 }
 
 void SectionBuilder::addArrow(const SheetBearing& bearing, double height) {
@@ -262,7 +258,7 @@ void SectionBuilder::addBearing(const SheetBearing& bearing) {
   if (isCoaxial || bearing.onPin) addParentLine(bearing);
   if (isStraight) addStraightArm(*ownArm);
   addArrow(bearing, lane);
-  Section::Anchors& anchors = m_section.joints[at(bearing.joint)];
+  Section::Anchors& anchors = m_section.joints[bearing.joint];
   const double beyond = bar + (bearing.parent == 0 ? kHatching : 0);
   for (const double side : {1.0, -1.0}) {
     if (side < 0 && on.half && lane > 0) break;
@@ -290,7 +286,7 @@ std::vector<LinkLine> SectionBuilder::startsOf(const SheetArm& arm) const {
   for (const LinkLine& stub : stubsOf(arm)) starts.push_back({stub.to, stub.to, arm.link, 0});
   for (const SheetArm& other : m_plan.arms) {
     if (other.link != arm.link || other.axis != arm.axis || std::abs(other.at - arm.at) > 1e-6) continue;
-    const auto& lines = m_armLines[at(other.joint)];
+    const auto& lines = m_armLines[other.joint];
     starts.insert(starts.end(), lines.begin(), lines.end());
   }
   return starts;
@@ -308,7 +304,7 @@ void SectionBuilder::addArms() {
   std::vector<Wanted> wanted;
   for (const SheetArm& arm : m_plan.arms) {
     if (arm.isStraight) continue;
-    const SheetBearing& bearing = m_plan.bearings[at(arm.joint)];
+    const SheetBearing& bearing = m_plan.bearings[arm.joint];
     const SheetAxis& on = axis(bearing.axis);
     const double bar = bearing.height + kBearingGap;
     wanted.push_back(
@@ -343,7 +339,7 @@ void SectionBuilder::addArms() {
     for (std::size_t i = 1; i < points.size(); ++i) line(way.link, points[i - 1], points[i], kLinkWidth);
     if (way.arm != nullptr) {
       for (std::size_t i = 1; i < points.size(); ++i)
-        m_armLines[at(way.arm->joint)].push_back({points[i - 1], points[i], way.link, 0});
+        m_armLines[way.arm->joint].push_back({points[i - 1], points[i], way.link, 0});
       for (const LinkLine& stub : stubsOf(*way.arm)) {
         if (distance(stub.to, points.front()) < 1e-6 || distance(stub.to, points.back()) < 1e-6)
           line(way.link, stub.from, stub.to, kLinkWidth);
@@ -351,7 +347,7 @@ void SectionBuilder::addArms() {
     }
     if (points.size() > 1) {
       const std::size_t half = points.size() / 2;
-      anchor(m_section.links[at(way.link)], between(points[half - 1], points[half], 0.5));
+      anchor(m_section.links[way.link], between(points[half - 1], points[half], 0.5));
     }
   }
 }
@@ -368,9 +364,9 @@ std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoin
 }
 
 void SectionBuilder::addMesh(const SheetPair& pair) {
-  const SheetWheel& a = m_layout.wheels[at(pair.tail)];
-  const SheetWheel& b = m_layout.wheels[at(pair.head)];
-  const ElementId mesh = m_part.mechanism.gearMeshes[at(pair.mesh)].id;
+  const SheetWheel& a = m_layout.wheels[pair.tail];
+  const SheetWheel& b = m_layout.wheels[pair.head];
+  const ElementId mesh = m_part.mechanism.gearMeshes[pair.mesh].id;
   const auto bar = [&](const SheetWheel& wheel, double side) {
     return std::pair(axis(wheel.axis).at(wheel.barFrom.x, side * wheel.barFrom.y),
                      axis(wheel.axis).at(wheel.barTo.x, side * wheel.barTo.y));
@@ -442,7 +438,7 @@ void SectionBuilder::addAxes() {
     }
     const SheetPoint from = on.at(low - kBeyond, 0);
     const SheetPoint to = on.at(high + kBeyond, 0);
-    const ElementId id = m_part.mechanism.axes[at(on.axis)].id;
+    const ElementId id = m_part.mechanism.axes[on.axis].id;
     put(id, MarkRole::line, kAxisDepth,
         Stroke{Polyline{{from, to}, false}, ColorRole::secondary, kAxisWidth, Dash::dashDotted});
     m_section.outlines.push_back({id, kAxisDepth, Curve::straight(from, to), kHitHalfWidth});

@@ -25,10 +25,10 @@ struct Section {
     ElementId element;
     std::vector<SheetPoint> places;
   };
-  std::vector<Anchors> links;   ///< by link of the part
-  std::vector<Anchors> joints;  //
-  std::vector<Anchors> meshes;  ///< those that are drawn
-  std::vector<Anchors> couplings;
+  ByLink<Anchors> links;    ///< of the part
+  ByJoint<Anchors> joints;  //
+  ByMesh<Anchors> meshes;   ///< those that are drawn
+  ByCoupling<Anchors> couplings;
   std::vector<Anchors> axes;  ///< both ends of the dash-dotted lines
 };
 

@@ -246,7 +246,7 @@ std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& 
   }
   std::vector<std::string> turned;
   for (const SheetAxis& axis : layout.axes) {
-    if (axis.turned) turned.push_back(part.mechanism.axes[static_cast<std::size_t>(axis.axis)].id.text());
+    if (axis.turned) turned.push_back(part.mechanism.axes[axis.axis].id.text());
   }
   if (layout.otherRadii) {
     notes.push_back(translated("Unfolded: the axes do not lie in one plane. Radii are not to scale."));

@@ -13,17 +13,13 @@ namespace {
 
 constexpr double kBetweenWalls = 9;
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 }  // namespace
 
 /// The link's shaft on an axis, of several the one nearest to a place.
 std::size_t ShaftPlanner::shaftAt(int a, int link, double place) const {
   std::size_t found = kNoShaft;
   double nearest = 1e300;
-  for (const std::size_t s : m_train.arrangement.shaftsOn[at(a)]) {
+  for (const std::size_t s : m_train.arrangement.shaftsOn[a]) {
     const ShaftSegment& shaft = m_train.arrangement.shafts[s];
     if (shaft.link != link) continue;
     const auto [low, high] = std::minmax({placeOf(a, shaft.low), placeOf(a, shaft.high)});
@@ -66,7 +62,7 @@ double ShaftPlanner::levelHeight(const WallPlan& wall, std::size_t number) const
   double height = wall.fromRadius * m_layout.scale;
   const auto passes = [&](double above) { height = std::max(height, above + kBetweenWalls); };
   const Arrangement& arrangement = m_train.arrangement;
-  for (const std::size_t s : arrangement.shaftsOn[at(a)]) {
+  for (const std::size_t s : arrangement.shaftsOn[a]) {
     const ShaftSegment& shaft = arrangement.shafts[s];
     if (shaft.link != 0 && shaft.low < wall.toAt && wall.fromAt < shaft.high)
       passes(m_depths[s] * kLaneHeight + kBearingGap + kHatching);
@@ -148,12 +144,12 @@ double ShaftPlanner::hiddenPlace(SheetBearing& bearing) {
     widest = width;
     best = place;
   };
-  for (const std::size_t s : arrangement.shaftsOn[at(a)]) {
+  for (const std::size_t s : arrangement.shaftsOn[a]) {
     const ShaftSegment& shaft = arrangement.shafts[s];
     if (shaft.link != bearing.child) continue;
     const auto [low, high] = std::minmax({placeOf(a, shaft.low), placeOf(a, shaft.high)});
     const auto isEnclosed = [&, own = s](double place) {
-      const auto& on = arrangement.shaftsOn[at(a)];
+      const auto& on = arrangement.shaftsOn[a];
       return std::any_of(on.begin(), on.end(), [&](std::size_t o) {
         const ShaftSegment& other = arrangement.shafts[o];
         const auto [from, to] = std::minmax({placeOf(a, other.low), placeOf(a, other.high)});

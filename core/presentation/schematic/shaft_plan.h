@@ -59,7 +59,7 @@ struct SheetShaft {
 
 /// The places of bearings, arms and shafts.
 struct ShaftPlan {
-  std::vector<SheetBearing> bearings;  ///< by joint of the part
+  ByJoint<SheetBearing> bearings;  ///< of the part
   std::vector<SheetArm> arms;
   std::vector<RingCarrierSymbol> ringCarriers;
   std::vector<SheetWall> walls;

@@ -15,10 +15,6 @@ constexpr double kArmHalf = 3;
 constexpr double kSheetMargin = 20'000;  ///< from wheels and axes to the farthest bearing, px
 constexpr double kPinEnd = 13;           ///< from a wheel to the end of its pin
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 Vector3 narrow(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
@@ -129,7 +125,7 @@ void ShaftPlanner::addWheels() {
 
 void ShaftPlanner::addRingCarriers() {
   for (const RingCarrierPlan& ringCarrier : m_train.arrangement.ringCarriers) {
-    const SheetWheel& wheel = m_layout.wheels[at(ringCarrier.gear)];
+    const SheetWheel& wheel = m_layout.wheels[ringCarrier.gear];
     if (wheel.link == 0) continue;  // in the frame
     const std::size_t spot = addSpot(wheel.axis, ringCarrier.plate);
     occupy(spot, kStemHalf, kStemHalf, laneHeight(wheel.axis, wheel.link, m_spots[spot].place),
@@ -186,12 +182,12 @@ void ShaftPlanner::addBearings() {
     for (std::size_t c = 0; c < m_train.arrangement.axes.size(); ++c) {
       for (const Bearing& b : m_train.arrangement.axes[c].bearings) {
         if (b.isBoss() != isShown) continue;
-        SheetBearing& bearing = m_plan.bearings[at(b.joint)];
+        SheetBearing& bearing = m_plan.bearings[b.joint];
         bearing.joint = b.joint;
         bearing.axis = static_cast<int>(c);
         bearing.parent = b.parent;
         bearing.child = b.child;
-        bearing.driven = driven.contains(m_part.mechanism.turningJoints[at(b.joint)].id);
+        bearing.driven = driven.contains(m_part.mechanism.turningJoints[b.joint].id);
         addBearing(b.joint);
       }
     }
@@ -199,7 +195,7 @@ void ShaftPlanner::addBearings() {
 }
 
 void ShaftPlanner::addBearing(int joint) {
-  SheetBearing& bearing = m_plan.bearings[at(joint)];
+  SheetBearing& bearing = m_plan.bearings[joint];
   const Arrangement& arrangement = m_train.arrangement;
   const auto onAxis = [&](const auto& plan) {
     return plan.link == bearing.parent && plan.axisClass == bearing.axis;
@@ -211,7 +207,7 @@ void ShaftPlanner::addBearing(int joint) {
   const auto boss =
       std::find_if(arrangement.crossShaftBosses.begin(), arrangement.crossShaftBosses.end(),
                    [&](const CrossShaftBossPlan& t) { return onAxis(t) && t.child == bearing.child; });
-  std::size_t& spot = m_bearingSpots[at(joint)];
+  std::size_t& spot = m_bearingSpots[joint];
   spot = addSpot(bearing.axis, shown->at);
   bearing.isHeld = bearing.parent == 0;
   if (pin != arrangement.pins.end() && !shown->isBoss()) {
@@ -242,7 +238,7 @@ void ShaftPlanner::addBearing(int joint) {
 void ShaftPlanner::addPin(const PinPlan& pin, const SheetBearing& bearing) {
   const std::size_t start = addSpot(pin.axisClass, pin.from);
   m_held.push_back({pin.axisClass, pin.link, start, 0, 0});
-  m_held.push_back({pin.axisClass, pin.link, m_bearingSpots[at(bearing.joint)], kPinEnd, kPinEnd});
+  m_held.push_back({pin.axisClass, pin.link, m_bearingSpots[bearing.joint], kPinEnd, kPinEnd});
   if (pin.home < 0 || areParallel(pin.home, pin.axisClass)) return;
   m_spots[start].fixed = intersection(pin.axisClass, pin.home);
   const std::size_t home = addSpot(pin.home, pin.level);
@@ -252,7 +248,7 @@ void ShaftPlanner::addPin(const PinPlan& pin, const SheetBearing& bearing) {
 
 /// The link's shaft comes as near to the intersection as the bars of the bearing.
 void ShaftPlanner::addCrossShaftBoss(const CrossShaftBossPlan& boss, const SheetBearing& bearing) {
-  m_spots[m_bearingSpots[at(bearing.joint)]].fixed = intersection(boss.axisClass, boss.home);
+  m_spots[m_bearingSpots[bearing.joint]].fixed = intersection(boss.axisClass, boss.home);
   const std::size_t home = addSpot(boss.home, boss.level);
   m_spots[home].fixed = intersection(boss.home, boss.axisClass);
   const double reach = bearing.height + kBearingGap;
@@ -272,7 +268,7 @@ void ShaftPlanner::addArm(const SheetBearing& bearing) {
     spot = addSpot(arm.axis, found->level);
     const double lane = laneHeight(arm.axis, arm.link, m_spots[spot].place);
     if (arm.isStraight) {
-      m_spots[spot].place = m_spots[spot].wanted = m_spots[m_bearingSpots[at(bearing.joint)]].place;
+      m_spots[spot].place = m_spots[spot].wanted = m_spots[m_bearingSpots[bearing.joint]].place;
       const double end = axis(arm.axis).heightOf(axis(bearing.axis).origin);
       const double way = end < 0 ? -1 : 1;
       const auto [low, high] = std::minmax({way * lane, end - way * (bearing.height + kBearingGap)});
@@ -290,12 +286,12 @@ void ShaftPlanner::addArm(const SheetBearing& bearing) {
 /// sheet they are side by side, the farther ones beyond the ends of those shafts.
 void ShaftPlanner::separateArms() {
   const auto endOf = [&](const SheetArm& arm) {
-    return axis(arm.axis).heightOf(axis(m_plan.bearings[at(arm.joint)].axis).origin);
+    return axis(arm.axis).heightOf(axis(m_plan.bearings[arm.joint].axis).origin);
   };
   for (std::size_t a = 0; a < m_plan.arms.size(); ++a) {
     const SheetArm& arm = m_plan.arms[a];
     if (!arm.isStraight) continue;
-    Spot& bearing = m_spots[m_bearingSpots[at(arm.joint)]];
+    Spot& bearing = m_spots[m_bearingSpots[arm.joint]];
     int passed = 0;
     for (std::size_t b = 0; b < m_plan.arms.size(); ++b) {
       const SheetArm& other = m_plan.arms[b];
@@ -306,7 +302,7 @@ void ShaftPlanner::separateArms() {
     }
     double sum = 0;  // towards what the child holds
     for (const Held& held : m_held) {
-      const bool isChilds = held.axis == bearing.axis && held.link == m_plan.bearings[at(arm.joint)].child;
+      const bool isChilds = held.axis == bearing.axis && held.link == m_plan.bearings[arm.joint].child;
       if (isChilds) sum += m_spots[held.spot].place - bearing.place;
     }
     bearing.rank = m_spots[m_armSpots[a]].rank = sum > 0 ? -passed : passed;
@@ -316,7 +312,7 @@ void ShaftPlanner::separateArms() {
 /// The end of the child's shaft beside which it holds nothing; then what bearings occupy.
 void ShaftPlanner::spanBearings() {
   for (SheetBearing& bearing : m_plan.bearings) {
-    const std::size_t spot = m_bearingSpots[at(bearing.joint)];
+    const std::size_t spot = m_bearingSpots[bearing.joint];
     double sum = 0;
     for (const Held& held : m_held) {
       if (held.axis == bearing.axis && held.link == bearing.child)
@@ -358,7 +354,7 @@ void ShaftPlanner::solve() {
     const SheetAxis& base = m_layout.axes[family];
     std::vector<std::size_t> spots;
     for (std::size_t s = 0; s < m_spots.size(); ++s) {
-      if (m_family[at(m_spots[s].axis)] == static_cast<int>(family)) spots.push_back(s);
+      if (m_family[m_spots[s].axis] == static_cast<int>(family)) spots.push_back(s);
     }
     if (spots.empty()) continue;
     sortByPlace(spots, tolerance(static_cast<int>(family)));
@@ -415,10 +411,10 @@ double ShaftPlanner::intersection(int a, int other) const {
 
 void ShaftPlanner::takePlaces() {
   for (SheetBearing& bearing : m_plan.bearings)
-    bearing.at = atOn(bearing.axis, m_bearingSpots[at(bearing.joint)]);
+    bearing.at = atOn(bearing.axis, m_bearingSpots[bearing.joint]);
   for (std::size_t c = 0; c < m_plan.ringCarriers.size(); ++c)
     m_plan.ringCarriers[c].at =
-        atOn(m_layout.wheels[at(m_plan.ringCarriers[c].wheel)].axis, m_ringCarrierSpots[c]);
+        atOn(m_layout.wheels[m_plan.ringCarriers[c].wheel].axis, m_ringCarrierSpots[c]);
   for (std::size_t a = 0; a < m_plan.arms.size(); ++a) {
     if (m_plan.arms[a].axis >= 0) m_plan.arms[a].at = atOn(m_plan.arms[a].axis, m_armSpots[a]);
   }

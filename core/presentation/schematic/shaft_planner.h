@@ -59,7 +59,7 @@ class ShaftPlanner {
   [[nodiscard]] double placeOf(int axis, double coordinate) const;
   [[nodiscard]] double placeOf(const SheetWheel& wheel) const { return m_spots[wheelSpot(wheel)].place; }
   [[nodiscard]] std::size_t wheelSpot(const SheetWheel& wheel) const {
-    return m_wheelSpots[static_cast<std::size_t>(&wheel - m_layout.wheels.data())].at;
+    return m_wheelSpots[&wheel - m_layout.wheels.data()].at;
   }
   /// px along an axis of a placed spot on a parallel one.
   [[nodiscard]] double atOn(int axis, std::size_t spot) const;
@@ -71,15 +71,11 @@ class ShaftPlanner {
   [[nodiscard]] double levelHeight(const WallPlan& wall, std::size_t number) const;
   [[nodiscard]] std::size_t shaftAt(int axis, int link, double place) const;
   [[nodiscard]] double laneHeight(int axis, int link, double place) const;
-  [[nodiscard]] const SheetAxis& axis(int a) const { return m_layout.axes[static_cast<std::size_t>(a)]; }
-  [[nodiscard]] const AxisLayout& line(int a) const {
-    return m_train.arrangement.axes[static_cast<std::size_t>(a)];
-  }
-  [[nodiscard]] const SheetAxis& first(int a) const { return axis(m_family[static_cast<std::size_t>(a)]); }
+  [[nodiscard]] const SheetAxis& axis(int a) const { return m_layout.axes[a]; }
+  [[nodiscard]] const AxisLayout& line(int a) const { return m_train.arrangement.axes[a]; }
+  [[nodiscard]] const SheetAxis& first(int a) const { return axis(m_family[a]); }
   [[nodiscard]] bool isReversed(int a) const { return dot(axis(a).along, first(a).along) < 0; }
-  [[nodiscard]] bool areParallel(int a, int b) const {
-    return m_family[static_cast<std::size_t>(a)] == m_family[static_cast<std::size_t>(b)];
-  }
+  [[nodiscard]] bool areParallel(int a, int b) const { return m_family[a] == m_family[b]; }
   [[nodiscard]] double tolerance(int a) const;
 
   static constexpr std::size_t kNoShaft = static_cast<std::size_t>(-1);
@@ -88,7 +84,7 @@ class ShaftPlanner {
   const DrawnTrain& m_train;
   SheetLayout& m_layout;
   std::vector<int> m_depths;  ///< by shaft of the arrangement
-  std::vector<int> m_family;  ///< by axis: the first one that is parallel on the sheet
+  ByClass<int> m_family;      ///< the first one that is parallel on the sheet
   std::vector<Spot> m_spots;
   std::vector<Held> m_held;
   struct WheelSpots {
@@ -96,9 +92,9 @@ class ShaftPlanner {
     std::size_t low = 0;
     std::size_t high = 0;
   };
-  std::vector<WheelSpots> m_wheelSpots;
+  ByGear<WheelSpots> m_wheelSpots;
   std::vector<std::size_t> m_ringCarrierSpots;
-  std::vector<std::size_t> m_bearingSpots;
+  ByJoint<std::size_t> m_bearingSpots;
   std::vector<std::size_t> m_armSpots;
   struct WallSpots {
     std::size_t from = 0;

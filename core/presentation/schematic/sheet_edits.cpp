@@ -112,8 +112,8 @@ enum class RingOf { neither, tail, head };
 RingOf ringMeant(const SheetFrame& frame, const Mechanism& mechanism, const Placement& placement,
                  const MeshGeometry& geometry, const DrawnMesh& mesh) {
   const auto lineOf = [&](int axisClass) {
-    const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
-    return frame.line(mechanism.axes[static_cast<std::size_t>(axis)].id);
+    const int axis = placement.classes->classes[axisClass].axis;
+    return frame.line(mechanism.axes[axis].id);
   };
   const SheetFrame::Line* tail = lineOf(geometry.tailClass);
   const SheetFrame::Line* head = lineOf(geometry.headClass);

@@ -17,7 +17,7 @@ void collectAxes(const DrawnPart& part, const Placement& placement, SheetLayout&
   std::vector<bool> used(part.mechanism.axes.size());
   for (const int axis : placement.tree->axisOf) used[static_cast<std::size_t>(axis)] = true;
   const auto add = [&](int axis, int rootLink) {
-    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
+    const AxisLine& line = placement.axes[axis];
     SheetAxis on;
     on.axis = axis;
     on.rootLink = rootLink;
@@ -69,15 +69,14 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const
 
 SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
   SheetFrame frame;
-  const SheetAxis& root = layout.axes[static_cast<std::size_t>(layout.root)];
+  const SheetAxis& root = layout.axes[layout.root];
   frame.right = layout.right;
   frame.up = layout.up;
   frame.base = root.base;
   frame.origin = root.origin;
   frame.scale = layout.scale;
   for (const SheetAxis& axis : layout.axes) {
-    frame.axes.push_back(
-        {part.mechanism.axes[static_cast<std::size_t>(axis.axis)].id, axis.origin, axis.along});
+    frame.axes.push_back({part.mechanism.axes[axis.axis].id, axis.origin, axis.along});
   }
   if (!layout.parallel) return frame;
   for (const SheetWheel& wheel : layout.wheels) frame.stops.emplace_back(wheel.at, wheel.space);

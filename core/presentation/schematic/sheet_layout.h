@@ -40,7 +40,7 @@ struct SheetWheel {
   int link = 0;
   int axis = 0;  ///< of the layout
   GearKind kind = GearKind::external;
-  std::vector<int> meshes;
+  std::vector<MeshOrdinal> meshes;
   double space = 0;  ///< coordinate along the axis in space
   double at = 0;     ///< where its body is on the axis
   double low = 0;    ///< parallel: places of its first and last mesh, mostly both `at`
@@ -67,8 +67,8 @@ struct SheetPair {
 
 /// Axes and wheels of a part on the sheet, x to the right, y down.
 struct SheetLayout {
-  std::vector<SheetAxis> axes;  ///< axis classes first, in their order
-  std::vector<SheetWheel> wheels;
+  ByClass<SheetAxis> axes;  ///< axis classes first, in their order
+  ByGear<SheetWheel> wheels;
   std::vector<SheetPair> pairs;
   double scale = 1;         ///< px per unit of length, at right angles to parallel axes
   bool parallel = true;     ///< all axes are horizontal, and not to scale along them

@@ -22,11 +22,10 @@ std::vector<SheetRim> sheetRims(const DrawnPart& part, const SheetLayout& layout
   std::vector<SheetRim> rims;
   for (const SheetWheel& wheel : layout.wheels) {
     if (wheel.radius <= 0 || wheel.meshes.empty()) continue;
-    const SheetAxis& axis = layout.axes[static_cast<std::size_t>(wheel.axis)];
+    const SheetAxis& axis = layout.axes[wheel.axis];
     SheetRim rim;
-    rim.link = part.mechanism.links[static_cast<std::size_t>(wheel.link)].id;
-    for (const int mesh : wheel.meshes)
-      rim.meshes.push_back(part.mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+    rim.link = part.mechanism.links[wheel.link].id;
+    for (const int mesh : wheel.meshes) rim.meshes.push_back(part.mechanism.gearMeshes[mesh].id);
     rim.height = wheel.radius;
     for (const double side : {1.0, -1.0}) {
       if (side < 0 && axis.half) continue;

@@ -11,10 +11,6 @@ namespace {
 constexpr double kFlat = 1e-4;  ///< rad, relative: axes given in decimals of five digits lie in one plane
 constexpr double kSamePlace = 1e-9;  ///< relative to the train: what rounding leaves of no distance
 
-std::size_t at(int position) {
-  return static_cast<std::size_t>(position);
-}
-
 Vector3 narrow(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
@@ -65,12 +61,12 @@ class Unfolder {
     m_layout.root = first;
     m_layout.right = m_plane.right;
     m_layout.up = m_plane.up;
-    SheetAxis& axis = m_layout.axes[at(first)];
+    SheetAxis& axis = m_layout.axes[first];
     axis.along = unit(m_plane.onSheet(axis.direction));
     axis.up = {axis.along.y, -axis.along.x};
     axis.upInSpace = axis.up.x * m_plane.right + (-axis.up.y) * m_plane.up;
     axis.origin = m_plane.onSheet(axis.base);
-    m_placed[at(first)] = true;
+    m_placed[first] = true;
     std::deque<int> queue{first};
     for (const bool meshing : {true, false}) spread(queue, meshing);
     for (std::size_t c = 0; c < m_layout.axes.size(); ++c) {
@@ -101,7 +97,7 @@ class Unfolder {
 
   /// The plane through the first axis in which the most axes lie.
   [[nodiscard]] Plane bestPlane(int first) const {
-    const SheetAxis& axis = m_layout.axes[at(first)];
+    const SheetAxis& axis = m_layout.axes[first];
     Plane best =
         Plane::along(axis.direction, std::abs(axis.direction[1]) < 0.9 ? Vector3{0, 1, 0} : Vector3{0, 0, 1});
     int most = -1;
@@ -132,16 +128,16 @@ class Unfolder {
 
   [[nodiscard]] bool share(int c, int d) const {
     const auto& classes = m_placement.classes->classes;
-    if (at(c) >= classes.size() || at(d) >= classes.size()) return false;
-    const int rootC = classes[at(c)].rootLink;
-    const int rootD = classes[at(d)].rootLink;
+    if (c >= classes.count() || d >= classes.count()) return false;
+    const int rootC = classes[c].rootLink;
+    const int rootD = classes[d].rootLink;
     return rootC == rootD || axisOfLink(m_placement, rootD) == c || axisOfLink(m_placement, rootC) == d;
   }
 
   [[nodiscard]] bool mesh(int c, int d) const {
     return std::any_of(m_train.pairs.begin(), m_train.pairs.end(), [&](const TrainPair& pair) {
-      const int a = m_train.wheels[at(pair.tail)].axisClass;
-      const int b = m_train.wheels[at(pair.head)].axisClass;
+      const int a = m_train.wheels[pair.tail].axisClass;
+      const int b = m_train.wheels[pair.head].axisClass;
       return (a == c && b == d) || (a == d && b == c);
     });
   }
@@ -163,9 +159,9 @@ class Unfolder {
   }
 
   void lay(int from, int axis) {
-    SheetAxis& on = m_layout.axes[at(axis)];
-    const SheetAxis& by = m_layout.axes[at(from)];
-    m_placed[at(axis)] = true;
+    SheetAxis& on = m_layout.axes[axis];
+    const SheetAxis& by = m_layout.axes[from];
+    m_placed[axis] = true;
     on.turned = by.turned;
     if (length(cross(on.direction, by.direction)) < kSameLine) {
       layBeside(by, on);
@@ -215,7 +211,7 @@ class Unfolder {
   SheetLayout& m_layout;
   const TrainWheels& m_train;
   const Placement& m_placement;
-  std::vector<bool> m_placed;
+  ByClass<bool> m_placed;
   Plane m_plane;
 };
 
@@ -251,7 +247,7 @@ double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   Extent all{layout.axes.front().origin, 0, 0};
   double least = 1e300;
   for (const TrainWheel& wheel : train.wheels) {
-    const SheetAxis& axis = layout.axes[at(wheel.axisClass)];
+    const SheetAxis& axis = layout.axes[wheel.axisClass];
     double coordinate = axis.spaceCoordinate(narrow(wheel.origin));
     if (wheel.spec.kind == GearKind::bevel) {
       const double way = dot(narrow(wheel.axis), axis.direction) < 0 ? -1 : 1;
@@ -271,13 +267,13 @@ double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
 /// Do the pitch lines of a pair lie side by side anywhere?
 bool touch(const SheetLayout& layout, const SheetPair& pair) {
   constexpr double kNear = 3 * kBarGap;
-  const SheetWheel& a = layout.wheels[at(pair.tail)];
-  const SheetWheel& b = layout.wheels[at(pair.head)];
+  const SheetWheel& a = layout.wheels[pair.tail];
+  const SheetWheel& b = layout.wheels[pair.head];
   for (const double up : {1.0, -1.0}) {
     for (const double down : {1.0, -1.0}) {
-      const SheetPoint p = layout.axes[at(a.axis)].at(a.barFrom.x, up * a.barFrom.y);
-      const SheetPoint q = layout.axes[at(b.axis)].at(b.barFrom.x, down * b.barFrom.y);
-      const SheetPoint r = layout.axes[at(b.axis)].at(b.barTo.x, down * b.barTo.y);
+      const SheetPoint p = layout.axes[a.axis].at(a.barFrom.x, up * a.barFrom.y);
+      const SheetPoint q = layout.axes[b.axis].at(b.barFrom.x, down * b.barFrom.y);
+      const SheetPoint r = layout.axes[b.axis].at(b.barTo.x, down * b.barTo.y);
       if (distanceToSegment(p, q, r) < kNear || distance(p, q) < kNear) return true;
     }
   }
@@ -291,7 +287,7 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
   layout.scale = scaleFor(layout, train);
   for (SheetAxis& axis : layout.axes) axis.origin = layout.scale * axis.origin;
   for (std::size_t w = 0; w < layout.wheels.size(); ++w) {
-    setBar(layout.wheels[w], train.wheels[w], layout.axes[at(layout.wheels[w].axis)], layout.scale);
+    setBar(layout.wheels[w], train.wheels[w], layout.axes[layout.wheels[w].axis], layout.scale);
   }
   for (SheetPair& pair : layout.pairs) pair.apart = !touch(layout, pair);
 }

@@ -13,7 +13,7 @@ class MjcfWriter {
  public:
   MjcfWriter(const SimulatorModel& model, const SimulatorOptions& options)
       : m_model(model), m_options(options), m_children(model.links.size()) {
-    for (const int link : model.order) m_children[static_cast<std::size_t>(at(link).parent)].push_back(link);
+    for (const LinkOrdinal link : model.order) m_children[at(link).parent].push_back(link);
     for (const SimulatedInput& input : model.inputs) {
       if (options.motor != SimulatorMotor::speed) continue;
       m_rotors.emplace_back(input.joint, options.armature.value_or(kRotor * input.inertia));
@@ -41,7 +41,7 @@ class MjcfWriter {
     line("<worldbody>");
     ++m_depth;
     geom(m_model.links.front());
-    for (const int link : m_children.front()) body(link);
+    for (const LinkOrdinal link : m_children.front()) body(link);
     --m_depth;
     line("</worldbody>");
     rows();
@@ -54,7 +54,7 @@ class MjcfWriter {
   }
 
  private:
-  [[nodiscard]] const SimulatedLink& at(int link) const {
+  [[nodiscard]] const SimulatedLink& at(LinkOrdinal link) const {
     return m_model.links[static_cast<std::size_t>(link)];
   }
   [[nodiscard]] const std::string& joint(int ordinal) const {
@@ -131,7 +131,7 @@ class MjcfWriter {
                                          xmlNumber(inertia(0, 2)) + ' ' + xmlNumber(inertia(1, 2))) +
          "/>");
     geom(link);
-    for (const int child : m_children[static_cast<std::size_t>(ordinal)]) body(child);
+    for (const int child : m_children[ordinal]) body(child);
     --m_depth;
     line("</body>");
   }
@@ -202,7 +202,7 @@ class MjcfWriter {
 
   const SimulatorModel& m_model;
   const SimulatorOptions& m_options;
-  std::vector<std::vector<int>> m_children;      ///< by link
+  ByLink<std::vector<int>> m_children;
   std::vector<std::pair<int, double>> m_rotors;  ///< joint, armature
   std::string m_text;
   int m_depth = 0;

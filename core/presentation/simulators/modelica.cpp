@@ -65,7 +65,7 @@ class ModelicaWriter {
         "these two links, so\n"
         "// that a motor or a load belongs there, and the inertia of a link whose axis moves does not.\n";
     m_text += "model " + name + ' ' + modelicaString(m_mechanism.name) + '\n';
-    for (int joint = 0; joint < m_graph.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_graph.t(); ++joint) {
       m_text += "  Modelica.Mechanics.Rotational.Interfaces.Flange_a " + flange(joint) + ' ' +
                 modelicaString(jointWords(joint)) + ";\n";
     }
@@ -78,7 +78,7 @@ class ModelicaWriter {
       for (const auto& [joint, factor] : row.joints) terms.emplace_back(flange(joint) + ".phi", factor);
       m_text += "  " + sumOf(terms) + " = 0;  // " + oneLine(row.meaning) + '\n';
     }
-    for (int joint = 0; joint < m_graph.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_graph.t(); ++joint) {
       std::vector<std::pair<std::string, int>> terms;
       for (const ModelicaRow& row : m_rows) {
         for (const auto& [of, factor] : row.joints) {
@@ -91,13 +91,15 @@ class ModelicaWriter {
   }
 
  private:
-  [[nodiscard]] std::string flange(int joint) const { return "j" + std::to_string(m_graph.edgeLabel(joint)); }
+  [[nodiscard]] std::string flange(JointOrdinal joint) const {
+    return "j" + std::to_string(m_graph.edgeLabel(joint));
+  }
 
-  [[nodiscard]] std::string jointWords(int joint) const {
+  [[nodiscard]] std::string jointWords(JointOrdinal joint) const {
     const DigraphEdge& edge = m_graph.turningEdge(joint);
     const auto link = [this](int node) {
       const int label = m_graph.nodeLabel(node);
-      const Link& named = m_mechanism.links[static_cast<std::size_t>(label)];
+      const Link& named = m_mechanism.links[label];
       return std::to_string(label) + (named.name.empty() ? "" : " (" + named.name + ")");
     };
     return "joint " + std::to_string(m_graph.edgeLabel(joint)) + ": link " + link(edge.head) +
@@ -105,8 +107,8 @@ class ModelicaWriter {
   }
 
   void addMeshes() {
-    for (const int mesh : m_matroid.independentMeshes) {
-      const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+    for (const MeshOrdinal mesh : m_matroid.independentMeshes) {
+      const GearMesh& gears = m_mechanism.gearMeshes[mesh];
       const std::string label = std::to_string(m_graph.edgeLabel(m_graph.t() + mesh));
       ModelicaRow& row = m_rows.emplace_back();
       row.multiplier = "m" + label;
@@ -126,8 +128,7 @@ class ModelicaWriter {
       const KinematicModel::HeldRow& held = m_model.heldRow(equation);
       ModelicaRow& row = m_rows.emplace_back();
       row.multiplier = "c" + std::to_string(++number);
-      row.meaning = "coupling " + m_mechanism.couplings[static_cast<std::size_t>(held.coupling)].id.text() +
-                    ", engaged";
+      row.meaning = "coupling " + m_mechanism.couplings[held.coupling].id.text() + ", engaged";
       for (const KinematicModel::HeldRow::Term& term : held.joints)
         row.joints.emplace_back(term.of, term.factor);
     }

@@ -63,10 +63,10 @@ class ModelMaker {
 
   void addLinks() {
     const std::vector<TurningLine> lines = turningLines(m_placement);
-    for (int link = 0; link <= m_mechanism.n(); ++link) {
+    for (LinkOrdinal link = 0; link <= m_mechanism.n(); ++link) {
       SimulatedLink& made = m_model.links.emplace_back();
       made.link = link;
-      made.name = m_mechanism.links[static_cast<std::size_t>(link)].id.text();
+      made.name = m_mechanism.links[link].id.text();
       const LinkInertia& inertia = m_dynamics.links[static_cast<std::size_t>(link)];
       made.body = inertia.body;
       if (link > 0) {
@@ -74,13 +74,13 @@ class ModelMaker {
         made.joint = m_tree.jointToParent(link);
         made.jointName = m_model.joints[static_cast<std::size_t>(made.joint)];
         const TurningLine& line = lines[static_cast<std::size_t>(made.joint)];
-        const double offset = m_mechanism.turningJoints[static_cast<std::size_t>(made.joint)].offset.value();
+        const double offset = m_mechanism.turningJoints[made.joint].offset.value();
         made.axis = -m_tree.directionToGround(made.joint) * line.direction;
         made.origin = m_model.metres * (line.point + offset * line.direction);
       }
       if (inertia.source == MassSource::none) makeBall(made);
     }
-    for (const int link : m_tree.preorder().subspan(1)) m_model.order.push_back(link);
+    for (const LinkOrdinal link : m_tree.preorder().subspan(1)) m_model.order.push_back(link);
     const bool hasWorld = std::any_of(m_model.links.begin(), m_model.links.end(),
                                       [](const SimulatedLink& link) { return link.name == "world"; });
     for (SimulatedLink& link : m_model.links) {
@@ -119,9 +119,9 @@ class ModelMaker {
 
   void addMeshRows() {
     const CoefficientMatrix matrix(m_mechanism, *m_kinematics.model, m_placement);
-    for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
-      const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
-      const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(mesh)];
+    for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
+      const GearMesh& gears = m_mechanism.gearMeshes[mesh];
+      const MeshGeometry& geometry = *m_placement.meshes[mesh];
       const double radius = std::abs(geometry.tailRadius) * m_model.metres;
       SimulatedRow& row = m_model.rows.emplace_back();
       row.name = "mesh " + gears.id.text();
@@ -134,8 +134,9 @@ class ModelMaker {
 
   void addCouplings() {
     const std::vector<int> engaged = engagedCouplings(m_mechanism);
-    for (int coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size()); ++coupling) {
-      const std::string id = m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text();
+    for (CouplingOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
+         ++coupling) {
+      const std::string id = m_mechanism.couplings[coupling].id.text();
       if (!closesWithoutLinkage(m_mechanism, m_placement, coupling)) {
         m_model.notes.push_back(
             noteOf(toTranslate("Coupling %1 would close a linkage and is left out."), id));

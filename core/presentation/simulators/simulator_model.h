@@ -34,10 +34,10 @@ struct SimulatorOptions {
 /// A link as a rigid body with the joint to its parent. Lengths in m; all frames are parallel to the base
 /// frame in the reference pose.
 struct SimulatedLink {
-  int link = 0;
-  int parent = 0;    ///< link; that of the ground is the ground
-  std::string name;  ///< its id
-  int joint = -1;    ///< ordinal; -1 for the ground
+  LinkOrdinal link = 0;
+  int parent = 0;           ///< link; that of the ground is the ground
+  std::string name;         ///< its id
+  JointOrdinal joint = -1;  ///< ordinal; -1 for the ground
   std::string jointName;
   /// The axis of the joint's rotation: its direction if the joint's arrow points away from the ground, else
   /// the opposite, so that the angle is that of the document.
@@ -57,7 +57,7 @@ struct SimulatedRow {
 };
 
 struct SimulatedInput {
-  int joint = 0;
+  JointOrdinal joint = 0;
   double speed = 0;    ///< rad/s
   double inertia = 0;  ///< reflected inertia in the reference pose, the other inputs at rest, kg m²
 };

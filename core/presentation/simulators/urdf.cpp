@@ -49,7 +49,7 @@ class UrdfWriter {
     comment("Masses follow from the solids at " + xmlNumber(m_model.density) +
             " kg/m3 where the document states none. Limits of joints are not written.");
     const bool hasFixed = std::any_of(m_model.order.begin(), m_model.order.end(),
-                                      [this](int link) { return leadersOf(gainsOf(link)).empty(); });
+                                      [this](LinkOrdinal link) { return leadersOf(gainsOf(link)).empty(); });
     if (hasFixed) comment("Joints that cannot turn are fixed; Gazebo joins their links to their parents.");
     for (const SimulatorNote& note : m_model.notes) comment(note.inEnglish);
     m_text += "  <link name=\"world\"/>\n";
@@ -66,8 +66,8 @@ class UrdfWriter {
   }
 
  private:
-  [[nodiscard]] const std::vector<Rational>& gainsOf(int link) const {
-    return m_model.gains[static_cast<std::size_t>(m_model.links[static_cast<std::size_t>(link)].joint)];
+  [[nodiscard]] const std::vector<Rational>& gainsOf(LinkOrdinal link) const {
+    return m_model.gains[m_model.links[static_cast<std::size_t>(link)].joint];
   }
   void comment(const std::string& text) { m_text += "  " + xmlComment(text) + "\n"; }
 

@@ -25,7 +25,7 @@ class JointStops {
   [[nodiscard]] StageRange range(std::span<const double> added) const {
     const std::vector<double> start = jointAngles(added);
     const MotionRange found = motionRange(m_limits, start, m_rates);
-    const auto limit = [&](double time, int joint) -> StageLimit {
+    const auto limit = [&](double time, JointOrdinal joint) -> StageLimit {
       if (joint < 0) return {time, {}};
       const auto j = static_cast<std::size_t>(joint);
       return {time, text(joint, start[j] + m_rates[j] * time)};
@@ -47,14 +47,14 @@ class JointStops {
     m_motion.angles(inputs, angles);
     return angles;
   }
-  [[nodiscard]] std::string text(int joint, double angle) const {
+  [[nodiscard]] std::string text(JointOrdinal joint, double angle) const {
     return translated("joint %1 at %2°", {m_labels[static_cast<std::size_t>(joint)],
                                           std::to_string(std::lround(angle * 180 / std::numbers::pi))});
   }
 
   std::vector<AngleLimits> m_limits;
   JointMotion m_motion;
-  std::vector<double> m_rates;  ///< rad/s, by joint
+  ByJoint<double> m_rates;  ///< rad/s
   std::vector<std::string> m_labels;
 };
 

@@ -53,7 +53,7 @@ void addMeshes(Stage& stage, const StagedTrain& staged) {
       addPitchCircle(stage, instance, wheel.spec, through);
     }
     StageContact contact{mesh.pitchPoint, std::nullopt, *tail, *head};
-    const int carrier = staged.placement.meshes[static_cast<std::size_t>(mesh.mesh)]->carrier;
+    const LinkOrdinal carrier = staged.placement.meshes[mesh.mesh]->carrier;
     const auto& links = staged.linkOfInstance;
     const auto carried = std::find(links.begin(), links.end(), carrier);
     if (carrier != 0 && carried != links.end()) {
@@ -64,7 +64,7 @@ void addMeshes(Stage& stage, const StagedTrain& staged) {
 }
 
 /// How far the instances of a link reach along a line, from its point.
-std::optional<Eigen::Vector2d> reachOf(const Stage& stage, std::span<const int> links, int link,
+std::optional<Eigen::Vector2d> reachOf(const Stage& stage, std::span<const int> links, LinkOrdinal link,
                                        const TurningLine& line) {
   Eigen::Vector2d reach(1e300, -1e300);
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -98,7 +98,7 @@ void addAxes(Stage& stage, const StagedTrain& staged) {
   const double beyond = kBeyond * boundsOf(stage.scene).radius();
   std::vector<bool> labelled(mechanism.axes.size(), false);
   for (std::size_t link = 1; link < mechanism.links.size(); ++link) {
-    const int joint = staged.placement.tree->joint[link];
+    const JointOrdinal joint = staged.placement.tree->joint[link];
     const TurningLine& line = lines[static_cast<std::size_t>(joint)];
     const auto reach = reachOf(stage, staged.linkOfInstance, static_cast<int>(link), line);
     if (!reach) continue;
@@ -108,11 +108,10 @@ void addAxes(Stage& stage, const StagedTrain& staged) {
     for (const double end : {(*reach)[0] - beyond, (*reach)[1] + beyond}) {
       mark.points.push_back(toInstance * (line.point + end * line.direction));
     }
-    const TurningJoint& turning = mechanism.turningJoints[static_cast<std::size_t>(joint)];
+    const TurningJoint& turning = mechanism.turningJoints[joint];
     stage.labels.push_back(labelAt(LabelKind::joint, std::to_string(mechanism.jointLabel(joint)), turning.id,
                                    mark, mark.points.front()));
-    const auto axis =
-        static_cast<std::size_t>(staged.placement.tree->axisOf[static_cast<std::size_t>(joint)]);
+    const auto axis = static_cast<std::size_t>(staged.placement.tree->axisOf[joint]);
     if (!labelled[axis]) {
       const ElementId element = mechanism.axes[axis].id;
       stage.labels.push_back(labelAt(LabelKind::axis, labelOf(mechanism, element).value_or(""), element, mark,

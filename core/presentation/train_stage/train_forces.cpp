@@ -30,9 +30,9 @@ std::string textOfJoint(int label, double force) {
   return base::translated("joint %1: %2", {std::to_string(label), textOf(force)});
 }
 
-std::optional<ElementId> movingLink(const Mechanism& mechanism, int link) {
+std::optional<ElementId> movingLink(const Mechanism& mechanism, LinkOrdinal link) {
   if (link == 0) return std::nullopt;
-  return mechanism.links[static_cast<std::size_t>(link)].id;
+  return mechanism.links[link].id;
 }
 
 }  // namespace

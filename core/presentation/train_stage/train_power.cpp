@@ -35,7 +35,7 @@ struct Reach {
 
 /// A link at an element, and the direction from the element into it.
 struct Terminal {
-  int link = 0;
+  LinkOrdinal link = 0;
   Eigen::Vector3d side;
 };
 
@@ -77,23 +77,21 @@ class ArrowMaker {
   [[nodiscard]] double radius() const { return m_bounds.radius(); }
 
   [[nodiscard]] Line lineOf(int axis) const {
-    const AxisLine& line = m_placement.axes[static_cast<std::size_t>(axis)];
+    const AxisLine& line = m_placement.axes[axis];
     return {vectorOf(line.point), vectorOf(line.direction)};
   }
-  [[nodiscard]] Line lineOfJoint(int joint) const {
-    return lineOf(m_placement.tree->axisOf[static_cast<std::size_t>(joint)]);
-  }
+  [[nodiscard]] Line lineOfJoint(JointOrdinal joint) const { return lineOf(m_placement.tree->axisOf[joint]); }
   /// That it turns about; that of the first joint for the ground.
-  [[nodiscard]] Line lineOfLink(int link) const {
-    return lineOfJoint(std::max(0, m_placement.tree->joint[static_cast<std::size_t>(link)]));
+  [[nodiscard]] Line lineOfLink(LinkOrdinal link) const {
+    return lineOfJoint(std::max(0, m_placement.tree->joint[link]));
   }
-  [[nodiscard]] std::optional<ElementId> moving(int link) const {
+  [[nodiscard]] std::optional<ElementId> moving(LinkOrdinal link) const {
     if (link == 0) return std::nullopt;
-    return m_mechanism.links[static_cast<std::size_t>(link)].id;
+    return m_mechanism.links[link].id;
   }
 
-  [[nodiscard]] std::optional<Reach> reachOf(int link, const Line& line) const {
-    const auto own = m_instances.find(m_mechanism.links[static_cast<std::size_t>(link)].id);
+  [[nodiscard]] std::optional<Reach> reachOf(LinkOrdinal link, const Line& line) const {
+    const auto own = m_instances.find(m_mechanism.links[link].id);
     if (own == m_instances.end()) return std::nullopt;
     Reach reach{1e300, -1e300};
     for (const std::size_t at : own->second) {
@@ -111,7 +109,7 @@ class ArrowMaker {
     if (reach.low > reach.high) return std::nullopt;
     return reach;
   }
-  [[nodiscard]] double middleOf(int link, const Line& line) const {
+  [[nodiscard]] double middleOf(LinkOrdinal link, const Line& line) const {
     const auto reach = reachOf(link, line);
     return reach ? reach->middle() : line.direction.dot(m_bounds.centre() - line.point);
   }
@@ -134,7 +132,7 @@ class ArrowMaker {
     m_arrows.push_back(std::move(arrow));
   }
 
-  static const Eigen::Vector3d& sideOf(std::span<const Terminal> terminals, int link) {
+  static const Eigen::Vector3d& sideOf(std::span<const Terminal> terminals, LinkOrdinal link) {
     for (const Terminal& terminal : terminals)
       if (terminal.link == link) return terminal.side;
     return terminals.back().side;
@@ -197,13 +195,13 @@ class ArrowMaker {
 
   /// A gear is on the side of its axis where they touch; that of an internal gear on the other one.
   void addMesh(const DrawnFlow& flow) {
-    const int mesh = m_meshes.at(MeshId(flow.element.id));
-    const auto& geometry = m_placement.meshes[static_cast<std::size_t>(mesh)];
+    const MeshOrdinal mesh = m_meshes.at(MeshId(flow.element.id));
+    const auto& geometry = m_placement.meshes[mesh];
     if (!geometry) return;
     const Eigen::Vector3d pitch = vectorOf(geometry->pitchPoint);
     const bool isInternal = geometry->kind == MeshKind::internal;
     const bool isTailRing = isInternal && std::abs(geometry->tailRadius) > std::abs(geometry->headRadius);
-    const auto gear = [&](int link, int axisClass, bool isRing) {
+    const auto gear = [&](LinkOrdinal link, ClassOrdinal axisClass, bool isRing) {
       const AxisLine& axis = m_placement.lineOfClass(axisClass);
       const Eigen::Vector3d point = vectorOf(axis.point), direction = vectorOf(axis.direction);
       const Eigen::Vector3d way = point + direction.dot(pitch - point) * direction - pitch;
@@ -216,11 +214,11 @@ class ArrowMaker {
   }
 
   void addJoint(const DrawnFlow& flow) {
-    const int joint = m_joints.at(JointId(flow.element.id));
+    const JointOrdinal joint = m_joints.at(JointId(flow.element.id));
     const Line line = lineOfJoint(joint);
     if (flow.isDetermined && flow.ports.size() == 1) return addAtEnd(flow, flow.ports.front(), line);
-    const TurningJoint& turning = m_mechanism.turningJoints[static_cast<std::size_t>(joint)];
-    const int child = m_placement.tree->child[static_cast<std::size_t>(joint)];
+    const TurningJoint& turning = m_mechanism.turningJoints[joint];
+    const int child = m_placement.tree->child[joint];
     const auto place = m_jointPlaces.find(flow.element);
     const Eigen::Vector3d point = place != m_jointPlaces.end()
                                       ? place->second

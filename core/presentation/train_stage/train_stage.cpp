@@ -24,7 +24,7 @@ constexpr int kMostCloseMeshes = 100;
 constexpr std::size_t kLevelsOfGear = 4;
 constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to come round
 
-Rgb colourOf(int link) {
+Rgb colourOf(LinkOrdinal link) {
   const Color color = linkColor(link);
   return Rgb::fromHex(static_cast<unsigned>(color.red << 16 | color.green << 8 | color.blue));
 }
@@ -53,12 +53,12 @@ class StageBuilder {
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
 
  private:
-  Instance& add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose);
+  Instance& add(LinkOrdinal link, const std::shared_ptr<const Solid>& solid, const Pose& pose);
   [[nodiscard]] DetailLevels& levelsOf(std::size_t solid);
   void addGear(const TrainGear& gear, std::size_t position);
   void noteToothless(const TrainGear& gear);
   void addBody(const LinkBody& body);
-  void addShapes(int link);
+  void addShapes(LinkOrdinal link);
   void addLabels();
 
   const DerivedGeometry& m_geometry;
@@ -72,10 +72,10 @@ class StageBuilder {
   std::vector<int> m_links;
   std::unordered_map<const Solid*, std::size_t> m_placeOf;  ///< among the scene's solids
   std::vector<std::optional<std::size_t>> m_instanceOfGear;
-  std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
+  ByLink<StageLabel> m_labelOf;  ///< radius 0: none yet
 };
 
-Instance& StageBuilder::add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose) {
+Instance& StageBuilder::add(LinkOrdinal link, const std::shared_ptr<const Solid>& solid, const Pose& pose) {
   auto& solids = m_stage->scene.solids;
   const auto [known, isNew] = m_placeOf.try_emplace(solid.get(), solids.size());
   if (isNew) solids.push_back(solid);
@@ -83,7 +83,7 @@ Instance& StageBuilder::add(int link, const std::shared_ptr<const Solid>& solid,
   instance.solid = known->second;
   instance.pose = pose;
   instance.colour = colourOf(link);
-  instance.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
+  instance.element = m_mechanism.links[link].id;
   m_links.push_back(link);
   return m_stage->scene.instances.emplace_back(std::move(instance));
 }
@@ -116,11 +116,11 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
     for (const double error : finer) levels.finer.push_back({error, *detail(error)});
   }
   m_instanceOfGear[position] = m_stage->scene.instances.size() - 1;
-  for (const int mesh : gear.meshes) {
-    instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  for (const MeshOrdinal mesh : gear.meshes) {
+    instance.also.push_back(m_mechanism.gearMeshes[mesh].id);
   }
   if (gear.wheel) instance.also.push_back(*gear.wheel);
-  StageLabel& label = m_labelOf[static_cast<std::size_t>(gear.link)];
+  StageLabel& label = m_labelOf[gear.link];
   const double radius = nominalTipRadius(gear.spec);
   if (radius <= label.radius) return;
   label.radius = radius;
@@ -130,7 +130,7 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
 
 void StageBuilder::noteToothless(const TrainGear& gear) {
   m_stage->notes.push_back(
-      {m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
+      {m_mechanism.links[gear.link].id,
        translated("Gear %1 has %2 teeth, too fine to be distinguished: it is shown without "
                   "them.",
                   {gear.name, std::to_string(gear.spec.teeth)})});
@@ -143,9 +143,9 @@ void StageBuilder::addBody(const LinkBody& body) {
   const Solid& solid = *coarse->solid();
   Instance& instance = add(body.link, coarse->solid(), Pose::Identity());
   levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, fine}}};
-  const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
-  if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
-  StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
+  const JointOrdinal joint = m_placement.tree->joint[body.link];
+  if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[joint].id);
+  StageLabel& label = m_labelOf[body.link];
   if (label.radius > 0) return;
   const Eigen::AlignedBox3d box = boundsOf(solid);
   label.radius = 0.25 * box.diagonal().norm();
@@ -167,8 +167,8 @@ Pose poseOf(const LinkShape& shape) {
   return pose;
 }
 
-void StageBuilder::addShapes(int link) {
-  const Link& owner = m_mechanism.links[static_cast<std::size_t>(link)];
+void StageBuilder::addShapes(LinkOrdinal link) {
+  const Link& owner = m_mechanism.links[link];
   const std::string label = std::to_string(m_mechanism.linkLabel(link));
   for (const LinkShape& shape : owner.shapes) {
     const double scale = shape.scale ? shape.scale->value() : 1;
@@ -183,12 +183,12 @@ void StageBuilder::addShapes(int link) {
 }
 
 void StageBuilder::addLabels() {
-  for (int link = 1; link <= m_mechanism.n(); ++link) {
-    StageLabel& label = m_labelOf[static_cast<std::size_t>(link)];
+  for (LinkOrdinal link = 1; link <= m_mechanism.n(); ++link) {
+    StageLabel& label = m_labelOf[link];
     if (label.radius == 0) continue;
     label.text = std::to_string(m_mechanism.linkLabel(link));
     label.colour = colourOf(link);
-    label.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
+    label.element = m_mechanism.links[link].id;
     m_stage->labels.push_back(std::move(label));
   }
 }
@@ -216,7 +216,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
     if (m_stop.stop_requested()) return nullptr;
     addBody(body);
   }
-  for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) {
+  for (LinkOrdinal link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) {
     if (m_stop.stop_requested()) return nullptr;
     addShapes(link);
   }
@@ -268,10 +268,10 @@ struct Mover {
 std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree) {
   std::vector<StageHandle> handles;
   const std::size_t columns = mover.motion.inputs.size();
-  for (const int link : mover.linkOfInstance) {
+  for (const LinkOrdinal link : mover.linkOfInstance) {
     StageHandle& handle = handles.emplace_back();
     if (link == 0) continue;
-    const int joint = tree.jointToParent(link);
+    const JointOrdinal joint = tree.jointToParent(link);
     const double sense = -tree.directionToGround(joint);
     handle.point = mover.kinematics.line(joint).point;
     handle.direction = mover.kinematics.line(joint).direction;
@@ -292,7 +292,7 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
     const auto first = mover.motion.gains.begin() + static_cast<std::ptrdiff_t>(i * columns);
     joints[i].gains.assign(first, first + static_cast<std::ptrdiff_t>(columns));
   }
-  for (int link = 1; link <= mechanism.n(); ++link)
+  for (LinkOrdinal link = 1; link <= mechanism.n(); ++link)
     joints[static_cast<std::size_t>(mover.tree.jointToParent(link))].colour = colourOf(link);
   return joints;
 }

@@ -26,7 +26,7 @@ class Sketch {
     const int position = static_cast<int>(m_mechanism.links.size());
     m_mechanism.links.push_back({LinkId(std::to_string(position)), {}});
     m_mechanism.turningJoints.push_back({JointId("j" + std::to_string(position)), id(parent), id(position),
-                                         m_mechanism.axes[static_cast<std::size_t>(axis)].id, Number(0)});
+                                         m_mechanism.axes[axis].id, Number(0)});
     return position;
   }
   void mesh(int tail, int tailTeeth, int head, int headTeeth, MeshKind kind, const NumberTriple& pitchPoint) {
@@ -43,7 +43,7 @@ class Sketch {
   [[nodiscard]] Mechanism take() { return std::move(m_mechanism); }
 
  private:
-  [[nodiscard]] LinkId id(int link) const { return m_mechanism.links[static_cast<std::size_t>(link)].id; }
+  [[nodiscard]] LinkId id(int link) const { return m_mechanism.links[link].id; }
   Mechanism m_mechanism;
 };
 

@@ -136,7 +136,7 @@ std::optional<HandSolution<typename Numbers::Value>> byInverse(Numbers numbers,
   GEARGRAPH_REQUIRE(rows.size() == outputs.size());
   Counted<Numbers> counted(std::move(numbers));
   const std::size_t size = outputs.size();
-  const auto at = [](int joint) { return static_cast<std::size_t>(joint); };
+  const auto at = [](JointOrdinal joint) { return static_cast<std::size_t>(joint); };
   std::vector<std::vector<Value>> work;
   for (std::size_t row = 0; row < size; ++row) {
     std::vector<Value>& line = work.emplace_back();
@@ -200,7 +200,7 @@ class Chain {
  private:
   using Sum = std::vector<Value>;  ///< by input
 
-  std::optional<Sum>& known(int joint) { return m_known[static_cast<std::size_t>(joint)]; }
+  std::optional<Sum>& known(JointOrdinal joint) { return m_known[joint]; }
   [[nodiscard]] Sum nothing() const { return Sum(m_plan.inputs.size(), m_counted.numbers().integer(0)); }
   void add(Sum& sum, const Sum& term, int sign) {
     for (std::size_t i = 0; i < sum.size(); ++i)
@@ -227,7 +227,7 @@ class Chain {
   }
 
   /// w_ik = s n w_jk, each chord the sum of its circuit, one of which has the unknown.
-  void solveMesh(int mesh, int unknown) {
+  void solveMesh(MeshOrdinal mesh, int unknown) {
     const TerminalPair& pair = *m_graph.terminal(mesh);
     auto [tail, inTail] = circuit(m_graph.tailCircuit(mesh), unknown);
     auto [head, inHead] = circuit(m_graph.headCircuit(mesh), unknown);
@@ -311,23 +311,22 @@ class Chain {
   const TtGraph& m_graph;
   const SubstitutionPlan& m_plan;
   std::vector<int> m_together;
-  std::vector<std::optional<Sum>> m_known;  ///< by joint
+  ByJoint<std::optional<Sum>> m_known;
 };
 
 /// The coupled equations that are independent in the unknowns that they have to give, the first
 /// ones.
 std::vector<int> independentOf(const TtGraph& graph, const SubstitutionPlan& plan) {
-  std::vector<char> isGiven(static_cast<std::size_t>(graph.graph().t()), 0);
-  for (const int input : plan.inputs) isGiven[static_cast<std::size_t>(input)] = 1;
-  for (const SubstitutionPlan::Step& step : plan.steps) isGiven[static_cast<std::size_t>(step.joint)] = 1;
+  ByJoint<char> isGiven(static_cast<std::size_t>(graph.graph().t()), 0);
+  for (const int input : plan.inputs) isGiven[input] = 1;
+  for (const SubstitutionPlan::Step& step : plan.steps) isGiven[step.joint] = 1;
   std::vector<int> chosen;
   std::vector<std::map<int, Rational>> reduced;
   for (const int equation : plan.coupledEquations) {
     std::map<int, Rational> row;
     const auto add = [&](std::span<const CircuitTerm> terms, const Rational& factor) {
       for (const CircuitTerm& term : terms) {
-        if (!isGiven[static_cast<std::size_t>(term.joint)])
-          row[term.joint] += factor * Rational(term.coefficient);
+        if (!isGiven[term.joint]) row[term.joint] += factor * Rational(term.coefficient);
       }
     };
     if (equation < graph.graph().c()) {
@@ -418,11 +417,11 @@ Operations geometryOperations(const Mechanism& mechanism, const KinematicModel& 
   CountedDoubles counted;
   const CoefficientMatrix matrix(mechanism, model, placement);
   long long ratios = 0;
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
+    const MeshGeometry& geometry = *placement.meshes[mesh];
     for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
-      const int axis = placement.tree->axisOf[static_cast<std::size_t>(entry.joint)];
-      const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
+      const int axis = placement.tree->axisOf[entry.joint];
+      const AxisLine& line = placement.axes[axis];
       Vector3 toAxis{};
       for (std::size_t i = 0; i < 3; ++i)
         toAxis[i] = counted.difference(line.point[i], geometry.pitchPoint[i]);

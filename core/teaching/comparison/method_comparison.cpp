@@ -44,7 +44,7 @@ class Comparison {
   std::optional<MethodComparison> run(ComparisonDepth depth, const std::stop_token& stop) {
     m_result.links = m_model.n();
     m_result.meshes = m_model.c();
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) m_result.perMesh.push_back(compared(mesh));
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) m_result.perMesh.push_back(compared(mesh));
     sizeMatroid();
     sizeTtGraph();
     if (stop.stop_requested()) return std::nullopt;
@@ -58,7 +58,7 @@ class Comparison {
  private:
   /// N_tail / N_head (w_ik - s N_head / N_tail w_jk), with the circuits put in: the terminal equation as a
   /// row over the joints, in the sign of the row of P.
-  [[nodiscard]] ComparedMesh compared(int mesh) const {
+  [[nodiscard]] ComparedMesh compared(MeshOrdinal mesh) const {
     const TerminalPair& pair = *m_graph.terminal(mesh);
     const Rational ratio = m_matrix.ratio(mesh);
     std::map<int, Rational> byTt;
@@ -111,7 +111,7 @@ class Comparison {
     size.equations = m_model.c() + chords + held;
     size.rows = size.equations;
     size.columns = size.unknowns;
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
       size.nonZeros += 2;  // the terminal equation
       size.nonZeros += 2 + static_cast<long long>(m_graph.tailCircuit(mesh).size()) +
                        static_cast<long long>(m_graph.headCircuit(mesh).size());
@@ -125,7 +125,7 @@ class Comparison {
     const LiveSolution& solution = *m_matroid.solution;
     const std::vector<int> equations = m_matroid.independentEquations();
     const auto rows = handRows<Rational>(
-        m_matrix, m_model, equations, [this](int mesh) { return m_matrix.ratio(mesh); },
+        m_matrix, m_model, equations, [this](MeshOrdinal mesh) { return m_matrix.ratio(mesh); },
         [](int value) { return Rational(value); });
     const auto byInverse = solvedByInverse(rows, solution.inputs, solution.outputs);
     auto byChain = solvedBySubstitution(m_graph, m_plan);
@@ -140,7 +140,7 @@ class Comparison {
     const RatioRingPtr ring = ratioRingOf(m_mechanism);
     const auto rows = handRows<RationalFunction>(
         m_matrix, m_model, m_matroid.independentEquations(),
-        [&](int mesh) { return RationalFunction::variable(ring, mesh); },
+        [&](MeshOrdinal mesh) { return RationalFunction::variable(ring, mesh); },
         [&](int value) { return RationalFunction::fromInteger(ring, value); });
     if (const auto byInverse = solvedByInverse(rows, solution.inputs, solution.outputs, ring))
       m_result.matroid.symbols = byInverse->operations;

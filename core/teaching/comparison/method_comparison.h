@@ -40,16 +40,16 @@ struct ComparedStep {
 /// One mesh by both methods: a term for each joint of its cycle.
 struct ComparedMesh {
   struct Term {
-    int joint = 0;
+    JointOrdinal joint = 0;
     Rational matroid;  ///< the entry of P, divided by the radius of the head's gear
     /// The joint's coefficient in w_ik - s n w_jk with both circuits substituted, times N_tail / N_head and
     /// the row's sign.
     Rational ttGraph;
   };
-  int mesh = 0;
-  std::vector<Term> terms;  ///< by joint
-  bool isEqual = false;     ///< all terms, exactly
-  int sign = 0;             ///< of the terminal equation
+  MeshOrdinal mesh = 0;
+  ByJoint<Term> terms;
+  bool isEqual = false;  ///< all terms, exactly
+  int sign = 0;          ///< of the terminal equation
 };
 
 /// The size of a method's equations and its operation counts.

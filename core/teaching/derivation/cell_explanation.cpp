@@ -23,7 +23,7 @@ std::string edgeTitle(const Digraph& graph, int edge) {
   return edge < graph.t() ? translated("Joint %1", {number}) : translated("Mesh %1", {number});
 }
 
-std::string cycleName(const Digraph& graph, int mesh) {
+std::string cycleName(const Digraph& graph, MeshOrdinal mesh) {
   return "C" + label(graph.edgeLabel(graph.t() + mesh));
 }
 
@@ -39,7 +39,7 @@ Passage passage(const Digraph& graph, int edge, int direction) {
           label(graph.nodeLabel(direction > 0 ? arrow.head : arrow.tail))};
 }
 
-std::string incidenceText(const Digraph& graph, int node, int edge) {
+std::string incidenceText(const Digraph& graph, LinkOrdinal node, int edge) {
   const DigraphEdge& arrow = graph.edge(edge);
   const std::string name = edgeTitle(graph, edge);
   const std::string link = label(graph.nodeLabel(node));
@@ -49,7 +49,7 @@ std::string incidenceText(const Digraph& graph, int node, int edge) {
                     {name, label(graph.nodeLabel(arrow.tail)), label(graph.nodeLabel(arrow.head)), link});
 }
 
-std::string pathText(const Digraph& graph, const SpanningTree& tree, int joint, int node) {
+std::string pathText(const Digraph& graph, const SpanningTree& tree, JointOrdinal joint, LinkOrdinal node) {
   const std::string link = label(graph.nodeLabel(node));
   const std::string edge = edgeName(graph, joint);
   const int value = tree.pathEntry(joint, node);
@@ -61,7 +61,7 @@ std::string pathText(const Digraph& graph, const SpanningTree& tree, int joint, 
                                 {link, edge, from, to});
 }
 
-std::string cycleText(const Digraph& graph, const SpanningTree& tree, int mesh, int edge) {
+std::string cycleText(const Digraph& graph, const SpanningTree& tree, MeshOrdinal mesh, int edge) {
   const int t = graph.t();
   const std::string cycle = cycleName(graph, mesh);
   const std::string own = edgeName(graph, t + mesh);
@@ -87,7 +87,7 @@ std::string cycleText(const Digraph& graph, const SpanningTree& tree, int mesh, 
                           {cycle, own, head, tail, other, from, to});
 }
 
-std::string cutsetText(const Digraph& graph, const SpanningTree& tree, int joint, int edge) {
+std::string cutsetText(const Digraph& graph, const SpanningTree& tree, JointOrdinal joint, int edge) {
   const std::string own = edgeName(graph, joint);
   if (edge == joint)
     return translated("Without %1 the tree falls into two halves; its own arrow counts as 1.", {own});
@@ -116,23 +116,23 @@ struct Reading {
   int value = 0;
 };
 
-int incidenceEntry(const Digraph& graph, int node, int edge) {
+int incidenceEntry(const Digraph& graph, LinkOrdinal node, int edge) {
   return (graph.edge(edge).head == node ? 1 : 0) - (graph.edge(edge).tail == node ? 1 : 0);
 }
 
-Reading readIncidence(const Digraph& graph, int node, int edge) {
+Reading readIncidence(const Digraph& graph, LinkOrdinal node, int edge) {
   return {translated("Link %1, %2", {label(graph.nodeLabel(node)), edgeName(graph, edge)}),
           incidenceText(graph, node, edge), incidenceEntry(graph, node, edge)};
 }
 
-Reading readCycle(const Digraph& graph, const SpanningTree& tree, int mesh, int edge) {
+Reading readCycle(const Digraph& graph, const SpanningTree& tree, MeshOrdinal mesh, int edge) {
   const DigraphEdge& arrow = graph.meshEdge(mesh);
   const int value = edge < graph.t() ? tree.pathEntry(edge, arrow.head) - tree.pathEntry(edge, arrow.tail)
                                      : (edge == graph.t() + mesh ? 1 : 0);
   return {cycleName(graph, mesh) + ", " + edgeName(graph, edge), cycleText(graph, tree, mesh, edge), value};
 }
 
-Reading readCutset(const Digraph& graph, const SpanningTree& tree, int joint, int edge) {
+Reading readCutset(const Digraph& graph, const SpanningTree& tree, JointOrdinal joint, int edge) {
   const DigraphEdge& arrow = graph.edge(edge);
   const int value = edge < graph.t() ? (edge == joint ? 1 : 0)
                                      : tree.pathEntry(joint, arrow.tail) - tree.pathEntry(joint, arrow.head);
@@ -158,8 +158,9 @@ Reading read(MatrixKind kind, const Digraph& graph, const SpanningTree* tree, in
   GEARGRAPH_REQUIRE(false);
 }
 
-void addCutset(const Digraph& graph, const SpanningTree& tree, int joint, std::set<ElementId>& elements) {
-  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+void addCutset(const Digraph& graph, const SpanningTree& tree, JointOrdinal joint,
+               std::set<ElementId>& elements) {
+  for (MeshOrdinal mesh = 0; mesh < graph.c(); ++mesh) {
     const DigraphEdge& arrow = graph.meshEdge(mesh);
     if (tree.isOnWalk(joint, arrow.tail) != tree.isOnWalk(joint, arrow.head)) {
       elements.insert(graph.edgeId(graph.t() + mesh));

@@ -20,7 +20,7 @@ class CoefficientTable final : public QuantityTable {
     if (form == EntryForm::symbols) putInputsFirst();
     m_columns.resize(m_joints.size());
     for (std::size_t i = 0; i < m_joints.size(); ++i) {
-      m_columns[static_cast<std::size_t>(m_joints[i])] = static_cast<int>(i);
+      m_columns[m_joints[i]] = static_cast<int>(i);
     }
   }
 
@@ -53,7 +53,7 @@ class CoefficientTable final : public QuantityTable {
   }
 
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
-    const int joint = jointAt(column);
+    const JointOrdinal joint = jointAt(column);
     const std::string jointName = translated("joint %1", {std::to_string(graph().edgeLabel(joint))});
     const std::string cycle = rowHeading(row).text;
     const std::string mesh = std::to_string(graph().edgeLabel(graph().t() + row));
@@ -99,15 +99,15 @@ class CoefficientTable final : public QuantityTable {
   void putInputsFirst() {
     const MatroidAnalysis* matroid = m_snapshot->matroid();
     if (matroid == nullptr) return;
-    std::vector<char> isInput(m_joints.size(), 0);
-    for (const int joint : matroid->choice.joints) isInput[static_cast<std::size_t>(joint)] = 1;
+    ByJoint<char> isInput(m_joints.size(), 0);
+    for (const JointOrdinal joint : matroid->choice.joints) isInput[joint] = 1;
     std::stable_partition(m_joints.begin(), m_joints.end(),
-                          [&](int joint) { return isInput[static_cast<std::size_t>(joint)] != 0; });
+                          [&](JointOrdinal joint) { return isInput[joint] != 0; });
     m_inputs = static_cast<int>(matroid->choice.joints.size());
   }
 
-  [[nodiscard]] QuantityEntry shownEntry(int mesh, const CoefficientMatrix::Entry& entry) const {
-    const int column = m_columns[static_cast<std::size_t>(entry.joint)];
+  [[nodiscard]] QuantityEntry shownEntry(MeshOrdinal mesh, const CoefficientMatrix::Entry& entry) const {
+    const int column = m_columns[entry.joint];
     const std::string minus = entry.sign < 0 ? "-" : "";
     if (form() == EntryForm::symbols) {
       const std::string label = std::to_string(graph().edgeLabel(graph().t() + mesh));
@@ -123,8 +123,8 @@ class CoefficientTable final : public QuantityTable {
 
   SnapshotPtr m_snapshot;
   CoefficientMatrix m_matrix;
-  std::vector<int> m_joints;   ///< by column
-  std::vector<int> m_columns;  ///< by joint
+  std::vector<int> m_joints;  ///< by column
+  ByJoint<int> m_columns;
   int m_inputs = 0;
 };
 

@@ -23,7 +23,7 @@ class ScrewTable final : public QuantityTable {
       : QuantityTable(QuantityKind::screws, form), m_snapshot(std::move(snapshot)) {
     const IntegerMatrix& cycles = *m_snapshot->matrix(MatrixKind::spanningTree);
     std::vector<MatrixEntry> entries;
-    for (int mesh = 0; mesh < cycles.rows(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < cycles.rows(); ++mesh) {
       cycles.rowEntries(mesh, entries);
       for (const MatrixEntry& entry : entries) m_rows.push_back({mesh, entry.column});
     }
@@ -88,8 +88,8 @@ class ScrewTable final : public QuantityTable {
 
  private:
   struct Place {
-    int mesh = 0;
-    int joint = 0;
+    MeshOrdinal mesh = 0;
+    JointOrdinal joint = 0;
   };
 
   [[nodiscard]] Place at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
@@ -100,8 +100,7 @@ class ScrewTable final : public QuantityTable {
     const AxisClasses& classes = *placement().classes;
     const AxisLine& line = placement().lineOfClass(classes.classOf[joint]);
     const double sense = classes.orientationSign[joint];
-    return screwAbout(placement().meshes[static_cast<std::size_t>(place.mesh)]->pitchPoint, line.point,
-                      sense * line.direction);
+    return screwAbout(placement().meshes[place.mesh]->pitchPoint, line.point, sense * line.direction);
   }
 
   /// Nothing where the pitch point or the length of the direction is a root.

@@ -19,9 +19,9 @@ class SolutionTable final : public QuantityTable {
     return headingOf(live().inputs[static_cast<std::size_t>(column)]);
   }
   [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
-    const int joint = live().outputs[static_cast<std::size_t>(row)];
+    const JointOrdinal joint = live().outputs[static_cast<std::size_t>(row)];
     const Mechanism& mechanism = *m_snapshot->mechanism;
-    return {graph().edgeId(joint), mechanism.turningJoints[static_cast<std::size_t>(joint)].head};
+    return {graph().edgeId(joint), mechanism.turningJoints[joint].head};
   }
 
   [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
@@ -53,7 +53,7 @@ class SolutionTable final : public QuantityTable {
  private:
   [[nodiscard]] const Digraph& graph() const { return *m_snapshot->graph; }
   [[nodiscard]] const LiveSolution& live() const { return *m_snapshot->matroid()->solution; }
-  [[nodiscard]] Heading headingOf(int joint) const {
+  [[nodiscard]] Heading headingOf(JointOrdinal joint) const {
     const int label = graph().edgeLabel(joint);
     return {label, std::to_string(label), graph().edgeId(joint)};
   }

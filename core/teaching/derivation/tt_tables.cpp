@@ -31,7 +31,7 @@ class TtTable : public QuantityTable {
   [[nodiscard]] const TtGraph& graph() const { return m_graph; }
   [[nodiscard]] const TtMatrices& matrices() const { return m_matrices; }
 
-  [[nodiscard]] Heading branchHeading(int joint) const {
+  [[nodiscard]] Heading branchHeading(JointOrdinal joint) const {
     const int label = m_graph.graph().edgeLabel(joint);
     return {label, std::to_string(label), m_graph.graph().edgeId(joint)};
   }
@@ -56,7 +56,7 @@ class TtTable : public QuantityTable {
     return base::translated("the chord %1 from gear %2 to carrier %3",
                             {name, std::to_string(ends.of), std::to_string(ends.relativeTo)});
   }
-  [[nodiscard]] std::string jointWords(int joint) const {
+  [[nodiscard]] std::string jointWords(JointOrdinal joint) const {
     return base::translated("joint %1", {branchHeading(joint).text});
   }
 
@@ -87,7 +87,7 @@ class TtTable : public QuantityTable {
   }
   [[nodiscard]] const Coupling& couplingOf(int held) const {
     const int position = m_graph.held()[static_cast<std::size_t>(held)].coupling;
-    return m_snapshot->mechanism->couplings[static_cast<std::size_t>(position)];
+    return m_snapshot->mechanism->couplings[position];
   }
 
   SnapshotPtr m_snapshot;

@@ -29,7 +29,7 @@ std::string inputLabel(const Mechanism& mechanism, const MechanismDynamics& dyna
   return std::to_string(mechanism.jointLabel(dynamics.inputs[input]));
 }
 ElementId inputId(const Mechanism& mechanism, const MechanismDynamics& dynamics, std::size_t input) {
-  return mechanism.turningJoints[static_cast<std::size_t>(dynamics.inputs[input])].id;
+  return mechanism.turningJoints[dynamics.inputs[input]].id;
 }
 
 /// Coordinates below the accuracy of a body's points, which are of single precision, are 0, not -2.02e-05 mm:
@@ -103,7 +103,7 @@ ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& d
   const Eigen::Index links = state.reflected.rows();
   for (Eigen::Index link = 1; link < links; ++link) {
     ForceRow row;
-    row.elements = {mechanism.links[static_cast<std::size_t>(link)].id};
+    row.elements = {mechanism.links[link].id};
     row.cells = {textCell(std::to_string(mechanism.linkLabel(static_cast<int>(link))))};
     for (const double inertia : state.reflected.row(link)) row.cells.push_back(numberCell(inertia));
     table.rows.push_back(std::move(row));

@@ -14,9 +14,9 @@ constexpr int kMostTorque = 60;
 
 /// One torque of a comparison: of a coupling in a state.
 struct Carried {
-  int coupling = 0;
+  CouplingOrdinal coupling = 0;
   const StateTorques* state = nullptr;
-  [[nodiscard]] Rational size() const { return state->couplings[static_cast<std::size_t>(coupling)]->abs(); }
+  [[nodiscard]] Rational size() const { return state->couplings[coupling]->abs(); }
 };
 
 /// The couplings of one state, or one coupling in its states; their torques are not all equal.
@@ -42,16 +42,16 @@ std::vector<Comparison> comparisonsOf(const ExerciseSource& source, const std::v
     if (differ) all.push_back(std::move(comparison));
   };
   const auto couplings = static_cast<int>(source.mechanism().couplings.size());
-  const auto isEngaged = [](const StateTorques& state, int coupling) {
-    return state.couplings[static_cast<std::size_t>(coupling)].has_value();
+  const auto isEngaged = [](const StateTorques& state, CouplingOrdinal coupling) {
+    return state.couplings[coupling].has_value();
   };
   for (const StateTorques& state : states) {
     Comparison ofState;
-    for (int coupling = 0; coupling < couplings; ++coupling)
+    for (CouplingOrdinal coupling = 0; coupling < couplings; ++coupling)
       if (isEngaged(state, coupling)) ofState.torques.push_back({coupling, &state});
     add(std::move(ofState));
   }
-  for (int coupling = 0; coupling < couplings; ++coupling) {
+  for (CouplingOrdinal coupling = 0; coupling < couplings; ++coupling) {
     Comparison ofCoupling{false, {}};
     for (const StateTorques& state : states)
       if (isEngaged(state, coupling)) ofCoupling.torques.push_back({coupling, &state});
@@ -86,10 +86,10 @@ class BrakeQuestion {
   [[nodiscard]] const ShiftState& stateOf(const StateTorques& torques) const {
     return m_source.mechanism().states[static_cast<std::size_t>(torques.state)];
   }
-  [[nodiscard]] const Coupling& couplingOf(int coupling) const {
-    return m_source.mechanism().couplings[static_cast<std::size_t>(coupling)];
+  [[nodiscard]] const Coupling& couplingOf(CouplingOrdinal coupling) const {
+    return m_source.mechanism().couplings[coupling];
   }
-  [[nodiscard]] std::string nameOf(int coupling) const {
+  [[nodiscard]] std::string nameOf(CouplingOrdinal coupling) const {
     const Coupling& named = couplingOf(coupling);
     return named.kind == CouplingKind::brake ? translated("brake %1", {named.id.text()})
                                              : translated("clutch %1", {named.id.text()});
@@ -197,7 +197,7 @@ class BrakeQuestion {
     if (m_comparison.isOfState) {
       for (std::size_t i = 0; i < m_largest.state->couplings.size(); ++i) {
         if (m_largest.state->couplings[i]) continue;
-        const int coupling = static_cast<int>(i);
+        const CouplingOrdinal coupling = static_cast<int>(i);
         m_build.wrongField(
             "released-coupling", 0, {couplingOf(coupling).id.text()},
             translated("The %1 is released in this state: it carries no torque.", {nameOf(coupling)}),
@@ -269,9 +269,9 @@ class BrakeQuestion {
     for (const Carried& each : m_comparison.torques) {
       const Coupling& coupling = couplingOf(each.coupling);
       if (coupling.kind == CouplingKind::brake) continue;
-      const int link = m_source.graph().nodeOf(coupling.links.front());
+      const LinkOrdinal link = m_source.graph().nodeOf(coupling.links.front());
       if (link == 0 || m_source.tree()->parent(link) != 0) continue;
-      const Rational speed = rates[static_cast<std::size_t>(m_source.tree()->jointToParent(link))].abs();
+      const Rational speed = rates[m_source.tree()->jointToParent(link)].abs();
       if (speed == most) fastest.reset();
       if (speed <= most) continue;
       most = speed;

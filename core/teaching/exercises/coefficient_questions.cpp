@@ -12,7 +12,7 @@ constexpr int kMostCoefficients = 12;
 
 std::vector<std::string> picked(const std::vector<Rational>& row, const std::vector<int>& joints) {
   std::vector<Rational> some;
-  for (const int joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
+  for (const JointOrdinal joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
   return asTexts(some);
 }
 
@@ -20,15 +20,15 @@ std::vector<std::string> picked(const std::vector<Rational>& row, const std::vec
 
 Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
-  const int mesh = random.below(graph.c());
+  const MeshOrdinal mesh = random.below(graph.c());
   const std::string label = source.meshLabel(mesh);
-  const GearMesh& gears = source.mechanism().gearMeshes[static_cast<std::size_t>(mesh)];
-  const std::vector<Rational> row = source.teethRow(mesh);
+  const GearMesh& gears = source.mechanism().gearMeshes[mesh];
+  const ByJoint<Rational> row = source.teethRow(mesh);
   std::vector<int> joints;
   std::vector<int> others;
-  for (int joint = 0; joint < graph.t(); ++joint)
-    (row[static_cast<std::size_t>(joint)].isZero() ? others : joints).push_back(joint);
-  for (const int joint :
+  for (JointOrdinal joint = 0; joint < graph.t(); ++joint)
+    (row[joint].isZero() ? others : joints).push_back(joint);
+  for (const JointOrdinal joint :
        random.someOf(others, std::max(0, kMostCoefficients - static_cast<int>(joints.size()))))
     joints.push_back(joint);
   std::sort(joints.begin(), joints.end());
@@ -44,7 +44,7 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
       "A joint on the axis of a gear counts with this gear's radius, the sign is that of the cycle, and the "
       "joints of both gears have the signs of the mesh.");
   std::vector<std::string> columns;
-  for (const int joint : joints) columns.push_back(source.edgeLabel(joint));
+  for (const JointOrdinal joint : joints) columns.push_back(source.edgeLabel(joint));
   build.table({"C" + label}, columns, FieldKind::number);
   for (std::size_t i = 0; i < joints.size(); ++i)
     build.question.fields[i].elements = {source.edgeId(joints[i])};
@@ -105,7 +105,7 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto field = static_cast<int>(i);
     const std::vector<ElementId> joint{source.edgeId(joints[i])};
-    const Rational& value = row[static_cast<std::size_t>(joints[i])];
+    const Rational& value = row[joints[i]];
     std::vector<std::string> turned = right;
     turned[i] = (-value).toString();
     std::vector<std::string> without = right;

@@ -10,7 +10,7 @@ namespace geargraph::inline exercises {
 namespace {
 
 /// The joints of the walk from a mesh's head back to its tail, with their senses.
-std::vector<PathStep> backThroughTree(const ExerciseSource& source, int mesh) {
+std::vector<PathStep> backThroughTree(const ExerciseSource& source, MeshOrdinal mesh) {
   const DigraphEdge& gears = source.graph().meshEdge(mesh);
   return treePath(*source.tree(), gears.head, gears.tail);
 }
@@ -24,7 +24,7 @@ std::vector<int> jointsOf(const std::vector<PathStep>& steps) {
 
 std::string setOf(const ExerciseSource& source, const std::vector<int>& joints) {
   std::vector<std::string> labels;
-  for (const int joint : joints) labels.push_back(source.edgeLabel(joint));
+  for (const JointOrdinal joint : joints) labels.push_back(source.edgeLabel(joint));
   return setText(labels);
 }
 
@@ -44,7 +44,7 @@ std::vector<ElementId> idsOf(const ExerciseSource& source, const std::vector<int
 
 Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
-  const int mesh = random.below(graph.c());
+  const MeshOrdinal mesh = random.below(graph.c());
   const std::string label = source.meshLabel(mesh);
   const DigraphEdge& gears = graph.meshEdge(mesh);
   const std::vector<int> joints = jointsOf(backThroughTree(source, mesh));
@@ -92,7 +92,7 @@ Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
         translated("%1 is a mesh: the question asks for the turning joints.", {source.meshLabel(other)}),
         {source.meshId(other)});
   }
-  for (int joint = 0; joint < graph.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < graph.t(); ++joint) {
     const std::string name = source.edgeLabel(joint);
     if (std::binary_search(joints.begin(), joints.end(), joint)) {
       build.wrongIf("joint-left-out", {{Test::lacks, {}, {{name}}}},
@@ -110,7 +110,7 @@ Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
 }
 
 Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const std::string label = source.meshLabel(mesh);
   std::vector<PathStep> steps = backThroughTree(source, mesh);
   std::sort(steps.begin(), steps.end(),
@@ -185,13 +185,13 @@ Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& /*rando
   std::vector<std::string> twice;
   std::vector<std::string> withoutMeshes;
   Condition accepted{Test::rows, {}, {}};
-  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < graph.c(); ++mesh) {
     rows.push_back("cycle " + asText(mesh + 1));
     std::vector<std::string> row;
     for (int edge = 0; edge < graph.edgeCount(); ++edge) {
       row.push_back(asText(cycles.entry(mesh, edge)));
       unsignedRows.push_back(asText(std::abs(cycles.entry(mesh, edge))));
-      twice.push_back(asText(cycles.entry(mesh + 1 < graph.c() ? mesh : 0, edge)));
+      twice.push_back(asText(cycles.entry(mesh + 1 < graph.c() ? mesh : MeshOrdinal(0), edge)));
       withoutMeshes.push_back(edge < graph.t() ? row.back() : "0");
     }
     solution.insert(solution.end(), row.begin(), row.end());

@@ -31,10 +31,10 @@ std::vector<int> rowsFor(const ExerciseSource& source, const std::vector<int>& e
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   std::vector<int> others;
-  for (int node = 0; node < graph.nodeCount(); ++node) {
+  for (LinkOrdinal node = 0; node < graph.nodeCount(); ++node) {
     if (!std::binary_search(rows.begin(), rows.end(), node)) others.push_back(node);
   }
-  for (const int node : random.someOf(others, kMostRows - static_cast<int>(rows.size())))
+  for (const LinkOrdinal node : random.someOf(others, kMostRows - static_cast<int>(rows.size())))
     rows.push_back(node);
   std::sort(rows.begin(), rows.end());
   return rows;
@@ -50,7 +50,7 @@ class IncidenceTable {
         m_rows(rowsFor(source, m_edges, random)) {
     std::vector<std::string> rows;
     std::vector<std::string> columns;
-    for (const int node : m_rows) rows.push_back(source.linkLabel(node));
+    for (const LinkOrdinal node : m_rows) rows.push_back(source.linkLabel(node));
     for (const int edge : m_edges) columns.push_back(source.edgeLabel(edge));
     build.table(rows, columns, FieldKind::integer);
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
@@ -58,7 +58,7 @@ class IncidenceTable {
         m_build.question.fields[at(row, column)].elements = {source.linkId(m_rows[row]),
                                                              source.edgeId(m_edges[column])};
     }
-    for (const int node : m_rows) {
+    for (const LinkOrdinal node : m_rows) {
       for (const int edge : m_edges) m_values.push_back(entry(node, edge));
     }
   }
@@ -76,7 +76,7 @@ class IncidenceTable {
 
  private:
   [[nodiscard]] std::size_t at(std::size_t row, std::size_t column) const { return row * width() + column; }
-  [[nodiscard]] int entry(int node, int edge) const {
+  [[nodiscard]] int entry(LinkOrdinal node, int edge) const {
     const DigraphEdge& ends = m_source.graph().edge(edge);
     return node == ends.head ? 1 : node == ends.tail ? -1 : 0;
   }
@@ -102,7 +102,7 @@ class IncidenceTable {
 
   void addEntry(std::size_t row, std::size_t column) {
     const int edge = m_edges[column];
-    const int node = m_rows[row];
+    const LinkOrdinal node = m_rows[row];
     const int value = m_values[at(row, column)];
     const auto field = static_cast<int>(at(row, column));
     const std::vector<ElementId> elements{m_source.linkId(node), m_source.edgeId(edge)};
@@ -221,12 +221,12 @@ Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& rando
     body += " & " + source.edgeLabel(edge);
     rows.push_back(source.edgeLabel(edge));
     const DigraphEdge& ends = drawn[i];
-    for (const int node : {ends.tail, ends.head}) right.push_back(source.linkLabel(node));
-    for (const int node : {ends.head, ends.tail}) reversed.push_back(source.linkLabel(node));
+    for (const LinkOrdinal node : {ends.tail, ends.head}) right.push_back(source.linkLabel(node));
+    for (const LinkOrdinal node : {ends.head, ends.tail}) reversed.push_back(source.linkLabel(node));
   }
   body += " \\\\ \\hline\n";
   std::vector<std::string> links;
-  for (int node = 0; node < graph.nodeCount(); ++node) {
+  for (LinkOrdinal node = 0; node < graph.nodeCount(); ++node) {
     links.push_back(source.linkLabel(node));
     body += source.linkLabel(node);
     for (const DigraphEdge& ends : drawn) {

@@ -89,8 +89,7 @@ void ExerciseSource::solveStates() {
     tried.states.clear();
     for (const std::vector<int>& set : sets) {
       ShiftState candidate{"", {}, asked.drive, asked.driven, {}};
-      for (const int coupling : set)
-        candidate.engaged.push_back(document.couplings[static_cast<std::size_t>(coupling)].id);
+      for (const CouplingOrdinal coupling : set) candidate.engaged.push_back(document.couplings[coupling].id);
       tried.states.push_back(std::move(candidate));
     }
     const LiveKinematics& live = *m_snapshot->kinematics;
@@ -117,19 +116,19 @@ const TtGraph* ExerciseSource::ttGraph() const {
   return m_snapshot->kinematics->ttGraph.get();
 }
 
-MeshKind ExerciseSource::meshKind(int mesh) const {
-  return m_snapshot->kinematics->placement().meshes[static_cast<std::size_t>(mesh)]->kind;
+MeshKind ExerciseSource::meshKind(MeshOrdinal mesh) const {
+  return m_snapshot->kinematics->placement().meshes[mesh]->kind;
 }
 
-std::vector<Rational> ExerciseSource::teethRow(int mesh, RowChange change) const {
+std::vector<Rational> ExerciseSource::teethRow(MeshOrdinal mesh, RowChange change) const {
   const LiveKinematics& live = *m_snapshot->kinematics;
   const CoefficientMatrix coefficients(mechanism(), *live.model, live.placement());
-  const GearMesh& gears = mechanism().gearMeshes[static_cast<std::size_t>(mesh)];
-  std::vector<Rational> row(static_cast<std::size_t>(graph().t()));
+  const GearMesh& gears = mechanism().gearMeshes[mesh];
+  ByJoint<Rational> row(static_cast<std::size_t>(graph().t()));
   for (const CoefficientMatrix::Entry& entry : coefficients.row(mesh)) {
     const bool tailTeeth = entry.tail != (change == RowChange::upsideDown);
     const int sign = !entry.tail && change == RowChange::signOfHead ? -entry.sign : entry.sign;
-    row[static_cast<std::size_t>(entry.joint)] = sign * (tailTeeth ? gears.tailTeeth : gears.headTeeth);
+    row[entry.joint] = sign * (tailTeeth ? gears.tailTeeth : gears.headTeeth);
   }
   return row;
 }

@@ -39,14 +39,14 @@ class ExerciseSource {
   [[nodiscard]] const TtGraph* ttGraph() const;
   /// Null if a mesh has no geometry.
   [[nodiscard]] const MatroidAnalysis* matroid() const { return m_snapshot->matroid(); }
-  [[nodiscard]] MeshKind meshKind(int mesh) const;
+  [[nodiscard]] MeshKind meshKind(MeshOrdinal mesh) const;
 
   /// A valid set of inputs, and by joint its rate as a combination of them. @pre matroid()
   [[nodiscard]] const std::vector<int>& inputs() const { return matroid()->choice.joints; }
   [[nodiscard]] const std::vector<std::vector<Rational>>& rates() const { return m_rates; }
   /// The row of P of a mesh in numbers of teeth, by joint, including zeros, with a mistake if wanted. @pre
   /// matroid()
-  [[nodiscard]] std::vector<Rational> teethRow(int mesh, RowChange change = RowChange::none) const;
+  [[nodiscard]] std::vector<Rational> teethRow(MeshOrdinal mesh, RowChange change = RowChange::none) const;
 
   /// The most sets of couplings that are considered.
   static constexpr std::size_t kMostEngagedSets = 256;
@@ -59,12 +59,14 @@ class ExerciseSource {
   /// was not considered.
   [[nodiscard]] std::optional<std::size_t> setOfState(int state) const;
 
-  [[nodiscard]] std::string linkLabel(int node) const { return std::to_string(graph().nodeLabel(node)); }
+  [[nodiscard]] std::string linkLabel(LinkOrdinal node) const {
+    return std::to_string(graph().nodeLabel(node));
+  }
   [[nodiscard]] std::string edgeLabel(int edge) const { return std::to_string(graph().edgeLabel(edge)); }
-  [[nodiscard]] std::string meshLabel(int mesh) const { return edgeLabel(graph().t() + mesh); }
-  [[nodiscard]] ElementId linkId(int node) const { return graph().nodeId(node); }
+  [[nodiscard]] std::string meshLabel(MeshOrdinal mesh) const { return edgeLabel(graph().t() + mesh); }
+  [[nodiscard]] ElementId linkId(LinkOrdinal node) const { return graph().nodeId(node); }
   [[nodiscard]] ElementId edgeId(int edge) const { return graph().edgeId(edge); }
-  [[nodiscard]] ElementId meshId(int mesh) const { return edgeId(graph().t() + mesh); }
+  [[nodiscard]] ElementId meshId(MeshOrdinal mesh) const { return edgeId(graph().t() + mesh); }
 
  private:
   void solveRates();

@@ -37,7 +37,7 @@ std::optional<StaticsProblem> problemOf(const ExerciseSource& source, int state)
   const int drive = source.graph().nodeOf(*asked.drive);
   const int driven = source.graph().nodeOf(*asked.driven);
   if (drive == 0 || driven == 0 || drive == driven) return std::nullopt;
-  const auto place = [&](int link) {
+  const auto place = [&](LinkOrdinal link) {
     return onLink(source.mechanism(), placementOf(source), link, std::nullopt);
   };
   StaticsProblem problem;
@@ -48,12 +48,11 @@ std::optional<StaticsProblem> problemOf(const ExerciseSource& source, int state)
 }
 
 std::vector<int> rollingMeshes(const ExerciseSource& source, const Motion& motion) {
-  const std::vector<Rational> phi = phiOf<Rational>(modelOf(source), motion);
+  const ByLink<Rational> phi = phiOf<Rational>(modelOf(source), motion);
   std::vector<int> rolling;
-  for (int mesh = 0; mesh < source.graph().c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < source.graph().c(); ++mesh) {
     const auto& links = modelOf(source).meshRow(mesh).links;
-    if (phi[static_cast<std::size_t>(links[0])] != phi[static_cast<std::size_t>(links[1])])
-      rolling.push_back(mesh);
+    if (phi[links[0]] != phi[links[1]]) rolling.push_back(mesh);
   }
   return rolling;
 }
@@ -78,9 +77,9 @@ std::vector<DrivenTrain> trainsOfInputs(const ExerciseSource& source) {
     Motion motion;
     for (const auto& rates : source.rates()) motion.push_back(rates[input]);
     const std::vector<int> rolling = rollingMeshes(source, motion);
-    for (const int joint : predictableJoints(source)) {
+    for (const JointOrdinal joint : predictableJoints(source)) {
       const bool isOnGround = source.tree()->parent(source.tree()->child(joint)) == 0;
-      if (!isOnGround || motion[static_cast<std::size_t>(joint)].isZero()) continue;
+      if (!isOnGround || motion[joint].isZero()) continue;
       DrivenTrain train{-1, source.inputs()[input], joint, motion, {}, rolling};
       train.problem.torques = {{TorquePlace{train.drive}, 1}};
       train.problem.balances = {TorquePlace{joint}};
@@ -95,7 +94,7 @@ std::vector<DrivenTrain> trainsOfInputs(const ExerciseSource& source) {
 /// What the train passes with its drive's torque at 1 N m (or -1: driven backwards), in fractions.
 struct Passed {
   std::optional<Rational> efficiency;  ///< none where it locks itself
-  std::vector<MeshLoss> losses;
+  ByMesh<MeshLoss> losses;
 };
 
 std::optional<Passed> passedBy(const ExerciseSource& source, const DrivenTrain& train, int drive,
@@ -130,7 +129,7 @@ std::optional<StateTorques> stateTorques(const ExerciseSource& source, int state
     if (!held.isMain) return std::nullopt;
     const Rational& value = *solution->values[static_cast<std::size_t>(source.graph().c()) + part].fraction();
     if (held.coupling >= 0) {
-      torques.couplings[static_cast<std::size_t>(held.coupling)] = value;
+      torques.couplings[held.coupling] = value;
     } else {
       torques.driven = value;
     }
@@ -156,7 +155,7 @@ std::optional<TrainEfficiency> efficiencyOf(const ExerciseSource& source, const 
   if (!lossless) return std::nullopt;
   TrainEfficiency result;
   const MeshPowers powers = powersOf(modelOf(source), *lossless, train.motion);
-  for (const int mesh : train.rolling) {
+  for (const MeshOrdinal mesh : train.rolling) {
     const Real& power = powers.mesh[static_cast<std::size_t>(mesh)];
     if (power.isZero()) continue;
     result.passing.push_back(mesh);

@@ -13,8 +13,8 @@ namespace geargraph::inline exercises {
 struct StateTorques {
   int state = 0;  ///< position in the document
   Rational ratio;
-  std::vector<std::optional<Rational>> couplings;  ///< N m by coupling; none if it is released
-  Rational driven;                                 ///< N m, the torque that holds the driven link
+  ByCoupling<std::optional<Rational>> couplings;  ///< N m; none if it is released
+  Rational driven;                                ///< N m, the torque that holds the driven link
 };
 
 /// std::nullopt if the state has no ratio or engages nothing, its torques are indeterminate, or one of them
@@ -44,7 +44,7 @@ struct TrainEfficiency {
   std::optional<Rational> backward;  ///< likewise; the driven part drives
   Rational latent;                   ///< power through the meshes per power fed, without losses
   std::vector<int> passing;          ///< rolling meshes that transmit power
-  std::vector<MeshLoss> drivers;     ///< by mesh, driven backwards; empty if self-locking
+  ByMesh<MeshLoss> drivers;          ///< driven backwards; empty if self-locking
 };
 
 /// With this efficiency in each mesh. std::nullopt if the torques are indeterminate or irrational, or no mesh

@@ -108,7 +108,7 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
                   {count});
   std::vector<std::string> options;
   std::vector<std::vector<std::string>> rows;
-  for (int joint = 0; joint < t; ++joint) {
+  for (JointOrdinal joint = 0; joint < t; ++joint) {
     options.push_back(source.edgeLabel(joint));
     rows.push_back({source.edgeLabel(joint)});
     for (const std::string& rate : asTexts(rates[static_cast<std::size_t>(joint)]))
@@ -118,10 +118,10 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
   std::vector<int> inputs = source.inputs();
   std::sort(inputs.begin(), inputs.end());
   std::vector<std::string> solution;
-  for (const int joint : inputs) solution.push_back(source.edgeLabel(joint));
+  for (const JointOrdinal joint : inputs) solution.push_back(source.edgeLabel(joint));
   build.accept({setText(solution)}, {{Test::basis, {}, rows}});
-  for (int joint = 0; joint < t; ++joint) {
-    if (matroid.dead[static_cast<std::size_t>(joint)] == 0) continue;
+  for (JointOrdinal joint = 0; joint < t; ++joint) {
+    if (matroid.dead[joint] == 0) continue;
     build.wrongIf(
         "dead-input", {{Test::touches, {}, {{source.edgeLabel(joint)}}}},
         translated("Joint %1 can never turn, so that it cannot be driven.", {source.edgeLabel(joint)}),
@@ -132,8 +132,8 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
       isOne ? translated("With one degree of freedom the other joints you name follow from one of them.")
             : translated("With %1 degrees of freedom the other joints you name follow from %1 of them.",
                          {count}));
-  for (int joint = 0; joint < t; ++joint) {
-    if (matroid.idle[static_cast<std::size_t>(joint)] == 0) continue;
+  for (JointOrdinal joint = 0; joint < t; ++joint) {
+    if (matroid.idle[joint] == 0) continue;
     build.wrongIf("idle-joint-missing", {{Test::lacks, {}, {{source.edgeLabel(joint)}}}},
                   translated("Joint %1 is on no cycle, so that only an input can determine its speed.",
                              {source.edgeLabel(joint)}),
@@ -165,10 +165,10 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
 }
 
 std::vector<char> dispensableMeshes(const ExerciseSource& source) {
-  std::vector<char> dispensable(static_cast<std::size_t>(source.graph().c()), 0);
+  ByMesh<char> dispensable(static_cast<std::size_t>(source.graph().c()), 0);
   for (const Redundancy& redundancy : source.matroid()->redundancies) {
-    dispensable[static_cast<std::size_t>(redundancy.equation)] = 1;
-    for (const int mesh : redundancy.dependsOn) dispensable[static_cast<std::size_t>(mesh)] = 1;
+    dispensable[redundancy.equation] = 1;
+    for (const MeshOrdinal mesh : redundancy.dependsOn) dispensable[mesh] = 1;
   }
   return dispensable;
 }
@@ -176,7 +176,7 @@ std::vector<char> dispensableMeshes(const ExerciseSource& source) {
 Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
   const int c = source.graph().c();
   const std::string count = asText(c - source.matroid()->rank);
-  const std::vector<char> dispensable = dispensableMeshes(source);
+  const ByMesh<char> dispensable = dispensableMeshes(source);
   QuestionBuilder build(ExerciseKind::redundantMesh, 3);
   build.question.prompt = translated(
       "How many meshes are redundant, and which mesh could be left out without another motion? Name one of "
@@ -184,9 +184,9 @@ Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*r
   std::vector<std::string> meshes;
   std::vector<std::vector<std::string>> right;
   std::vector<std::string> names;
-  for (int mesh = 0; mesh < c; ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < c; ++mesh) {
     meshes.push_back(source.meshLabel(mesh));
-    if (dispensable[static_cast<std::size_t>(mesh)] == 0) continue;
+    if (dispensable[mesh] == 0) continue;
     right.push_back({count, meshes.back()});
     names.push_back(meshes.back());
   }
@@ -210,8 +210,8 @@ Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*r
                 translated("There are as many redundant meshes as rows of P beyond its rank: %1 − %2.",
                            {asText(c), asText(source.matroid()->rank)}),
                 {}, {0});
-  for (int mesh = 0; mesh < c; ++mesh) {
-    if (dispensable[static_cast<std::size_t>(mesh)] != 0) continue;
+  for (MeshOrdinal mesh = 0; mesh < c; ++mesh) {
+    if (dispensable[mesh] != 0) continue;
     build.wrongField(
         "independent-mesh", 1, {meshes[static_cast<std::size_t>(mesh)]},
         translated("Without mesh %1 the mechanism would gain a degree of freedom: it follows from no others.",

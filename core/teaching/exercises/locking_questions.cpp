@@ -68,7 +68,8 @@ class LockingQuestion {
         "itself? With which efficiency does it pass the power (0 where it locks itself)? A fraction or a "
         "decimal of three digits will do.",
         {asTex(m_mesh), m_driven, m_drive});
-    for (const int mesh : m_passed.passing) m_build.question.elements.push_back(m_source.meshId(mesh));
+    for (const MeshOrdinal mesh : m_passed.passing)
+      m_build.question.elements.push_back(m_source.meshId(mesh));
     m_build.question.rule = m_passed.backward ? turningRule() : lockingRule();
     m_build.field(toTranslate("driven backwards it"), FieldKind::choice, {m_turns, m_locks});
     m_build.field(toTranslate("efficiency backwards"), FieldKind::number);
@@ -114,8 +115,8 @@ class LockingQuestion {
 
   [[nodiscard]] std::string turningRule() const {
     std::vector<std::string> drivers;
-    for (const int mesh : m_passed.passing) {
-      const auto driver = m_passed.drivers[static_cast<std::size_t>(mesh)].driver;
+    for (const MeshOrdinal mesh : m_passed.passing) {
+      const auto driver = m_passed.drivers[mesh].driver;
       const int edge = m_source.graph().t() + mesh;
       const bool isTail = driver == MeshLoss::Driver::tail;
       if (driver == MeshLoss::Driver::none) continue;

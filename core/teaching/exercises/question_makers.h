@@ -36,8 +36,8 @@ Question selfLockingQuestion(const ExerciseSource& source, ExerciseRandom& rando
 
 /// An external mesh and an internal one that share a planet, its axis and their carrier.
 struct PlanetPair {
-  int sunMesh = 0;
-  int ringMesh = 0;
+  MeshOrdinal sunMesh = 0;
+  MeshOrdinal ringMesh = 0;
   int planet = 0, sun = 0, ring = 0;  ///< nodes
   int sunTeeth = 0, planetTeethAtSun = 0, planetTeethAtRing = 0;
 };

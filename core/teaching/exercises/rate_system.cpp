@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/ordinal.h"
+
 namespace geargraph::inline exercises {
 
 std::optional<std::vector<Rational>> ratesFrom(std::vector<std::vector<Rational>> rows,
@@ -10,8 +12,8 @@ std::optional<std::vector<Rational>> ratesFrom(std::vector<std::vector<Rational>
   const std::size_t width = rows.front().size();
   for (std::vector<Rational>& row : rows) row.emplace_back(0);
   for (const auto& [joint, rate] : inputs) {
-    std::vector<Rational> row(width + 1);
-    row[static_cast<std::size_t>(joint)] = 1;
+    ByJoint<Rational> row(width + 1);
+    row[joint] = 1;
     row[width] = rate;
     rows.push_back(std::move(row));
   }

@@ -17,21 +17,19 @@ constexpr const char* kAgainst = toTranslate("against the drive's torque");
 /// An engaged brake that carries a torque about the axis of the drive.
 struct HoldingBrake {
   StateTorques state;
-  int coupling = 0;
+  CouplingOrdinal coupling = 0;
   bool isAlone = false;  ///< no other brake is engaged, and the load turns about the same axis
-  [[nodiscard]] const Rational& torque() const {
-    return *state.couplings[static_cast<std::size_t>(coupling)];
-  }
+  [[nodiscard]] const Rational& torque() const { return *state.couplings[coupling]; }
 };
 
-const Coupling& couplingOf(const ExerciseSource& source, int coupling) {
-  return source.mechanism().couplings[static_cast<std::size_t>(coupling)];
+const Coupling& couplingOf(const ExerciseSource& source, CouplingOrdinal coupling) {
+  return source.mechanism().couplings[coupling];
 }
 
 /// The first axis on the way from a link to the ground.
 const AxisId& axisOf(const ExerciseSource& source, const LinkId& link) {
-  const int joint = source.tree()->jointToParent(source.graph().nodeOf(link));
-  return source.mechanism().turningJoints[static_cast<std::size_t>(joint)].axis;
+  const JointOrdinal joint = source.tree()->jointToParent(source.graph().nodeOf(link));
+  return source.mechanism().turningJoints[joint].axis;
 }
 
 std::vector<HoldingBrake> holdingBrakes(const ExerciseSource& source) {
@@ -42,15 +40,14 @@ std::vector<HoldingBrake> holdingBrakes(const ExerciseSource& source) {
     if (!torques) continue;
     const ShiftState& asked = states[static_cast<std::size_t>(state)];
     const AxisId& axis = axisOf(source, *asked.drive);
-    const auto isBrake = [&](int coupling) {
-      return torques->couplings[static_cast<std::size_t>(coupling)] &&
-             couplingOf(source, coupling).kind == CouplingKind::brake;
+    const auto isBrake = [&](CouplingOrdinal coupling) {
+      return torques->couplings[coupling] && couplingOf(source, coupling).kind == CouplingKind::brake;
     };
     const auto all = static_cast<int>(torques->couplings.size());
     int engaged = 0;
-    for (int coupling = 0; coupling < all; ++coupling) engaged += isBrake(coupling) ? 1 : 0;
-    for (int coupling = 0; coupling < all; ++coupling) {
-      if (!isBrake(coupling) || torques->couplings[static_cast<std::size_t>(coupling)]->isZero()) continue;
+    for (CouplingOrdinal coupling = 0; coupling < all; ++coupling) engaged += isBrake(coupling) ? 1 : 0;
+    for (CouplingOrdinal coupling = 0; coupling < all; ++coupling) {
+      if (!isBrake(coupling) || torques->couplings[coupling]->isZero()) continue;
       if (axisOf(source, couplingOf(source, coupling).links.front()) != axis) continue;
       brakes.push_back({*torques, coupling, engaged == 1 && axisOf(source, *asked.driven) == axis});
     }

@@ -17,7 +17,7 @@ using Speeds = std::vector<std::pair<int, Rational>>;
 
 std::vector<std::vector<Rational>> rowsWith(const ExerciseSource& source, int changed, RowChange change) {
   std::vector<std::vector<Rational>> rows;
-  for (int mesh = 0; mesh < source.graph().c(); ++mesh)
+  for (MeshOrdinal mesh = 0; mesh < source.graph().c(); ++mesh)
     rows.push_back(source.teethRow(mesh, mesh == changed ? change : RowChange::none));
   return rows;
 }
@@ -25,10 +25,10 @@ std::vector<std::vector<Rational>> rowsWith(const ExerciseSource& source, int ch
 /// The rows of meshes whose carriers are taken for the ground.
 std::vector<std::vector<Rational>> rowsFromGround(const ExerciseSource& source) {
   std::vector<std::vector<Rational>> rows;
-  for (int mesh = 0; mesh < source.graph().c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < source.graph().c(); ++mesh) {
     const TerminalPair& pair = *source.ttGraph()->terminal(mesh);
     std::vector<Rational> row;
-    for (int joint = 0; joint < source.graph().t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < source.graph().t(); ++joint) {
       row.push_back(Rational(pair.tailTeeth * -source.tree()->pathEntry(joint, pair.tail)) -
                     Rational(pair.sign * pair.headTeeth * -source.tree()->pathEntry(joint, pair.head)));
     }
@@ -41,7 +41,7 @@ std::vector<std::vector<Rational>> rowsFromGround(const ExerciseSource& source) 
 
 std::vector<int> predictableJoints(const ExerciseSource& source) {
   std::vector<int> joints;
-  for (int joint = 0; joint < source.graph().t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < source.graph().t(); ++joint) {
     const auto& rates = source.rates()[static_cast<std::size_t>(joint)];
     const bool turns =
         std::any_of(rates.begin(), rates.end(), [](const Rational& rate) { return !rate.isZero(); });
@@ -53,7 +53,7 @@ std::vector<int> predictableJoints(const ExerciseSource& source) {
 }
 
 Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const int joint = random.oneOf(predictableJoints(source));
+  const JointOrdinal joint = random.oneOf(predictableJoints(source));
   const auto& rates = source.rates()[static_cast<std::size_t>(joint)];
   Speeds speeds;
   Rational right;
@@ -102,7 +102,7 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
         {source.edgeId(joint)});
   }
   const int meshes = std::min(source.graph().c(), kMostMeshes);
-  for (int mesh = 0; mesh < meshes; ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
     const std::string label = source.meshLabel(mesh);
     add("ratio-upside-down", ratesFrom(rowsWith(source, mesh, RowChange::upsideDown), speeds),
         translated("You use the ratio of mesh %1 upside down.", {label}), {source.meshId(mesh)});
@@ -117,7 +117,7 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   }
   const Speeds known = speeds;
   if (const auto all = ratesFrom(rowsWith(source, -1, RowChange::none), known)) {
-    const int child = source.tree()->child(joint);
+    const LinkOrdinal child = source.tree()->child(joint);
     Rational absolute;
     for (int other = 0; other < source.graph().t(); ++other)
       absolute += (*all)[static_cast<std::size_t>(other)] * Rational(-source.tree()->pathEntry(other, child));

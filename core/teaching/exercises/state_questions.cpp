@@ -10,15 +10,15 @@ namespace {
 
 std::string couplingSet(const ExerciseSource& source, const std::vector<int>& couplings) {
   std::vector<std::string> names;
-  for (const int coupling : couplings)
-    names.push_back(source.mechanism().couplings[static_cast<std::size_t>(coupling)].id.text());
+  for (const CouplingOrdinal coupling : couplings)
+    names.push_back(source.mechanism().couplings[coupling].id.text());
   return setText(names);
 }
 
 std::vector<ElementId> couplingIds(const ExerciseSource& source, const std::vector<int>& couplings) {
   std::vector<ElementId> ids;
-  for (const int coupling : couplings)
-    ids.emplace_back(source.mechanism().couplings[static_cast<std::size_t>(coupling)].id);
+  for (const CouplingOrdinal coupling : couplings)
+    ids.emplace_back(source.mechanism().couplings[coupling].id);
   return ids;
 }
 

@@ -6,7 +6,7 @@
 namespace geargraph::inline exercises {
 
 Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const TerminalPair& pair = *source.ttGraph()->terminal(mesh);
   const std::string label = source.meshLabel(mesh);
   const std::string comma = source.graph().n() > 9 ? "," : "";

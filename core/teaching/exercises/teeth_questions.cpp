@@ -15,9 +15,9 @@ constexpr int kLargestTerm = 5;  ///< of a ratio
 }  // namespace
 
 Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const std::string label = source.meshLabel(mesh);
-  const GearMesh& gears = source.mechanism().gearMeshes[static_cast<std::size_t>(mesh)];
+  const GearMesh& gears = source.mechanism().gearMeshes[mesh];
   const bool isInternal = source.meshKind(mesh) == MeshKind::internal;
   const bool isRingTail = gears.tailTeeth > gears.headTeeth;
   int above = 1;
@@ -62,18 +62,18 @@ std::vector<PlanetPair> planetPairs(const ExerciseSource& source) {
   const TtGraph* const graph = source.ttGraph();
   if (graph == nullptr) return pairs;
   const auto& vertices = graph->transferVertices().ofMesh;
-  for (int sunMesh = 0; sunMesh < source.graph().c(); ++sunMesh) {
+  for (MeshOrdinal sunMesh = 0; sunMesh < source.graph().c(); ++sunMesh) {
     if (source.meshKind(sunMesh) != MeshKind::external) continue;
     const TerminalPair& sunPair = *graph->terminal(sunMesh);
-    for (int ringMesh = 0; ringMesh < source.graph().c(); ++ringMesh) {
+    for (MeshOrdinal ringMesh = 0; ringMesh < source.graph().c(); ++ringMesh) {
       if (source.meshKind(ringMesh) != MeshKind::internal) continue;
       const TerminalPair& ringPair = *graph->terminal(ringMesh);
       const bool isRingTail = ringPair.tailTeeth > ringPair.headTeeth;
       const int planet = isRingTail ? ringPair.head : ringPair.tail;
       if ((sunPair.tail != planet && sunPair.head != planet) || sunPair.carrier != ringPair.carrier) continue;
       const bool isSunTail = sunPair.head == planet;
-      const TransferVertex& atSun = *vertices[static_cast<std::size_t>(sunMesh)];
-      const TransferVertex& atRing = *vertices[static_cast<std::size_t>(ringMesh)];
+      const TransferVertex& atSun = *vertices[sunMesh];
+      const TransferVertex& atRing = *vertices[ringMesh];
       const int sunLevel = isSunTail ? atSun.tailLevel : atSun.headLevel;
       const int ringLevel = isRingTail ? atRing.tailLevel : atRing.headLevel;
       if (sunLevel != ringLevel) continue;

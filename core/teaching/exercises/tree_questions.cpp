@@ -8,7 +8,7 @@ namespace geargraph::inline exercises {
 
 Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
-  const int mesh = random.below(graph.c());
+  const MeshOrdinal mesh = random.below(graph.c());
   const std::string label = source.meshLabel(mesh);
   const std::string count = asText(graph.n());
   QuestionBuilder build(ExerciseKind::spanningTree, 3);
@@ -33,7 +33,7 @@ Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& rand
   const int out = treePath(*source.tree(), gears.tail, gears.head).front().joint;
   std::vector<std::string> solution;
   std::vector<std::string> turningTree;
-  for (int joint = 0; joint < graph.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < graph.t(); ++joint) {
     turningTree.push_back(source.edgeLabel(joint));
     if (joint != out) solution.push_back(source.edgeLabel(joint));
   }

@@ -15,7 +15,8 @@ constexpr int kMostBranches = 12;
 
 std::vector<std::string> linkLabels(const ExerciseSource& source) {
   std::vector<std::string> labels;
-  for (int node = 0; node < source.graph().nodeCount(); ++node) labels.push_back(source.linkLabel(node));
+  for (LinkOrdinal node = 0; node < source.graph().nodeCount(); ++node)
+    labels.push_back(source.linkLabel(node));
   return labels;
 }
 
@@ -30,8 +31,8 @@ std::vector<int> pathNodes(const ExerciseSource& source, const DigraphEdge& gear
 }
 
 /// What is mistaken about a carrier in field `field`.
-void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, int mesh, int field,
-                        int carrier) {
+void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, MeshOrdinal mesh, int field,
+                        LinkOrdinal carrier) {
   const DigraphEdge& gears = source.graph().meshEdge(mesh);
   const std::vector<int> path = pathNodes(source, gears);
   const std::string right = source.linkLabel(carrier);
@@ -42,7 +43,7 @@ void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, in
                    {source.linkLabel(gear), source.meshLabel(mesh), right}),
         {source.linkId(gear), source.linkId(carrier)});
   }
-  for (int node = 0; node < source.graph().nodeCount(); ++node) {
+  for (LinkOrdinal node = 0; node < source.graph().nodeCount(); ++node) {
     if (node == carrier || node == gears.tail || node == gears.head) continue;
     const bool isOnPath = std::find(path.begin(), path.end(), node) != path.end();
     const char* const name = node == 0  ? "ground-as-carrier"
@@ -61,14 +62,14 @@ void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, in
 }
 
 std::vector<int> coefficientsOf(const ExerciseSource& source, std::span<const CircuitTerm> terms) {
-  std::vector<int> row(static_cast<std::size_t>(source.graph().t()), 0);
-  for (const CircuitTerm& term : terms) row[static_cast<std::size_t>(term.joint)] = term.coefficient;
+  ByJoint<int> row(static_cast<std::size_t>(source.graph().t()), 0);
+  for (const CircuitTerm& term : terms) row[term.joint] = term.coefficient;
   return row;
 }
 
 std::vector<std::string> picked(const std::vector<int>& row, const std::vector<int>& joints) {
   std::vector<int> some;
-  for (const int joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
+  for (const JointOrdinal joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
   return asTexts(some);
 }
 
@@ -76,9 +77,9 @@ std::vector<std::string> picked(const std::vector<int>& row, const std::vector<i
 
 Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const TtGraph& graph = *source.ttGraph();
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const DigraphEdge& gears = source.graph().meshEdge(mesh);
-  const TransferVertex vertex = *graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+  const TransferVertex vertex = *graph.transferVertices().ofMesh[mesh];
   const AxisLevels& levels = graph.levels();
   const std::string tail = source.linkLabel(gears.tail);
   const std::string head = source.linkLabel(gears.head);
@@ -125,7 +126,7 @@ Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random) {
 }
 
 Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const TerminalPair& pair = *source.ttGraph()->terminal(mesh);
   const std::string label = source.meshLabel(mesh);
   const std::string tail = source.linkLabel(pair.tail);
@@ -213,12 +214,11 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
 
 Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const TtGraph& graph = *source.ttGraph();
-  const int mesh = random.below(source.graph().c());
+  const MeshOrdinal mesh = random.below(source.graph().c());
   const bool isTail = random.below(2) == 0;
   const TerminalPair& pair = *graph.terminal(mesh);
   const int gear = isTail ? pair.tail : pair.head;
-  const std::vector<int> row =
-      coefficientsOf(source, isTail ? graph.tailCircuit(mesh) : graph.headCircuit(mesh));
+  const ByJoint<int> row = coefficientsOf(source, isTail ? graph.tailCircuit(mesh) : graph.headCircuit(mesh));
   const std::vector<int> other =
       coefficientsOf(source, isTail ? graph.headCircuit(mesh) : graph.tailCircuit(mesh));
   std::vector<int> toGround(row.size());
@@ -231,7 +231,8 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
     whole[i] = row[i] - other[i];
     (row[i] != 0 || other[i] != 0 || toGround[i] != 0 ? joints : rest).push_back(joint);
   }
-  for (const int joint : random.someOf(rest, std::max(0, kMostBranches - static_cast<int>(joints.size()))))
+  for (const JointOrdinal joint :
+       random.someOf(rest, std::max(0, kMostBranches - static_cast<int>(joints.size()))))
     joints.push_back(joint);
   std::sort(joints.begin(), joints.end());
 
@@ -249,7 +250,7 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
       {source.linkLabel(gear), source.linkLabel(pair.carrier)});
   std::vector<std::string> columns;
   std::string sum;
-  for (const int joint : joints) {
+  for (const JointOrdinal joint : joints) {
     columns.push_back(source.edgeLabel(joint));
     sum += (sum.empty() ? "" : " + ") +
            ("a_{" + columns.back() + "} \\, \\dot{\\theta}_{" + columns.back() + "}");
@@ -284,7 +285,7 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
       translated("You give all branches one sign: one that points from the gear to the carrier counts −1."));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto field = static_cast<int>(i);
-    const int value = row[static_cast<std::size_t>(joints[i])];
+    const int value = row[joints[i]];
     const std::vector<ElementId> elements{source.edgeId(joints[i])};
     const std::string name = edgeName(source, joints[i]);
     if (value == 0) {

@@ -111,7 +111,7 @@ std::vector<int> columnsFor(const IntegerMatrix& matrix, const std::vector<int>&
   return columns;
 }
 
-std::string cycleName(const ExerciseSource& source, int mesh) {
+std::string cycleName(const ExerciseSource& source, MeshOrdinal mesh) {
   return translated("The cycle of mesh %1", {source.meshLabel(mesh)});
 }
 
@@ -178,13 +178,13 @@ Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   std::vector<int> links = random.someOf(firstNumbers(source.graph().n()), size);  // columns: link - 1
   std::vector<int> onWalks;
   std::vector<int> others;
-  for (int joint = 0; joint < source.graph().t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < source.graph().t(); ++joint) {
     const bool isUsed =
         std::any_of(links.begin(), links.end(), [&](int column) { return tree.isOnWalk(joint, column + 1); });
     (isUsed ? onWalks : others).push_back(joint);
   }
   std::vector<int> joints = random.someOf(onWalks, size);
-  for (const int joint : random.someOf(others, size - static_cast<int>(joints.size())))
+  for (const JointOrdinal joint : random.someOf(others, size - static_cast<int>(joints.size())))
     joints.push_back(joint);
   std::sort(joints.begin(), joints.end());
 
@@ -213,11 +213,11 @@ Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
       "transposed", asTexts(transposed),
       translated("You exchange rows and columns: a column of Z belongs to a link and tells its walk."));
   for (std::size_t j = 0; j < links.size(); ++j) {
-    const int node = links[j] + 1;
+    const LinkOrdinal node = links[j] + 1;
     for (int other = 1; other < source.graph().nodeCount(); ++other) {
       if (other == node) continue;
       std::vector<int> column;
-      for (const int joint : joints) column.push_back(tree.pathEntry(joint, other));
+      for (const JointOrdinal joint : joints) column.push_back(tree.pathEntry(joint, other));
       if (std::count(column.begin(), column.end(), 0) == static_cast<std::ptrdiff_t>(column.size())) continue;
       build.wrongFields("another-link", table.fieldsOfColumn(j), {asTexts(column)},
                         translated("This is the walk of link %1, not of link %2.",
@@ -282,7 +282,7 @@ Question cycleBasisQuestion(const ExerciseSource& source, ExerciseRandom& random
 
 Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const int t = source.graph().t();
-  const int joint = random.below(t);
+  const JointOrdinal joint = random.below(t);
   const IntegerMatrix& cutsets = *source.matrix(MatrixKind::cutset);
   const std::vector<int> columns = columnsFor(cutsets, {joint}, random);
   const std::string name = edgeName(source, joint);

@@ -36,7 +36,7 @@ std::string sentenceOf(const std::string& joint, const std::vector<std::string>&
 class Cutset {
  public:
   Cutset(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
-         const StaticsReport& report, int joint)
+         const StaticsReport& report, JointOrdinal joint)
       : m_mechanism(mechanism),
         m_model(model),
         m_placement(placement),
@@ -44,19 +44,19 @@ class Cutset {
         m_joint(joint),
         m_isBeyond(static_cast<std::size_t>(model.n()) + 1, 0) {
     const SpanningTree& tree = model.tree();
-    const int child = tree.child(joint);
-    for (const int link : tree.preorder())
-      if (link == child || (link != 0 && isBeyond(tree.parent(link)))) m_isBeyond[at(link)] = 1;
+    const LinkOrdinal child = tree.child(joint);
+    for (const LinkOrdinal link : tree.preorder())
+      if (link == child || (link != 0 && isBeyond(tree.parent(link)))) m_isBeyond[link] = 1;
     // The joint's torque is that of its tail on its head.
     m_sense = model.graph().turningEdge(joint).head == child ? 1 : -1;
   }
 
   CutsetWords words() {
-    m_words.joint = m_mechanism.turningJoints[at(m_joint)].id;
-    for (int link = 1; link <= m_model.n(); ++link)
-      if (isBeyond(link)) m_words.beyond.emplace_back(m_mechanism.links[at(link)].id);
+    m_words.joint = m_mechanism.turningJoints[m_joint].id;
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link)
+      if (isBeyond(link)) m_words.beyond.emplace_back(m_mechanism.links[link].id);
     addOwn();
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
     addHeldParts();
     addLoads();
     describe();
@@ -64,8 +64,7 @@ class Cutset {
   }
 
  private:
-  static std::size_t at(int position) { return static_cast<std::size_t>(position); }
-  [[nodiscard]] bool isBeyond(int link) const { return m_isBeyond[at(link)] != 0; }
+  [[nodiscard]] bool isBeyond(LinkOrdinal link) const { return m_isBeyond[link] != 0; }
 
   void add(ElementId element, std::string symbol, Real torque, bool isDetermined = true) {
     m_words.terms.push_back({std::move(element), std::move(symbol), std::move(torque), isDetermined});
@@ -79,8 +78,9 @@ class Cutset {
       if (load.place.joint == m_joint) torque += Real(load.torque);
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const int balance = m_report.held[part].balance;
-      if (balance < 0 || m_report.problem.balances[at(balance)].joint != m_joint) continue;
-      torque += m_report.solution().values[at(m_model.c()) + part];
+      if (balance < 0 || m_report.problem.balances[static_cast<std::size_t>(balance)].joint != m_joint)
+        continue;
+      torque += m_report.solution().values[static_cast<std::size_t>(m_model.c()) + part];
       isDetermined = m_report.solution().isDetermined(m_model.c() + static_cast<int>(part));
     }
     add(m_words.joint, "T" + std::to_string(m_mechanism.jointLabel(m_joint)), torque, isDetermined);
@@ -88,21 +88,21 @@ class Cutset {
 
   /// A mesh is a port on each gear and the reactions of both on the carrier: it crosses where the joint lies
   /// between a gear and the carrier, on the gear's own axis.
-  void addMesh(int mesh) {
-    const MeshGeometry& geometry = *m_placement.meshes[at(mesh)];
+  void addMesh(MeshOrdinal mesh) {
+    const MeshGeometry& geometry = *m_placement.meshes[mesh];
     const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
     Real torque;
     bool crosses = false;
     const auto addPort = [&](int gear, const Real& port) {
       if (isBeyond(gear) == isBeyond(geometry.carrier)) return;
       const int side = isBeyond(gear) ? m_sense : -m_sense;
-      torque += Real(side * m_placement.classes->orientationSign[at(m_joint)]) * port;
+      torque += Real(side * m_placement.classes->orientationSign[m_joint]) * port;
       crosses = true;
     };
     addPort(geometry.tail, ports.tail);
     addPort(geometry.head, ports.head);
     if (crosses)
-      add(m_mechanism.gearMeshes[at(mesh)].id, "M" + std::to_string(m_mechanism.meshLabel(mesh)), torque,
+      add(m_mechanism.gearMeshes[mesh].id, "M" + std::to_string(m_mechanism.meshLabel(mesh)), torque,
           m_report.solution().isDetermined(mesh));
   }
 
@@ -113,15 +113,17 @@ class Cutset {
       const auto own = std::find_if(held.byJoint.begin(), held.byJoint.end(),
                                     [&](const auto& each) { return each.first == m_joint; });
       if (own == held.byJoint.end()) continue;
-      if (held.balance >= 0 && m_report.problem.balances[at(held.balance)].inJoint()) continue;
-      const Real torque = Real(own->second) * m_report.solution().values[at(m_model.c()) + part];
+      if (held.balance >= 0 && m_report.problem.balances[static_cast<std::size_t>(held.balance)].inJoint())
+        continue;
+      const Real torque =
+          Real(own->second) * m_report.solution().values[static_cast<std::size_t>(m_model.c()) + part];
       const bool isDetermined = m_report.solution().isDetermined(m_model.c() + static_cast<int>(part));
       if (held.coupling >= 0) {
-        const CouplingId id = m_mechanism.couplings[at(held.coupling)].id;
+        const CouplingId id = m_mechanism.couplings[held.coupling].id;
         add(id, "T(" + id.text() + ")", torque, isDetermined);
       } else {
-        const int link = m_report.problem.balances[at(held.balance)].link;
-        add(m_mechanism.links[at(link)].id,
+        const LinkOrdinal link = m_report.problem.balances[static_cast<std::size_t>(held.balance)].link;
+        add(m_mechanism.links[link].id,
             translated("T(link %1)", {std::to_string(m_mechanism.linkLabel(link))}), torque, isDetermined);
       }
     }
@@ -138,7 +140,7 @@ class Cutset {
 
   void describe() {
     std::vector<std::string> links;
-    for (int link = 1; link <= m_model.n(); ++link)
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link)
       if (isBeyond(link)) links.push_back(std::to_string(m_mechanism.linkLabel(link)));
     std::vector<std::string> meshes;
     std::string symbols;
@@ -166,7 +168,7 @@ class Cutset {
   const StaticsReport& m_report;
   int m_joint;
   int m_sense = 1;  ///< +1 where the head is beyond
-  std::vector<char> m_isBeyond;
+  ByLink<char> m_isBeyond;
   CutsetWords m_words;
 };
 
@@ -180,17 +182,18 @@ std::vector<ElementId> CutsetWords::elements() const {
 }
 
 std::optional<CutsetWords> cutsetWords(const Mechanism& mechanism, const KinematicModel& model,
-                                       const Placement& placement, const StaticsReport& report, int joint) {
+                                       const Placement& placement, const StaticsReport& report,
+                                       JointOrdinal joint) {
   if (!report.isSolved || !report.lossless.isBalanced()) return std::nullopt;
   return Cutset(mechanism, model, placement, report, joint).words();
 }
 
 std::optional<std::string> driverSentence(const Mechanism& mechanism, const Placement& placement,
-                                          const StaticsReport& report, int mesh) {
+                                          const StaticsReport& report, MeshOrdinal mesh) {
   if (!report.isSolved || !report.lossless.isBalanced() || !report.motion) return std::nullopt;
   const auto at = static_cast<std::size_t>(mesh);
   const MeshGeometry& geometry = *placement.meshes[at];
-  const auto label = [&](int link) { return std::to_string(mechanism.linkLabel(link)); };
+  const auto label = [&](LinkOrdinal link) { return std::to_string(mechanism.linkLabel(link)); };
   const std::string name = std::to_string(mechanism.meshLabel(mesh));
   if (!report.solution().isDetermined(mesh))
     return translated("Which gear drives in mesh %1 depends on how the load is shared.", {name});

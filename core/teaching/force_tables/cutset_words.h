@@ -30,12 +30,12 @@ struct CutsetWords {
 /// @pre all of one mechanism; `joint` is one of its turning joints
 [[nodiscard]] std::optional<CutsetWords> cutsetWords(const Mechanism& mechanism, const KinematicModel& model,
                                                      const Placement& placement, const StaticsReport& report,
-                                                     int joint);
+                                                     JointOrdinal joint);
 
 /// Explains which gear drives, and why: "Gear 1 drives gear 4 in mesh 9: seen from carrier 2 it turns against
 /// the teeth's torque on it, and they pass 490 W." std::nullopt without a motion or an equilibrium.
 [[nodiscard]] std::optional<std::string> driverSentence(const Mechanism& mechanism,
                                                         const Placement& placement,
-                                                        const StaticsReport& report, int mesh);
+                                                        const StaticsReport& report, MeshOrdinal mesh);
 
 }  // namespace geargraph::inline force_tables

@@ -21,17 +21,17 @@ class DualityEntries {
       : m_mechanism(mechanism), m_matrix(mechanism, model, placement) {}
 
   /// 0 where the row has no entry at the joint.
-  [[nodiscard]] int entry(int mesh, int joint) const {
+  [[nodiscard]] int entry(MeshOrdinal mesh, JointOrdinal joint) const {
     for (const CoefficientMatrix::Entry& each : m_matrix.row(mesh))
       if (each.joint == joint) return inTeeth(mesh, each);
     return 0;
   }
-  [[nodiscard]] std::optional<int> firstMesh(int joint) const {
-    for (int mesh = 0; mesh < m_matrix.rows(); ++mesh)
+  [[nodiscard]] std::optional<int> firstMesh(JointOrdinal joint) const {
+    for (MeshOrdinal mesh = 0; mesh < m_matrix.rows(); ++mesh)
       if (entry(mesh, joint) != 0) return mesh;
     return std::nullopt;
   }
-  [[nodiscard]] std::optional<int> firstJoint(int mesh) const {
+  [[nodiscard]] std::optional<int> firstJoint(MeshOrdinal mesh) const {
     const auto row = m_matrix.row(mesh);
     return row.empty() ? std::nullopt : std::optional(row.front().joint);
   }
@@ -43,17 +43,17 @@ class DualityEntries {
         equations.joints.end())
       equations.joints.push_back(equations.joint);
     std::sort(equations.joints.begin(), equations.joints.end());
-    for (int mesh = 0; mesh < m_matrix.rows(); ++mesh)
+    for (MeshOrdinal mesh = 0; mesh < m_matrix.rows(); ++mesh)
       if (mesh == equations.mesh || entry(mesh, equations.joint) != 0) equations.meshes.push_back(mesh);
-    for (const int mesh : equations.meshes) {
+    for (const MeshOrdinal mesh : equations.meshes) {
       std::vector<int>& row = equations.cells.emplace_back();
-      for (const int joint : equations.joints) row.push_back(entry(mesh, joint));
+      for (const JointOrdinal joint : equations.joints) row.push_back(entry(mesh, joint));
     }
   }
 
  private:
-  [[nodiscard]] int inTeeth(int mesh, const CoefficientMatrix::Entry& entry) const {
-    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+  [[nodiscard]] int inTeeth(MeshOrdinal mesh, const CoefficientMatrix::Entry& entry) const {
+    const GearMesh& gears = m_mechanism.gearMeshes[mesh];
     return entry.sign * (entry.tail ? gears.tailTeeth : gears.headTeeth);
   }
 
@@ -68,7 +68,7 @@ std::string speedsOf(const DualEquations& equations, const Motion& motion) {
   for (std::size_t column = 0; column < equations.joints.size(); ++column) {
     const int factor = equations.cells[static_cast<std::size_t>(row)][column];
     if (factor == 0) continue;
-    const Rational& speed = motion[static_cast<std::size_t>(equations.joints[column])];
+    const Rational& speed = motion[equations.joints[column]];
     const double size = std::abs(speed.toDouble());
     addFactor(sum, (factor < 0) != (speed.sign() < 0),
               std::to_string(std::abs(factor)) + "\xC2\xB7" + shownNumber(size));

@@ -12,8 +12,8 @@ namespace geargraph::inline force_tables {
 /// torque in a joint (17*), with their common entry. Lengths are counted in teeth, so that all entries are
 /// integers.
 struct DualEquations {
-  int mesh = 0;
-  int joint = 0;
+  MeshOrdinal mesh = 0;
+  JointOrdinal joint = 0;
   std::vector<int> joints;              ///< positions, ascending: those of the row, and `joint`
   std::vector<int> meshes;              ///< positions, ascending: those of the column, and `mesh`
   std::vector<std::vector<int>> cells;  ///< P by mesh and joint, in teeth

@@ -11,7 +11,7 @@ ForceCell cellOf(const std::optional<double>& number, bool isLocked = false) {
   return spokenCell([] { return translated("locks itself"); });
 }
 
-std::string jointName(const Mechanism& mechanism, int joint) {
+std::string jointName(const Mechanism& mechanism, JointOrdinal joint) {
   return translated("joint %1", {std::to_string(mechanism.jointLabel(joint))});
 }
 

@@ -79,18 +79,12 @@ class Rows {
     return value ? cell(value->number()) : wordCell(kShared);
   }
 
-  [[nodiscard]] ElementId jointId(int joint) const {
-    return m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
-  }
-  [[nodiscard]] ElementId linkId(int link) const {
-    return m_mechanism.links[static_cast<std::size_t>(link)].id;
-  }
-  [[nodiscard]] ElementId meshId(int mesh) const {
-    return m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id;
-  }
+  [[nodiscard]] ElementId jointId(JointOrdinal joint) const { return m_mechanism.turningJoints[joint].id; }
+  [[nodiscard]] ElementId linkId(LinkOrdinal link) const { return m_mechanism.links[link].id; }
+  [[nodiscard]] ElementId meshId(MeshOrdinal mesh) const { return m_mechanism.gearMeshes[mesh].id; }
   /// "1 sun", "0".
-  [[nodiscard]] std::string linkName(int link) const {
-    const std::string& name = m_mechanism.links[static_cast<std::size_t>(link)].name;
+  [[nodiscard]] std::string linkName(LinkOrdinal link) const {
+    const std::string& name = m_mechanism.links[link].name;
     return std::to_string(m_mechanism.linkLabel(link)) + (name.empty() ? "" : " " + name);
   }
 
@@ -102,15 +96,15 @@ class Rows {
 
   /// What loads and balances put into each joint in a solution; none where a balance is not determined.
   [[nodiscard]] std::vector<std::optional<Real>> torquesIn(const StaticsSolution& solution) const {
-    std::vector<std::optional<Real>> torques(static_cast<std::size_t>(m_model.t()), Real());
+    ByJoint<std::optional<Real>> torques(static_cast<std::size_t>(m_model.t()), Real());
     for (const AppliedTorque& load : m_report.problem.torques)
-      if (load.place.inJoint()) *torques[static_cast<std::size_t>(load.place.joint)] += Real(load.torque);
+      if (load.place.inJoint()) *torques[load.place.joint] += Real(load.torque);
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const int balance = m_report.held[part].balance;
       if (balance < 0) continue;
       const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(balance)];
       if (!place.inJoint()) continue;
-      auto& torque = torques[static_cast<std::size_t>(place.joint)];
+      auto& torque = torques[place.joint];
       const auto found = valueIn(solution, m_model.c() + static_cast<int>(part));
       if (!found) {
         torque.reset();
@@ -148,16 +142,16 @@ class Rows {
                            "what they take.")),
     };
     if (!m_isBalanced) return;
-    std::vector<std::pair<bool, bool>> carried(static_cast<std::size_t>(m_model.t()));  // load, balance
+    ByJoint<std::pair<bool, bool>> carried(static_cast<std::size_t>(m_model.t()));  // load, balance
     for (const AppliedTorque& load : m_report.problem.torques)
-      if (load.place.inJoint()) carried[static_cast<std::size_t>(load.place.joint)].first = true;
+      if (load.place.inJoint()) carried[load.place.joint].first = true;
     for (const TorquePlace& place : m_report.problem.balances)
-      if (place.inJoint()) carried[static_cast<std::size_t>(place.joint)].second = true;
+      if (place.inJoint()) carried[place.joint].second = true;
     const auto lossless = torquesIn(m_report.lossless);
     const auto torques = torquesIn(m_report.solution());
-    for (int joint = 0; joint < m_model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       const auto at = static_cast<std::size_t>(joint);
-      const int child = m_model.tree().child(joint);
+      const LinkOrdinal child = m_model.tree().child(joint);
       ForceRow& line = row({jointId(joint), linkId(child)});
       const auto [load, balance] = carried[at];
       line.cells = {cell(std::to_string(m_mechanism.jointLabel(joint))),
@@ -201,7 +195,7 @@ class Rows {
     }
   }
 
-  void addOnLink(int link, const char* by, const std::optional<Real>& lossless,
+  void addOnLink(LinkOrdinal link, const char* by, const std::optional<Real>& lossless,
                  const std::optional<Real>& torque, const std::optional<Real>& watts) {
     ForceRow& line = row({linkId(link)});
     const bool isForce = std::string_view(by) == "force";
@@ -233,7 +227,7 @@ class Rows {
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const HeldPart& held = m_report.held[part];
       if (held.coupling < 0) continue;
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(held.coupling)];
+      const Coupling& coupling = m_mechanism.couplings[held.coupling];
       std::vector<ElementId> elements{ElementId(coupling.id)};
       std::string links;
       for (const LinkId& link : coupling.links) {
@@ -243,8 +237,7 @@ class Rows {
       const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
       ForceRow& line = row(std::move(elements));
       line.cells = {nameCell(couplingText(coupling), coupling.id.text()), cell(links),
-                    cell(m_mechanism.axes[static_cast<std::size_t>(held.axis)].id.text()), exactCell(torque),
-                    decimalCell(torque)};
+                    cell(m_mechanism.axes[held.axis].id.text()), exactCell(torque), decimalCell(torque)};
       line.cells.push_back(held.isMain && m_report.flow
                                ? flowCell(m_report.flow->of(ElementPower::Kind::coupling, held.coupling), 0)
                                : ForceCell());
@@ -295,16 +288,16 @@ class Rows {
                toTranslate("What the mesh delivers to the carrier, seen from the ground.")),
     };
     if (!m_isBalanced) return;
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
   }
 
-  void addMesh(int mesh) {
+  void addMesh(MeshOrdinal mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     const MeshGeometry& geometry = *m_placement.meshes[at];
     ForceRow& line = row({meshId(mesh), linkId(geometry.tail), linkId(geometry.head)});
     const bool isDetermined = m_report.solution().isDetermined(mesh);
     const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
-    const auto torque = [&](const Real& size, int gear, int axisClass) {
+    const auto torque = [&](const Real& size, int gear, ClassOrdinal axisClass) {
       if (!isDetermined) return wordCell(kShared);
       return exactCell(Real(orientationSignAt(m_placement, gear, axisClass)) * size);
     };
@@ -326,7 +319,7 @@ class Rows {
     line.cells.resize(m_table->columns.size());
   }
 
-  void addMeshPower(int mesh, bool isDetermined, ForceRow& line) {
+  void addMeshPower(MeshOrdinal mesh, bool isDetermined, ForceRow& line) {
     const auto at = static_cast<std::size_t>(mesh);
     if (!m_report.flow) return;
     if (!isDetermined) {
@@ -419,7 +412,7 @@ class Rows {
       case ElementPower::Kind::joint:
         return {jointId(element.position)};
       case ElementPower::Kind::coupling:
-        return {ElementId(m_mechanism.couplings[static_cast<std::size_t>(element.position)].id)};
+        return {ElementId(m_mechanism.couplings[element.position].id)};
       case ElementPower::Kind::load:
       case ElementPower::Kind::balance:
         break;
@@ -436,7 +429,7 @@ class Rows {
       case ElementPower::Kind::joint:
         return nameCell(toTranslate("joint %1"), std::to_string(m_mechanism.jointLabel(element.position)));
       case ElementPower::Kind::coupling: {
-        const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(element.position)];
+        const Coupling& coupling = m_mechanism.couplings[element.position];
         return nameCell(couplingText(coupling), coupling.id.text());
       }
       case ElementPower::Kind::load:
@@ -464,11 +457,11 @@ class Rows {
       std::vector<ElementId> elements;
       std::vector<std::string> links;
       std::vector<std::string> labels;
-      for (const int link : each.links) {
+      for (const LinkOrdinal link : each.links) {
         elements.push_back(linkId(link));
         links.push_back(linkName(link));
       }
-      for (const int mesh : each.meshes) {
+      for (const MeshOrdinal mesh : each.meshes) {
         elements.push_back(meshId(mesh));
         labels.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
       }

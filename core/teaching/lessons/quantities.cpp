@@ -198,12 +198,11 @@ Expected<QuantityValues> LessonAnalysis::ratesOf(const AskedQuantity& asked) {
     return notDefined(translated("The speeds are not determined yet: see Problems."));
   const auto exact = solveExact(*live().kinematics->model, matroid->choice.joints, matroid->speeds, m_stop);
   if (!exact) return notDefined(translated("The solution was cancelled."));
-  if (joint) return number(exact->rates[static_cast<std::size_t>(*joint)]);
+  if (joint) return number(exact->rates[*joint]);
   QuantityValues values;
   for (const int output : exact->outputs) {
     const DigraphEdge& edge = live().graph->turningEdge(output);
-    if (edge.tail == 0 || edge.head == 0)
-      values.numbers.push_back(exact->rates[static_cast<std::size_t>(output)]);
+    if (edge.tail == 0 || edge.head == 0) values.numbers.push_back(exact->rates[output]);
   }
   return values;
 }
@@ -235,7 +234,7 @@ Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
     return notDefined(translated("The loads are not held: torques are not determined."));
   const int meshes = m_mechanism->c();
   const std::optional<int> joint = positionOf(m_mechanism->turningJoints, holder);
-  const int coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
+  const CouplingOrdinal coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
   for (std::size_t i = 0; i < report->held.size(); ++i) {
     const HeldPart& part = report->held[i];
     const bool isJoint = part.balance >= 0 && joint &&
@@ -261,7 +260,7 @@ Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
   QuantityValues values;
   if (asked.quantity == Quantity::transferVertex) {
     const auto& vertices = snapshot.kinematics->ttGraph->transferVertices().ofMesh;
-    const auto& vertex = vertices[static_cast<std::size_t>(*mesh)];
+    const auto& vertex = vertices[*mesh];
     if (!vertex) return notDefined(translated("Mesh \"%1\" has no transfer vertex.", {asked.of}));
     values.elements = {snapshot.graph->nodeId(vertex->carrier)};
     return values;
@@ -269,7 +268,7 @@ Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
   std::vector<int> joints;
   for (const PathStep& step : treePath(*snapshot.tree, gears.head, gears.tail)) joints.push_back(step.joint);
   std::sort(joints.begin(), joints.end());
-  for (const int joint : joints) values.elements.push_back(snapshot.graph->edgeId(joint));
+  for (const JointOrdinal joint : joints) values.elements.push_back(snapshot.graph->edgeId(joint));
   return values;
 }
 

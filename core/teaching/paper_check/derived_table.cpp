@@ -32,7 +32,7 @@ const MatrixFacts& factsOf(PaperMatrix kind) {
   return kFacts[static_cast<std::size_t>(kind)];
 }
 
-Heading headingOfJoint(const Digraph& graph, int joint) {
+Heading headingOfJoint(const Digraph& graph, JointOrdinal joint) {
   const int label = graph.edgeLabel(joint);
   return {label, std::to_string(label), graph.edgeId(joint)};
 }
@@ -58,14 +58,15 @@ DerivedTable coefficients(const Vocabulary& vocabulary) {
   const LiveKinematics& live = *source.snapshot()->kinematics;
   const CoefficientMatrix matrix(source.mechanism(), *live.model, live.placement());
   DerivedTable table{PaperMatrix::coefficients, {}, {}, {}};
-  for (int joint = 0; joint < graph.t(); ++joint) table.columns.push_back(headingOfJoint(graph, joint));
-  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+  for (JointOrdinal joint = 0; joint < graph.t(); ++joint)
+    table.columns.push_back(headingOfJoint(graph, joint));
+  for (MeshOrdinal mesh = 0; mesh < graph.c(); ++mesh) {
     const int label = graph.edgeLabel(graph.t() + mesh);
     table.rows.push_back({label, "C" + std::to_string(label), source.meshId(mesh)});
-    std::vector<DerivedEntry> row(static_cast<std::size_t>(graph.t()),
-                                  {RationalFunction::fromInteger(vocabulary.ring(), 0), 0});
+    ByJoint<DerivedEntry> row(static_cast<std::size_t>(graph.t()),
+                              {RationalFunction::fromInteger(vocabulary.ring(), 0), 0});
     for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
-      DerivedEntry& cell = row[static_cast<std::size_t>(entry.joint)];
+      DerivedEntry& cell = row[entry.joint];
       cell.function = RationalFunction::power(vocabulary.ring(), entry.sign, mesh, entry.tail ? 1 : 0);
       cell.value = vocabulary.atTeeth(cell.function);
     }
@@ -80,8 +81,9 @@ std::optional<DerivedTable> solution(const Vocabulary& vocabulary) {
   if (!solved || !solved->exact || solved->exact->matrix.empty()) return std::nullopt;
   const ExactSolution& exact = *solved->exact;
   DerivedTable table{PaperMatrix::solution, {}, {}, {}};
-  for (const int joint : exact.outputs) table.rows.push_back(headingOfJoint(source.graph(), joint));
-  for (const int joint : exact.inputs) table.columns.push_back(headingOfJoint(source.graph(), joint));
+  for (const JointOrdinal joint : exact.outputs) table.rows.push_back(headingOfJoint(source.graph(), joint));
+  for (const JointOrdinal joint : exact.inputs)
+    table.columns.push_back(headingOfJoint(source.graph(), joint));
   for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
     auto& entries = table.entries.emplace_back();
     for (std::size_t column = 0; column < exact.inputs.size(); ++column) {

@@ -106,7 +106,7 @@ class EquationCheck {
     }
   }
 
-  [[nodiscard]] Rational rate(int joint, std::size_t input) const {
+  [[nodiscard]] Rational rate(JointOrdinal joint, std::size_t input) const {
     return m_source.rates()[static_cast<std::size_t>(joint)][input];
   }
   /// What a velocity is over an input, as a number.
@@ -216,7 +216,7 @@ class EquationCheck {
   [[nodiscard]] std::optional<PaperDifference> ratioMistake(const Terms& terms,
                                                             const std::vector<Rational>& coefficients) const {
     const auto values = m_vocabulary.ring()->values();
-    for (int mesh = 0; mesh < m_vocabulary.ring()->variables(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_vocabulary.ring()->variables(); ++mesh) {
       std::vector<Rational> turned(values.begin(), values.end());
       turned[static_cast<std::size_t>(mesh)] = turned[static_cast<std::size_t>(mesh)].inverse();
       std::vector<Rational> changed;
@@ -261,7 +261,7 @@ class EquationCheck {
     longer.push_back({{}, {}, {m_vocabulary.constant(1), false, false, 0}});
     std::vector<Rational> changed = coefficients;
     changed.emplace_back(0);
-    for (int joint = 0; joint < m_source.graph().t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_source.graph().t(); ++joint) {
       longer.back().rates = {{joint, 1}};
       for (const Rational& coefficient : coefficients) {
         for (const bool isNegative : {false, true}) {
@@ -281,7 +281,7 @@ class EquationCheck {
       Terms terms, const std::vector<Rational>& coefficients) const {
     for (auto& term : terms) {
       const RateSum own = term.rates;
-      for (int joint = 0; joint < m_source.graph().t(); ++joint) {
+      for (JointOrdinal joint = 0; joint < m_source.graph().t(); ++joint) {
         term.rates = {{joint, 1}};
         if (term.rates == own || !vanishes(terms, coefficients)) continue;
         return PaperDifference{

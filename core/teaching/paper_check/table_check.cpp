@@ -193,7 +193,7 @@ std::optional<std::vector<int>> inputsNamed(const Vocabulary& vocabulary, const 
   const Digraph& graph = vocabulary.source().graph();
   std::vector<int> joints;
   for (const WrittenCell& label : table.columnLabels) {
-    const int joint = labelNumber(vocabulary, label.text).value_or(-1) - graph.edgeLabel(0);
+    const JointOrdinal joint = labelNumber(vocabulary, label.text).value_or(-1) - graph.edgeLabel(0);
     if (joint < 0 || joint >= graph.t()) return std::nullopt;
     joints.push_back(joint);
   }
@@ -203,8 +203,8 @@ std::optional<std::vector<int>> inputsNamed(const Vocabulary& vocabulary, const 
 /// The mechanism with these joints driven.
 Mechanism withInputs(Mechanism mechanism, const std::vector<int>& joints) {
   mechanism.inputs.emplace();
-  for (const int joint : joints)
-    mechanism.inputs->push_back({mechanism.turningJoints[static_cast<std::size_t>(joint)].id, Number{}, {}});
+  for (const JointOrdinal joint : joints)
+    mechanism.inputs->push_back({mechanism.turningJoints[joint].id, Number{}, {}});
   return mechanism;
 }
 

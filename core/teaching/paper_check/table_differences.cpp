@@ -192,13 +192,13 @@ class TableDifferences {
   }
 
   /// An entry of a row of P: the gear's ratio or 1, with a sign.
-  [[nodiscard]] DerivedEntry coefficient(int mesh, int sign, bool isTail) const {
+  [[nodiscard]] DerivedEntry coefficient(MeshOrdinal mesh, int sign, bool isTail) const {
     DerivedEntry entry{RationalFunction::power(m_vocabulary.ring(), sign, mesh, isTail ? 1 : 0), 0};
     entry.value = m_vocabulary.atTeeth(entry.function);
     return entry;
   }
 
-  void addCoefficientRows(int mesh, std::vector<MistakenRow>& rows) const {
+  void addCoefficientRows(MeshOrdinal mesh, std::vector<MistakenRow>& rows) const {
     const auto& right = m_right.entries[static_cast<std::size_t>(mesh)];
     const auto tree = m_source.matrix(MatrixKind::spanningTree);
     std::vector<DerivedEntry> inverse = right, headTurned = right, both = right, cycle = right,

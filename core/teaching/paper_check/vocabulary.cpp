@@ -92,9 +92,9 @@ std::optional<NamedValue> Vocabulary::wheel(const WrittenName& name, std::string
   const auto link = numberOf(name.subscript);
   std::vector<Gear> gears;
   const Digraph& graph = m_source.graph();
-  for (int mesh = 0; link && mesh < graph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; link && mesh < graph.c(); ++mesh) {
     const DigraphEdge& ends = graph.meshEdge(mesh);
-    const GearMesh& teeth = m_source.mechanism().gearMeshes[static_cast<std::size_t>(mesh)];
+    const GearMesh& teeth = m_source.mechanism().gearMeshes[mesh];
     for (const bool isTail : {true, false}) {
       if (graph.nodeLabel(isTail ? ends.tail : ends.head) != *link) continue;
       Gear gear{isTail ? teeth.tailTeeth : teeth.headTeeth, {}};
@@ -151,7 +151,7 @@ std::optional<RateSum> Vocabulary::rate(const WrittenName& name, std::string& fa
   const Digraph& graph = m_source.graph();
   if (name.base == "theta") {
     const auto label = numberOf(name.subscript);
-    const int joint = label.value_or(0) - graph.edgeLabel(0);
+    const JointOrdinal joint = label.value_or(0) - graph.edgeLabel(0);
     if (label && joint >= 0 && joint < graph.t()) return RateSum{{joint, 1}};
     fault = translated("This mechanism has no turning joint %1, so no %2.", {name.subscript, shown(name)});
     return std::nullopt;
@@ -175,12 +175,8 @@ std::optional<RateSum> Vocabulary::between(int from, int to, std::string& fault)
   const Placement& placement = m_source.snapshot()->kinematics->placement();
   const std::vector<PathStep> steps = treePath(*tree, from, to);
   const AxisClasses& classes = *placement.classes;
-  const auto classOf = [&](const PathStep& step) {
-    return classes.classOf[static_cast<std::size_t>(step.joint)];
-  };
-  const auto orientationSignOf = [&](const PathStep& step) {
-    return classes.orientationSign[static_cast<std::size_t>(step.joint)];
-  };
+  const auto classOf = [&](const PathStep& step) { return classes.classOf[step.joint]; };
+  const auto orientationSignOf = [&](const PathStep& step) { return classes.orientationSign[step.joint]; };
   RateSum sum;
   for (const PathStep& step : steps) {
     const PathStep& last = steps.back();

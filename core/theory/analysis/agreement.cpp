@@ -10,13 +10,13 @@ namespace {
 /// Counts what agrees and remembers what does not.
 class Comparison {
  public:
-  void compare(int joint, const Rational& a, const Rational& b) {
+  void compare(JointOrdinal joint, const Rational& a, const Rational& b) {
     ++m_result.compared;
     if (a == b) return;
     m_result.largestDifference = std::max(m_result.largestDifference, (a - b).abs());
     differ(joint);
   }
-  void differ(int joint) { m_joints.insert(joint); }
+  void differ(JointOrdinal joint) { m_joints.insert(joint); }
   [[nodiscard]] Agreement result(bool determined = true) {
     m_result.joints.assign(m_joints.begin(), m_joints.end());
     m_result.equal = determined && m_joints.empty();
@@ -40,7 +40,7 @@ std::set<int> unshared(std::vector<int> a, std::vector<int> b) {
 
 Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph) {
   Comparison comparison;
-  for (const int joint : unshared(matroid.inputs, ttGraph.inputs)) comparison.differ(joint);
+  for (const JointOrdinal joint : unshared(matroid.inputs, ttGraph.inputs)) comparison.differ(joint);
   const auto columnOf = [&](int input) {
     return static_cast<std::size_t>(std::find(ttGraph.inputs.begin(), ttGraph.inputs.end(), input) -
                                     ttGraph.inputs.begin());
@@ -48,7 +48,7 @@ Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& 
   std::vector<std::size_t> columns;
   for (const int input : matroid.inputs) columns.push_back(columnOf(input));
   for (std::size_t row = 0; row < matroid.outputs.size(); ++row) {
-    const int joint = matroid.outputs[row];
+    const JointOrdinal joint = matroid.outputs[row];
     const auto other = std::lower_bound(ttGraph.outputs.begin(), ttGraph.outputs.end(), joint);
     if (other == ttGraph.outputs.end() || *other != joint) {
       comparison.differ(joint);

@@ -28,12 +28,12 @@ Eigen::MatrixXd gainsOf(const LiveSolution& solution) {
 }
 
 /// The link that an axis of the document moves with: the one nearest the ground among those it joins.
-int carrierOf(const Placement& placement, int axis) {
+int carrierOf(const Placement& placement, AxisOrdinal axis) {
   const std::span<const int> axisOf = placement.tree->axisOf;
   for (std::size_t joint = 0; joint < axisOf.size(); ++joint) {
     if (axisOf[joint] != axis) continue;
     const AxisClasses& classes = *placement.classes;
-    return classes.classes[static_cast<std::size_t>(classes.classOf[joint])].rootLink;
+    return classes.classes[classes.classOf[joint]].rootLink;
   }
   return 0;
 }

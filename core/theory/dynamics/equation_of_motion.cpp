@@ -47,11 +47,11 @@ void TrainDynamics::place(const Eigen::VectorXd& angles) {
   Eigen::Map<Eigen::VectorXd>(m_jointAngles.data(), m_train.gains.rows()) = m_train.gains * angles;
   m_kinematics.place(m_jointAngles, m_poses);
   const SpanningTree& tree = *m_train.tree;
-  for (const int link : tree.preorder().subspan(1)) {
+  for (const LinkOrdinal link : tree.preorder().subspan(1)) {
     const auto at = static_cast<std::size_t>(link);
     const auto parent = static_cast<std::size_t>(tree.parent(link));
-    const int joint = tree.jointToParent(link);
-    const TurningLine& line = m_train.lines[static_cast<std::size_t>(joint)];
+    const JointOrdinal joint = tree.jointToParent(link);
+    const TurningLine& line = m_train.lines[joint];
     const Eigen::Vector3d direction =
         -tree.directionToGround(joint) * (m_poses[parent].linear() * line.direction);
     m_screws[at] << direction, (m_poses[parent] * line.point).cross(direction);
@@ -59,7 +59,7 @@ void TrainDynamics::place(const Eigen::VectorXd& angles) {
   }
 }
 
-Eigen::Matrix<double, 6, 6> TrainDynamics::spatialInertia(int link) const {
+Eigen::Matrix<double, 6, 6> TrainDynamics::spatialInertia(LinkOrdinal link) const {
   const auto at = static_cast<std::size_t>(link);
   const MassProperties body = moved(m_train.links[at], m_poses[at]);
   const Eigen::Matrix3d first = body.mass * crossMatrix(body.center);
@@ -77,8 +77,7 @@ void TrainDynamics::addLoad(const MovingLoad& load) {
   const auto link = static_cast<std::size_t>(load.link);
   const Eigen::Vector3d point = m_poses[link] * load.point;
   Twist wrench;
-  wrench << m_poses[static_cast<std::size_t>(load.carrier)].linear() * load.torque + point.cross(load.force),
-      load.force;
+  wrench << m_poses[load.carrier].linear() * load.torque + point.cross(load.force), load.force;
   m_equation.load += m_twists[link].transpose() * wrench;
 }
 
@@ -93,13 +92,13 @@ const EquationOfMotion& TrainDynamics::at(const Eigen::VectorXd& angles, const E
   m_equation.load.setZero(m_train.inputs());
   m_equation.kinetic = 0;
   m_equation.potential = 0;
-  std::vector<Twist> accelerations(m_poses.size(), Twist::Zero());  // where the inputs do not accelerate
+  ByLink<Twist> accelerations(m_poses.size(), Twist::Zero());  // where the inputs do not accelerate
   accelerations[0].tail<3>() = -m_train.gravity;  // weight is as if the ground accelerated upwards
-  for (const int link : tree.preorder().subspan(1)) {
+  for (const LinkOrdinal link : tree.preorder().subspan(1)) {
     if (stop.stop_requested()) break;
     const auto i = static_cast<std::size_t>(link);
     const Twist velocity = m_twists[i] * speeds;
-    accelerations[i] = accelerations[static_cast<std::size_t>(tree.parent(link))] +
+    accelerations[i] = accelerations[tree.parent(link)] +
                        rates[tree.jointToParent(link)] * motionCross(velocity, m_screws[i]);
     const Eigen::Matrix<double, 6, 6> inertia = spatialInertia(link);
     const Twist momentum = inertia * velocity;

@@ -15,12 +15,12 @@ namespace geargraph::inline dynamics {
 /// reference pose, base frame.
 struct MovingLoad {
   /// The turning joint that it acts in, by its tail on its head; -1: it acts on `link`.
-  int joint = -1;
-  int link = 0;
+  JointOrdinal joint = -1;
+  LinkOrdinal link = 0;
   /// In a joint: the torque is its first component. On a link: a couple, whose direction moves with
   /// `carrier`.
   Eigen::Vector3d torque{0, 0, 0};
-  int carrier = 0;
+  LinkOrdinal carrier = 0;
   /// Keeps its direction in the base frame; its point moves with the link.
   Eigen::Vector3d force{0, 0, 0};
   Eigen::Vector3d point{0, 0, 0};
@@ -29,10 +29,10 @@ struct MovingLoad {
 /// A train of rigid links with the data that dynamics needs. Lengths in m.
 struct DynamicTrain {
   SpanningTreePtr tree;
-  std::vector<TurningLine> lines;     ///< by joint, reference pose
-  Eigen::MatrixXd gains;              ///< K, joints x inputs: theta_joint = K theta_inputs
-  std::vector<MassProperties> links;  ///< by link, reference pose; that of the ground is not used
-  Eigen::Vector3d gravity{0, 0, 0};   ///< acceleration of free fall
+  ByJoint<TurningLine> lines;        ///< reference pose
+  Eigen::MatrixXd gains;             ///< K, joints x inputs: theta_joint = K theta_inputs
+  ByLink<MassProperties> links;      ///< reference pose; that of the ground is not used
+  Eigen::Vector3d gravity{0, 0, 0};  ///< acceleration of free fall
   std::vector<MovingLoad> loads;
 
   [[nodiscard]] Eigen::Index inputs() const { return gains.cols(); }
@@ -78,15 +78,15 @@ class TrainDynamics {
   using Twist = Eigen::Matrix<double, 6, 1>;
 
   void place(const Eigen::VectorXd& angles);
-  [[nodiscard]] Eigen::Matrix<double, 6, 6> spatialInertia(int link) const;
+  [[nodiscard]] Eigen::Matrix<double, 6, 6> spatialInertia(LinkOrdinal link) const;
   void addLoad(const MovingLoad& load);
 
   DynamicTrain m_train;
   ForwardKinematics m_kinematics;
   std::vector<double> m_jointAngles;
-  std::vector<Eigen::Isometry3d> m_poses;
-  std::vector<Twists> m_twists;  ///< by link: the twist for unit speeds of the inputs
-  std::vector<Twist> m_screws;   ///< by link: of its joint towards the ground, for unit rate of the joint
+  ByLink<Eigen::Isometry3d> m_poses;
+  ByLink<Twists> m_twists;  ///< the twist for unit speeds of the inputs
+  ByLink<Twist> m_screws;   ///< of its joint towards the ground, for unit rate of the joint
   EquationOfMotion m_equation;
 };
 

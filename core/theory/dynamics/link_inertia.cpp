@@ -36,11 +36,11 @@ Eigen::Matrix3d matrixOf(const InertiaNumbers& inertia) {
 }
 
 /// A point of the axis about which the link turns; the origin for the ground.
-Eigen::Vector3d placeOnAxis(const Placement& placement, int link) {
+Eigen::Vector3d placeOnAxis(const Placement& placement, LinkOrdinal link) {
   if (link == 0) return Eigen::Vector3d::Zero();
   const JointTree& tree = *placement.tree;
-  const int axis = tree.axisOf[static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)])];
-  return Eigen::Vector3d(placement.axes[static_cast<std::size_t>(axis)].point.data());
+  const AxisOrdinal axis = tree.axisOf[tree.joint[link]];
+  return Eigen::Vector3d(placement.axes[axis].point.data());
 }
 
 /// What the document states, over what the solids give (lengths in m).
@@ -85,9 +85,9 @@ std::vector<LinkInertia> linkInertias(const Mechanism& mechanism, const Placemen
                                       const GearTrain& train, double metres, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(placement.tree.has_value());
   const double density = mechanism.density ? mechanism.density->value() : kSteelDensity;
-  std::vector<MassProperties> solids(mechanism.links.size());
-  const auto add = [&](int link, const MassProperties& part) {
-    MassProperties& whole = solids[static_cast<std::size_t>(link)];
+  ByLink<MassProperties> solids(mechanism.links.size());
+  const auto add = [&](LinkOrdinal link, const MassProperties& part) {
+    MassProperties& whole = solids[link];
     whole = joined(whole, part);
   };
   GearCache cache;

@@ -32,7 +32,8 @@ class Run {
     Eigen::Map<Eigen::VectorXd>(state.data(), m_inputs) = m_options.angles;
     Eigen::Map<Eigen::VectorXd>(state.data() + m_inputs, m_inputs) = m_options.speeds;
     if (!addSample(0, state)) return ended(SimulationEnd::massless);
-    if (const int joint = beyondLimit(state); joint >= 0) return ended(SimulationEnd::atLimit, joint);
+    if (const JointOrdinal joint = beyondLimit(state); joint >= 0)
+      return ended(SimulationEnd::atLimit, joint);
     auto stepper = odeint::make_dense_output(m_options.tolerance, m_options.tolerance,
                                              odeint::runge_kutta_dopri5<State>());
     stepper.initialize(state, 0, std::min(m_options.interval, m_options.seconds));
@@ -166,7 +167,7 @@ class Run {
     return -1;
   }
 
-  Simulation ended(SimulationEnd end, int limitJoint = -1) {
+  Simulation ended(SimulationEnd end, JointOrdinal limitJoint = -1) {
     m_result.end = end;
     m_result.limitJoint = limitJoint;
     return std::move(m_result);
@@ -178,7 +179,7 @@ class Run {
   Simulation m_result;
   double m_time = 0;
   long m_taken = 0;  ///< samples after that at time 0
-  int m_limitJoint = -1;
+  JointOrdinal m_limitJoint = -1;
   bool m_isMassless = false;
 };
 

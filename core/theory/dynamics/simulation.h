@@ -21,13 +21,13 @@ struct Motor {
 };
 
 struct SimulationOptions {
-  std::vector<Motor> motors;        ///< by input
-  Eigen::VectorXd angles;           ///< at time 0, of the inputs, rad
-  Eigen::VectorXd speeds;           ///< at time 0, rad/s
-  double seconds = 1;               ///< duration, above 0
-  double interval = 0.01;           ///< between samples, s
-  double tolerance = 1e-9;          ///< of a step, relative and (rad, rad/s, J) absolute
-  std::vector<AngleLimits> limits;  ///< by joint; empty: none
+  std::vector<Motor> motors;    ///< by input
+  Eigen::VectorXd angles;       ///< at time 0, of the inputs, rad
+  Eigen::VectorXd speeds;       ///< at time 0, rad/s
+  double seconds = 1;           ///< duration, above 0
+  double interval = 0.01;       ///< between samples, s
+  double tolerance = 1e-9;      ///< of a step, relative and (rad, rad/s, J) absolute
+  ByJoint<AngleLimits> limits;  ///< empty: none
 };
 
 /// The train at one time.
@@ -53,7 +53,7 @@ enum class SimulationEnd : std::uint8_t {
 struct Simulation {
   std::vector<MotionSample> samples;  ///< at time 0 and after every interval; the last where it ended
   SimulationEnd end = SimulationEnd::complete;
-  int limitJoint = -1;  ///< with atLimit
+  JointOrdinal limitJoint = -1;  ///< with atLimit
 };
 
 constexpr int kMostSteps = 2'000'000;

@@ -139,7 +139,7 @@ class Counter {
     std::vector<Weighted> parts;
     for (std::size_t i = 0; i < matroid.rows.size(); ++i) {
       if (matroid.rows[i].empty()) continue;
-      int& part = partOf[root(matroid.rows[i].front().first)];
+      int& part = partOf[static_cast<std::size_t>(root(matroid.rows[i].front().first))];
       if (part < 0) {
         part = static_cast<int>(parts.size());
         parts.emplace_back();

@@ -55,18 +55,19 @@ class Lister {
     for (int i = rest.rows() - 1; i >= 0 && hasBudget(); --i) {
       std::vector<Residue> row(rest.row(i), rest.row(i) + rest.columns);
       for (int column = 0; column < rest.columns; ++column) {
-        if (row[column] == 0) continue;
-        if (echelon[column].empty()) {
-          const Residue inverse = m_field.inverse(row[column]);
+        if (row[static_cast<std::size_t>(column)] == 0) continue;
+        if (echelon[static_cast<std::size_t>(column)].empty()) {
+          const Residue inverse = m_field.inverse(row[static_cast<std::size_t>(column)]);
           for (Residue& value : row) value = m_field.multiply(value, inverse);
-          echelon[column] = std::move(row);
+          echelon[static_cast<std::size_t>(column)] = std::move(row);
           if (--missing == 0) return i;
           break;
         }
-        const Residue factor = row[column];
+        const Residue factor = row[static_cast<std::size_t>(column)];
         m_steps -= rest.columns - column;
         for (int k = column; k < rest.columns; ++k) {
-          row[k] = m_field.subtract(row[k], m_field.multiply(factor, echelon[column][k]));
+          row[k] = m_field.subtract(row[k],
+                                    m_field.multiply(factor, echelon[static_cast<std::size_t>(column)][k]));
         }
       }
     }

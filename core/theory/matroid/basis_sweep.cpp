@@ -52,7 +52,7 @@ bool BasisSweep::begin(long& steps) {
   std::vector<int> order;
   for (int element = 0; element < static_cast<int>(at.size()); ++element) {
     int pivot = -1;
-    for (const int place : at[element]) {
+    for (const int place : at[static_cast<std::size_t>(element)]) {
       if (placed[place] != 0 || valueAt(rows[place], element) == 0) continue;
       if (pivot < 0 || rows[place].size() < rows[pivot].size()) pivot = place;
     }
@@ -60,7 +60,7 @@ bool BasisSweep::begin(long& steps) {
     placed[pivot] = 1;
     order.push_back(pivot);
     scaleToOne(m_field, rows[pivot]);
-    for (const int place : std::vector<int>(at[element])) {
+    for (const int place : std::vector<int>(at[static_cast<std::size_t>(element)])) {
       const Residue factor = valueAt(rows[place], element);
       if (place == pivot || factor == 0) continue;
       steps -= static_cast<long>(rows[place].size() + rows[pivot].size());

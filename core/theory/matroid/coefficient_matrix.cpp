@@ -6,22 +6,22 @@
 
 namespace geargraph::inline matroid {
 
-std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(int mesh) const {
+std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(MeshOrdinal mesh) const {
   std::vector<Entry> entries;
   appendRow(mesh, entries);
   return entries;
 }
 
-void CoefficientMatrix::appendRow(int mesh, std::vector<Entry>& entries) const {
+void CoefficientMatrix::appendRow(MeshOrdinal mesh, std::vector<Entry>& entries) const {
   const MeshGeometry& geometry = *m_placement.meshes[mesh];
   const AxisClasses& classes = *m_placement.classes;
   const SpanningTree& tree = m_model.tree();
   const auto first = static_cast<std::ptrdiff_t>(entries.size());
   const int meeting = tree.commonAncestor(geometry.tail, geometry.head);
   // T is -1 where the walk from tail to head runs along the joint.
-  const auto climb = [&](int node, int sign) {
+  const auto climb = [&](LinkOrdinal node, int sign) {
     for (; node != meeting; node = tree.parent(node)) {
-      const int joint = tree.jointToParent(node);
+      const JointOrdinal joint = tree.jointToParent(node);
       const bool tail = classes.classOf[joint] == geometry.tailClass;
       const double radius =
           classes.orientationSign[joint] * (tail ? geometry.tailRadius : geometry.headRadius);
@@ -35,7 +35,7 @@ void CoefficientMatrix::appendRow(int mesh, std::vector<Entry>& entries) const {
             [](const Entry& a, const Entry& b) { return a.joint < b.joint; });
 }
 
-std::optional<Rational> CoefficientMatrix::exactRadius(int mesh, bool tail) const {
+std::optional<Rational> CoefficientMatrix::exactRadius(MeshOrdinal mesh, bool tail) const {
   const MeshGeometry& geometry = *m_placement.meshes[mesh];
   const auto point = exactPitchPoint(m_mechanism, m_placement, mesh);
   if (!point) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Rational> CoefficientMatrix::exactRadius(int mesh, bool tail) cons
   return (dot(screw.moment, screw.moment) / dot(screw.direction, screw.direction)).squareRoot();
 }
 
-Rational CoefficientMatrix::ratio(int mesh) const {
+Rational CoefficientMatrix::ratio(MeshOrdinal mesh) const {
   return {m_model.meshRow(mesh).tailTeeth, m_model.meshRow(mesh).headTeeth};
 }
 

@@ -19,7 +19,7 @@ namespace geargraph::inline matroid {
 class CoefficientMatrix {
  public:
   struct Entry {
-    int joint = 0;
+    JointOrdinal joint = 0;
     bool tail = false;  ///< on the axis of the tail's gear: i in a normalised row, else 1
     int sign = 1;       ///< of the entry in the normalised row
     double length = 0;  ///< the entry in the row of lengths, T P_c,e
@@ -32,15 +32,15 @@ class CoefficientMatrix {
   [[nodiscard]] int rows() const { return m_model.c(); }
   [[nodiscard]] int columns() const { return m_model.t(); }
   /// The non-zeros of a row, by joint.
-  [[nodiscard]] std::vector<Entry> row(int mesh) const;
+  [[nodiscard]] std::vector<Entry> row(MeshOrdinal mesh) const;
   /// The same, appended to `entries`.
-  void appendRow(int mesh, std::vector<Entry>& entries) const;
+  void appendRow(MeshOrdinal mesh, std::vector<Entry>& entries) const;
 
   /// |P_c,e| of the joints on the tail's axis (or the head's) as a fraction; std::nullopt if it is
   /// irrational.
-  [[nodiscard]] std::optional<Rational> exactRadius(int mesh, bool tail) const;
+  [[nodiscard]] std::optional<Rational> exactRadius(MeshOrdinal mesh, bool tail) const;
   /// i of the mesh, N_tail / N_head [AU, Eq. (20)].
-  [[nodiscard]] Rational ratio(int mesh) const;
+  [[nodiscard]] Rational ratio(MeshOrdinal mesh) const;
 
  private:
   const Mechanism& m_mechanism;

@@ -17,7 +17,8 @@ std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<c
   std::vector<Rational> x(static_cast<std::size_t>(system->columns));
   for (std::size_t i = 0; i < speeds.size(); ++i) x[static_cast<std::size_t>(model.n()) + i] = speeds[i];
   substitute(field, *system, x);
-  for (int joint = 0; joint < model.t(); ++joint) solution.rates.push_back(model.rateOf(field, joint, x));
+  for (JointOrdinal joint = 0; joint < model.t(); ++joint)
+    solution.rates.push_back(model.rateOf(field, joint, x));
 
   const std::size_t columns = inputs.size();
   if (solution.outputs.size() * columns > ExactSolution::kMostExactEntries) return solution;

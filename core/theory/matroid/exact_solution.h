@@ -15,7 +15,7 @@ struct ExactSolution {
   std::vector<int> outputs;  ///< the other joints, by label
   std::vector<Rational>
       matrix;  ///< theta_outputs = matrix * theta_inputs, row by row; empty above kMostExactEntries
-  std::vector<Rational> rates;  ///< by joint, for the given speeds, rad/s
+  ByJoint<Rational> rates;  ///< for the given speeds, rad/s
 
   static constexpr std::size_t kMostExactEntries = 250'000;
 };

@@ -21,7 +21,7 @@ class IndependentRates {
         m_taken(static_cast<std::size_t>(model.t()), 0) {}
 
   /// True where the joint's rate does not follow from those taken before; then it is taken.
-  bool take(int joint) {
+  bool take(JointOrdinal joint) {
     if (m_taken[joint] != 0 || m_structure.dead[joint] != 0) return false;
     if (m_structure.idle[joint] == 0 && !extend(rate(joint))) return false;
     m_taken[joint] = 1;
@@ -29,7 +29,7 @@ class IndependentRates {
   }
 
  private:
-  SparseVector<Fused> rate(int joint) {
+  SparseVector<Fused> rate(JointOrdinal joint) {
     const auto& of = m_model.jointRate(joint);
     m_sum.subtract(m_field.fromInteger(-of.sign), m_phi[static_cast<std::size_t>(of.child) - 1]);
     if (of.parent != 0)
@@ -74,7 +74,9 @@ class IndependentRates {
 }  // namespace
 
 bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted) {
-  const auto isTwice = [&](int joint) { return std::count(wanted.begin(), wanted.end(), joint) > 1; };
+  const auto isTwice = [&](JointOrdinal joint) {
+    return std::count(wanted.begin(), wanted.end(), joint) > 1;
+  };
   return choice.added.empty() && std::none_of(wanted.begin(), wanted.end(), isTwice);
 }
 
@@ -86,8 +88,10 @@ std::optional<InputChoice> chooseInputs(const KinematicModel& model, const Fused
   if (!phi) return std::nullopt;
   IndependentRates rates(model, field, structure, *phi);
   InputChoice choice;
-  for (const int joint : wanted) (rates.take(joint) ? choice.joints : choice.rejected).push_back(joint);
-  for (int joint = 0; joint < model.t() && static_cast<int>(choice.joints.size()) < structure.dof; ++joint) {
+  for (const JointOrdinal joint : wanted)
+    (rates.take(joint) ? choice.joints : choice.rejected).push_back(joint);
+  for (JointOrdinal joint = 0; joint < model.t() && static_cast<int>(choice.joints.size()) < structure.dof;
+       ++joint) {
     if (stop.stop_requested()) return std::nullopt;
     if (!rates.take(joint)) continue;
     choice.joints.push_back(joint);

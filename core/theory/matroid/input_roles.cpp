@@ -9,7 +9,7 @@
 namespace geargraph::inline matroid {
 namespace {
 
-std::size_t placeOf(const std::vector<int>& joints, int joint) {
+std::size_t placeOf(const std::vector<int>& joints, JointOrdinal joint) {
   const auto found = std::find(joints.begin(), joints.end(), joint);
   GEARGRAPH_REQUIRE(found != joints.end());
   return static_cast<std::size_t>(found - joints.begin());
@@ -41,7 +41,7 @@ std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution) {
   const std::size_t columns = solution.inputs.size();
   // By row over its first entry that is not 0; of a row the entries that are not 0.
   std::map<std::vector<std::pair<std::size_t, std::string>>, std::vector<int>> groups;
-  const auto add = [&](int joint, std::span<const Rational> row) {
+  const auto add = [&](JointOrdinal joint, std::span<const Rational> row) {
     const auto leading = std::find_if(row.begin(), row.end(), [](const Rational& r) { return !r.isZero(); });
     if (leading == row.end()) return;
     std::vector<std::pair<std::size_t, std::string>> key;
@@ -74,7 +74,7 @@ std::optional<std::vector<int>> InputCompletion::with(std::span<const int> wante
                                                       std::span<const int> present) const {
   std::vector<int> joints(wanted.begin(), wanted.end());
   const std::unordered_set<int> known(wanted.begin(), wanted.end());
-  for (const int joint : present) {
+  for (const JointOrdinal joint : present) {
     if (!known.contains(joint)) joints.push_back(joint);
   }
   const auto choice = chooseInputs(m_model, m_field, m_structure, joints);
@@ -83,9 +83,10 @@ std::optional<std::vector<int>> InputCompletion::with(std::span<const int> wante
   return choice->joints;
 }
 
-std::vector<int> chainTo(const SpanningTree& tree, int link) {
+std::vector<int> chainTo(const SpanningTree& tree, LinkOrdinal link) {
   std::vector<int> chain;
-  for (int node = link; node != 0; node = tree.parent(node)) chain.push_back(tree.jointToParent(node));
+  for (LinkOrdinal node = link; node != 0; node = tree.parent(node))
+    chain.push_back(tree.jointToParent(node));
   std::reverse(chain.begin(), chain.end());
   return chain;
 }

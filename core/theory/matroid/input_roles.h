@@ -43,6 +43,6 @@ class InputCompletion {
 };
 
 /// The joints from the ground to a link, the first at the ground.
-[[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, int link);
+[[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, LinkOrdinal link);
 
 }  // namespace geargraph::inline matroid

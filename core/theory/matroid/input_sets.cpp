@@ -28,7 +28,7 @@ std::optional<InputSets> InputSets::of(const KinematicModel& model, const FusedF
   InputSets sets(field.prime());
   sets.m_inputs.assign(inputs.begin(), inputs.end());
   SparseSum<FusedField> sum(field, columns);
-  for (int joint = 0; joint < model.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
     const auto& rate = model.jointRate(joint);
     sum.subtract(field.fromInteger(-rate.sign), (*phi)[static_cast<std::size_t>(rate.child) - 1]);
     if (rate.parent != 0) {
@@ -57,7 +57,7 @@ std::vector<int> InputSets::replacementsFor(int x) const {
 
 std::optional<Rational> InputSets::count(const std::stop_token& stop) const {
   std::vector<char> isInput(m_rates.size(), 0);
-  for (const int joint : m_inputs) isInput[joint] = 1;
+  for (const JointOrdinal joint : m_inputs) isInput[joint] = 1;
   std::vector<std::vector<std::pair<int, PrimeField::Residue>>> others;
   std::vector<int> order;
   for (std::size_t joint = 0; joint < m_rates.size(); ++joint) {
@@ -83,7 +83,7 @@ std::vector<std::vector<int>> InputSets::neighbours(std::size_t limit) const {
   };
   add(m_inputs);
   std::vector<char> isInput(m_rates.size(), 0);
-  for (const int joint : m_inputs) isInput[joint] = 1;
+  for (const JointOrdinal joint : m_inputs) isInput[joint] = 1;
   for (std::size_t joint = 0; joint < m_rates.size(); ++joint) {
     if (isInput[joint] != 0) continue;
     for (const auto& [place, value] : m_rates[joint]) {

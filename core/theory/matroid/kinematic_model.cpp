@@ -10,21 +10,24 @@ std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreeP
   const JointTree& joints = *placement.tree;
 
   model.m_rates.reserve(joints.joints.size());
-  for (std::size_t j = 0; j < joints.joints.size(); ++j) {
-    const int child = joints.child[j];
-    const int parent = joints.parent[child];
-    const int rootLink = classes.classes[classes.classOf[j]].rootLink;
+  for (const JointOrdinal j : joints.joints.ordinals()) {
+    const LinkOrdinal child = joints.child[j];
+    const LinkOrdinal parent = joints.parent[child];
+    const LinkOrdinal rootLink = classes.classes[classes.classOf[j]].rootLink;
     const int direction = joints.joints[j].tail == parent ? 1 : -1;
-    model.m_rates.push_back({child, parent == rootLink ? 0 : parent, direction * classes.orientationSign[j]});
+    model.m_rates.push_back(
+        {child, parent == rootLink ? LinkOrdinal(0) : parent, direction * classes.orientationSign[j]});
   }
 
   model.m_rows.reserve(placement.meshes.size());
-  for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
+  for (const MeshOrdinal m : placement.meshes.ordinals()) {
     if (!placement.meshes[m]) return std::nullopt;
     const MeshGeometry& mesh = *placement.meshes[m];
-    const int tailRoot = classes.classes[mesh.tailClass].rootLink;
-    const int headRoot = classes.classes[mesh.headClass].rootLink;
-    const auto below = [](int link, int rootLink) { return link == rootLink ? 0 : link; };
+    const LinkOrdinal tailRoot = classes.classes[mesh.tailClass].rootLink;
+    const LinkOrdinal headRoot = classes.classes[mesh.headClass].rootLink;
+    const auto below = [](LinkOrdinal link, LinkOrdinal rootLink) {
+      return link == rootLink ? LinkOrdinal(0) : link;
+    };
     model.m_rows.push_back({{below(mesh.tail, tailRoot), below(mesh.carrier, tailRoot),
                              below(mesh.head, headRoot), below(mesh.carrier, headRoot)},
                             mesh.tailTeeth,

@@ -32,8 +32,8 @@ class KinematicModel {
   /// theta = sign * (phi_child - phi_parent); parent 0: the parent is the root link of the class and drops
   /// out.
   struct JointRate {
-    int child = 0;
-    int parent = 0;
+    LinkOrdinal child = 0;
+    LinkOrdinal parent = 0;
     int sign = 1;
   };
   /// The constraint of an engaged coupling about one direction: a sum of speeds that is 0. These rows follow
@@ -43,12 +43,12 @@ class KinematicModel {
       int of = 0;      ///< a link, or a joint
       int factor = 1;  ///< +1 or -1
     };
-    int coupling = 0;  ///< position in the document
-    int from = 0;      ///< the links that it holds together; for a brake the ground
+    CouplingOrdinal coupling = 0;  ///< position in the document
+    int from = 0;                  ///< the links that it holds together; for a brake the ground
     int to = 0;
-    int axisClass = 0;         ///< about the direction of its line
-    std::vector<Term> links;   ///< over the phi
-    std::vector<Term> joints;  ///< the same over the rates of the joints on the way
+    ClassOrdinal axisClass = 0;  ///< about the direction of its line
+    std::vector<Term> links;     ///< over the phi
+    std::vector<Term> joints;    ///< the same over the rates of the joints on the way
   };
 
   /// std::nullopt if the joints are no spanning tree or a mesh has no geometry.
@@ -68,22 +68,20 @@ class KinematicModel {
   /// Sets the rows of the engaged couplings, in place of any set before.
   void hold(std::vector<HeldRow> rows) { m_held = std::move(rows); }
 
-  [[nodiscard]] const MeshRow& meshRow(int mesh) const { return m_rows[static_cast<std::size_t>(mesh)]; }
+  [[nodiscard]] const MeshRow& meshRow(MeshOrdinal mesh) const { return m_rows[mesh]; }
   /// @pre equation >= c()
   [[nodiscard]] const HeldRow& heldRow(int equation) const {
     return m_held[static_cast<std::size_t>(equation - c())];
   }
-  [[nodiscard]] const JointRate& jointRate(int joint) const {
-    return m_rates[static_cast<std::size_t>(joint)];
-  }
+  [[nodiscard]] const JointRate& jointRate(JointOrdinal joint) const { return m_rates[joint]; }
 
   /// Adds the mesh's entries over the phi to the current row of `rows` (without ending it): its entries are
   /// +-tail and +-head, the field's numbers for N_tail and N_head.
   template <class Field>
-  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field,
+  void addMeshRow(SparseRows<typename Field::Value>& rows, MeshOrdinal mesh, const Field& field,
                   const typename Field::Value& tail, const typename Field::Value& head) const {
     const MeshRow& row = meshRow(mesh);
-    const auto add = [&](int link, const typename Field::Value& weight, bool positive) {
+    const auto add = [&](LinkOrdinal link, const typename Field::Value& weight, bool positive) {
       if (link != 0) rows.add(link - 1, positive ? weight : field.negated(weight));
     };
     add(row.links[0], tail, true);
@@ -93,7 +91,7 @@ class KinematicModel {
   }
   /// The same with the teeth themselves.
   template <class Field>
-  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field) const {
+  void addMeshRow(SparseRows<typename Field::Value>& rows, MeshOrdinal mesh, const Field& field) const {
     const MeshRow& row = meshRow(mesh);
     addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
   }
@@ -104,7 +102,7 @@ class KinematicModel {
   }
   /// Adds the joint's rate over the phi likewise.
   template <class Field>
-  void addRateRow(SparseRows<typename Field::Value>& rows, int joint, const Field& field) const {
+  void addRateRow(SparseRows<typename Field::Value>& rows, JointOrdinal joint, const Field& field) const {
     const JointRate& rate = jointRate(joint);
     rows.add(rate.child - 1, field.fromInteger(rate.sign));
     if (rate.parent != 0) rows.add(rate.parent - 1, field.fromInteger(-rate.sign));
@@ -113,11 +111,11 @@ class KinematicModel {
   /// The joint's rate, from the phi of all links, `width` solutions side by side as in substitute().
   /// @pre phi has `width` places for every unknown
   template <class Field>
-  [[nodiscard]] typename Field::Value rateOf(const Field& field, int joint,
+  [[nodiscard]] typename Field::Value rateOf(const Field& field, JointOrdinal joint,
                                              std::span<const typename Field::Value> phi,
                                              std::size_t width = 1, std::size_t place = 0) const {
     const JointRate& rate = jointRate(joint);
-    const auto at = [&](int link) -> const auto& {
+    const auto at = [&](LinkOrdinal link) -> const auto& {
       return phi[(static_cast<std::size_t>(link) - 1) * width + place];
     };
     auto value = at(rate.child);
@@ -130,9 +128,9 @@ class KinematicModel {
 
   DigraphPtr m_graph;
   SpanningTreePtr m_tree;
-  std::vector<MeshRow> m_rows;
+  ByMesh<MeshRow> m_rows;
   std::vector<HeldRow> m_held;
-  std::vector<JointRate> m_rates;
+  ByJoint<JointRate> m_rates;
 };
 
 }  // namespace geargraph::inline matroid

@@ -82,14 +82,14 @@ class Solver {
   bool byMotions() {
     m_x.resize(static_cast<std::size_t>(m_system.columns));
     if (!isDetermined(m_field, m_system, m_x)) return false;
-    for (int joint = 0; joint < m_model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       if (m_model.rateOf(m_field, joint, m_x).residue != 0) m_solution.dead[joint] = 0;
     }
     for (std::size_t i = 0; i < m_minusSpeeds.size(); ++i)
       m_x[static_cast<std::size_t>(m_system.unknowns) + i] = m_field.negated(m_minusSpeeds[i]);
     substitute(m_field, m_system, m_x);
     m_solution.rates.resize(static_cast<std::size_t>(m_model.t()));
-    for (int joint = 0; joint < m_model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       m_solution.rates[joint] = m_model.rateOf(m_field, joint, m_x).number;
     }
     return true;
@@ -104,13 +104,13 @@ class Solver {
     substitute(m_field, m_system, m_x, width);
     if (!checksHold(m_field, m_system, m_x, width)) return false;
     std::size_t row = 0;
-    for (int joint = 0; joint < m_model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       const bool isOutput = row < m_solution.outputs.size() && m_solution.outputs[row] == joint;
       for (std::size_t k = 0; k < width; ++k) {
         const Fused rate = m_model.rateOf(m_field, joint, m_x, width, k);
         if (rate.residue != 0) {
           m_solution.dead[joint] = 0;
-          m_field.subtractProduct(m_rates[joint], m_minusSpeeds[first + k], rate);
+          m_field.subtractProduct(m_rates[static_cast<std::size_t>(joint)], m_minusSpeeds[first + k], rate);
         }
         if (isOutput) m_solution.matrix[row * m_solution.inputs.size() + first + k] = rate.number;
       }
@@ -164,11 +164,11 @@ std::vector<int> allEquations(const KinematicModel& model) {
 std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inputs) {
   Scratch<1024> scratch;
   std::pmr::vector<char> isInput(static_cast<std::size_t>(model.t()), 0, &scratch);
-  for (const int joint : inputs) isInput[joint] = 1;
+  for (const JointOrdinal joint : inputs) isInput[static_cast<std::size_t>(joint)] = 1;
   std::vector<int> outputs;
   outputs.reserve(isInput.size() - std::min(isInput.size(), inputs.size()));
-  for (int joint = 0; joint < model.t(); ++joint) {
-    if (isInput[joint] == 0) outputs.push_back(joint);
+  for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
+    if (isInput[static_cast<std::size_t>(joint)] == 0) outputs.push_back(joint);
   }
   return outputs;
 }
@@ -176,9 +176,9 @@ std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inp
 std::vector<Vector3> linkVelocities(const KinematicModel& model, const Placement& placement,
                                     std::span<const double> rates) {
   std::vector<Vector3> velocities(static_cast<std::size_t>(model.n()) + 1, Vector3{0, 0, 0});
-  for (const int node : model.tree().preorder()) {
+  for (const LinkOrdinal node : model.tree().preorder()) {
     if (node == 0) continue;
-    const int joint = model.tree().jointToParent(node);
+    const JointOrdinal joint = model.tree().jointToParent(node);
     const double speed = -model.tree().directionToGround(joint) * rates[static_cast<std::size_t>(joint)];
     const Vector3& direction = placement.axes[placement.tree->axisOf[joint]].direction;
     velocities[node] = velocities[model.tree().parent(node)] + speed * direction;

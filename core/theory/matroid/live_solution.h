@@ -39,15 +39,15 @@ template <class Field>
 
 /// A mechanism solved for its inputs [AU, Eqs. (22), (23)], in doubles whose zeros are exact.
 struct LiveSolution {
-  std::vector<int> inputs;    ///< joints, in column order
-  std::vector<int> outputs;   ///< the other joints, by label
-  std::vector<double> rates;  ///< by joint, for the given speeds, rad/s
+  std::vector<int> inputs;   ///< joints, in column order
+  std::vector<int> outputs;  ///< the other joints, by label
+  ByJoint<double> rates;     ///< for the given speeds, rad/s
   /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMostLiveEntries.
   std::vector<double> matrix;
 
   int rank = 0;
-  std::vector<char> dead;  ///< by joint: it can never turn; MatroidAnalysis takes it over
-  int redundant = 0;       ///< equations that depend on others
+  ByJoint<char> dead;  ///< it can never turn; MatroidAnalysis takes it over
+  int redundant = 0;   ///< equations that depend on others
 
   static constexpr std::size_t kMostLiveEntries = 2'000'000;
 };

@@ -39,7 +39,7 @@ std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, 
                                                    const std::stop_token& stop) {
   constexpr std::size_t kMostJoints = 200;
   std::vector<int> joints;
-  for (int joint = 0; joint < model.t() && joints.size() < kMostJoints; ++joint) {
+  for (JointOrdinal joint = 0; joint < model.t() && joints.size() < kMostJoints; ++joint) {
     if (dead[joint] != 0) joints.push_back(joint);
   }
   if (joints.empty()) return std::vector<LockedLoop>();

@@ -16,7 +16,7 @@ namespace {
 std::optional<Diagnostic> overflowOf(const Mechanism& mechanism, const KinematicModel& model,
                                      const LiveSolution& solution, std::span<const Vector3> velocities) {
   const auto isFinite = [](double value) { return std::isfinite(value); };
-  const auto beyond = [&](int joint, const char* sentence) {
+  const auto beyond = [&](JointOrdinal joint, const char* sentence) {
     const ElementId id = model.graph().edgeId(joint);
     return Diagnostic{Code::schema,
                       filled(translated(sentence), {std::to_string(mechanism.jointLabel(joint))}),
@@ -94,7 +94,7 @@ class Analyzer {
 
   /// In the digraph the ids stand closer together than in the document.
   [[nodiscard]] int jointOf(JointId id) const {
-    int joint = 0;
+    JointOrdinal joint = 0;
     while (joint < m_model.t() && m_model.graph().edgeId(joint).id != id.atom()) ++joint;
     GEARGRAPH_REQUIRE(joint < m_model.t());
     return joint;
@@ -124,7 +124,7 @@ class Analyzer {
     auto choice = chooseInputs(m_model, m_field, *structure, m_wanted, m_stop);
     if (!choice) return false;
     m_result.choice = std::move(*choice);
-    for (const int joint : m_result.choice.joints) {
+    for (const JointOrdinal joint : m_result.choice.joints) {
       const auto wanted = std::find(m_wanted.begin(), m_wanted.end(), joint);
       m_result.speeds.push_back(wanted == m_wanted.end()
                                     ? Rational(1)
@@ -156,7 +156,7 @@ class Analyzer {
     std::pmr::vector<char> redundant(static_cast<std::size_t>(m_model.equations()), 0, &scratch);
     for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.equation] = 1;
     m_result.independentMeshes.reserve(static_cast<std::size_t>(m_result.rank));
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
       if (redundant[mesh] == 0) m_result.independentMeshes.push_back(mesh);
     }
     for (int equation = m_model.c(); equation < m_model.equations(); ++equation) {

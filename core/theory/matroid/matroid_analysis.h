@@ -18,8 +18,8 @@ struct MatroidAnalysis {
   int dof = 0;          ///< E = t - r [AU, Eq. (21)]
   int kutzbachDof = 0;  ///< n minus the equations of meshes and engaged couplings
 
-  std::vector<char> dead;  ///< by joint: can never turn
-  std::vector<char> idle;  ///< by joint: on no cycle of a mesh or of an engaged coupling
+  ByJoint<char> dead;  ///< can never turn
+  ByJoint<char> idle;  ///< on no cycle of a mesh or of an engaged coupling
   std::vector<Redundancy> redundancies;
   std::vector<int> independentMeshes;  ///< those that are not redundant; their number is the rank of P
   std::vector<int> independentHeld;    ///< the equations of engaged couplings that are not redundant
@@ -34,7 +34,7 @@ struct MatroidAnalysis {
 
   /// For `choice`. None if the document's inputs are invalid: a mechanism with errors gets no numbers.
   std::optional<LiveSolution> solution;
-  std::vector<Vector3> linkVelocities;  ///< by link, base frame, rad/s; empty without the solution
+  ByLink<Vector3> linkVelocities;  ///< base frame, rad/s; empty without the solution
 
   /// The independent meshes, then the independent couplings: the rows for solveSymbolic().
   [[nodiscard]] std::vector<int> independentEquations() const;

@@ -49,7 +49,7 @@ class Speaker {
     for (const int equation : positions) {
       if (equation < model.c()) {
         ofMeshes.push_back(equation);
-      } else if (const int coupling = model.heldRow(equation).coupling;
+      } else if (const CouplingOrdinal coupling = model.heldRow(equation).coupling;
                  std::find(ofCouplings.begin(), ofCouplings.end(), coupling) == ofCouplings.end()) {
         ofCouplings.push_back(coupling);
       }
@@ -62,7 +62,7 @@ class Speaker {
   std::string couplings(std::span<const int> positions) {
     std::vector<std::string> texts;
     for (const int position : positions) {
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
+      const Coupling& coupling = m_mechanism.couplings[position];
       m_diagnostic.elements.emplace_back(coupling.id);
       texts.push_back(couplingName(coupling));
     }
@@ -109,7 +109,7 @@ Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundanc
 /// The engaged couplings that add nothing, and from which equations they follow. A coupling over axes of
 /// several directions has several rows, of which one that counts is enough.
 struct IdleCoupling {
-  int coupling = 0;
+  CouplingOrdinal coupling = 0;
   std::vector<int> dependsOn;
 };
 
@@ -137,7 +137,7 @@ Diagnostic redundantCoupling(const Mechanism& mechanism, const KinematicModel& m
                              const IdleCoupling& idle) {
   Speaker speaker(mechanism, Code::redundantCoupling);
   speaker.couplings(std::vector<int>{idle.coupling});
-  const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(idle.coupling)];
+  const Coupling& coupling = mechanism.couplings[idle.coupling];
   const std::string& name = coupling.id.text();
   const std::string others = speaker.equations(model, idle.dependsOn);
   if (coupling.kind == CouplingKind::brake) {
@@ -238,7 +238,7 @@ Diagnostic idle(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
 }
 
 /// What the joint's rate comes to over the inputs of the choice, with short factors in front of the q.
-std::string relationText(const Mechanism& mechanism, int joint, const std::vector<int>& inputs,
+std::string relationText(const Mechanism& mechanism, JointOrdinal joint, const std::vector<int>& inputs,
                          const std::vector<std::string>& factors) {
   const auto name = [&](int of) { return "q" + std::to_string(mechanism.jointLabel(of)); };
   std::string sum;
@@ -295,7 +295,7 @@ Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model
 }  // namespace
 
 std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
-                           const Placement& placement, const MatroidAnalysis& analysis, int joint,
+                           const Placement& placement, const MatroidAnalysis& analysis, JointOrdinal joint,
                            const std::stop_token& stop) {
   constexpr int kMostSymbolicJoints = 200;
   constexpr int kShort = 12;

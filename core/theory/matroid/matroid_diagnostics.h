@@ -17,6 +17,6 @@ namespace geargraph::inline matroid {
 /// -i15 q8"; "q5 = 0" if the joint cannot turn. In the ratios i_k if that is short enough, else in numbers.
 [[nodiscard]] std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
                                          const Placement& placement, const MatroidAnalysis& analysis,
-                                         int joint, const std::stop_token& stop);
+                                         JointOrdinal joint, const std::stop_token& stop);
 
 }  // namespace geargraph::inline matroid

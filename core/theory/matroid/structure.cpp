@@ -24,7 +24,7 @@ std::vector<char> deadIn(const KinematicModel& model, const FusedField& field,
   for (const int column : system.freeColumns) phi[column].residue = random.next();
   substitute(field, system, phi);
   std::vector<char> dead(static_cast<std::size_t>(model.t()));
-  for (int joint = 0; joint < model.t(); ++joint)
+  for (JointOrdinal joint = 0; joint < model.t(); ++joint)
     dead[joint] = model.rateOf(field, joint, phi).residue == 0 ? 1 : 0;
   return dead;
 }
@@ -58,7 +58,7 @@ std::vector<char> idleJoints(const KinematicModel& model) {
   // in the exclusive-or of all keys there.
   Scratch<> scratch;
   std::pmr::vector<std::uint64_t> keys(static_cast<std::size_t>(model.n()) + 1, 0, &scratch);
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const DigraphEdge& edge = model.graph().meshEdge(mesh);
     const std::uint64_t key = keyOf(static_cast<std::uint64_t>(mesh));
     keys[edge.tail] ^= key;
@@ -82,7 +82,7 @@ std::vector<char> idleJoints(const KinematicModel& model) {
 std::vector<std::vector<int>> rigidBlocks(const KinematicModel& model, const std::vector<char>& dead) {
   std::vector<int> blockOf(static_cast<std::size_t>(model.n()) + 1, 0);
   std::vector<std::vector<int>> blocks;
-  for (const int node : model.tree().preorder()) {
+  for (const LinkOrdinal node : model.tree().preorder()) {
     if (node != 0 && dead[model.tree().jointToParent(node)] != 0) {
       blockOf[node] = blockOf[model.tree().parent(node)];
     } else {

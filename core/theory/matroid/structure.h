@@ -15,11 +15,11 @@ namespace geargraph::inline matroid {
 ///
 /// Identity  dof = t - rank; the equations that depend on others are equations() - rank.
 struct Structure {
-  int rank = 0;            ///< of P (the paper says: of the cycle-basis matrix, whose rank is always c)
-  int dof = 0;             ///< E: the number of inputs
-  int kutzbachDof = 0;     ///< n - equations(), which is E only where no equation is redundant
-  std::vector<char> dead;  ///< by joint: it can never turn
-  std::vector<char> idle;  ///< by joint: no mesh's or coupling's cycle contains it, so it has to be an input
+  int rank = 0;         ///< of P (the paper says: of the cycle-basis matrix, whose rank is always c)
+  int dof = 0;          ///< E: the number of inputs
+  int kutzbachDof = 0;  ///< n - equations(), which is E only where no equation is redundant
+  ByJoint<char> dead;   ///< it can never turn
+  ByJoint<char> idle;   ///< no mesh's or coupling's cycle contains it, so it has to be an input
 
   /// The elimination that it was found with, modulo the first prime: free unknowns are free phi.
   Elimination<Fused> system;
@@ -46,7 +46,7 @@ template <class Field>
   SparseRows<typename Field::Value> rows;
   rows.reserve(static_cast<std::size_t>(count), 3 * static_cast<std::size_t>(count));
   const int meshes = std::min(model.c(), count);
-  for (int mesh = 0; mesh < meshes; ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
     model.addMeshRow(rows, mesh, field);
     rows.endRow();
   }

@@ -40,7 +40,7 @@ class RatioSystem {
   [[nodiscard]] int unknowns() const { return static_cast<int>(m_outputs.size()); }
   [[nodiscard]] int columns() const { return static_cast<int>(m_joints.size()); }
   [[nodiscard]] const std::vector<int>& outputs() const { return m_outputs; }
-  [[nodiscard]] int joint(int column) const { return m_joints[static_cast<std::size_t>(column)]; }
+  [[nodiscard]] JointOrdinal joint(int column) const { return m_joints[static_cast<std::size_t>(column)]; }
   [[nodiscard]] int equation(int row) const { return m_equations[static_cast<std::size_t>(row)]; }
 
   /// Its rows at some ratios, by mesh; of a coupling there is none in it.
@@ -80,7 +80,7 @@ class RatioSystem {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
         const CoefficientMatrix::Entry& entry = m_entries[i];
         const int column = m_columnOf[entry.joint];
-        if (left[column] != 0) continue;
+        if (left[static_cast<std::size_t>(column)] != 0) continue;
         const int exponent = (entry.tail ? 1 : 0) - power;
         // A row of a coupling has no ratio, its entries are +-1: any variable to the power 0 does.
         result.add(column, RationalFunction::power(ring, sign * entry.sign,
@@ -100,7 +100,7 @@ class RatioSystem {
     for (std::size_t row = 0; row < m_equations.size(); ++row) {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
         const int column = m_columnOf[m_entries[i].joint];
-        if (left[column] == 0) result.columns.push_back(column);
+        if (left[static_cast<std::size_t>(column)] == 0) result.columns.push_back(column);
       }
       result.starts.push_back(static_cast<int>(result.columns.size()));
     }
@@ -110,7 +110,7 @@ class RatioSystem {
  private:
   std::vector<int> m_outputs;
   std::vector<int> m_equations;
-  std::vector<int> m_columnOf;                      ///< by joint
+  ByJoint<int> m_columnOf;
   std::vector<int> m_joints;                        ///< by column
   std::vector<std::size_t> m_starts{0};             ///< by row, and one behind the last
   std::vector<CoefficientMatrix::Entry> m_entries;  ///< of the rows, one behind the other
@@ -129,7 +129,7 @@ std::optional<Zeros> zerosOf(const RatioSystem& ratios, const KinematicModel& mo
   Scratch<kScratch> scratch;
   std::pmr::vector<Fused> drawn(&scratch);
   drawn.reserve(static_cast<std::size_t>(model.c()));
-  for (int mesh = 0; mesh < model.c(); ++mesh) drawn.push_back({1, random.next()});
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) drawn.push_back({1, random.next()});
   const auto columns = static_cast<std::size_t>(ratios.columns());
   const auto system =
       eliminate(field, ratios.rows(field, drawn, scratch), ratios.unknowns(), ratios.columns(), stop);
@@ -184,7 +184,7 @@ RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
   std::vector<RatioRing::Teeth> teeth;
   names.reserve(mechanism.gearMeshes.size());
   teeth.reserve(mechanism.gearMeshes.size());
-  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
     names.emplace_back("i").append(std::to_string(mechanism.meshLabel(mesh)));
     teeth.push_back({mechanism.gearMeshes[mesh].tailTeeth, mechanism.gearMeshes[mesh].headTeeth});
   }

@@ -14,10 +14,10 @@ namespace geargraph::inline matroid {
 /// (inputs, and joints of earlier lines).
 struct SymbolicLine {
   struct Term {
-    int joint = 0;
+    JointOrdinal joint = 0;
     RationalFunction coefficient;
   };
-  int joint = 0;
+  JointOrdinal joint = 0;
   int equation =
       -1;  ///< the mesh, or row of a coupling, that gives it; -1 where elimination combined several
   std::vector<Term> terms;

@@ -22,8 +22,8 @@ Eigen::Isometry3d turnAbout(const TurningLine& line, double angle) {
 ForwardKinematics::ForwardKinematics(const SpanningTree& tree, std::vector<TurningLine> lines)
     : m_lines(std::move(lines)) {
   GEARGRAPH_REQUIRE(static_cast<int>(m_lines.size()) == tree.nodeCount() - 1);
-  for (const int node : tree.preorder().subspan(1)) {
-    const int joint = tree.jointToParent(node);
+  for (const LinkOrdinal node : tree.preorder().subspan(1)) {
+    const JointOrdinal joint = tree.jointToParent(node);
     m_steps.push_back({node, tree.parent(node), joint, -static_cast<double>(tree.directionToGround(joint))});
   }
 }
@@ -39,8 +39,8 @@ void ForwardKinematics::place(std::span<const double> jointAngles, std::span<Eig
   }
 }
 
-std::vector<Eigen::Isometry3d> ForwardKinematics::poses(std::span<const double> jointAngles) const {
-  std::vector<Eigen::Isometry3d> result(m_steps.size() + 1);
+ByLink<Eigen::Isometry3d> ForwardKinematics::poses(std::span<const double> jointAngles) const {
+  ByLink<Eigen::Isometry3d> result(m_steps.size() + 1);
   place(jointAngles, result);
   return result;
 }

@@ -30,20 +30,20 @@ class ForwardKinematics {
   /// @pre one angle a joint, one pose a link
   void place(std::span<const double> jointAngles, std::span<Eigen::Isometry3d> poses) const;
   /// The same as a new vector, by node.
-  [[nodiscard]] std::vector<Eigen::Isometry3d> poses(std::span<const double> jointAngles) const;
+  [[nodiscard]] ByLink<Eigen::Isometry3d> poses(std::span<const double> jointAngles) const;
 
   [[nodiscard]] int linkCount() const { return static_cast<int>(m_steps.size()) + 1; }
   [[nodiscard]] int jointCount() const { return static_cast<int>(m_lines.size()); }
-  [[nodiscard]] const TurningLine& line(int joint) const { return m_lines[static_cast<std::size_t>(joint)]; }
+  [[nodiscard]] const TurningLine& line(JointOrdinal joint) const { return m_lines[joint]; }
 
  private:
   struct Step {
-    int node = 0;
-    int parent = 0;
-    int joint = 0;
+    LinkOrdinal node = 0;
+    LinkOrdinal parent = 0;
+    JointOrdinal joint = 0;
     double sense = 1;  ///< +1 where the joint's arrow leads away from the ground
   };
-  std::vector<TurningLine> m_lines;
+  ByJoint<TurningLine> m_lines;
   std::vector<Step> m_steps;  ///< every node after its parent
 };
 

@@ -6,11 +6,11 @@ namespace geargraph::inline pose {
 namespace {
 
 /// The joints between the ground and a link, from the ground on, with +1 where the link's side is the head.
-std::vector<PathStep> pathFromGround(const SpanningTree& tree, int link) {
+std::vector<PathStep> pathFromGround(const SpanningTree& tree, LinkOrdinal link) {
   return treePath(tree, 0, link);
 }
 
-std::optional<JacobianRank> rankIn(const ExactMotion& motion, int link, const ExactVector3& point,
+std::optional<JacobianRank> rankIn(const ExactMotion& motion, LinkOrdinal link, const ExactVector3& point,
                                    bool isReference) {
   const std::vector<PathStep> path = pathFromGround(motion.tree, link);
   const auto field = ModularGeometry::forLines(motion.lines, path);
@@ -23,8 +23,8 @@ std::optional<JacobianRank> rankIn(const ExactMotion& motion, int link, const Ex
 }  // namespace
 
 Jacobian pointJacobian(const SpanningTree& tree, const ForwardKinematics& kinematics,
-                       std::span<const Eigen::Isometry3d> poses, const Eigen::MatrixXd& gains, int link,
-                       const Eigen::Vector3d& point) {
+                       std::span<const Eigen::Isometry3d> poses, const Eigen::MatrixXd& gains,
+                       LinkOrdinal link, const Eigen::Vector3d& point) {
   Jacobian jacobian = Jacobian::Zero(6, gains.cols());
   const Eigen::Vector3d place = poses[static_cast<std::size_t>(link)] * point;
   for (const PathStep& step : pathFromGround(tree, link)) {
@@ -39,12 +39,12 @@ Jacobian pointJacobian(const SpanningTree& tree, const ForwardKinematics& kinema
   return jacobian;
 }
 
-std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, int link,
+std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, LinkOrdinal link,
                                                   const ExactVector3& point) {
   return rankIn(motion, link, point, true);
 }
 
-std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, int link,
+std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, LinkOrdinal link,
                                                 const ExactVector3& point) {
   return rankIn(motion, link, point, false);
 }

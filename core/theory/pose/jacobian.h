@@ -25,7 +25,7 @@ using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// pose. Cost: O(depth of the link * E).
 [[nodiscard]] Jacobian pointJacobian(const SpanningTree& tree, const ForwardKinematics& kinematics,
                                      std::span<const Eigen::Isometry3d> poses, const Eigen::MatrixXd& gains,
-                                     int link, const Eigen::Vector3d& point);
+                                     LinkOrdinal link, const Eigen::Vector3d& point);
 
 /// The freedom that a link and a point of it have: ranks of the Jacobian's upper half and of the whole.
 struct JacobianRank {
@@ -37,8 +37,8 @@ struct JacobianRank {
 /// What the exact rank of a Jacobian is computed from.
 struct ExactMotion {
   const SpanningTree& tree;
-  std::span<const ExactLine> lines;                    ///< by joint
-  std::function<Rational(int joint, int input)> gain;  ///< theta_joint = sum of gain * theta_input
+  std::span<const ExactLine> lines;                             ///< by joint
+  std::function<Rational(JointOrdinal joint, int input)> gain;  ///< theta_joint = sum of gain * theta_input
   int inputs = 0;
 };
 
@@ -47,13 +47,13 @@ struct ExactMotion {
 /// 2^-60.
 ///
 /// std::nullopt if no such prime was found: more than a dozen different square roots on one link's path.
-[[nodiscard]] std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, int link,
+[[nodiscard]] std::optional<JacobianRank> referenceJacobianRank(const ExactMotion& motion, LinkOrdinal link,
                                                                 const ExactVector3& point);
 
 /// The rank in almost all poses; a reference pose with a smaller rank is singular. Evaluated in a random
 /// pose: the inputs' angles are random points of the unit circle modulo the prime, the joints' their exact
 /// multiples.
-[[nodiscard]] std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, int link,
+[[nodiscard]] std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, LinkOrdinal link,
                                                               const ExactVector3& point);
 
 }  // namespace geargraph::inline pose

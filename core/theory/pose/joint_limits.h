@@ -23,8 +23,8 @@ struct AngleLimits {
 struct MotionRange {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
-  int fromJoint = -1;  ///< the joint that reaches its limit then; -1: none
-  int toJoint = -1;
+  JointOrdinal fromJoint = -1;  ///< the joint that reaches its limit then; -1: none
+  JointOrdinal toJoint = -1;
 
   [[nodiscard]] bool isLimited() const { return fromJoint >= 0 || toJoint >= 0; }
 };

@@ -9,15 +9,15 @@ std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinemat
                                   std::span<const double> jointRates) {
   GEARGRAPH_REQUIRE(static_cast<int>(poses.size()) == tree.nodeCount() &&
                     static_cast<int>(jointRates.size()) == kinematics.jointCount());
-  std::vector<LinkTwist> twists(poses.size());
-  for (const int node : tree.preorder()) {
+  ByLink<LinkTwist> twists(poses.size());
+  for (const LinkOrdinal node : tree.preorder()) {
     if (node == 0) continue;
     const auto parent = static_cast<std::size_t>(tree.parent(node));
-    const int joint = tree.jointToParent(node);
+    const JointOrdinal joint = tree.jointToParent(node);
     const TurningLine& line = kinematics.line(joint);
     const double rate = -tree.directionToGround(joint) * jointRates[static_cast<std::size_t>(joint)];
     const Eigen::Vector3d about = rate * (poses[parent].linear() * line.direction);
-    LinkTwist& twist = twists[static_cast<std::size_t>(node)];
+    LinkTwist& twist = twists[node];
     twist.angular = twists[parent].angular + about;
     twist.linear = twists[parent].linear + (poses[parent] * line.point).cross(about);
   }

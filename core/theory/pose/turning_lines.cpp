@@ -8,8 +8,8 @@ std::vector<TurningLine> turningLines(const Placement& placement) {
   GEARGRAPH_REQUIRE(placement.tree.has_value());
   std::vector<TurningLine> lines;
   lines.reserve(placement.tree->axisOf.size());
-  for (const int axis : placement.tree->axisOf) {
-    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
+  for (const AxisOrdinal axis : placement.tree->axisOf) {
+    const AxisLine& line = placement.axes[axis];
     lines.push_back({Eigen::Vector3d(line.point.data()), Eigen::Vector3d(line.direction.data())});
   }
   return lines;

@@ -11,8 +11,8 @@ namespace geargraph::inline states {
 namespace {
 
 /// Where the reaction of the coupling is, and the link that it acts on.
-std::pair<int, int> endsOf(const Mechanism& mechanism, int coupling) {
-  const Coupling& element = mechanism.couplings[static_cast<std::size_t>(coupling)];
+std::pair<int, int> endsOf(const Mechanism& mechanism, CouplingOrdinal coupling) {
+  const Coupling& element = mechanism.couplings[coupling];
   const PositionIndex<LinkTag> links(mechanism.links);
   return {element.kind == CouplingKind::brake ? 0 : links.at(element.links.back()),
           links.at(element.links.front())};
@@ -30,7 +30,7 @@ std::vector<int> engagedCouplings(const Mechanism& mechanism) {
 }
 
 std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const Placement& placement,
-                                              int coupling) {
+                                              CouplingOrdinal coupling) {
   const auto [from, to] = endsOf(mechanism, coupling);
   const std::vector<PathStep> path = treePath(*placement.tree->tree, from, to);
   std::vector<KinematicModel::HeldRow> rows;
@@ -52,7 +52,7 @@ std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const 
   return rows;
 }
 
-bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling) {
+bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, CouplingOrdinal coupling) {
   const auto [from, to] = endsOf(mechanism, coupling);
   return RelativeSpeed::between(placement, from, to).closesWithoutLinkage();
 }
@@ -60,10 +60,9 @@ bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement
 Engagement engagementOf(const Mechanism& mechanism, const Placement& placement,
                         std::span<const int> couplings, const ShiftState* state) {
   Engagement result;
-  for (const int coupling : couplings) {
+  for (const CouplingOrdinal coupling : couplings) {
     if (!closesWithoutLinkage(mechanism, placement, coupling))
-      result.diagnostics.push_back(
-          couplingLinkage(mechanism, mechanism.couplings[static_cast<std::size_t>(coupling)], state));
+      result.diagnostics.push_back(couplingLinkage(mechanism, mechanism.couplings[coupling], state));
     for (auto& row : heldRows(mechanism, placement, coupling)) result.rows.push_back(std::move(row));
   }
   if (!result.diagnostics.empty()) result.rows.clear();

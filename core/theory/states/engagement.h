@@ -19,10 +19,12 @@ namespace geargraph::inline states {
 /// Identity  the sum over the phi and the sum over the joints' rates are the same speed.
 /// Cost      O(joints between the links). @pre the placement has a tree
 [[nodiscard]] std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism,
-                                                            const Placement& placement, int coupling);
+                                                            const Placement& placement,
+                                                            CouplingOrdinal coupling);
 
 /// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
-[[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling);
+[[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement,
+                                        CouplingOrdinal coupling);
 
 /// The equations of these couplings together, or why there are none.
 struct Engagement {

@@ -7,19 +7,20 @@
 
 namespace geargraph::inline states {
 
-int directionSign(const Placement& placement, int oneClass, int otherClass) {
+int directionSign(const Placement& placement, ClassOrdinal oneClass, ClassOrdinal otherClass) {
   const Vector3& one = placement.lineOfClass(oneClass).direction;
   const Vector3& other = placement.lineOfClass(otherClass).direction;
   if (length(cross(one, other)) >= kSameLine) return 0;
   return dot(one, other) < 0 ? -1 : 1;
 }
 
-std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<const Rational> rates, int link) {
+std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<const Rational> rates,
+                                      LinkOrdinal link) {
   const JointTree& tree = *placement.tree;
   std::vector<SpeedAbout> speeds;
   while (link != 0) {
-    const auto joint = static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)]);
-    const int parent = tree.parent[static_cast<std::size_t>(link)];
+    const auto joint = static_cast<std::size_t>(tree.joint[link]);
+    const LinkOrdinal parent = tree.parent[link];
     const int at = placement.classes->classOf[joint];
     int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->orientationSign[joint];
     auto known = speeds.begin();
@@ -36,16 +37,16 @@ std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<cons
   return speeds;
 }
 
-RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int to) {
+RelativeSpeed RelativeSpeed::between(const Placement& placement, LinkOrdinal from, LinkOrdinal to) {
   const AxisClasses& classes = *placement.classes;
   ClassPath path;
   path.walk(classes, from, to);
   RelativeSpeed speed;
   int last = -1;  // the part of the stretch before
-  int entry = from;
+  LinkOrdinal entry = from;
   for (std::size_t i = 0; i < path.classes().size(); ++i) {
-    const int at = path.classes()[i];
-    const int exit = i + 1 < path.classes().size() ? path.change(i) : to;
+    const ClassOrdinal at = path.classes()[i];
+    const LinkOrdinal exit = i + 1 < path.classes().size() ? path.change(i) : to;
     int sign = 1;
     auto part = std::find_if(speed.parts.begin(), speed.parts.end(), [&](const Part& known) {
       return (sign = directionSign(placement, known.axisClass, at)) != 0;
@@ -54,7 +55,7 @@ RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int t
       sign = 1;
       part = speed.parts.insert(part, Part{at, {}});
     }
-    const int rootLink = classes.classes[static_cast<std::size_t>(at)].rootLink;
+    const LinkOrdinal rootLink = classes.classes[at].rootLink;
     if (exit != rootLink) part->terms.push_back({exit, sign});
     if (entry != rootLink) part->terms.push_back({entry, -sign});
     const int index = static_cast<int>(part - speed.parts.begin());

@@ -16,11 +16,11 @@ namespace geargraph::inline states {
 /// of parallel axes they stay so in every motion.
 struct RelativeSpeed {
   struct Term {
-    int link = 0;
+    LinkOrdinal link = 0;
     int factor = 1;  ///< +1 or -1
   };
   struct Part {
-    int axisClass = 0;  ///< u is the direction of its line
+    ClassOrdinal axisClass = 0;  ///< u is the direction of its line
     std::vector<Term> terms;
   };
   std::vector<Part> parts;
@@ -31,7 +31,7 @@ struct RelativeSpeed {
   /// Of `to` against `from`; from the ground (0) it is the absolute velocity.
   /// Cost: O(axis classes on the path).
   /// @pre the placement has a tree
-  [[nodiscard]] static RelativeSpeed between(const Placement& placement, int from, int to);
+  [[nodiscard]] static RelativeSpeed between(const Placement& placement, LinkOrdinal from, LinkOrdinal to);
 
   /// Do constant coefficients decide when the speed is 0? On three runs or fewer, every part has to vanish:
   /// two directions are independent, and three links of a spherical chain that closes are a rigid triangle,
@@ -42,7 +42,7 @@ struct RelativeSpeed {
 
 /// A component of an absolute angular velocity: `speed` about the line of an axis class, rad/s.
 struct SpeedAbout {
-  int axisClass = 0;
+  ClassOrdinal axisClass = 0;
   Rational speed;
 };
 
@@ -50,11 +50,11 @@ struct SpeedAbout {
 /// that are 0; empty if the link is at rest. Cost: O(joints to the ground).
 /// @pre the placement has a tree; a rate for every joint
 [[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
-                                                    std::span<const Rational> rates, int link);
+                                                    std::span<const Rational> rates, LinkOrdinal link);
 
 /// +1 where the lines of two classes point the same way, -1 where opposite ways, 0 where they are not
 /// parallel.
-[[nodiscard]] int directionSign(const Placement& placement, int oneClass, int otherClass);
+[[nodiscard]] int directionSign(const Placement& placement, ClassOrdinal oneClass, ClassOrdinal otherClass);
 
 /// The value of a part, from the phi of all links.
 template <class Field>

@@ -28,9 +28,9 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
   Diagnostic result = makeDiagnostic(state, Code::stateLocked);
   const std::string drive = linkLabel(mechanism, *state.drive);
   std::vector<std::string> names;
-  for (const int coupling : locking) {
-    names.push_back(mechanism.couplings[static_cast<std::size_t>(coupling)].id.text());
-    result.elements.emplace_back(mechanism.couplings[static_cast<std::size_t>(coupling)].id);
+  for (const CouplingOrdinal coupling : locking) {
+    names.push_back(mechanism.couplings[coupling].id.text());
+    result.elements.emplace_back(mechanism.couplings[coupling].id);
   }
   if (byTrain) {
     result.message = translated(
@@ -59,9 +59,9 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
                      const std::vector<int>& links) {
   Diagnostic result = makeDiagnostic(state, Code::stateFree);
   std::vector<std::string> names;
-  for (const int link : links) {
+  for (const LinkOrdinal link : links) {
     names.push_back(std::to_string(mechanism.linkLabel(link)));
-    result.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+    result.elements.emplace_back(mechanism.links[link].id);
   }
   const std::string freedoms = std::to_string(dof);
   const std::string turning = listed(names, kMostNames);

@@ -16,7 +16,7 @@ namespace {
 
 /// A joint that is driven first, and how fast.
 struct FirstInput {
-  int joint = 0;
+  JointOrdinal joint = 0;
   std::optional<Rational> speed;  ///< none: as it is
 };
 
@@ -26,11 +26,11 @@ std::optional<FirstInput> firstInputOf(const Mechanism& mechanism, const Placeme
   const std::optional<LinkId>& drive = mechanism.states[static_cast<std::size_t>(solution.state)].drive;
   if (!drive || !solution.driveTurns) return std::nullopt;
   const PositionIndex<LinkTag> links(mechanism.links);
-  const int own = placement.tree->joint[static_cast<std::size_t>(links.at(*drive))];
+  const int own = placement.tree->joint[links.at(*drive)];
   if (!solution.isSolved()) return FirstInput{own, std::nullopt};
-  const auto rateOf = [&](int joint) { return solution.rates[static_cast<std::size_t>(joint)]; };
+  const auto rateOf = [&](JointOrdinal joint) { return solution.rates[joint]; };
   if (!rateOf(own).isZero()) return FirstInput{own, rateOf(own)};
-  for (int joint = 0; joint < mechanism.t(); ++joint) {
+  for (JointOrdinal joint = 0; joint < mechanism.t(); ++joint) {
     if (!rateOf(joint).isZero()) return FirstInput{joint, rateOf(joint)};
   }
   return std::nullopt;
@@ -67,7 +67,7 @@ class EngagementEdit {
   /// The joints that are driven before, with the motion that they make.
   struct Motion {
     std::vector<int> driven;
-    std::vector<Rational> rates;  ///< by joint; empty where there is none
+    ByJoint<Rational> rates;  ///< empty where there is none
   };
 
   [[nodiscard]] Motion motionBefore() const {
@@ -87,16 +87,15 @@ class EngagementEdit {
     const auto joints = InputCompletion(model).with(wanted, motion.driven);
     if (!joints) return std::nullopt;
     std::vector<Input> inputs;
-    for (const int joint : *joints) {
-      const JointId id = m_before.turningJoints[static_cast<std::size_t>(joint)].id;
+    for (const JointOrdinal joint : *joints) {
+      const JointId id = m_before.turningJoints[joint].id;
       if (first && first->joint == joint && first->speed) {
         inputs.push_back({id, Number(*first->speed), {}});
       } else if (const Input* known = inputBefore(id)) {
         inputs.push_back(*known);
       } else {
         const bool moves = !motion.rates.empty();
-        inputs.push_back(
-            {id, Number(moves ? motion.rates[static_cast<std::size_t>(joint)] : Rational(1)), {}});
+        inputs.push_back({id, Number(moves ? motion.rates[joint] : Rational(1)), {}});
       }
     }
     return inputs;

@@ -54,11 +54,10 @@ class StateSolver {
   }
 
  private:
-  [[nodiscard]] int ownClass(int link) const { return m_placement.classes->classOfLink(link); }
+  [[nodiscard]] int ownClass(LinkOrdinal link) const { return m_placement.classes->classOfLink(link); }
   /// +1 where the axis of the link's own joint points as the line of the class does.
-  [[nodiscard]] int ownOrientationSign(int link) const {
-    return m_placement.classes
-        ->orientationSign[static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(link)])];
+  [[nodiscard]] int ownOrientationSign(LinkOrdinal link) const {
+    return m_placement.classes->orientationSign[m_placement.tree->joint[link]];
   }
 
   [[nodiscard]] StateSystem systemOf(const ShiftState& state, const std::vector<int>& engaged) const {
@@ -86,7 +85,7 @@ class StateSolver {
   [[nodiscard]] Diagnostic locked(const ShiftState& state, const std::vector<int>& engaged) const {
     if (!driveTurnsWith(state, {})) return stateLocked(m_mechanism, state, {}, true);
     std::vector<int> locking;
-    for (const int coupling : engaged) {
+    for (const CouplingOrdinal coupling : engaged) {
       std::vector<int> others = engaged;
       std::erase(others, coupling);
       if (driveTurnsWith(state, others)) locking.push_back(coupling);
@@ -105,7 +104,7 @@ class StateSolver {
           static_cast<std::int64_t>(prime.toNumber(random.next()) >> 30U) + 1;
     substitute(field, system, phi);
     std::vector<int> links;
-    for (int link = 1; link <= m_model.n(); ++link) {
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link) {
       const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, link);
       const bool turns =
           std::any_of(speed.parts.begin(), speed.parts.end(),
@@ -118,7 +117,7 @@ class StateSolver {
   void fillSpeeds(const ShiftState& state, const StateSystem& system, const Elimination<Rational>& solved,
                   const std::vector<Rational>& phi, StateSolution& result) const {
     const RationalField field;
-    for (int joint = 0; joint < m_model.t(); ++joint)
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint)
       result.rates.push_back(m_model.rateOf(field, joint, phi));
     if (!state.driven) return;
     const int driven = m_linkAt.at(*state.driven);
@@ -143,7 +142,7 @@ class StateSolver {
   }
 
   /// +1 where the class's line points as the drive's axis does; where that lies across, as driven's own axis.
-  [[nodiscard]] int senseOfDriven(int drive, int driven, int axisClass) const {
+  [[nodiscard]] int senseOfDriven(int drive, int driven, ClassOrdinal axisClass) const {
     const int along = directionSign(m_placement, axisClass, ownClass(drive)) * ownOrientationSign(drive);
     if (along != 0) return along;
     const int own = directionSign(m_placement, axisClass, ownClass(driven)) * ownOrientationSign(driven);
@@ -164,7 +163,7 @@ class StateSolver {
     const std::stop_callback forward(m_stop, [&] { enough.request_stop(); });
     const RationalFunctionField bounded(m_ring, kMostTermsOfTheCore, enough);
     const RationalFunctionField field(m_ring);
-    const auto ratio = [&](int mesh, bool tail) {
+    const auto ratio = [&](MeshOrdinal mesh, bool tail) {
       return tail ? RationalFunction::variable(m_ring, mesh) : field.one();
     };
     const auto symbols = eliminate(bounded, system.rows(m_model, bounded, ratio, left), m_model.n(),

@@ -25,7 +25,7 @@ struct StateSolution {
 
   bool driveTurns = false;      ///< false also where nothing is driven
   bool isDrivenAtRest = false;  ///< the speeds are known and `driven` is at rest: the ratio is infinite
-  std::vector<Rational> rates;  ///< by joint, for `drive` at 1; empty unless dof is 1 and the drive turns
+  ByJoint<Rational> rates;      ///< for `drive` at 1; empty unless dof is 1 and the drive turns
   /// Absolute speed of `drive` over that of `driven`, about their common direction; where the directions
   /// differ, each about its own axis. None if there are no rates, or `driven` is at rest or turns about
   /// several directions at once.

@@ -24,7 +24,7 @@ struct StateSystem {
     SparseRows<typename Field::Value> result;
     const auto isLeft = [&](std::size_t row) { return row < left.size() && left[row] != 0; };
     std::size_t row = 0;
-    for (int mesh = 0; mesh < model.c(); ++mesh, ++row) {
+    for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh, ++row) {
       if (isLeft(row)) continue;
       model.addMeshRow(result, mesh, field, meshWeights(mesh, true), meshWeights(mesh, false));
       result.endRow();
@@ -48,7 +48,7 @@ struct StateSystem {
                                                                      const KinematicModel& model,
                                                                      const std::stop_token& stop) {
   const RationalField field;
-  const auto teeth = [&model](int mesh, bool tail) -> Rational {
+  const auto teeth = [&model](MeshOrdinal mesh, bool tail) -> Rational {
     return tail ? model.meshRow(mesh).tailTeeth : model.meshRow(mesh).headTeeth;
   };
   return eliminate(field, system.rows(model, field, teeth), model.n(), model.n() + (system.drive ? 1 : 0),

@@ -15,7 +15,7 @@ class PowerSum {
            const Rational& metres, LoadPower& power)
       : m_mechanism(mechanism), m_model(model), m_placement(placement), m_metres(metres), m_power(power) {}
 
-  void addInJoint(int joint, const Rational& torque) {
+  void addInJoint(JointOrdinal joint, const Rational& torque) {
     const KinematicModel::JointRate& rate = m_model.jointRate(joint);
     m_power.byLink.add(rate.child, Rational(rate.sign) * torque);
     if (rate.parent != 0) m_power.byLink.add(rate.parent, Rational(-rate.sign) * torque);
@@ -23,7 +23,7 @@ class PowerSum {
   }
 
   /// A torque about a direction that is not of length 1: the whole is divided by its length.
-  void addTorque(int link, const ExactVector3& direction, const Rational& torque) {
+  void addTorque(LinkOrdinal link, const ExactVector3& direction, const Rational& torque) {
     const Rational square = dot(direction, direction).inverse();
     addAlongPath(link, square,
                  [&](const ExactLine& line) { return torque * dot(line.direction, direction); });
@@ -38,20 +38,20 @@ class PowerSum {
  private:
   /// `component(line)`: the load's moment about a line whose direction counts with its length.
   template <class Component>
-  void addAlongPath(int link, const Rational& square, const Component& component) {
+  void addAlongPath(LinkOrdinal link, const Rational& square, const Component& component) {
     const auto add = [&](RadicalColumns& to, int place, int sign, const ExactLine& line) {
       to.add(place, Rational(sign) * component(line), square * dot(line.direction, line.direction).inverse());
     };
     const AxisClasses& classes = *m_placement.classes;
     for (int at = link; at != 0;) {
-      const int axisClass = classes.classOfLink(at);
+      const ClassOrdinal axisClass = classes.classOfLink(at);
       add(m_power.byLink, at, 1, exactLineOfClass(m_mechanism, m_placement, axisClass));
-      at = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
+      at = classes.classes[axisClass].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = link; at != 0; at = tree.parent(at)) {
-      const int joint = tree.jointToParent(at);
-      const int axis = m_placement.tree->axisOf[static_cast<std::size_t>(joint)];
+      const JointOrdinal joint = tree.jointToParent(at);
+      const AxisOrdinal axis = m_placement.tree->axisOf[joint];
       add(m_power.byJoint, joint, -tree.directionToGround(joint), exactLine(m_mechanism, m_placement, axis));
     }
   }
@@ -65,13 +65,12 @@ class PowerSum {
 
 }  // namespace
 
-TorquePlace onLink(const Mechanism& mechanism, const Placement& placement, int link,
+TorquePlace onLink(const Mechanism& mechanism, const Placement& placement, LinkOrdinal link,
                    std::optional<AxisId> axis) {
   TorquePlace place;
   place.link = link;
   const JointTree& tree = *placement.tree;
-  place.axis = axis ? PositionIndex<AxisTag>(mechanism.axes).at(*axis)
-                    : tree.axisOf[static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)])];
+  place.axis = axis ? PositionIndex<AxisTag>(mechanism.axes).at(*axis) : tree.axisOf[tree.joint[link]];
   place.direction = exactLine(mechanism, placement, place.axis).direction;
   return place;
 }

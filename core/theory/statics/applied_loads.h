@@ -13,9 +13,9 @@ namespace geargraph::inline statics {
 /// Where a torque of statics acts: in a turning joint, by its tail on its head about +direction of its axis;
 /// or on a link about a direction of the base frame, with the reaction on the ground.
 struct TorquePlace {
-  int joint = -1;            ///< ordinal; -1: on a link
-  int link = 0;              ///< ordinal
-  int axis = -1;             ///< position of the document's axis that gives the direction; -1: in a joint
+  JointOrdinal joint = -1;   ///< ordinal; -1: on a link
+  LinkOrdinal link = 0;      ///< ordinal
+  AxisOrdinal axis = -1;     ///< position of the document's axis that gives the direction; -1: in a joint
   ExactVector3 direction{};  ///< of any length above 0; on a link
 
   [[nodiscard]] bool inJoint() const { return joint >= 0; }
@@ -29,7 +29,7 @@ struct AppliedTorque {
 
 /// A force of known size, N, on a link, at a point of it in the reference pose (base frame, document's unit).
 struct AppliedForce {
-  int link = 0;
+  LinkOrdinal link = 0;
   ExactVector3 force{};
   ExactVector3 point{};
 };
@@ -46,7 +46,7 @@ struct StaticsProblem {
 
 /// The place of a torque about an axis of the document on a link.
 /// @pre the placement is the mechanism's and has a tree
-[[nodiscard]] TorquePlace onLink(const Mechanism& mechanism, const Placement& placement, int link,
+[[nodiscard]] TorquePlace onLink(const Mechanism& mechanism, const Placement& placement, LinkOrdinal link,
                                  std::optional<AxisId> axis);
 
 /// Adds the torques and forces of these loads, which refer to elements of the document, to the problem.

@@ -32,9 +32,7 @@ class FlowGraph {
  public:
   explicit FlowGraph(int nodes) : m_edges(static_cast<std::size_t>(nodes)) {}
 
-  void add(int from, int to, Real power) {
-    m_edges[static_cast<std::size_t>(from)].push_back({to, std::move(power)});
-  }
+  void add(int from, int to, Real power) { m_edges[from].push_back({to, std::move(power)}); }
 
   /// The cycle whose least edge is greatest, as its nodes; empty where there is none.
   [[nodiscard]] std::vector<int> widestCycle() const {
@@ -62,7 +60,7 @@ class FlowGraph {
   Real subtract(const std::vector<int>& cycle) {
     std::vector<Edge*> edges;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
-      auto& from = m_edges[static_cast<std::size_t>(cycle[i])];
+      auto& from = m_edges[cycle[i]];
       const int to = cycle[(i + 1) % cycle.size()];
       edges.push_back(&*std::find_if(from.begin(), from.end(), [&](const Edge& e) { return e.to == to; }));
     }
@@ -85,7 +83,7 @@ class FlowGraph {
   /// Some cycle of edges that are at least so wide.
   [[nodiscard]] std::vector<int> cycleOf(const Real& width) const {
     enum class Mark : char { open, active, done };
-    std::vector<Mark> marks(m_edges.size(), Mark::open);
+    ByLink<Mark> marks(m_edges.size(), Mark::open);
     std::vector<std::pair<int, std::size_t>> walk;  // a node, and its next edge
     for (std::size_t start = 0; start < m_edges.size(); ++start) {
       if (marks[start] != Mark::open) continue;
@@ -93,15 +91,15 @@ class FlowGraph {
       marks[start] = Mark::active;
       while (!walk.empty()) {
         auto& [node, next] = walk.back();
-        const auto& edges = m_edges[static_cast<std::size_t>(node)];
+        const auto& edges = m_edges[node];
         while (next < edges.size() && isLess(edges[next].power, width)) ++next;
         if (next == edges.size()) {
-          marks[static_cast<std::size_t>(node)] = Mark::done;
+          marks[node] = Mark::done;
           walk.pop_back();
           continue;
         }
         const int to = edges[next++].to;
-        Mark& mark = marks[static_cast<std::size_t>(to)];
+        Mark& mark = marks[to];
         if (mark == Mark::active) {
           std::vector<int> cycle;
           for (auto at = walk.rbegin(); at == walk.rbegin() || std::prev(at)->first != to; ++at)
@@ -117,7 +115,7 @@ class FlowGraph {
     return {};
   }
 
-  std::vector<std::vector<Edge>> m_edges;
+  ByLink<std::vector<Edge>> m_edges;
 };
 
 class Finder {
@@ -137,8 +135,8 @@ class Finder {
   std::optional<std::vector<Circulation>> run() {
     findPlanets();
     const SpanningTree& tree = m_model.tree();
-    for (int link = 1; link <= m_model.n(); ++link)
-      if (m_isPlanet[static_cast<std::size_t>(link)] == 0 && tree.parent(link) != 0) return std::nullopt;
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link)
+      if (m_isPlanet[link] == 0 && tree.parent(link) != 0) return std::nullopt;
     if (!uniteSets()) return std::nullopt;
     uniteShafts();
     FlowGraph graph = graphOfSets();
@@ -154,23 +152,22 @@ class Finder {
  private:
   void findPlanets() {
     const SpanningTree& tree = m_model.tree();
-    std::vector<char> other(m_isPlanet.size(), 0);  // links that are none
-    for (int link = 1; link <= m_model.n(); ++link) other[static_cast<std::size_t>(tree.parent(link))] = 1;
+    ByLink<char> other(m_isPlanet.size(), 0);  // links that are none
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link) other[tree.parent(link)] = 1;
     for (const auto& geometry : m_placement.meshes)
-      for (const int gear : {geometry->tail, geometry->head}) {
+      for (const LinkOrdinal gear : {geometry->tail, geometry->head}) {
         const bool onCarrier = geometry->carrier != 0 && tree.parent(gear) == geometry->carrier;
-        (onCarrier ? m_isPlanet : other)[static_cast<std::size_t>(gear)] = 1;
+        (onCarrier ? m_isPlanet : other)[gear] = 1;
       }
     const auto place = [&](const TorquePlace& at) {
-      other[static_cast<std::size_t>(at.inJoint() ? tree.child(at.joint) : at.link)] = 1;
+      other[at.inJoint() ? tree.child(at.joint) : at.link] = 1;
     };
     for (const AppliedTorque& load : m_problem.torques) place(load.place);
-    for (const AppliedForce& load : m_problem.forces) other[static_cast<std::size_t>(load.link)] = 1;
+    for (const AppliedForce& load : m_problem.forces) other[load.link] = 1;
     for (const TorquePlace& balance : m_problem.balances) place(balance);
     const PositionIndex<LinkTag> links(m_mechanism.links);
-    for (const int coupling : m_problem.engaged)
-      for (const LinkId& link : m_mechanism.couplings[static_cast<std::size_t>(coupling)].links)
-        other[static_cast<std::size_t>(links.at(link))] = 1;
+    for (const CouplingOrdinal coupling : m_problem.engaged)
+      for (const LinkId& link : m_mechanism.couplings[coupling].links) other[links.at(link)] = 1;
     for (std::size_t link = 0; link < other.size(); ++link)
       if (other[link] != 0) m_isPlanet[link] = 0;
   }
@@ -179,10 +176,10 @@ class Finder {
   /// balances share it too.
   bool uniteSets() {
     std::map<int, int> ofPlanet;
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
-      const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(mesh)];
-      for (const int gear : {geometry.tail, geometry.head}) {
-        if (m_isPlanet[static_cast<std::size_t>(gear)] == 0) continue;
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
+      const MeshGeometry& geometry = *m_placement.meshes[mesh];
+      for (const LinkOrdinal gear : {geometry.tail, geometry.head}) {
+        if (m_isPlanet[gear] == 0) continue;
         m_sets.unite(mesh, ofPlanet.try_emplace(gear, mesh).first->second);
       }
     }
@@ -197,7 +194,7 @@ class Finder {
   void uniteShafts() {
     const PositionIndex<LinkTag> links(m_mechanism.links);
     for (const int position : m_problem.engaged) {
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
+      const Coupling& coupling = m_mechanism.couplings[position];
       if (coupling.kind == CouplingKind::clutch)
         m_shafts.unite(links.at(coupling.links.front()), links.at(coupling.links.back()));
     }
@@ -208,22 +205,22 @@ class Finder {
     std::map<std::pair<int, int>, Real> delivered;  // by set and shaft
     const SpanningTree& tree = m_model.tree();
     const auto add = [&](int set, const PowerPort& port) {
-      if (port.link == 0 || m_isPlanet[static_cast<std::size_t>(port.link)] != 0) return;
+      if (port.link == 0 || m_isPlanet[port.link] != 0) return;
       delivered[{set, m_shafts.of(port.link)}] += port.power;
     };
-    std::vector<int> setOfPlanet(m_isPlanet.size(), -1);
+    ByLink<int> setOfPlanet(m_isPlanet.size(), -1);
     for (const ElementPower& element : m_flow.elements) {
       if (element.kind != ElementPower::Kind::mesh) continue;
       for (const PowerPort& port : element.ports) {
         add(m_sets.of(element.position), port);
-        setOfPlanet[static_cast<std::size_t>(port.link)] = m_sets.of(element.position);
+        setOfPlanet[port.link] = m_sets.of(element.position);
       }
     }
     for (const ElementPower& element : m_flow.elements) {
       if (element.kind != ElementPower::Kind::joint) continue;
-      const int child = tree.child(element.position);
-      if (m_isPlanet[static_cast<std::size_t>(child)] == 0) continue;
-      for (const PowerPort& port : element.ports) add(setOfPlanet[static_cast<std::size_t>(child)], port);
+      const LinkOrdinal child = tree.child(element.position);
+      if (m_isPlanet[child] == 0) continue;
+      for (const PowerPort& port : element.ports) add(setOfPlanet[child], port);
     }
     double largest = 0;
     for (const auto& [ends, power] : delivered) largest = std::max(largest, std::abs(power.number()));
@@ -239,12 +236,13 @@ class Finder {
 
   Circulation circulationOf(const std::vector<int>& cycle, Real power) {
     Circulation circulation{std::move(power), {}, {}};
-    const auto isOn = [&](int node) { return std::find(cycle.begin(), cycle.end(), node) != cycle.end(); };
-    for (int mesh = 0; mesh < m_model.c(); ++mesh)
+    const auto isOn = [&](LinkOrdinal node) {
+      return std::find(cycle.begin(), cycle.end(), node) != cycle.end();
+    };
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh)
       if (isOn(m_sets.of(mesh))) circulation.meshes.push_back(mesh);
-    for (int link = 1; link <= m_model.n(); ++link)
-      if (m_isPlanet[static_cast<std::size_t>(link)] == 0 && isOn(m_model.c() + m_shafts.of(link)))
-        circulation.links.push_back(link);
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link)
+      if (m_isPlanet[link] == 0 && isOn(m_model.c() + m_shafts.of(link))) circulation.links.push_back(link);
     return circulation;
   }
 
@@ -254,7 +252,7 @@ class Finder {
   const StaticsProblem& m_problem;
   const StaticsSolution& m_lossless;
   const PowerFlow& m_flow;
-  std::vector<char> m_isPlanet;
+  ByLink<char> m_isPlanet;
   Groups m_sets;
   Groups m_shafts;
 };

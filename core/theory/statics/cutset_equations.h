@@ -24,7 +24,7 @@ namespace geargraph::inline statics {
 class CutsetEquations {
  public:
   struct Term {
-    int mesh = 0;
+    MeshOrdinal mesh = 0;
     bool tail = false;  ///< the joint is on the tail's axis: factor i in a normalised row, else 1
     int sign = 1;       ///< of the entry in the normalised row
     double length = 0;  ///< P(c, e), in the document's unit
@@ -40,14 +40,14 @@ class CutsetEquations {
   explicit CutsetEquations(const TtGraph& graph);
 
   /// By mesh, ascending.
-  [[nodiscard]] std::span<const Term> terms(int joint) const {
-    const auto first = m_starts[static_cast<std::size_t>(joint)];
+  [[nodiscard]] std::span<const Term> terms(JointOrdinal joint) const {
+    const auto first = m_starts[joint];
     return std::span(m_terms).subspan(first, m_starts[static_cast<std::size_t>(joint) + 1] - first);
   }
   [[nodiscard]] int count() const { return static_cast<int>(m_starts.size()) - 1; }
 
  private:
-  std::vector<std::size_t> m_starts;  ///< by joint, and one for the end
+  ByJoint<std::size_t> m_starts;  ///< and one for the end
   std::vector<Term> m_terms;
 };
 

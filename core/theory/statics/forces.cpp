@@ -41,20 +41,20 @@ class LinkWrenches {
         m_forces(static_cast<std::size_t>(links) + 1, Vector3{0, 0, 0}),
         m_moments(m_forces) {}
 
-  void addForce(int link, const Vector3& force, const Vector3& point) {
-    add(m_forces[static_cast<std::size_t>(link)], force);
+  void addForce(LinkOrdinal link, const Vector3& force, const Vector3& point) {
+    add(m_forces[link], force);
     addCouple(link, m_metres * cross(point - m_origin, force));
   }
-  void addCouple(int link, const Vector3& couple) { add(m_moments[static_cast<std::size_t>(link)], couple); }
+  void addCouple(LinkOrdinal link, const Vector3& couple) { add(m_moments[link], couple); }
 
   /// The links' wrenches become those of all links beyond: call from the leaves towards the ground.
-  void pass(int link, int parent) {
-    add(m_forces[static_cast<std::size_t>(parent)], force(link));
-    add(m_moments[static_cast<std::size_t>(parent)], m_moments[static_cast<std::size_t>(link)]);
+  void pass(LinkOrdinal link, LinkOrdinal parent) {
+    add(m_forces[parent], force(link));
+    add(m_moments[parent], m_moments[link]);
   }
-  [[nodiscard]] const Vector3& force(int link) const { return m_forces[static_cast<std::size_t>(link)]; }
-  [[nodiscard]] Vector3 momentAbout(int link, const Vector3& point) const {
-    return m_moments[static_cast<std::size_t>(link)] - m_metres * cross(point - m_origin, force(link));
+  [[nodiscard]] const Vector3& force(LinkOrdinal link) const { return m_forces[link]; }
+  [[nodiscard]] Vector3 momentAbout(LinkOrdinal link, const Vector3& point) const {
+    return m_moments[link] - m_metres * cross(point - m_origin, force(link));
   }
 
  private:
@@ -64,8 +64,8 @@ class LinkWrenches {
 
   Vector3 m_origin;
   double m_metres;
-  std::vector<Vector3> m_forces;
-  std::vector<Vector3> m_moments;
+  ByLink<Vector3> m_forces;
+  ByLink<Vector3> m_moments;
 };
 
 class ForceSum {
@@ -82,7 +82,7 @@ class ForceSum {
         m_keys(static_cast<std::size_t>(model.n()) + 1, 0) {}
 
   void addMeshes(const std::vector<ToothForce>& forces, std::span<const MeshLoss> losses) {
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
       const auto at = static_cast<std::size_t>(mesh);
       const MeshGeometry& geometry = *m_placement.meshes[at];
       m_wrenches.addForce(geometry.head, forces[at].force, geometry.pitchPoint);
@@ -121,15 +121,14 @@ class ForceSum {
         if (m_determined[at] == 0) mark(place.link, 0);
         continue;
       }
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(first.coupling)];
-      const int link = links.at(coupling.links.front());
+      const Coupling& coupling = m_mechanism.couplings[first.coupling];
+      const LinkOrdinal link = links.at(coupling.links.front());
       const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
       std::vector<std::pair<Vector3, double>> components;
       bool isDetermined = true;
       for (; part < m_held.size() && m_held[part].coupling == first.coupling; ++part) {
         const auto at = static_cast<std::size_t>(m_model.c()) + part;
-        components.emplace_back(m_placement.axes[static_cast<std::size_t>(m_held[part].axis)].direction,
-                                m_values[at]);
+        components.emplace_back(m_placement.axes[m_held[part].axis].direction, m_values[at]);
         isDetermined = isDetermined && m_determined[at] != 0;
       }
       const Vector3 torque = vectorOf(components);
@@ -140,26 +139,24 @@ class ForceSum {
   }
 
   [[nodiscard]] std::vector<BearingReaction> take() {
-    std::vector<BearingReaction> bearings(static_cast<std::size_t>(m_model.t()));
+    ByJoint<BearingReaction> bearings(static_cast<std::size_t>(m_model.t()));
     const SpanningTree& tree = m_model.tree();
     const auto order = tree.preorder();
     for (auto link = order.rbegin(); link != order.rend(); ++link) {
       if (*link == 0) continue;
-      const int joint = tree.jointToParent(*link);
-      const AxisLine& axis =
-          m_placement
-              .axes[static_cast<std::size_t>(m_placement.tree->axisOf[static_cast<std::size_t>(joint)])];
-      BearingReaction& bearing = bearings[static_cast<std::size_t>(joint)];
-      const double offset = m_mechanism.turningJoints[static_cast<std::size_t>(joint)].offset.value();
+      const JointOrdinal joint = tree.jointToParent(*link);
+      const AxisLine& axis = m_placement.axes[m_placement.tree->axisOf[joint]];
+      BearingReaction& bearing = bearings[joint];
+      const double offset = m_mechanism.turningJoints[joint].offset.value();
       bearing.point = axis.point + offset * axis.direction;
       // On the child it is opposite to all that acts beyond; on the head, if that is the parent, the same.
       const double sign = tree.directionToGround(joint) > 0 ? 1 : -1;
       bearing.force = withoutRounding(sign * m_wrenches.force(*link));
       bearing.moment = withoutRounding(sign * m_wrenches.momentAbout(*link, bearing.point));
-      bearing.isDetermined = m_keys[static_cast<std::size_t>(*link)] == 0;
-      const int parent = tree.parent(*link);
+      bearing.isDetermined = m_keys[*link] == 0;
+      const LinkOrdinal parent = tree.parent(*link);
       m_wrenches.pass(*link, parent);
-      m_keys[static_cast<std::size_t>(parent)] ^= m_keys[static_cast<std::size_t>(*link)];
+      m_keys[parent] ^= m_keys[*link];
     }
     return bearings;
   }
@@ -169,8 +166,8 @@ class ForceSum {
   /// stays in the exclusive-or of all links beyond a joint exactly if one of the two is.
   void mark(int one, int other) {
     m_next = (m_next ^ (m_next >> 27U)) * 0x94d049bb133111ebU + 0x9e3779b97f4a7c15U;
-    m_keys[static_cast<std::size_t>(one)] ^= m_next;
-    m_keys[static_cast<std::size_t>(other)] ^= m_next;
+    m_keys[one] ^= m_next;
+    m_keys[other] ^= m_next;
   }
 
   const Mechanism& m_mechanism;
@@ -180,7 +177,7 @@ class ForceSum {
   std::span<const double> m_values;
   std::span<const char> m_determined;
   LinkWrenches m_wrenches;
-  std::vector<std::uint64_t> m_keys;  ///< by link
+  ByLink<std::uint64_t> m_keys;
   std::uint64_t m_next = 1;
 };
 
@@ -208,7 +205,7 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
   std::vector<ToothForce> forces;
   const auto metres = metresPerUnit(mechanism);
   if (!metres) return forces;
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     const MeshGeometry& geometry = *placement.meshes[at];
     ToothForce& force = forces.emplace_back();

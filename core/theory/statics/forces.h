@@ -51,8 +51,8 @@ struct BearingReaction {
 
 /// The forces of a solved problem on gears and bearings.
 struct StaticsForces {
-  std::vector<ToothForce> meshes;         ///< by mesh; empty where the unit of length is not known
-  std::vector<BearingReaction> bearings;  ///< by joint; empty likewise
+  ByMesh<ToothForce> meshes;          ///< empty where the unit of length is not known
+  ByJoint<BearingReaction> bearings;  ///< empty likewise
 };
 
 /// `values`, `determined`: by unknown, as of StaticsSolution. `losses`: by mesh, or empty. The torque lost in

@@ -14,14 +14,14 @@ class PartMaker {
     for (const KinematicModel::HeldRow& row : heldRows(m_mechanism, m_placement, position)) {
       // The first axis on the way to the ground, as its joint points; for a clutch on the ground's side of
       // everything, that of the other link.
-      const int first = row.to != 0 ? row.to : row.from;
-      const auto joint = static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(first)]);
+      const LinkOrdinal first = row.to != 0 ? row.to : row.from;
+      const JointOrdinal joint = m_placement.tree->joint[first];
       HeldPart& part = parts.emplace_back();
       part.coupling = position;
       const int along = directionSign(m_placement, row.axisClass, m_placement.classes->classOf[joint]);
       part.isMain = along != 0;
-      part.axis = part.isMain ? m_placement.tree->axisOf[joint]
-                              : m_placement.classes->classes[static_cast<std::size_t>(row.axisClass)].axis;
+      part.axis = part.isMain ? AxisOrdinal(m_placement.tree->axisOf[joint])
+                              : m_placement.classes->classes[row.axisClass].axis;
       const int sign = part.isMain ? along * m_placement.classes->orientationSign[joint] : 1;
       for (const auto& term : row.links) part.byLink.emplace_back(term.of, Rational(sign * term.factor));
       for (const auto& term : row.joints) part.byJoint.emplace_back(term.of, Rational(sign * term.factor));
@@ -46,15 +46,15 @@ class PartMaker {
     };
     const AxisClasses& classes = *m_placement.classes;
     for (int at = place.link; at != 0;) {
-      const int axisClass = classes.classOfLink(at);
+      const ClassOrdinal axisClass = classes.classOfLink(at);
       Rational cosine = factor(exactLineOfClass(m_mechanism, m_placement, axisClass).direction);
       if (!cosine.isZero()) part.byLink.emplace_back(at, std::move(cosine));
-      at = classes.classes[static_cast<std::size_t>(axisClass)].rootLink;
+      at = classes.classes[axisClass].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = place.link; at != 0; at = tree.parent(at)) {
-      const int joint = tree.jointToParent(at);
-      const int axis = m_placement.tree->axisOf[static_cast<std::size_t>(joint)];
+      const JointOrdinal joint = tree.jointToParent(at);
+      const AxisOrdinal axis = m_placement.tree->axisOf[joint];
       Rational cosine = Rational(-tree.directionToGround(joint)) *
                         factor(exactLine(m_mechanism, m_placement, axis).direction);
       if (!cosine.isZero()) part.byJoint.emplace_back(joint, std::move(cosine));
@@ -74,7 +74,7 @@ std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel
                                 const Placement& placement, const StaticsProblem& problem) {
   const PartMaker maker(mechanism, model, placement);
   std::vector<HeldPart> parts;
-  for (const int coupling : problem.engaged) maker.addCoupling(coupling, parts);
+  for (const CouplingOrdinal coupling : problem.engaged) maker.addCoupling(coupling, parts);
   for (std::size_t i = 0; i < problem.balances.size(); ++i)
     parts.push_back(maker.balanceAt(static_cast<int>(i), problem.balances[i]));
   return parts;

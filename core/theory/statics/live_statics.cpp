@@ -10,7 +10,7 @@ namespace geargraph::inline statics {
 std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const FusedField& field,
                                             std::span<const HeldPart> held, const RadicalColumns& loads,
                                             const std::stop_token& stop) {
-  const auto weight = [&](int mesh, bool tail) {
+  const auto weight = [&](MeshOrdinal mesh, bool tail) {
     const KinematicModel::MeshRow& row = model.meshRow(mesh);
     return field.fromInteger(tail ? row.tailTeeth : row.headTeeth);
   };

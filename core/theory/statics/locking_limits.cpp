@@ -14,7 +14,7 @@ constexpr double kLockingPrecision = 1e-6;
 /// How all meshes lose more and more: 0 nothing, 1 the most that is tried.
 struct LossPath {
   LockingScale scale = LockingScale::sameEfficiency;
-  std::vector<Rational> losses;  ///< by mesh, 1 - eta_c at 1
+  ByMesh<Rational> losses;  ///< 1 - eta_c at 1
   bool isExact = true;
   double mostStated = 0;  ///< the greatest stated loss, of the scale statedLosses
 

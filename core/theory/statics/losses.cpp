@@ -153,7 +153,7 @@ std::vector<MeshEfficiency> efficienciesOf(const Mechanism& mechanism,
 }
 
 PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solution,
-                        std::span<const MeshLoss> losses, int mesh) {
+                        std::span<const MeshLoss> losses, MeshOrdinal mesh) {
   const auto at = static_cast<std::size_t>(mesh);
   const KinematicModel::MeshRow& row = model.meshRow(mesh);
   PortTorques torques{Real(-row.tailTeeth) * solution.values[at],
@@ -165,18 +165,18 @@ PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solu
   return torques;
 }
 
-int orientationSignAt(const Placement& placement, int gear, int axisClass) {
-  const int own = placement.tree->joint[static_cast<std::size_t>(gear)];
-  if (own >= 0 && placement.classes->classOf[static_cast<std::size_t>(own)] == axisClass)
-    return placement.classes->orientationSign[static_cast<std::size_t>(own)];
+int orientationSignAt(const Placement& placement, LinkOrdinal gear, ClassOrdinal axisClass) {
+  const int own = placement.tree->joint[gear];
+  if (own >= 0 && placement.classes->classOf[own] == axisClass)
+    return placement.classes->orientationSign[own];
   return 1;  // the gear is the class's link nearest the ground
 }
 
 MeshPowers powersOf(const KinematicModel& model, const StaticsSolution& solution, const Motion& motion) {
-  const std::vector<Rational> phi = phiOf<Rational>(model, motion);
-  const auto at = [&](int link) -> const Rational& { return phi[static_cast<std::size_t>(link)]; };
+  const ByLink<Rational> phi = phiOf<Rational>(model, motion);
+  const auto at = [&](LinkOrdinal link) -> const Rational& { return phi[link]; };
   MeshPowers powers;
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const KinematicModel::MeshRow& row = model.meshRow(mesh);
     const Rational rolling = Rational(row.tailTeeth) * (at(row.links[0]) - at(row.links[1]));
     powers.rolls.push_back(rolling.isZero() ? 0 : 1);
@@ -191,11 +191,11 @@ MeshPowers powersOf(const KinematicModel& model, const StaticsSolution& solution
 }
 
 Real powerOf(const KinematicModel& model, const RadicalColumns& loads, const Motion& motion) {
-  const std::vector<Rational> phi = phiOf<Rational>(model, motion);
+  const ByLink<Rational> phi = phiOf<Rational>(model, motion);
   std::vector<Rational> parts;
   for (const RadicalColumns::Column& column : loads.columns()) {
     Rational& part = parts.emplace_back(0);
-    for (const auto& [link, force] : column.entries) part += force * phi[static_cast<std::size_t>(link)];
+    for (const auto& [link, force] : column.entries) part += force * phi[link];
   }
   return loads.sumOf(parts);
 }

@@ -34,22 +34,22 @@ struct PortTorques {
 };
 /// `losses` by mesh, or empty.
 [[nodiscard]] PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solution,
-                                      std::span<const MeshLoss> losses, int mesh);
+                                      std::span<const MeshLoss> losses, MeshOrdinal mesh);
 
 /// +1 where the joint next to the gear on the way to the carrier points as the class's line does, -1 against
 /// it: the sign with which port torques are shown.
-[[nodiscard]] int orientationSignAt(const Placement& placement, int gear, int axisClass);
+[[nodiscard]] int orientationSignAt(const Placement& placement, LinkOrdinal gear, ClassOrdinal axisClass);
 
 /// A steady motion: the rates of all joints, by joint.
-using Motion = std::vector<Rational>;
+using Motion = ByJoint<Rational>;
 
 /// The power through each mesh, and the power fed by the held parts, in a motion.
 struct MeshPowers {
   /// Pi_c = F_c (A_c theta'), W, by mesh: from the tail's gear to the head's, seen from the carrier, taken at
   /// the gear that drives.
   std::vector<Real> mesh;
-  std::vector<char> rolls;  ///< by mesh: the gears turn against the carrier
-  std::vector<Real> held;   ///< W by held part: fed into the train
+  ByMesh<char> rolls;      ///< the gears turn against the carrier
+  std::vector<Real> held;  ///< W by held part: fed into the train
 };
 [[nodiscard]] MeshPowers powersOf(const KinematicModel& model, const StaticsSolution& solution,
                                   const Motion& motion);
@@ -73,8 +73,8 @@ struct LossySolution {
     undecided      ///< the loads are not held, or their distribution over meshes is indeterminate
   };
   Outcome outcome = Outcome::undecided;
-  std::vector<MeshLoss> losses;  ///< by mesh, of the accepted pattern
-  StaticsSolution statics;       ///< with these losses; where solved
+  ByMesh<MeshLoss> losses;  ///< of the accepted pattern
+  StaticsSolution statics;  ///< with these losses; where solved
   MeshPowers powers;
 };
 

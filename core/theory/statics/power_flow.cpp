@@ -33,7 +33,7 @@ class Directions {
  public:
   Directions(const Mechanism& mechanism, const Placement& placement) {
     const int classes = static_cast<int>(placement.classes->classes.size());
-    for (int axisClass = 0; axisClass < classes; ++axisClass) {
+    for (ClassOrdinal axisClass = 0; axisClass < classes; ++axisClass) {
       std::pair<int, int> known{-1, 1};
       for (std::size_t at = 0; at < m_classOf.size() && known.first < 0; ++at)
         if (const int sign = directionSign(placement, axisClass, m_classOf[at]); sign != 0)
@@ -48,9 +48,7 @@ class Directions {
   }
 
   /// The direction of a class's line, and the sign.
-  [[nodiscard]] std::pair<int, int> ofClass(int axisClass) const {
-    return m_ofClass[static_cast<std::size_t>(axisClass)];
-  }
+  [[nodiscard]] std::pair<int, int> ofClass(ClassOrdinal axisClass) const { return m_ofClass[axisClass]; }
   /// Of the classes' lines, all.
   [[nodiscard]] bool areParallel() const { return m_classOf.size() == 1; }
   /// Any other, one that is known where it is parallel to it in fractions.
@@ -84,7 +82,7 @@ class Directions {
 
   std::vector<int> m_classOf;  ///< by direction of classes, the first class that has it
   std::vector<ExactVector3> m_vectors;
-  std::vector<std::pair<int, int>> m_ofClass;
+  ByClass<std::pair<int, int>> m_ofClass;
   std::map<std::pair<int, int>, Real> m_cosines;
   Real m_one = 1;
 };
@@ -93,7 +91,7 @@ class Flow {
  public:
   Flow(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
        const StaticsProblem& problem, const StaticsSolution& solution, std::span<const MeshLoss> losses,
-       const Motion& motion, int observer)
+       const Motion& motion, LinkOrdinal observer)
       : m_mechanism(mechanism),
         m_model(model),
         m_placement(placement),
@@ -115,7 +113,7 @@ class Flow {
   }
 
   PowerFlow run() {
-    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
     const std::size_t meshes = m_flow.elements.size();
     addCouplings();
     addLoads();
@@ -136,23 +134,23 @@ class Flow {
   void takeSpeeds() {
     const SpanningTree& tree = m_model.tree();
     m_speeds.resize(static_cast<std::size_t>(m_model.n()) + 1);
-    for (const int link : tree.preorder()) {
+    for (const LinkOrdinal link : tree.preorder()) {
       if (link == 0) continue;
       const auto joint = static_cast<std::size_t>(tree.jointToParent(link));
-      auto& speed = m_speeds[static_cast<std::size_t>(link)];
-      speed = m_speeds[static_cast<std::size_t>(tree.parent(link))];
+      auto& speed = m_speeds[link];
+      speed = m_speeds[tree.parent(link)];
       const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
       const int along = sign * m_placement.classes->orientationSign[joint] *
                         -tree.directionToGround(static_cast<int>(joint));
       addTo(speed, direction, Rational(along) * m_motion[joint]);
     }
-    const auto observer = m_speeds[static_cast<std::size_t>(m_flow.observer)];
+    const auto observer = m_speeds[m_flow.observer];
     for (auto& speed : m_speeds)
       for (const auto& [direction, part] : observer) addTo(speed, direction, -part);
   }
 
-  [[nodiscard]] Real power(const Torque& torque, int link) {
-    return m_directions.product(torque, m_speeds[static_cast<std::size_t>(link)]);
+  [[nodiscard]] Real power(const Torque& torque, LinkOrdinal link) {
+    return m_directions.product(torque, m_speeds[link]);
   }
   [[nodiscard]] static Torque opposite(Torque torque) {
     for (auto& [direction, part] : torque) part = -part;
@@ -160,9 +158,9 @@ class Flow {
   }
 
   /// A port of the element, whose torque also becomes part of what the joints before the link pass.
-  void act(ElementPower& element, int link, const Torque& torque) {
+  void act(ElementPower& element, LinkOrdinal link, const Torque& torque) {
     element.ports.push_back({link, power(torque, link)});
-    auto& sum = m_couples[static_cast<std::size_t>(link)];
+    auto& sum = m_couples[link];
     for (const auto& [direction, part] : torque) addTo(sum, direction, part);
   }
 
@@ -173,10 +171,10 @@ class Flow {
     return element;
   }
 
-  void addMesh(int mesh) {
-    const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(mesh)];
+  void addMesh(MeshOrdinal mesh) {
+    const MeshGeometry& geometry = *m_placement.meshes[mesh];
     const PortTorques ports = portTorques(m_model, m_solution, m_losses, mesh);
-    const auto along = [&](int axisClass, const Real& size) {
+    const auto along = [&](ClassOrdinal axisClass, const Real& size) {
       const auto [direction, sign] = m_directions.ofClass(axisClass);
       return Torque{{direction, Real(sign) * size}};
     };
@@ -202,8 +200,8 @@ class Flow {
     const std::vector<HeldPart>& held = m_solution.held;
     for (std::size_t part = 0; part < held.size() && held[part].coupling >= 0;) {
       const int position = held[part].coupling;
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
-      const int link = links.at(coupling.links.front());
+      const Coupling& coupling = m_mechanism.couplings[position];
+      const LinkOrdinal link = links.at(coupling.links.front());
       const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
       const std::size_t first = part;
       bool isDetermined = true;
@@ -233,8 +231,7 @@ class Flow {
     }
     std::vector<std::pair<Vector3, double>> components;
     for (std::size_t part = first; part < last; ++part)
-      components.emplace_back(m_placement.axes[static_cast<std::size_t>(axis(part))].direction,
-                              unknown(part).number());
+      components.emplace_back(m_placement.axes[axis(part)].direction, unknown(part).number());
     const Vector3 vector = vectorOf(components);
     Torque torque;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -244,7 +241,7 @@ class Flow {
     }
     return torque;
   }
-  [[nodiscard]] std::size_t firstJointOn(int axis) const {
+  [[nodiscard]] std::size_t firstJointOn(AxisOrdinal axis) const {
     const std::span<const int> axes = m_placement.tree->axisOf;
     return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
   }
@@ -292,7 +289,7 @@ class Flow {
 
   /// By the same force on the links before it: the sum over the joints from each to the ground.
   void addForce(int position, const AppliedForce& load) {
-    const auto powerOn = [&](int link) {
+    const auto powerOn = [&](LinkOrdinal link) {
       if (link == 0) return Real();
       StaticsProblem only;
       only.forces = {{link, load.force, load.point}};
@@ -308,38 +305,37 @@ class Flow {
     const LoadPower shared = LoadPower::of(m_mechanism, m_model, m_placement, only);
     // What the force would do on each link before its own, from the ground up.
     std::vector<int> path;
-    for (int link = load.link; link != 0; link = tree.parent(link)) path.push_back(link);
+    for (LinkOrdinal link = load.link; link != 0; link = tree.parent(link)) path.push_back(link);
     Real onParent = -onObserver;
     for (auto link = path.rbegin(); link != path.rend(); ++link) {
-      m_throughForces[static_cast<std::size_t>(*link)] += onParent;
-      const int joint = tree.jointToParent(*link);
+      m_throughForces[*link] += onParent;
+      const JointOrdinal joint = tree.jointToParent(*link);
       onParent += shared.byJoint.at(joint) * Real(m_motion[static_cast<std::size_t>(joint)]);
     }
   }
 
   /// From the leaves towards the ground: each joint passes what acts beyond it, times its parent's twist.
   void addJoints(std::size_t place) {
-    std::vector<ElementPower> joints(static_cast<std::size_t>(m_model.t()));
+    ByJoint<ElementPower> joints(static_cast<std::size_t>(m_model.t()));
     const SpanningTree& tree = m_model.tree();
     const auto order = tree.preorder();
     for (auto link = order.rbegin(); link != order.rend(); ++link) {
       if (*link == 0) continue;
       const auto at = static_cast<std::size_t>(*link);
-      const int joint = tree.jointToParent(*link);
-      const int parent = tree.parent(*link);
+      const JointOrdinal joint = tree.jointToParent(*link);
+      const LinkOrdinal parent = tree.parent(*link);
       const Real toParent = power(m_couples[at], parent) + m_throughForces[at];
-      const Real toChild = m_fed[static_cast<std::size_t>(joint)] - toParent;
-      ElementPower& element = joints[static_cast<std::size_t>(joint)];
+      const Real toChild = m_fed[joint] - toParent;
+      ElementPower& element = joints[joint];
       element.kind = ElementPower::Kind::joint;
       element.position = joint;
       element.ports = {{parent, toParent}, {*link, toChild}};
       if (m_model.graph().turningEdge(joint).tail == *link) std::swap(element.ports[0], element.ports[1]);
-      for (const auto& [direction, part] : m_couples[at])
-        addTo(m_couples[static_cast<std::size_t>(parent)], direction, part);
+      for (const auto& [direction, part] : m_couples[at]) addTo(m_couples[parent], direction, part);
       m_couples[at] = {};
     }
-    for (const int joint : m_openJoints) joints[static_cast<std::size_t>(joint)].isDetermined = false;
-    for (const int joint : m_assumedJoints) joints[static_cast<std::size_t>(joint)].isAssumed = true;
+    for (const JointOrdinal joint : m_openJoints) joints[joint].isDetermined = false;
+    for (const JointOrdinal joint : m_assumedJoints) joints[joint].isAssumed = true;
     for (const auto& stress : m_solution.selfStresses) markJointsOf(stress, isDecided(stress), joints);
     m_flow.elements.insert(m_flow.elements.begin() + static_cast<std::ptrdiff_t>(place),
                            std::make_move_iterator(joints.begin()), std::make_move_iterator(joints.end()));
@@ -359,7 +355,7 @@ class Flow {
     const SpanningTree& tree = m_model.tree();
     // By depth and link, the deepest first: what acts on a link and beyond.
     std::map<std::pair<int, int>, Torque, std::greater<>> waiting;
-    const auto put = [&](int link, const Torque& torque) {
+    const auto put = [&](LinkOrdinal link, const Torque& torque) {
       for (const auto& [direction, part] : torque)
         if (link != 0) addTo(waiting[{tree.depth(link), link}], direction, part);
     };
@@ -367,8 +363,8 @@ class Flow {
     while (!waiting.empty()) {
       const auto [key, torque] = *waiting.begin();
       waiting.erase(waiting.begin());
-      const int link = key.second;
-      const int parent = tree.parent(link);
+      const LinkOrdinal link = key.second;
+      const LinkOrdinal parent = tree.parent(link);
       if (isFelt(torque, parent)) {
         ElementPower& joint = joints[static_cast<std::size_t>(tree.jointToParent(link))];
         if (isKnown) joint.isAssumed = true;
@@ -382,9 +378,9 @@ class Flow {
   template <class Put>
   void actOn(int unknown, const Rational& weight, const Put& put) {
     if (unknown < m_model.c()) {
-      const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(unknown)];
+      const MeshGeometry& geometry = *m_placement.meshes[unknown];
       const KinematicModel::MeshRow& row = m_model.meshRow(unknown);
-      const auto add = [&](int gear, int axisClass, const Rational& size) {
+      const auto add = [&](LinkOrdinal gear, ClassOrdinal axisClass, const Rational& size) {
         const auto [direction, sign] = m_directions.ofClass(axisClass);
         const Torque torque{{direction, Real(Rational(sign) * size)}};
         put(gear, torque);
@@ -400,7 +396,7 @@ class Flow {
       if (!place.inJoint()) put(place.link, {{m_directions.of(place.direction), Real(weight)}});
       return;
     }
-    const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
+    const Coupling& coupling = m_mechanism.couplings[part.coupling];
     const auto joint = firstJointOn(part.axis);
     const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
     const Torque torque{
@@ -411,15 +407,14 @@ class Flow {
   }
 
   /// Does the torque do work on the link? What is rounded counts beyond rounding only.
-  [[nodiscard]] bool isFelt(const Torque& torque, int link) {
+  [[nodiscard]] bool isFelt(const Torque& torque, LinkOrdinal link) {
     const Real felt = power(torque, link);
     if (felt.isExact()) return !felt.isZero();
     constexpr double kRounding = 1e-9;
     double torques = 0;
     double speeds = 0;
     for (const auto& [direction, part] : torque) torques += std::abs(part.number());
-    for (const auto& [direction, part] : m_speeds[static_cast<std::size_t>(link)])
-      speeds += std::abs(part.toDouble());
+    for (const auto& [direction, part] : m_speeds[link]) speeds += std::abs(part.toDouble());
     return std::abs(felt.number()) > kRounding * torques * speeds;
   }
 
@@ -431,11 +426,11 @@ class Flow {
   std::span<const MeshLoss> m_losses;
   const Motion& m_motion;
   Directions m_directions;
-  std::vector<Components<Rational>> m_speeds;  ///< by link, against the observer
-  std::vector<Torque> m_couples;               ///< by link: the sum of those on it and beyond
-  std::vector<Real> m_fed;                     ///< by joint: by the loads and balances in it
-  std::vector<Real> m_throughForces;           ///< by link: what forces beyond would do on its parent
-  std::vector<char> m_isAssumed;               ///< by unknown
+  ByLink<Components<Rational>> m_speeds;  ///< against the observer
+  ByLink<Torque> m_couples;               ///< the sum of those on it and beyond
+  ByJoint<Real> m_fed;                    ///< by the loads and balances in it
+  ByLink<Real> m_throughForces;           ///< what forces beyond would do on its parent
+  std::vector<char> m_isAssumed;          ///< by unknown
   std::vector<int> m_openJoints;
   std::vector<int> m_assumedJoints;
   PowerFlow m_flow;
@@ -449,10 +444,10 @@ Real ElementPower::fed() const {
   return sum;
 }
 
-std::vector<Real> PowerFlow::sums(int links) const {
-  std::vector<Real> sums(static_cast<std::size_t>(links));
+ByLink<Real> PowerFlow::sums(int links) const {
+  ByLink<Real> sums(static_cast<std::size_t>(links));
   for (const ElementPower& element : elements)
-    for (const PowerPort& port : element.ports) sums[static_cast<std::size_t>(port.link)] += port.power;
+    for (const PowerPort& port : element.ports) sums[port.link] += port.power;
   return sums;
 }
 
@@ -467,7 +462,7 @@ const ElementPower& PowerFlow::of(ElementPower::Kind kind, int position) const {
 
 PowerFlow powerFlow(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
                     const StaticsProblem& problem, const StaticsSolution& solution,
-                    std::span<const MeshLoss> losses, const Motion& motion, int observer) {
+                    std::span<const MeshLoss> losses, const Motion& motion, LinkOrdinal observer) {
   return Flow(mechanism, model, placement, problem, solution, losses, motion, observer).run();
 }
 

@@ -10,7 +10,7 @@ namespace geargraph::inline statics {
 
 /// What one element delivers to a link, W; below 0: what it takes from it.
 struct PowerPort {
-  int link = 0;
+  LinkOrdinal link = 0;
   Real power;
 };
 
@@ -42,12 +42,12 @@ struct ElementPower {
 /// 2007). A joint passes the wrench of its cutset, the meshes taken as port torques, times the twist of its
 /// links; between parallel axes, without forces, that is its own torque alone.
 struct PowerFlow {
-  int observer = 0;                    ///< a link; 0: the ground
+  LinkOrdinal observer = 0;            ///< a link; 0: the ground
   std::vector<ElementPower> elements;  ///< ascending by kind, then by position
 
   /// By link, the sum over all ports: 0 in fractions where all directions have rational cosines and all
   /// forces rational moments, else within rounding.
-  [[nodiscard]] std::vector<Real> sums(int links) const;
+  [[nodiscard]] ByLink<Real> sums(int links) const;
   /// Cost: O(log elements). @pre the element is in the flow
   [[nodiscard]] const ElementPower& of(ElementPower::Kind kind, int position) const;
 };
@@ -59,7 +59,7 @@ struct PowerFlow {
 [[nodiscard]] PowerFlow powerFlow(const Mechanism& mechanism, const KinematicModel& model,
                                   const Placement& placement, const StaticsProblem& problem,
                                   const StaticsSolution& solution, std::span<const MeshLoss> losses,
-                                  const Motion& motion, int observer = 0);
+                                  const Motion& motion, LinkOrdinal observer = 0);
 
 /// The latent ratio: the sum of the powers through all meshes, seen from their carriers, over the power fed.
 /// std::nullopt if nothing is fed or a mesh is not determined.

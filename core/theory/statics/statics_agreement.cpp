@@ -27,7 +27,7 @@ StaticsAgreement staticsAgreement(const KinematicModel& model, const StaticsSolu
     if (difference.number() > result.largestDifference.number()) result.largestDifference = difference;
     return false;
   };
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     bool same = matroid.determined[at] == ttGraph.meshDetermined[at];
     if (same && valued && matroid.determined[at] != 0) {

@@ -46,18 +46,18 @@ std::string countedMeshes(const std::vector<std::string>& names) {
 
 std::vector<std::string> jointLabels(const Mechanism& mechanism, const std::vector<int>& joints) {
   std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
+  for (const JointOrdinal joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
   return names;
 }
 
 std::vector<std::string> meshLabels(const Mechanism& mechanism, const std::vector<int>& meshes) {
   std::vector<std::string> names;
-  for (const int mesh : meshes) names.push_back(std::to_string(mechanism.meshLabel(mesh)));
+  for (const MeshOrdinal mesh : meshes) names.push_back(std::to_string(mechanism.meshLabel(mesh)));
   return names;
 }
 
-ElementId meshId(const Mechanism& mechanism, int mesh) {
-  return mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id;
+ElementId meshId(const Mechanism& mechanism, MeshOrdinal mesh) {
+  return mechanism.gearMeshes[mesh].id;
 }
 
 /// What of the loads acts on the links and joints of a motion.
@@ -75,7 +75,7 @@ Drivers driversOf(const Mechanism& mechanism, const StaticsReport& report) {
                                    [&](const TurningJoint& each) { return each.id == *joint; });
       const int position = static_cast<int>(at - mechanism.turningJoints.begin());
       const auto& rates = report.lossless.unheld->rates;
-      if (!rates.empty() && rates[static_cast<std::size_t>(position)].isZero()) continue;
+      if (!rates.empty() && rates[position].isZero()) continue;
       drivers.joints.insert(position);
       if (names.insert("j" + joint->text()).second)
         drivers.names.push_back(translated("joint %1", {std::to_string(mechanism.jointLabel(position))}));
@@ -132,7 +132,7 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   const FreeMotion& motion = *report.lossless.unheld;
   const Drivers drivers = driversOf(mechanism, report);
   std::vector<int> cures;
-  for (const int joint : motion.joints)
+  for (const JointOrdinal joint : motion.joints)
     if (!drivers.joints.contains(joint)) cures.push_back(joint);
   if (cures.empty()) cures = motion.joints;
   const std::string turning = listed(jointLabels(mechanism, motion.joints), kMostNames);
@@ -149,8 +149,7 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
                 "joint %3.",
                 {turning, loads, choices});
   std::vector<ElementId> elements;
-  for (const int joint : motion.joints)
-    elements.emplace_back(mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
+  for (const JointOrdinal joint : motion.joints) elements.emplace_back(mechanism.turningJoints[joint].id);
   return makeDiagnostic(Code::unbalanced, std::move(message), std::move(elements));
 }
 
@@ -170,7 +169,7 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
     const HeldPart& part = solution.held[static_cast<std::size_t>(unknown - model.c())];
     if (part.balance >= 0) balances = true;
     if (part.coupling < 0) continue;
-    const CouplingId id = mechanism.couplings[static_cast<std::size_t>(part.coupling)].id;
+    const CouplingId id = mechanism.couplings[part.coupling].id;
     if (std::find(couplings.begin(), couplings.end(), id.text()) == couplings.end())
       couplings.push_back(id.text());
     elements.emplace_back(id);
@@ -198,10 +197,10 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
   return makeDiagnostic(Code::staticallyIndeterminate, std::move(message), std::move(elements));
 }
 
-Diagnostic deadLoad(const Mechanism& mechanism, int joint, const std::vector<int>& meshes) {
-  const JointId id = mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
+Diagnostic deadLoad(const Mechanism& mechanism, JointOrdinal joint, const std::vector<int>& meshes) {
+  const JointId id = mechanism.turningJoints[joint].id;
   std::vector<ElementId> elements{id};
-  for (const int mesh : meshes) elements.push_back(meshId(mechanism, mesh));
+  for (const MeshOrdinal mesh : meshes) elements.push_back(meshId(mechanism, mesh));
   const std::string label = std::to_string(mechanism.jointLabel(joint));
   const std::string carrying = listed(meshLabels(mechanism, meshes), kMostNames);
   std::string message;
@@ -222,10 +221,10 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
   for (const TorquePlace& place : report.problem.balances) {
     if (place.inJoint()) {
       names.push_back(translated("joint %1", {std::to_string(mechanism.jointLabel(place.joint))}));
-      elements.emplace_back(mechanism.turningJoints[static_cast<std::size_t>(place.joint)].id);
+      elements.emplace_back(mechanism.turningJoints[place.joint].id);
     } else {
       names.push_back(translated("link %1", {std::to_string(mechanism.linkLabel(place.link))}));
-      elements.emplace_back(mechanism.links[static_cast<std::size_t>(place.link)].id);
+      elements.emplace_back(mechanism.links[place.link].id);
     }
   }
   const std::string places = listed(names, kMostNames);
@@ -254,7 +253,7 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
 
 Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& meshes) {
   std::vector<ElementId> elements;
-  for (const int mesh : meshes) elements.push_back(meshId(mechanism, mesh));
+  for (const MeshOrdinal mesh : meshes) elements.push_back(meshId(mechanism, mesh));
   return makeDiagnostic(
       Code::patternLimit,
       translated("Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave "
@@ -284,7 +283,7 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
   for (const auto& [leader, meshes] : groups) {
     double most = 0;
     std::vector<ElementId> elements;
-    for (const int mesh : meshes) {
+    for (const MeshOrdinal mesh : meshes) {
       most = std::max(most, times[static_cast<std::size_t>(mesh)]);
       elements.push_back(meshId(mechanism, mesh));
     }
@@ -303,11 +302,11 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
 Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation, double part) {
   std::vector<std::string> links;
   std::vector<ElementId> elements;
-  for (const int link : circulation.links) {
+  for (const LinkOrdinal link : circulation.links) {
     links.push_back(std::to_string(mechanism.linkLabel(link)));
-    elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+    elements.emplace_back(mechanism.links[link].id);
   }
-  for (const int mesh : circulation.meshes) elements.push_back(meshId(mechanism, mesh));
+  for (const MeshOrdinal mesh : circulation.meshes) elements.push_back(meshId(mechanism, mesh));
   return makeDiagnostic(
       Code::recirculation,
       translated("%1 W of each W fed circulate through %2 and %3.",

@@ -18,7 +18,8 @@ namespace geargraph::inline statics {
 [[nodiscard]] Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
                                      const StaticsSolution& solution);
 /// A load in a joint that cannot turn, and the meshes that carry it.
-[[nodiscard]] Diagnostic deadLoad(const Mechanism& mechanism, int joint, const std::vector<int>& meshes);
+[[nodiscard]] Diagnostic deadLoad(const Mechanism& mechanism, JointOrdinal joint,
+                                  const std::vector<int>& meshes);
 /// Self-locking forward or, where only the report's reversed solution locks, backward. `part`: the fraction
 /// of the losses from which on it locks (selfLockingPart()).
 [[nodiscard]] Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,

@@ -133,7 +133,7 @@ class Analysis {
     } else if (m_mechanism.balances) {
       problem.balances = placesOf(m_mechanism, m_placement, *m_mechanism.balances);
     } else {
-      for (const int joint : m_analysis.choice.joints) {
+      for (const JointOrdinal joint : m_analysis.choice.joints) {
         const bool loaded = std::any_of(problem.torques.begin(), problem.torques.end(),
                                         [&](const AppliedTorque& each) { return each.place.joint == joint; });
         if (!loaded) problem.balances.push_back(TorquePlace{joint});
@@ -170,7 +170,7 @@ class Analysis {
     if (!m_model.held().empty()) return;  // a brake may carry the load, not the teeth
     for (const AppliedTorque& load : m_report.problem.torques) {
       if (!load.place.inJoint() || load.torque.isZero()) continue;
-      if (m_analysis.dead[static_cast<std::size_t>(load.place.joint)] == 0) continue;
+      if (m_analysis.dead[load.place.joint] == 0) continue;
       std::vector<int> meshes;
       for (const CutsetEquations::Term& term : cutsets().terms(load.place.joint))
         if (!m_report.lossless.values[static_cast<std::size_t>(term.mesh)].isZero() ||
@@ -204,8 +204,8 @@ class Analysis {
 
   [[nodiscard]] std::vector<int> lossyMeshes() const {
     std::vector<int> meshes;
-    for (int mesh = 0; mesh < m_model.c(); ++mesh)
-      if (m_efficiencies[static_cast<std::size_t>(mesh)].value != Rational(1)) meshes.push_back(mesh);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh)
+      if (m_efficiencies[mesh].value != Rational(1)) meshes.push_back(mesh);
     return meshes;
   }
 
@@ -242,11 +242,11 @@ class Analysis {
     m_report.sums = powerSums(m_model, shown, loads, *m_report.motion);
     const double fed = m_report.sums->fed.number();
     constexpr double kNoticeably = 1 + 1e-9;
-    std::vector<double> times(static_cast<std::size_t>(m_model.c()), 0);
-    for (int mesh = 0; mesh < m_model.c() && fed > 0; ++mesh) {
+    ByMesh<double> times(static_cast<std::size_t>(m_model.c()), 0);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c() && fed > 0; ++mesh) {
       if (!shown.statics.isDetermined(mesh)) continue;
       const double passed = std::abs(shown.powers.mesh[static_cast<std::size_t>(mesh)].number());
-      if (passed > kNoticeably * fed) times[static_cast<std::size_t>(mesh)] = passed / fed;
+      if (passed > kNoticeably * fed) times[mesh] = passed / fed;
     }
     takeFlow(times);
     for (Diagnostic& each : recirculations(m_mechanism, times)) add(std::move(each));
@@ -264,7 +264,7 @@ class Analysis {
     for (const Circulation& each : *m_report.circulations) {
       if (each.power.number() <= kNoticeable * fed) continue;
       add(circulatingPower(m_mechanism, each, each.power.number() / fed));
-      for (const int mesh : each.meshes) times[static_cast<std::size_t>(mesh)] = 0;
+      for (const MeshOrdinal mesh : each.meshes) times[static_cast<std::size_t>(mesh)] = 0;
     }
   }
 
@@ -333,7 +333,7 @@ class Analysis {
     const PositionIndex<LinkTag> links(m_mechanism.links);
     const int drive = links.at(*state()->drive);
     if (drive == 0) return std::nullopt;
-    const int joint = m_model.tree().jointToParent(drive);
+    const JointOrdinal joint = m_model.tree().jointToParent(drive);
     if (m_model.jointRate(joint).parent != 0) return std::nullopt;
     return DrivenJoints{{joint}, {(*m_report.motion)[static_cast<std::size_t>(joint)]}};
   }
@@ -377,7 +377,7 @@ class Analysis {
   CoefficientMatrix m_matrix;
   std::optional<CutsetEquations> m_cutsets;
   LoadPower m_power;
-  std::vector<MeshEfficiency> m_efficiencies;
+  ByMesh<MeshEfficiency> m_efficiencies;
   std::vector<std::optional<MeshContact>> m_contacts;  ///< once they are asked for
   StaticsReport m_report;
 };
@@ -400,7 +400,7 @@ std::optional<bool> StaticsReport::agreesInSymbols() const {
 }
 
 PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
-                            const Placement& placement, const StaticsReport& report, int observer) {
+                            const Placement& placement, const StaticsReport& report, LinkOrdinal observer) {
   return powerFlow(mechanism, model, placement, report.problem, report.solution(), report.losses(),
                    *report.motion, observer);
 }

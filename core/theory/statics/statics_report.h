@@ -97,7 +97,7 @@ struct StaticsReport {
 /// The power flow of a solved report with another link as the observer. @pre report.flow
 [[nodiscard]] PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
                                           const Placement& placement, const StaticsReport& report,
-                                          int observer);
+                                          LinkOrdinal observer);
 
 /// The values of a solution as doubles, for forcesOf().
 [[nodiscard]] std::vector<double> numbersOf(const StaticsSolution& solution);

@@ -14,7 +14,7 @@ struct LossyTeeth {
   const KinematicModel& model;
   std::span<const MeshLoss> losses;
 
-  Rational operator()(int mesh, bool tail) const {
+  Rational operator()(MeshOrdinal mesh, bool tail) const {
     const KinematicModel::MeshRow& row = model.meshRow(mesh);
     const Rational teeth = tail ? row.tailTeeth : row.headTeeth;
     if (losses.empty()) return teeth;
@@ -60,7 +60,7 @@ std::optional<FreeMotion> unheldMotion(const KinematicModel& model, std::span<co
     };
     if (std::none_of(loads.columns().begin(), loads.columns().end(), isWork)) continue;
     FreeMotion motion;
-    for (int joint = 0; joint < model.t(); ++joint) {
+    for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
       motion.rates.push_back(model.rateOf(field, joint, phi));
       if (!motion.rates.back().isZero()) motion.joints.push_back(joint);
     }

@@ -15,8 +15,8 @@ namespace geargraph::inline statics {
 
 /// A motion that meshes, couplings and balances allow and in which the loads do work: so nothing holds them.
 struct FreeMotion {
-  std::vector<Rational> rates;  ///< by joint
-  std::vector<int> joints;      ///< those that turn, ascending
+  ByJoint<Rational> rates;
+  std::vector<int> joints;  ///< those that turn, ascending
 };
 
 /// The losses of a mesh: which gear drives, and the efficiency then.
@@ -78,16 +78,16 @@ struct TorqueMatrix {
                                                        std::span<const int> loaded,
                                                        const std::stop_token& stop = {});
 
-/// phi of the kinematic model for these rates of all joints, by link (0 for the ground).
+/// phi of the kinematic model for these rates of all joints (0 for the ground).
 template <class Value>
-[[nodiscard]] std::vector<Value> phiOf(const KinematicModel& model, std::span<const Value> rates) {
-  std::vector<Value> phi(static_cast<std::size_t>(model.n()) + 1, Value(0));
-  for (const int link : model.tree().preorder()) {
+[[nodiscard]] ByLink<Value> phiOf(const KinematicModel& model, SpanByJoint<const Value> rates) {
+  ByLink<Value> phi(static_cast<std::size_t>(model.n()) + 1, Value(0));
+  for (const LinkOrdinal link : model.tree().preorder()) {
     if (link == 0) continue;
-    const int joint = model.tree().jointToParent(link);
+    const JointOrdinal joint = model.tree().jointToParent(link);
     const KinematicModel::JointRate& rate = model.jointRate(joint);
-    phi[static_cast<std::size_t>(link)] = Value(rate.sign) * rates[static_cast<std::size_t>(joint)];
-    if (rate.parent != 0) phi[static_cast<std::size_t>(link)] += phi[static_cast<std::size_t>(rate.parent)];
+    phi[link] = Value(rate.sign) * rates[joint];
+    if (rate.parent != 0) phi[link] += phi[rate.parent];
   }
   return phi;
 }

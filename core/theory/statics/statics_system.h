@@ -35,12 +35,12 @@ template <class Field, class Weights, class Factor>
   };
   const auto links = static_cast<std::size_t>(model.n());
   // The entries of each row, by counting; a row of the kinematics gives entries to four rows at most.
-  std::vector<int> starts(links + 1, 0);
-  const auto count = [&](int link) {
-    if (link != 0) ++starts[static_cast<std::size_t>(link)];
+  ByLink<int> starts(links + 1, 0);
+  const auto count = [&](LinkOrdinal link) {
+    if (link != 0) ++starts[link];
   };
-  for (int mesh = 0; mesh < model.c(); ++mesh)
-    for (const int link : model.meshRow(mesh).links) count(link);
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh)
+    for (const LinkOrdinal link : model.meshRow(mesh).links) count(link);
   for (const HeldPart& part : held)
     for (const auto& [link, coefficient] : part.byLink) count(link);
   for (const RadicalColumns::Column& column : loads.columns())
@@ -49,12 +49,12 @@ template <class Field, class Weights, class Factor>
 
   std::vector<Entry> entries(static_cast<std::size_t>(starts[links]));
   std::vector<int> next(starts.begin(), starts.end() - 1);
-  const auto put = [&](int link, int column, Value value) {
+  const auto put = [&](LinkOrdinal link, int column, Value value) {
     if (link == 0) return;
     entries[static_cast<std::size_t>(next[static_cast<std::size_t>(link) - 1]++)] = {column,
                                                                                      std::move(value)};
   };
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const KinematicModel::MeshRow& row = model.meshRow(mesh);
     const Value tail = weights(mesh, true);
     const Value head = weights(mesh, false);

@@ -9,7 +9,7 @@ namespace {
 /// irrational.
 std::vector<Rational> squaresPerTooth(const KinematicModel& model, const CoefficientMatrix& matrix) {
   std::vector<Rational> squares;
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
     const auto radius = matrix.exactRadius(mesh, true);
     if (!radius) return std::vector<Rational>(static_cast<std::size_t>(model.c()), Rational(1));
     const Rational perTooth = Rational(model.meshRow(mesh).tailTeeth) / *radius;

@@ -81,16 +81,16 @@ class Solver {
   RatioRingPtr ringOf(const Mechanism& mechanism) {
     std::vector<std::string> names;
     std::vector<RatioRing::Teeth> values;
-    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
       names.push_back("i" + std::to_string(mechanism.meshLabel(mesh)));
       const KinematicModel::MeshRow& row = m_model.meshRow(mesh);
       values.push_back({row.tailTeeth, row.headTeeth});
     }
     constexpr double kSteps = 1'000'000;  // the values only steer the choice of pivots
-    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-      const MeshLoss& loss = m_solution.losses[static_cast<std::size_t>(mesh)];
+    for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
+      const MeshLoss& loss = m_solution.losses[mesh];
       if (loss.driver == MeshLoss::Driver::none) continue;
-      m_etaOf[static_cast<std::size_t>(mesh)] = static_cast<int>(names.size());
+      m_etaOf[mesh] = static_cast<int>(names.size());
       names.push_back("eta" + std::to_string(mechanism.meshLabel(mesh)));
       values.push_back(
           {std::max(1, static_cast<int>(kSteps * loss.efficiency.toDouble())), static_cast<int>(kSteps)});
@@ -129,7 +129,7 @@ class Solver {
   /// phi by link, 0 for the ground.
   [[nodiscard]] std::optional<std::vector<Function>> speeds() const {
     SparseRows<Function> rows;
-    for (const int mesh : m_problem.meshes) {
+    for (const MeshOrdinal mesh : m_problem.meshes) {
       m_model.addMeshRow(rows, mesh, m_field, Function::variable(m_ring, mesh), m_field.one());
       rows.endRow();
     }
@@ -154,11 +154,11 @@ class Solver {
 
   /// By unknown of statics: of meshes mu times the teeth of the head's gear.
   [[nodiscard]] std::optional<std::vector<Function>> unknownTorques() const {
-    const auto weights = [&](int mesh, bool tail) {
-      const MeshLoss::Driver driver = m_solution.losses[static_cast<std::size_t>(mesh)].driver;
+    const auto weights = [&](MeshOrdinal mesh, bool tail) {
+      const MeshLoss::Driver driver = m_solution.losses[mesh].driver;
       Function weight = tail ? Function::variable(m_ring, mesh) : m_field.one();
       const bool isDriven = driver == (tail ? MeshLoss::Driver::head : MeshLoss::Driver::tail);
-      if (isDriven) weight *= Function::variable(m_ring, m_etaOf[static_cast<std::size_t>(mesh)]);
+      if (isDriven) weight *= Function::variable(m_ring, m_etaOf[mesh]);
       return weight;
     };
     const auto factor = [&](const Rational& value) { return number(value); };
@@ -172,7 +172,7 @@ class Solver {
   const Motion& m_motion;
   std::stop_source m_enough;  ///< the caller's request, or the size of what is met
   std::stop_callback<std::function<void()>> m_forward;
-  std::vector<int> m_etaOf;  ///< by mesh, the variable; -1: it loses nothing
+  ByMesh<int> m_etaOf;  ///< the variable; -1: it loses nothing
   RatioRingPtr m_ring;
   std::int64_t m_mostTerms;
   RationalFunctionField m_field;

@@ -22,9 +22,9 @@ class CutsetSystem {
         m_columnOfMesh(static_cast<std::size_t>(meshCount), -1),
         m_columnOfJoint(static_cast<std::size_t>(cutsets.count()), -1) {
     int column = 0;
-    for (const int mesh : meshes) m_columnOfMesh[static_cast<std::size_t>(mesh)] = column++;
-    for (const int joint : balanced) m_columnOfJoint[static_cast<std::size_t>(joint)] = column++;
-    for (const int joint : loaded) m_columnOfJoint[static_cast<std::size_t>(joint)] = column++;
+    for (const MeshOrdinal mesh : meshes) m_columnOfMesh[mesh] = column++;
+    for (const JointOrdinal joint : balanced) m_columnOfJoint[joint] = column++;
+    for (const JointOrdinal joint : loaded) m_columnOfJoint[joint] = column++;
   }
 
   [[nodiscard]] int unknowns() const { return static_cast<int>(m_meshes.size() + m_balanced.size()); }
@@ -37,14 +37,14 @@ class CutsetSystem {
                                                        const std::vector<char>& left) const {
     SparseRows<typename Field::Value> result;
     const auto isLeft = [&](int column) { return left[static_cast<std::size_t>(column)] != 0; };
-    for (int joint = 0; joint < m_cutsets.count(); ++joint) {
+    for (JointOrdinal joint = 0; joint < m_cutsets.count(); ++joint) {
       for (const CutsetEquations::Term& term : m_cutsets.terms(joint)) {
-        const int column = m_columnOfMesh[static_cast<std::size_t>(term.mesh)];
+        const int column = m_columnOfMesh[term.mesh];
         if (column < 0 || isLeft(column)) continue;
         const auto value = term.tail ? ratio(term.mesh) : field.one();
         result.add(column, term.sign > 0 ? value : field.negated(value));
       }
-      const int own = m_columnOfJoint[static_cast<std::size_t>(joint)];
+      const int own = m_columnOfJoint[joint];
       if (own >= 0 && !isLeft(own)) result.add(own, field.fromInteger(-1));
       result.endRow();
     }
@@ -80,8 +80,8 @@ class CutsetSystem {
   std::vector<int> m_meshes;
   std::vector<int> m_balanced;
   std::vector<int> m_loaded;
-  std::vector<int> m_columnOfMesh;
-  std::vector<int> m_columnOfJoint;
+  ByMesh<int> m_columnOfMesh;
+  ByJoint<int> m_columnOfJoint;
 };
 
 /// By loaded joint, then by column: identically 0, found at ratios drawn at random modulo a prime. None where
@@ -90,9 +90,9 @@ std::optional<std::vector<std::vector<char>>> zerosOf(const CutsetSystem& cutset
                                                       const std::stop_token& stop) {
   const FusedField field;
   ResidueStream random(field.prime(), 0x726174696f73U);
-  std::vector<Fused> ratios;
-  for (int mesh = 0; mesh < meshes; ++mesh) ratios.push_back({1, random.next()});
-  const auto ratio = [&](int mesh) { return ratios[static_cast<std::size_t>(mesh)]; };
+  ByMesh<Fused> ratios;
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) ratios.push_back({1, random.next()});
+  const auto ratio = [&](MeshOrdinal mesh) { return ratios[mesh]; };
   const auto columns = static_cast<std::size_t>(cutsets.columns());
   const auto system = eliminate(field, cutsets.rows(field, ratio, std::vector<char>(columns, 0)),
                                 cutsets.unknowns(), cutsets.columns(), stop);
@@ -140,7 +140,7 @@ std::optional<SymbolicStatics> solveStaticsSymbolic(const Mechanism& mechanism,
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   const RationalFunctionField bounded(result.ring, kMostTermsOfTheCore, enough);
   const RationalFunctionField field(result.ring);
-  const auto ratio = [&](int mesh) { return RationalFunction::variable(result.ring, mesh); };
+  const auto ratio = [&](MeshOrdinal mesh) { return RationalFunction::variable(result.ring, mesh); };
   const auto system = eliminate(bounded, equations.rows(bounded, ratio, left), equations.unknowns(),
                                 equations.columns(), enough.get_token());
   if (!system) return std::nullopt;

@@ -21,15 +21,15 @@ namespace geargraph::inline statics {
 struct SymbolicStatics {
   /// A term of a line: the torque of an earlier line, or of a loaded joint.
   struct Term {
-    int mesh = -1;   ///< f of this mesh; -1: tau of `joint`
-    int joint = -1;  ///< a loaded joint
+    MeshOrdinal mesh = -1;    ///< f of this mesh; -1: tau of `joint`
+    JointOrdinal joint = -1;  ///< a loaded joint
     RationalFunction coefficient;
   };
   /// One line of the substitution: an unknown over the joints' loads and the unknowns of earlier lines.
   struct Line {
-    int mesh = -1;    ///< f of this mesh; -1: tau of `joint`
-    int joint = -1;   ///< a balanced joint
-    int cutset = -1;  ///< the joint whose cutset gives it; -1 where elimination combined several
+    MeshOrdinal mesh = -1;    ///< f of this mesh; -1: tau of `joint`
+    JointOrdinal joint = -1;  ///< a balanced joint
+    int cutset = -1;          ///< the joint whose cutset gives it; -1 where elimination combined several
     std::vector<Term> terms;
   };
   RatioRingPtr ring;          ///< variable m is the ratio of mesh m, "i15"

@@ -39,7 +39,7 @@ class Classifier {
 
   AxisLevels run() {
     giveKeys();
-    for (int link = 0; link < m_graph.nodeCount(); ++link) {
+    for (LinkOrdinal link = 0; link < m_graph.nodeCount(); ++link) {
       const std::span<const int> here = m_graph.turningEdgesAt(link);
       if (here.size() > 1) uniteAt(here);
     }
@@ -55,14 +55,14 @@ class Classifier {
 
   struct Candidate {
     double key = 0;
-    int axis = 0;
-    int joint = 0;
+    AxisOrdinal axis = 0;
+    JointOrdinal joint = 0;
   };
 
   [[nodiscard]] std::size_t joints() const { return m_mechanism.turningJoints.size(); }
 
   /// The smaller root stays, so that a level is known by its first joint.
-  int rootOf(int joint) {
+  int rootOf(JointOrdinal joint) {
     while (m_parent[static_cast<std::size_t>(joint)] != joint) {
       int& up = m_parent[static_cast<std::size_t>(joint)];
       joint = up = m_parent[static_cast<std::size_t>(up)];
@@ -87,8 +87,8 @@ class Classifier {
 
   void uniteAt(std::span<const int> here) {
     m_here.clear();
-    for (const int joint : here) {
-      const int axis = m_axisOf[static_cast<std::size_t>(joint)];
+    for (const JointOrdinal joint : here) {
+      const AxisOrdinal axis = m_axisOf[joint];
       m_here.push_back({m_keys[static_cast<std::size_t>(axis)], axis, joint});
     }
     std::sort(m_here.begin(), m_here.end(), [](const Candidate& a, const Candidate& b) {
@@ -114,14 +114,14 @@ class Classifier {
     m_levels.ofJoint.reserve(joints());
     m_levels.axes.reserve(joints());
     for (int j = 0; j < static_cast<int>(joints()); ++j) {
-      const int axis = m_axisOf[static_cast<std::size_t>(j)];
+      const AxisOrdinal axis = m_axisOf[j];
       const int earlier = m_parent[static_cast<std::size_t>(j)];  // of the same level
       if (earlier == j) {
         m_levels.ofJoint.push_back(m_levels.count());
-        m_levels.axes.push_back({axis, m_mechanism.axes[static_cast<std::size_t>(axis)].id});
+        m_levels.axes.push_back({axis, m_mechanism.axes[axis].id});
         continue;
       }
-      const int level = m_levels.ofJoint[static_cast<std::size_t>(earlier)];
+      const int level = m_levels.ofJoint[earlier];
       m_levels.ofJoint.push_back(level);
       const int along = m_levels.axisOf(level);
       if (axis == along) continue;
@@ -159,13 +159,13 @@ class Classifier {
     for (const AxisLevels::Axis& axis : m_levels.axes) own.insert(axis.position);
     for (auto joined = m_joined.begin(); joined != m_joined.end(); ++joined) {
       const auto next = std::next(joined);
-      const int axis = joined->first;
+      const AxisOrdinal axis = joined->first;
       if (own.contains(axis) || (next != m_joined.end() && next->first == axis)) m_split.insert(axis);
     }
-    for (const int axis : m_split) reportSplit(axis);
+    for (const AxisOrdinal axis : m_split) reportSplit(axis);
   }
 
-  void reportSplit(int axis) {
+  void reportSplit(AxisOrdinal axis) {
     std::vector<int> levels;
     for (std::size_t j = 0; j < joints(); ++j) {
       const int found = m_levels.ofJoint[j];
@@ -174,7 +174,7 @@ class Classifier {
     }
     Diagnostic diagnostic;
     diagnostic.code = Code::splitAxis;
-    const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
+    const AxisId id = m_mechanism.axes[axis].id;
     diagnostic.elements.emplace_back(id);
     std::vector<std::string> labels;
     std::vector<std::string> names;
@@ -209,8 +209,8 @@ class Classifier {
     std::vector<std::string> names;
     std::vector<std::string> opposite;
     const Vector3& along = m_lines.axis(axes.front())->direction;
-    for (const int axis : axes) {
-      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
+    for (const AxisOrdinal axis : axes) {
+      const AxisId id = m_mechanism.axes[axis].id;
       names.push_back(id.text());
       diagnostic.elements.emplace_back(id);
       if (dot(m_lines.axis(axis)->direction, along) < 0) opposite.push_back(id.text());
@@ -233,7 +233,7 @@ class Classifier {
   std::pmr::vector<double> m_keys;  ///< by axis
   double m_window = 0;              ///< by how much those of one line may differ
   std::pmr::vector<Candidate> m_here;
-  std::span<const int> m_axisOf;  ///< by joint: its axis, by position
+  SpanByJoint<const int> m_axisOf;  ///< their axes
   AxisLevels m_levels;
   std::set<int> m_split;                   ///< axes that fall into several levels
   std::set<std::pair<int, int>> m_joined;  ///< (axis, level of another axis that it lies on)

@@ -24,9 +24,9 @@ struct AxisLevels {
     AxisId id;
   };
 
-  std::vector<int> ofJoint;  ///< by turning joint: its level
-  std::vector<Axis> axes;    ///< by level
-  std::set<int> reversed;    ///< joints whose axes point against their levels
+  ByJoint<int> ofJoint;    ///< its level
+  std::vector<Axis> axes;  ///< by level
+  std::set<int> reversed;  ///< joints whose axes point against their levels
   /// By level: its name where it is not the id: primes distinguish the levels that one axis splits into.
   std::map<int, std::string> primedNames;
   Diagnostics diagnostics;  ///< split-axis, merged-axes
@@ -35,16 +35,14 @@ struct AxisLevels {
   /// The position of the level's axis in the document.
   [[nodiscard]] int axisOf(int level) const { return axes[static_cast<std::size_t>(level)].position; }
   /// +1 if the joint's axis points as its level does, else -1.
-  [[nodiscard]] int orientationSign(int joint) const {
+  [[nodiscard]] int orientationSign(JointOrdinal joint) const {
     return !reversed.empty() && reversed.contains(joint) ? -1 : 1;
   }
   [[nodiscard]] const std::string& name(int level) const {
     const auto primed = primedNames.find(level);
     return primed != primedNames.end() ? primed->second : axes[static_cast<std::size_t>(level)].id.text();
   }
-  [[nodiscard]] const std::string& levelOf(int joint) const {
-    return name(ofJoint[static_cast<std::size_t>(joint)]);
-  }
+  [[nodiscard]] const std::string& levelOf(JointOrdinal joint) const { return name(ofJoint[joint]); }
 };
 
 /// Cost: O(t log t) if the lines differ.

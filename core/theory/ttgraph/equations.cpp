@@ -26,8 +26,8 @@ std::string TtEquations::write(const std::vector<Term>& terms) const {
 }
 
 /// N_tail / N_head of the mesh, or the other way up.
-std::string TtEquations::ratio(int mesh, bool inverse) const {
-  const RatioNames& names = m_names[static_cast<std::size_t>(mesh)];
+std::string TtEquations::ratio(MeshOrdinal mesh, bool inverse) const {
+  const RatioNames& names = m_names[mesh];
   const bool latex = m_style == FormulaStyle::latex;
   if (m_naming == RatioNaming::ttGraph) {
     if (inverse) return latex ? names.inverseLatex : names.inverse;
@@ -46,7 +46,7 @@ std::string TtEquations::bracketed(const RationalFunction& factor) const {
   return isSum && !fraction ? "(" + text + ")" : text;
 }
 
-TtEquations::Term TtEquations::weighted(const RationalFunction& factor, int joint) const {
+TtEquations::Term TtEquations::weighted(const RationalFunction& factor, JointOrdinal joint) const {
   Term term{false, bracketed(factor), write(branchName(m_graph.graph(), joint))};
   if (term.factor.front() == '-') {
     term.negative = true;
@@ -64,17 +64,17 @@ std::vector<TtEquations::Term> TtEquations::sum(std::span<const CircuitTerm> cir
   return terms;
 }
 
-std::string TtEquations::terminal(int mesh) const {
+std::string TtEquations::terminal(MeshOrdinal mesh) const {
   const TerminalPair& pair = *m_graph.terminal(mesh);
   return write(tailChordName(pair)) + " = " +
          write({{pair.sign < 0, ratio(mesh, true), write(headChordName(pair))}});
 }
 
-std::string TtEquations::tailCircuit(int mesh) const {
+std::string TtEquations::tailCircuit(MeshOrdinal mesh) const {
   return write(tailChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.tailCircuit(mesh)));
 }
 
-std::string TtEquations::headCircuit(int mesh) const {
+std::string TtEquations::headCircuit(MeshOrdinal mesh) const {
   return write(headChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.headCircuit(mesh)));
 }
 
@@ -96,7 +96,7 @@ std::string TtEquations::fromHeldCircuit(const SubstitutionStep& step) const {
 /// The unknown is in one of the mesh's two circuits: unknown = +-(own chord - the circuit's other terms). Its
 /// chord is a ratio of the other chord, and that one its own circuit.
 std::vector<std::string> TtEquations::direct(const SubstitutionStep& step) const {
-  const int mesh = step.equations.front();
+  const MeshOrdinal mesh = step.equations.front();
   const TerminalPair& pair = *m_graph.terminal(mesh);
   const auto tail = m_graph.tailCircuit(mesh);
   const auto head = m_graph.headCircuit(mesh);

@@ -18,10 +18,10 @@ class TtEquations {
   TtEquations(const TtGraph& graph, const SubstitutionPlan& plan, RatioNaming naming, FormulaStyle style);
 
   /// "w51'' = -n25 w21''" [AU, Eqs. (27)-(30)]; with the ratios' matroid names "w51'' = -1/i16 w21''".
-  [[nodiscard]] std::string terminal(int mesh) const;
+  [[nodiscard]] std::string terminal(MeshOrdinal mesh) const;
   /// "w51'' = w50 - w10" [AU, Eqs. (31)-(38)].
-  [[nodiscard]] std::string tailCircuit(int mesh) const;
-  [[nodiscard]] std::string headCircuit(int mesh) const;
+  [[nodiscard]] std::string tailCircuit(MeshOrdinal mesh) const;
+  [[nodiscard]] std::string headCircuit(MeshOrdinal mesh) const;
   /// "w10 + w21 = 0": the circuit of an engaged coupling, by its position in TtGraph::held().
   [[nodiscard]] std::string heldCircuit(int place) const;
   /// The stages of a step, joined by "=" when printed [AU, Eqs. (39)-(42)]: "w21", "w21''", "-n52 w51''",
@@ -37,9 +37,9 @@ class TtEquations {
 
   [[nodiscard]] std::string write(const VelocityName& name) const;
   [[nodiscard]] std::string write(const std::vector<Term>& terms) const;
-  [[nodiscard]] std::string ratio(int mesh, bool inverse) const;
+  [[nodiscard]] std::string ratio(MeshOrdinal mesh, bool inverse) const;
   [[nodiscard]] std::string bracketed(const RationalFunction& factor) const;
-  [[nodiscard]] Term weighted(const RationalFunction& factor, int joint) const;
+  [[nodiscard]] Term weighted(const RationalFunction& factor, JointOrdinal joint) const;
   [[nodiscard]] std::vector<Term> sum(std::span<const CircuitTerm> circuit) const;
   [[nodiscard]] std::vector<std::string> direct(const SubstitutionStep& step) const;
   [[nodiscard]] std::string fromHeldCircuit(const SubstitutionStep& step) const;
@@ -48,7 +48,7 @@ class TtEquations {
   const SubstitutionPlan& m_plan;
   FormulaStyle m_style;
   RatioNaming m_naming;
-  std::vector<RatioNames> m_names;
+  ByMesh<RatioNames> m_names;
 };
 
 }  // namespace geargraph::inline ttgraph

@@ -29,9 +29,9 @@ class LevelSystem {
                                                      const std::stop_token& stop = {}) {
     LevelSystem system(field, graph);
     SparseRows<Value> rows;
-    for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < graph.graph().c(); ++mesh) {
       const TerminalPair& pair = *graph.terminal(mesh);
-      const TransferVertex& vertex = *graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+      const TransferVertex& vertex = *graph.transferVertices().ofMesh[mesh];
       const auto [tail, head] = weights(pair);
       system.addDifference(rows, pair.tail, pair.carrier, vertex.tailLevel, tail);
       system.addDifference(rows, pair.head, pair.carrier, vertex.headLevel, head);
@@ -72,18 +72,18 @@ class LevelSystem {
 
   /// The rates of all joints, by joint, and whether every equation that gave no unknown holds.
   /// Cost: the non-zeros.
-  [[nodiscard]] std::pair<std::vector<Value>, bool> solve(std::span<const Value> inputRates) const {
+  [[nodiscard]] std::pair<ByJoint<Value>, bool> solve(std::span<const Value> inputRates) const {
     std::vector<Value> x(static_cast<std::size_t>(m_system.columns), m_field->fromInteger(0));
     std::copy(inputRates.begin(), inputRates.end(), x.begin() + m_system.unknowns);
     substitute(*m_field, m_system, x);
     const bool holds = std::all_of(m_system.checks.begin(), m_system.checks.end(), [&](const auto& check) {
       return m_field->isZero(checkValue(*m_field, m_system, check, x));
     });
-    std::vector<Value> rates;
-    for (int joint = 0; joint < m_graph->graph().t(); ++joint) {
+    ByJoint<Value> rates;
+    for (JointOrdinal joint = 0; joint < m_graph->graph().t(); ++joint) {
       const auto [edge, level, sense] = branch(joint);
       Value rate = m_field->fromInteger(0);
-      const auto add = [&, level = level](int node, int factor) {
+      const auto add = [&, level = level](LinkOrdinal node, int factor) {
         if (isOn(node, level)) {
           m_field->subtractProduct(rate, m_field->fromInteger(-factor),
                                    x[static_cast<std::size_t>(node - 1)]);
@@ -105,20 +105,21 @@ class LevelSystem {
 
   LevelSystem(const Field& field, const TtGraph& graph) : m_field(&field), m_graph(&graph) {}
 
-  [[nodiscard]] Branch branch(int joint) const {
+  [[nodiscard]] Branch branch(JointOrdinal joint) const {
     const auto at = static_cast<std::size_t>(joint);
     return {m_graph->graph().turningEdge(joint), m_graph->levels().ofJoint[at],
             m_graph->levels().orientationSign(joint)};
   }
 
   /// Has the node an unknown on this level? The level's root link has none: it is the reference.
-  [[nodiscard]] bool isOn(int node, int level) const {
+  [[nodiscard]] bool isOn(LinkOrdinal node, int level) const {
     if (node == 0) return false;
-    const int joint = m_graph->tree().jointToParent(node);
-    return m_graph->levels().ofJoint[static_cast<std::size_t>(joint)] == level;
+    const JointOrdinal joint = m_graph->tree().jointToParent(node);
+    return m_graph->levels().ofJoint[joint] == level;
   }
 
-  void addDifference(SparseRows<Value>& rows, int node, int against, int level, const Value& weight) const {
+  void addDifference(SparseRows<Value>& rows, LinkOrdinal node, int against, int level,
+                     const Value& weight) const {
     if (isOn(node, level)) rows.add(node - 1, weight);
     if (isOn(against, level)) rows.add(against - 1, m_field->negated(weight));
   }

@@ -10,10 +10,10 @@ bool isDigit(char c) {
 }
 
 /// The level between two nodes that a tree branch joins, and the walk along it.
-std::string pathText(const TtGraph& graph, int mesh) {
+std::string pathText(const TtGraph& graph, MeshOrdinal mesh) {
   const DigraphEdge& edge = graph.graph().meshEdge(mesh);
   std::string text = std::to_string(edge.tail);
-  int node = edge.tail;
+  LinkOrdinal node = edge.tail;
   for (const PathStep& step : treePath(graph.tree(), edge.tail, edge.head)) {
     const DigraphEdge& joint = graph.graph().turningEdge(step.joint);
     node = joint.tail == node ? joint.head : joint.tail;
@@ -54,8 +54,8 @@ std::string inPrint(std::string_view formula) {
   return text;
 }
 
-std::optional<MeshWords> meshWords(const TtGraph& graph, int mesh) {
-  const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+std::optional<MeshWords> meshWords(const TtGraph& graph, MeshOrdinal mesh) {
+  const auto& vertex = graph.transferVertices().ofMesh[mesh];
   if (!vertex) return std::nullopt;
   const DigraphEdge& edge = graph.graph().meshEdge(mesh);
   MeshWords words;

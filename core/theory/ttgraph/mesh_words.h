@@ -22,7 +22,7 @@ struct MeshWords {
 };
 
 /// std::nullopt if the mesh has no transfer vertex. Cost: the length of its walk.
-[[nodiscard]] std::optional<MeshWords> meshWords(const TtGraph& graph, int mesh);
+[[nodiscard]] std::optional<MeshWords> meshWords(const TtGraph& graph, MeshOrdinal mesh);
 
 /// A formula of TtEquations or VelocityName in text style, typeset with Unicode: "w51'' = -n25 w21''" becomes
 /// "ω₅₁′′ = −n₂₅ ω₂₁′′".

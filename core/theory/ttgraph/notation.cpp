@@ -34,7 +34,7 @@ std::string VelocityName::toLatex() const {
          (countable ? quotes(primes) : "^{(" + std::to_string(primes) + ")}");
 }
 
-VelocityName branchName(const Digraph& graph, int joint) {
+VelocityName branchName(const Digraph& graph, JointOrdinal joint) {
   const DigraphEdge& edge = graph.turningEdge(joint);
   return {graph.nodeLabel(edge.head), graph.nodeLabel(edge.tail), 0};
 }
@@ -50,7 +50,7 @@ VelocityName headChordName(const TerminalPair& pair) {
 std::vector<RatioNames> ratioNames(const Digraph& graph) {
   std::map<std::pair<int, int>, int> seen;  // how often two links mesh, whichever way
   std::vector<RatioNames> names;
-  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < graph.c(); ++mesh) {
     const auto [tail, head] = graph.meshEdge(mesh);
     const std::string again = quotes(seen[std::minmax(tail, head)]++);
     const auto latex = [&](int a, int b) { return "n_{" + pairOf(a, b, ",") + "}" + again; };

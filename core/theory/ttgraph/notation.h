@@ -22,7 +22,7 @@ struct VelocityName {
 };
 
 /// The branch of a turning joint: its head relative to its tail.
-[[nodiscard]] VelocityName branchName(const Digraph& graph, int joint);
+[[nodiscard]] VelocityName branchName(const Digraph& graph, JointOrdinal joint);
 [[nodiscard]] VelocityName tailChordName(const TerminalPair& pair);
 [[nodiscard]] VelocityName headChordName(const TerminalPair& pair);
 
@@ -48,9 +48,13 @@ class EquationNumbers {
   /// @pre graph.isComplete()
   EquationNumbers(const TtGraph& graph, int unknowns);
 
-  [[nodiscard]] int terminal(int mesh) const { return kRelation + 1 + mesh; }
-  [[nodiscard]] int tailCircuit(int mesh) const { return m_circuits[static_cast<std::size_t>(2 * mesh)]; }
-  [[nodiscard]] int headCircuit(int mesh) const { return m_circuits[static_cast<std::size_t>(2 * mesh) + 1]; }
+  [[nodiscard]] int terminal(MeshOrdinal mesh) const { return kRelation + 1 + mesh; }
+  [[nodiscard]] int tailCircuit(MeshOrdinal mesh) const {
+    return m_circuits[static_cast<std::size_t>(2 * mesh)];
+  }
+  [[nodiscard]] int headCircuit(MeshOrdinal mesh) const {
+    return m_circuits[static_cast<std::size_t>(2 * mesh) + 1];
+  }
   /// By its place in TtGraph::held().
   [[nodiscard]] int heldCircuit(int place) const { return m_firstHeld + place; }
   [[nodiscard]] int step(int place) const { return m_firstStep + place; }

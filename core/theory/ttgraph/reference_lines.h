@@ -15,10 +15,10 @@ class ReferenceLines {
 
   /// By position in Mechanism::axes; null where nothing is placed.
   [[nodiscard]] const AxisLine* axis(int position) const {
-    return m_placement == nullptr ? nullptr : &m_placement->axes[static_cast<std::size_t>(position)];
+    return m_placement == nullptr ? nullptr : &m_placement->axes[position];
   }
   /// All of them, by position; none if nothing is placed.
-  [[nodiscard]] std::span<const AxisLine> axes() const {
+  [[nodiscard]] SpanByAxis<const AxisLine> axes() const {
     if (m_placement == nullptr) return {};
     return m_placement->axes;
   }
@@ -30,7 +30,7 @@ class ReferenceLines {
   /// By position in Mechanism::gearMeshes; std::nullopt if the mesh is not placed.
   [[nodiscard]] std::optional<MeshPlaces> placesOf(int position) const {
     if (m_placement == nullptr) return std::nullopt;
-    const auto& mesh = m_placement->meshes[static_cast<std::size_t>(position)];
+    const auto& mesh = m_placement->meshes[position];
     if (!mesh) return std::nullopt;
     return MeshPlaces{mesh->tailToHead, mesh->tailToPitch};
   }

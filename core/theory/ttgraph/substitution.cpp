@@ -13,12 +13,12 @@ class Planner {
   Planner(const TtGraph& graph, std::span<const int> inputs)
       : m_graph(graph), m_known(static_cast<std::size_t>(graph.graph().t()), 0) {
     m_plan.inputs.assign(inputs.begin(), inputs.end());
-    for (const int joint : inputs) {
+    for (const JointOrdinal joint : inputs) {
       GEARGRAPH_REQUIRE(m_known.at(static_cast<std::size_t>(joint)) == 0);
-      m_known[static_cast<std::size_t>(joint)] = 1;
+      m_known[joint] = 1;
     }
-    for (int joint = 0; joint < graph.graph().t(); ++joint) {
-      if (m_known[static_cast<std::size_t>(joint)] == 0) m_plan.outputs.push_back(joint);
+    for (JointOrdinal joint = 0; joint < graph.graph().t(); ++joint) {
+      if (m_known[joint] == 0) m_plan.outputs.push_back(joint);
     }
   }
 
@@ -87,20 +87,20 @@ class Planner {
 
   void numberColumns() {
     m_plan.columnOf.resize(m_known.size());
-    const auto add = [this](int joint) {
-      m_plan.columnOf[static_cast<std::size_t>(joint)] = static_cast<int>(m_plan.jointAt.size());
+    const auto add = [this](JointOrdinal joint) {
+      m_plan.columnOf[joint] = static_cast<int>(m_plan.jointAt.size());
       m_plan.jointAt.push_back(joint);
     };
-    for (const int joint : m_plan.outputs) {
-      if (m_known[static_cast<std::size_t>(joint)] == 0) add(joint);
+    for (const JointOrdinal joint : m_plan.outputs) {
+      if (m_known[joint] == 0) add(joint);
     }
     m_plan.coupledUnknowns = static_cast<int>(m_plan.jointAt.size());
     for (const SubstitutionPlan::Step& step : m_plan.steps) add(step.joint);
-    for (const int joint : m_plan.inputs) add(joint);
+    for (const JointOrdinal joint : m_plan.inputs) add(joint);
   }
 
   const TtGraph& m_graph;
-  std::vector<char> m_known;                    ///< by joint
+  ByJoint<char> m_known;
   std::vector<int> m_unknowns;                  ///< by equation: its unknown joints
   std::vector<char> m_done;                     ///< by equation
   std::vector<std::vector<int>> m_equationsOf;  ///< by unknown joint

@@ -17,7 +17,7 @@ namespace geargraph::inline ttgraph {
 struct SubstitutionPlan {
   struct Step {
     int equation = 0;  ///< a mesh, or from c() on an engaged coupling (TtGraph::heldCircuit())
-    int joint = 0;
+    JointOrdinal joint = 0;
   };
 
   /// The circuits are too long to store: no steps and no columns; the solution is found by levels
@@ -29,8 +29,8 @@ struct SubstitutionPlan {
   std::vector<int> surplusEquations;  ///< all their joints were known when they were reached
   std::vector<int> coupledEquations;  ///< ascending
   int coupledUnknowns = 0;
-  std::vector<int> columnOf;  ///< by joint
-  std::vector<int> jointAt;   ///< by column
+  ByJoint<int> columnOf;
+  std::vector<int> jointAt;  ///< by column
 
   [[nodiscard]] int firstInputColumn() const { return static_cast<int>(outputs.size()); }
 };

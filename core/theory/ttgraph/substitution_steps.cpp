@@ -27,7 +27,7 @@ class Chain {
       add(step.joint, {step.equation}, system.direct().rows, step.equation);
     }
     for (const auto& line : system.rest().lines) {
-      const int joint = m_plan.jointAt[static_cast<std::size_t>(line.column)];
+      const JointOrdinal joint = m_plan.jointAt[static_cast<std::size_t>(line.column)];
       if (line.core) {
         add(joint, system.coupledEquations(), system.rest().coreRows, line.row);
       } else {
@@ -42,8 +42,8 @@ class Chain {
   /// The coupled unknowns that never turn: no line gives them.
   void addStanding(const std::vector<int>& equations) {
     for (int column = 0; column < m_plan.coupledUnknowns; ++column) {
-      const int joint = m_plan.jointAt[static_cast<std::size_t>(column)];
-      if (m_numberOf[static_cast<std::size_t>(joint)] != 0) continue;
+      const JointOrdinal joint = m_plan.jointAt[static_cast<std::size_t>(column)];
+      if (m_numberOf[joint] != 0) continue;
       SubstitutionStep step;
       step.joint = joint;
       step.coupled = true;
@@ -52,12 +52,12 @@ class Chain {
     }
   }
 
-  void add(int joint, std::vector<int> equations, const Rows& rows, int row) {
+  void add(JointOrdinal joint, std::vector<int> equations, const Rows& rows, int row) {
     SubstitutionStep step;
     step.joint = joint;
     step.coupled = equations.size() > 1;
     step.equations = std::move(equations);
-    const int column = m_plan.columnOf[static_cast<std::size_t>(joint)];
+    const int column = m_plan.columnOf[joint];
     const RationalFunction divisor = m_field.negated(pivotOf(rows, row, column));
     for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
       if (rows.column(entry) == column) continue;
@@ -72,7 +72,7 @@ class Chain {
     step.uses = usesOf(step);
     const auto output = std::lower_bound(m_plan.outputs.begin(), m_plan.outputs.end(), step.joint);
     step.after = m_solution.entries[static_cast<std::size_t>(output - m_plan.outputs.begin())];
-    m_numberOf[static_cast<std::size_t>(step.joint)] = step.number;
+    m_numberOf[step.joint] = step.number;
     m_steps.push_back(std::move(step));
   }
 
@@ -84,7 +84,7 @@ class Chain {
         uses.push_back(m_numbers.heldCircuit(equation - m_graph.graph().c()));
         continue;
       }
-      const int mesh = equation;
+      const MeshOrdinal mesh = equation;
       const auto tail = m_graph.tailCircuit(mesh);
       const bool inTail = std::any_of(tail.begin(), tail.end(),
                                       [&](const CircuitTerm& term) { return term.joint == step.joint; });
@@ -94,7 +94,7 @@ class Chain {
     }
     std::vector<int> earlier;
     for (const SolvedTerm& term : step.before) {
-      const int number = m_numberOf[static_cast<std::size_t>(term.joint)];
+      const int number = m_numberOf[term.joint];
       if (number != 0) earlier.push_back(number);
     }
     std::sort(earlier.begin(), earlier.end());
@@ -107,7 +107,7 @@ class Chain {
   const SubstitutionPlan& m_plan;
   const RateMatrix<std::optional<RationalFunction>>& m_solution;
   EquationNumbers m_numbers;
-  std::vector<int> m_numberOf;  ///< by joint: its step's number; 0 while it has none
+  ByJoint<int> m_numberOf;  ///< its step's number; 0 while it has none
   std::vector<SubstitutionStep> m_steps;
 };
 

@@ -11,7 +11,7 @@ namespace geargraph::inline ttgraph {
 
 /// A term of another joint's equation.
 struct SolvedTerm {
-  int joint = 0;
+  JointOrdinal joint = 0;
   RationalFunction coefficient;
 };
 
@@ -20,8 +20,8 @@ struct SolvedTerm {
 ///     w21 = n52 w10 - n52 w50              before: the mesh's equations solved for the unknown
 ///         = -n52 n41 w40 - n52 w50 after: earlier steps substituted, over the inputs
 struct SubstitutionStep {
-  int number = 0;  ///< of this equation
-  int joint = 0;   ///< the unknown
+  int number = 0;          ///< of this equation
+  JointOrdinal joint = 0;  ///< the unknown
   /// Meshes, and from c() on engaged couplings, that give it; several where they had to be solved together.
   std::vector<int> equations;
   bool coupled = false;   ///< solved together

@@ -18,17 +18,17 @@ struct RatioWeights {
 /// identically.
 struct RandomRatioWeights {
   const FusedField* field;
-  std::vector<Fused> ratios;  ///< by mesh
+  ByMesh<Fused> ratios;
 
   RandomRatioWeights(const FusedField& fused, int meshes) : field(&fused) {
     std::mt19937_64 random(20141001);
     ResidueStream residues(fused.prime(), 45);
-    for (int mesh = 0; mesh < meshes; ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
       ratios.push_back({0.5 + static_cast<double>(random() % 1'000'003) / 1e6, residues.next()});
     }
   }
   [[nodiscard]] std::pair<Fused, Fused> operator()(const TerminalPair& pair) const {
-    return {ratios[static_cast<std::size_t>(pair.mesh)], field->fromInteger(-pair.sign)};
+    return {ratios[pair.mesh], field->fromInteger(-pair.sign)};
   }
 };
 
@@ -56,11 +56,11 @@ std::optional<std::vector<std::vector<char>>> vanishingRates(const FusedField& f
   for (Fused& input : sample) {
     if (stop.stop_requested()) return std::nullopt;
     input = field.one();
-    const std::vector<Fused> rates = system->rates(sample);
+    const ByJoint<Fused> rates = system->rates(sample);
     input = {};
     std::vector<char>& zeros = vanishing.emplace_back();
-    for (const int joint : plan.jointAt) {
-      zeros.push_back(field.isZero(rates[static_cast<std::size_t>(joint)]) ? 1 : 0);
+    for (const JointOrdinal joint : plan.jointAt) {
+      zeros.push_back(field.isZero(rates[joint]) ? 1 : 0);
     }
   }
   return vanishing;

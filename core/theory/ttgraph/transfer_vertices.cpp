@@ -18,7 +18,7 @@ std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& w
   return text;
 }
 
-Diagnostic culprit(Code code, const Digraph& graph, int mesh) {
+Diagnostic culprit(Code code, const Digraph& graph, MeshOrdinal mesh) {
   Diagnostic diagnostic;
   diagnostic.code = code;
   const DigraphEdge& edge = graph.meshEdge(mesh);
@@ -26,11 +26,11 @@ Diagnostic culprit(Code code, const Digraph& graph, int mesh) {
   return diagnostic;
 }
 
-std::string label(int node) {
+std::string label(LinkOrdinal node) {
   return std::to_string(node);
 }
 
-Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh,
+Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, MeshOrdinal mesh,
                    const std::vector<WalkStretch>& walk) {
   Diagnostic diagnostic = culprit(Code::coaxialMesh, graph, mesh);
   diagnostic.message = translated(
@@ -44,11 +44,11 @@ Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh,
 
 /// The tail gear is well attached to any link that carries the head gear's axis: the last stretch of the
 /// walk.
-Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels, int mesh,
-                    const std::vector<WalkStretch>& walk) {
+Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
+                    MeshOrdinal mesh, const std::vector<WalkStretch>& walk) {
   Diagnostic diagnostic = culprit(Code::noTransferVertex, graph, mesh);
   std::vector<std::string> carriers;
-  int node = walk.back().from;
+  LinkOrdinal node = walk.back().from;
   for (const PathStep& step : treePath(tree, walk.back().from, walk.back().to)) {
     carriers.push_back(label(node));
     const DigraphEdge& branch = graph.turningEdge(step.joint);
@@ -69,9 +69,9 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
 LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
                        std::pmr::memory_resource* memory)
     : m_graph(graph), m_tree(tree), m_places(static_cast<std::size_t>(graph.nodeCount()), memory) {
-  for (const int node : tree.preorder().subspan(1)) {
-    const int level = levels.ofJoint[static_cast<std::size_t>(tree.jointToParent(node))];
-    const int parent = tree.parent(node);
+  for (const LinkOrdinal node : tree.preorder().subspan(1)) {
+    const int level = levels.ofJoint[tree.jointToParent(node)];
+    const LinkOrdinal parent = tree.parent(node);
     const Place& above = at(parent);
     m_places[static_cast<std::size_t>(node)] = above.level == level ? above : Place{level, parent};
   }
@@ -80,11 +80,13 @@ LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const Axi
 // Climb from both gears, stretch by stretch, the one first whose stretch ends lower: so neither passes the
 // node where the walks meet. Where both stand on one level they are joined along it, for a level is one
 // piece.
-std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
+std::vector<WalkStretch> LevelWalks::walk(MeshOrdinal mesh) const {
   auto [tail, head] = m_graph.meshEdge(mesh);
   std::vector<WalkStretch> up;
   std::vector<WalkStretch> down;
-  const auto rootDepth = [this](int node) { return node == 0 ? -1 : m_tree.depth(at(node).rootLink); };
+  const auto rootDepth = [this](LinkOrdinal node) {
+    return node == 0 ? -1 : m_tree.depth(at(node).rootLink);
+  };
   while (tail != head) {
     const Place& ofTail = at(tail);
     const Place& ofHead = at(head);
@@ -116,10 +118,10 @@ int LevelWalks::levelOfBoth(int a, int b) const {
 // Where a walk leaves a level that it climbed, or enters one that it descends, it passes the level's root
 // link: the only vertex of a walk of two stretches is the root link of its tail gear's level or of its head
 // gear's.
-std::optional<TransferVertex> LevelWalks::transferVertex(int mesh) const {
+std::optional<TransferVertex> LevelWalks::transferVertex(MeshOrdinal mesh) const {
   const auto [tail, head] = m_graph.meshEdge(mesh);
-  for (const int gear : {tail, head}) {
-    const int carrier = at(gear).rootLink;
+  for (const LinkOrdinal gear : {tail, head}) {
+    const LinkOrdinal carrier = at(gear).rootLink;
     if (carrier < 0 || carrier == tail || carrier == head) continue;
     const int tailLevel = levelOfBoth(tail, carrier);
     const int headLevel = levelOfBoth(head, carrier);
@@ -135,7 +137,7 @@ TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree
   result.ofMesh.reserve(static_cast<std::size_t>(graph.c()));
   Scratch<> scratch;
   const LevelWalks walks(graph, tree, levels, &scratch);
-  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < graph.c(); ++mesh) {
     if (result.ofMesh.emplace_back(walks.transferVertex(mesh))) continue;
     const std::vector<WalkStretch> walk = walks.walk(mesh);
     result.diagnostics.push_back(walk.size() == 1 ? coaxial(graph, levels, mesh, walk)

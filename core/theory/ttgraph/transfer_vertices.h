@@ -20,9 +20,9 @@ struct WalkStretch {
 
 /// The carrier arm of a mesh, where its walk changes level, and the axes on either side.
 struct TransferVertex {
-  int carrier = 0;    ///< node
-  int tailLevel = 0;  ///< the level on which the tail gear turns in the carrier
-  int headLevel = 0;  ///< and the head gear
+  LinkOrdinal carrier = 0;  ///< node
+  int tailLevel = 0;        ///< the level on which the tail gear turns in the carrier
+  int headLevel = 0;        ///< and the head gear
 };
 
 /// The walk of a mesh from its tail gear to its head gear, stretch by stretch [AU, the paths below Fig. 5]:
@@ -35,19 +35,19 @@ class LevelWalks {
              std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
   /// Cost: O(stretches), however long they are.
-  [[nodiscard]] std::vector<WalkStretch> walk(int mesh) const;
+  [[nodiscard]] std::vector<WalkStretch> walk(MeshOrdinal mesh) const;
 
   /// The vertex where a walk of two stretches changes level; std::nullopt if it has fewer or more. Cost:
   /// O(1).
-  [[nodiscard]] std::optional<TransferVertex> transferVertex(int mesh) const;
+  [[nodiscard]] std::optional<TransferVertex> transferVertex(MeshOrdinal mesh) const;
 
  private:
   /// A node's level is that of its branch towards the ground; the ground has none.
   struct Place {
     int level = -1;
-    int rootLink = -1;  ///< the level's root link: the ancestor that its branches lead to
+    LinkOrdinal rootLink = -1;  ///< the level's root link: the ancestor that its branches lead to
   };
-  [[nodiscard]] const Place& at(int node) const { return m_places[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const Place& at(LinkOrdinal node) const { return m_places[static_cast<std::size_t>(node)]; }
   [[nodiscard]] int levelOfBoth(int a, int b) const;
 
   const Digraph& m_graph;
@@ -56,8 +56,8 @@ class LevelWalks {
 };
 
 struct TransferVertices {
-  std::vector<std::optional<TransferVertex>> ofMesh;  ///< none if the mesh has no carrier
-  Diagnostics diagnostics;                            ///< coaxial-mesh, no-transfer-vertex
+  ByMesh<std::optional<TransferVertex>> ofMesh;  ///< none if the mesh has no carrier
+  Diagnostics diagnostics;                       ///< coaxial-mesh, no-transfer-vertex
 };
 
 /// The transfer vertex of every mesh. It is unique: the links on one level form a subtree, and two subtrees

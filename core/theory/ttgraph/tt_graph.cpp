@@ -40,9 +40,9 @@ Diagnostics TtGraph::diagnostics() const {
 long long TtGraph::longestCircuitTerms() const {
   // By level: the depth of its link nearest the ground.
   std::vector<int> rootDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount());
-  for (const int node : m_tree->preorder()) {
+  for (const LinkOrdinal node : m_tree->preorder()) {
     if (node == 0) continue;
-    const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
+    const int level = m_levels.ofJoint[m_tree->jointToParent(node)];
     int& root = rootDepth[static_cast<std::size_t>(level)];
     root = std::min(root, m_tree->depth(node) - 1);
   }
@@ -50,7 +50,7 @@ long long TtGraph::longestCircuitTerms() const {
   for (const std::optional<TerminalPair>& pair : m_terminals) {
     if (!pair) continue;
     // A chord's circuit stays on one level, so it never climbs above the level's root link.
-    const TransferVertex& vertex = *m_vertices.ofMesh[static_cast<std::size_t>(pair->mesh)];
+    const TransferVertex& vertex = *m_vertices.ofMesh[pair->mesh];
     for (const auto& [gear, level] :
          {std::pair(pair->tail, vertex.tailLevel), std::pair(pair->head, vertex.headLevel)}) {
       const int root = rootDepth[static_cast<std::size_t>(level)];
@@ -75,13 +75,13 @@ void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
   };
   for (const CouplingId id : mechanism.engaged) {
     const int position = couplings.at(id);
-    const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(position)];
-    const int link = links.at(coupling.links.front());
+    const Coupling& coupling = mechanism.couplings[position];
+    const LinkOrdinal link = links.at(coupling.links.front());
     const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
     const std::size_t first = m_held.size();
     std::vector<int> levels;  // of the circuits from `first` on
     for (const PathStep& step : treePath(*m_tree, link, against)) {
-      const int level = m_levels.ofJoint[static_cast<std::size_t>(step.joint)];
+      const int level = m_levels.ofJoint[step.joint];
       std::size_t at = 0;
       while (at < levels.size() && along(level, levels[at]) == 0) ++at;
       if (at == levels.size()) {
@@ -98,7 +98,7 @@ void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
   const auto lineOf = [&](int level) { return lines.axis(m_levels.axisOf(level)); };
   m_terminals.reserve(static_cast<std::size_t>(m_graph->c()));
-  for (int mesh = 0; mesh < m_graph->c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < m_graph->c(); ++mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     auto& terminal = m_terminals.emplace_back();
     const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
@@ -131,7 +131,7 @@ void TtGraph::writeCircuits() const {
   starts.push_back(0);
   // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from
   // the carrier to the gear, and counts.
-  const auto addChord = [&](int gear, int carrier) {
+  const auto addChord = [&](LinkOrdinal gear, LinkOrdinal carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
       terms.push_back({step.joint, -step.direction * m_levels.orientationSign(step.joint)});
     }

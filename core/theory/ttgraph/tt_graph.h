@@ -18,10 +18,10 @@ namespace geargraph::inline ttgraph {
 ///
 ///     w_ik = sign * (N_j / N_i) * w_jk          i the tail gear, j the head gear
 struct TerminalPair {
-  int mesh = 0;
-  int tail = 0;
-  int head = 0;
-  int carrier = 0;
+  MeshOrdinal mesh = 0;
+  LinkOrdinal tail = 0;
+  LinkOrdinal head = 0;
+  LinkOrdinal carrier = 0;
   int primes = 1;
   int sign = 0;  ///< -1: the gears turn against each other, each seen along its own axis
   int tailTeeth = 0;
@@ -30,7 +30,7 @@ struct TerminalPair {
 
 /// The term of a turning joint in a chord's velocity.
 struct CircuitTerm {
-  int joint = 0;
+  JointOrdinal joint = 0;
   int coefficient = 0;  ///< +1 or -1
 };
 
@@ -38,7 +38,7 @@ struct CircuitTerm {
 /// ground, or to the other link of a clutch. Its fundamental circuit gives one equation for each direction of
 /// axes on the path: the sum of the branches there is 0.
 struct HeldCircuit {
-  int coupling = 0;  ///< position in the document
+  CouplingOrdinal coupling = 0;  ///< position in the document
   std::vector<CircuitTerm> terms;
 };
 
@@ -56,8 +56,8 @@ class TtGraph {
   [[nodiscard]] const TransferVertices& transferVertices() const { return m_vertices; }
 
   /// By mesh; none if there is no transfer vertex or the drawn pose does not tell the sign.
-  [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
-    return m_terminals[static_cast<std::size_t>(mesh)];
+  [[nodiscard]] const std::optional<TerminalPair>& terminal(MeshOrdinal mesh) const {
+    return m_terminals[mesh];
   }
   /// An upper bound on the number of circuit terms, from the depths of gears and carriers. Cost: O(n + c).
   [[nodiscard]] long long longestCircuitTerms() const;
@@ -70,8 +70,10 @@ class TtGraph {
   /// The fundamental circuit of the chord of the tail gear (head gear): the chord's velocity as a sum over
   /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. Thread-safe. Cost: O(1) after the
   /// first call, which costs the sum of the lengths of all walks. @pre isComplete()
-  [[nodiscard]] std::span<const CircuitTerm> tailCircuit(int mesh) const { return circuit(2 * mesh); }
-  [[nodiscard]] std::span<const CircuitTerm> headCircuit(int mesh) const { return circuit(2 * mesh + 1); }
+  [[nodiscard]] std::span<const CircuitTerm> tailCircuit(MeshOrdinal mesh) const { return circuit(2 * mesh); }
+  [[nodiscard]] std::span<const CircuitTerm> headCircuit(MeshOrdinal mesh) const {
+    return circuit(2 * mesh + 1);
+  }
 
   /// The circuits of the couplings that the document engages, in the document's order.
   [[nodiscard]] const std::vector<HeldCircuit>& held() const { return m_held; }
@@ -106,7 +108,7 @@ class TtGraph {
   SpanningTreePtr m_tree;
   AxisLevels m_levels;
   TransferVertices m_vertices;
-  std::vector<std::optional<TerminalPair>> m_terminals;
+  ByMesh<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
   std::vector<HeldCircuit> m_held;
   bool m_complete = true;

@@ -10,7 +10,7 @@ TtChordOf TtMatrices::chord(int chord) const {
   return {chord / 2, chord % 2 == 0, -1};
 }
 
-int TtMatrices::coefficient(int branch, int gear, int carrier) const {
+int TtMatrices::coefficient(int branch, LinkOrdinal gear, LinkOrdinal carrier) const {
   const SpanningTree& tree = m_graph->tree();
   const bool isOnGearsSide = tree.isOnWalk(branch, gear);
   if (isOnGearsSide == tree.isOnWalk(branch, carrier)) return 0;
@@ -27,7 +27,7 @@ std::vector<TtEntry> TtMatrices::circuit(int chord) const {
       entries.push_back({term.joint, -term.coefficient});
   } else {
     const TerminalPair& pair = *m_graph->terminal(of.mesh);
-    const int gear = of.isTail ? pair.tail : pair.head;
+    const LinkOrdinal gear = of.isTail ? pair.tail : pair.head;
     for (const PathStep& step : treePath(m_graph->tree(), gear, pair.carrier))
       entries.push_back({step.joint, -coefficient(step.joint, gear, pair.carrier)});
   }
@@ -43,7 +43,7 @@ std::vector<TtEntry> TtMatrices::cutset(int branch) const {
     if (value != 0) entries.push_back({branches() + chord, value});
   };
   const int meshes = m_graph->graph().c();
-  for (int mesh = 0; mesh < meshes; ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
     const TerminalPair& pair = *m_graph->terminal(mesh);
     add(2 * mesh, coefficient(branch, pair.tail, pair.carrier));
     add(2 * mesh + 1, coefficient(branch, pair.head, pair.carrier));

@@ -15,9 +15,9 @@ struct TtEntry {
 
 /// The chord of an f-circuit of the T-T graph: of a mesh, or of an engaged coupling for one axis direction.
 struct TtChordOf {
-  int mesh = -1;        ///< -1: a coupling
-  bool isTail = false;  ///< the chord of the mesh's tail gear, else of its head gear
-  int held = -1;        ///< position in TtGraph::held(); -1: a mesh
+  MeshOrdinal mesh = -1;  ///< -1: a coupling
+  bool isTail = false;    ///< the chord of the mesh's tail gear, else of its head gear
+  int held = -1;          ///< position in TtGraph::held(); -1: a mesh
 };
 
 /// The matrices of the fundamental circuits and cutsets of the T-T graph:
@@ -51,7 +51,7 @@ class TtMatrices {
  private:
   /// The coefficient of a branch in the sum for the chord's velocity; 0 if it is not on the path between its
   /// ends.
-  [[nodiscard]] int coefficient(int branch, int gear, int carrier) const;
+  [[nodiscard]] int coefficient(int branch, LinkOrdinal gear, LinkOrdinal carrier) const;
 
   const TtGraph* m_graph;
 };

@@ -85,7 +85,7 @@ std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph, const Subst
       unit[input] = 0;
       matrix.determined = matrix.determined && holds;
       for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
-        matrix.entries[output][input] = std::move(rates[static_cast<std::size_t>(plan.outputs[output])]);
+        matrix.entries[output][input] = std::move(rates[plan.outputs[output]]);
       }
     }
     return true;
@@ -112,8 +112,7 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
       return std::nullopt;
     }
     for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
-      const auto column =
-          static_cast<std::size_t>(plan.columnOf[static_cast<std::size_t>(plan.outputs[output])]);
+      const auto column = static_cast<std::size_t>(plan.columnOf[plan.outputs[output]]);
       const bool coupled = static_cast<int>(column) < plan.coupledUnknowns;
       if (symbolic->withoutCoupled && coupled && vanishing[column] == 0) continue;
       matrix.entries[output][input] = std::move(x[column]);
@@ -128,7 +127,7 @@ RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming) {
   for (const RatioNames& name : ratioNames(graph.graph())) {
     names.push_back(naming == RatioNaming::matroid ? name.matroid : name.ttGraph);
   }
-  for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < graph.graph().c(); ++mesh) {
     teeth.push_back({graph.terminal(mesh)->tailTeeth, graph.terminal(mesh)->headTeeth});
   }
   return std::make_shared<const RatioRing>(std::move(names), std::move(teeth));

@@ -17,7 +17,7 @@ class CutsetRows {
              bool byLevels)
       : m_graph(graph), m_byLevels(byLevels), m_rows(static_cast<std::size_t>(graph.graph().t())) {
     const int meshes = graph.graph().c();
-    for (int mesh = 0; mesh < meshes; ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
       byLevels ? addPortsByLevel(mesh) : addPorts(mesh);
     }
     int column = meshes;
@@ -50,32 +50,28 @@ class CutsetRows {
  private:
   using Row = std::map<int, Rational>;
 
-  void addTo(int row, int column, const Rational& value) {
-    m_rows[static_cast<std::size_t>(row)][column] += value;
-  }
+  void addTo(int row, int column, const Rational& value) { m_rows[row][column] += value; }
 
   /// Adds to the cutset of a branch. By levels: the cutset of the branch minus those of the next branches on
   /// its level, outward, is the balance of the link between them.
-  void add(int joint, int column, const Rational& value) {
+  void add(JointOrdinal joint, int column, const Rational& value) {
     if (!m_byLevels) return addTo(joint, column, value);
-    const int child = m_graph.tree().child(joint);
+    const LinkOrdinal child = m_graph.tree().child(joint);
     const int sense = m_graph.levels().orientationSign(joint) * -m_graph.tree().directionToGround(joint);
     addAtNode(child, levelOf(joint), column, Rational(sense) * value);
     addAtNode(m_graph.tree().parent(child), levelOf(joint), column, Rational(-sense) * value);
   }
 
-  [[nodiscard]] int levelOf(int joint) const {
-    return m_graph.levels().ofJoint[static_cast<std::size_t>(joint)];
-  }
+  [[nodiscard]] int levelOf(JointOrdinal joint) const { return m_graph.levels().ofJoint[joint]; }
 
   /// The balance of a link along a level; the link nearest the ground has none.
-  void addAtNode(int node, int level, int column, const Rational& value) {
+  void addAtNode(LinkOrdinal node, int level, int column, const Rational& value) {
     if (node == 0) return;
-    const int joint = m_graph.tree().jointToParent(node);
+    const JointOrdinal joint = m_graph.tree().jointToParent(node);
     if (levelOf(joint) == level) addTo(joint, column, value);
   }
 
-  void addPorts(int mesh) {
+  void addPorts(MeshOrdinal mesh) {
     const TerminalPair& pair = *m_graph.terminal(mesh);
     for (const CircuitTerm& term : m_graph.tailCircuit(mesh))
       addTo(term.joint, mesh, Rational(static_cast<std::int64_t>(term.coefficient) * pair.tailTeeth));
@@ -84,9 +80,9 @@ class CutsetRows {
             Rational(-static_cast<std::int64_t>(term.coefficient) * pair.sign * pair.headTeeth));
   }
 
-  void addPortsByLevel(int mesh) {
+  void addPortsByLevel(MeshOrdinal mesh) {
     const TerminalPair& pair = *m_graph.terminal(mesh);
-    const TransferVertex& vertex = *m_graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+    const TransferVertex& vertex = *m_graph.transferVertices().ofMesh[mesh];
     addAtNode(pair.tail, vertex.tailLevel, mesh, Rational(pair.tailTeeth));
     addAtNode(pair.carrier, vertex.tailLevel, mesh, Rational(-pair.tailTeeth));
     addAtNode(pair.head, vertex.headLevel, mesh, Rational(-pair.sign * pair.headTeeth));
@@ -95,14 +91,18 @@ class CutsetRows {
 
   const TtGraph& m_graph;
   bool m_byLevels;
-  std::vector<Row> m_rows;  ///< by joint
+  ByJoint<Row> m_rows;
   int m_unknowns = 0;
   int m_columns = 0;
 };
 
 TtStaticStep stepOf(const Elimination<Rational>::Line& line, int meshes) {
   TtStaticStep step;
-  (line.column < meshes ? step.mesh : step.chord) = line.column < meshes ? line.column : line.column - meshes;
+  if (line.column < meshes) {
+    step.mesh = line.column;
+  } else {
+    step.chord = line.column - meshes;
+  }
   step.coupled = line.core;
   if (!line.core) step.joint = line.row;
   return step;
@@ -146,7 +146,7 @@ std::optional<TtTorques> ttTorques(const TtGraph& graph, std::span<const TtChord
   if (!byLevels)
     for (const auto& line : system->lines) result.steps.push_back(stepOf(line, meshes));
   if (!result.isBalanced) return result;
-  for (int mesh = 0; mesh < meshes; ++mesh) {
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
     const TerminalPair& pair = *graph.terminal(mesh);
     const Real perTooth = loads.sumOf(parts[static_cast<std::size_t>(mesh)]);
     result.tailPorts.push_back(Real(pair.tailTeeth) * perTooth);

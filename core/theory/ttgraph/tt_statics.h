@@ -32,19 +32,19 @@ using TtChord = std::vector<std::pair<int, Rational>>;
 
 /// One step of the chain.
 struct TtStaticStep {
-  int mesh = -1;         ///< the unknown: the port torques of this mesh; -1: the torque of `chord`
-  int chord = -1;        ///< a further chord
-  int joint = -1;        ///< the branch whose cutset gives it; -1 where several are solved together
-  bool coupled = false;  ///< with others
+  MeshOrdinal mesh = -1;    ///< the unknown: the port torques of this mesh; -1: the torque of `chord`
+  int chord = -1;           ///< a further chord
+  JointOrdinal joint = -1;  ///< the branch whose cutset gives it; -1 where several are solved together
+  bool coupled = false;     ///< with others
 };
 
 /// Port torques and torques of further chords, in N m.
 struct TtTorques {
-  bool isBalanced = true;       ///< false: the loads are not held, the values are meaningless
-  std::vector<Real> tailPorts;  ///< M_ik by mesh, 0 for what is free in self-stresses
-  std::vector<Real> headPorts;  ///< M_jk by mesh
+  bool isBalanced = true;  ///< false: the loads are not held, the values are meaningless
+  ByMesh<Real> tailPorts;  ///< M_ik, 0 for what is free in self-stresses
+  ByMesh<Real> headPorts;  ///< M_jk
   std::vector<Real> chords;
-  std::vector<char> meshDetermined;   ///< by mesh
+  ByMesh<char> meshDetermined;
   std::vector<char> chordDetermined;  ///< by chord
   std::vector<TtStaticStep> steps;    ///< empty where the equations are taken by levels
 };

@@ -44,8 +44,7 @@ class TtSystem {
       system.addRow(system.m_direct.rows, graph, equation, weights, {});
     }
     for (const SubstitutionPlan::Step& step : plan.steps) {
-      system.m_direct.lines.push_back(
-          {plan.columnOf[static_cast<std::size_t>(step.joint)], step.equation, false});
+      system.m_direct.lines.push_back({plan.columnOf[step.joint], step.equation, false});
     }
     SparseRows<Value> rest;
     for (const int equation : plan.coupledEquations) {
@@ -84,7 +83,7 @@ class TtSystem {
 
   /// The rates of all joints, by joint, for these input rates; open joints are at rest.
   /// Cost: the non-zeros.
-  [[nodiscard]] std::vector<Value> rates(std::span<const Value> inputRates) const {
+  [[nodiscard]] ByJoint<Value> rates(std::span<const Value> inputRates) const {
     std::vector<Value> x = columns(inputRates);
     substitute(*m_field, m_direct, x);
     substitute(*m_field, m_rest, x);
@@ -92,16 +91,16 @@ class TtSystem {
   }
 
   /// The rates of all joints, and whether every equation that gave no unknown holds.
-  [[nodiscard]] std::pair<std::vector<Value>, bool> solve(std::span<const Value> inputRates) const {
-    std::vector<Value> found = rates(inputRates);
+  [[nodiscard]] std::pair<ByJoint<Value>, bool> solve(std::span<const Value> inputRates) const {
+    ByJoint<Value> found = rates(inputRates);
     const bool all = holds(found);
     return {std::move(found), all};
   }
 
   /// Do the surplus equations hold at these rates?
-  [[nodiscard]] bool holds(const std::vector<Value>& rates) const {
+  [[nodiscard]] bool holds(const ByJoint<Value>& rates) const {
     std::vector<Value> x;
-    for (const int joint : m_plan->jointAt) x.push_back(rates[static_cast<std::size_t>(joint)]);
+    for (const JointOrdinal joint : m_plan->jointAt) x.push_back(rates[joint]);
     for (const int equation : surplusEquations()) {
       if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, equation, x))) return false;
     }
@@ -139,12 +138,14 @@ class TtSystem {
  private:
   TtSystem(const Field& field, const SubstitutionPlan& plan) : m_field(&field), m_plan(&plan) {}
 
-  [[nodiscard]] int jointAt(int column) const { return m_plan->jointAt[static_cast<std::size_t>(column)]; }
+  [[nodiscard]] JointOrdinal jointAt(int column) const {
+    return m_plan->jointAt[static_cast<std::size_t>(column)];
+  }
 
-  [[nodiscard]] std::vector<Value> byJoint(std::vector<Value> x) const {
-    std::vector<Value> rates(x.size());
+  [[nodiscard]] ByJoint<Value> byJoint(std::vector<Value> x) const {
+    ByJoint<Value> rates(x.size());
     for (std::size_t column = 0; column < x.size(); ++column) {
-      rates[static_cast<std::size_t>(jointAt(static_cast<int>(column)))] = std::move(x[column]);
+      rates[jointAt(static_cast<int>(column))] = std::move(x[column]);
     }
     return rates;
   }
@@ -155,7 +156,7 @@ class TtSystem {
     const auto add = [&](std::span<const CircuitTerm> circuit, const Value& weight) {
       const Value negative = m_field->negated(weight);
       for (const CircuitTerm& term : circuit) {
-        const int column = m_plan->columnOf[static_cast<std::size_t>(term.joint)];
+        const int column = m_plan->columnOf[term.joint];
         if (!left.empty() && left[static_cast<std::size_t>(column)] != 0) continue;
         rows.add(column, term.coefficient > 0 ? weight : negative);
       }

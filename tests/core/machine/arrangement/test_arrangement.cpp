@@ -146,8 +146,8 @@ class TestArrangement : public QObject {
         for (const std::size_t s : plan.shaftsOn[static_cast<std::size_t>(gear.axisClass)]) {
           const ShaftSegment& other = plan.shafts[s];
           if (other.link == gear.link || !covers(other, at, 0)) continue;
-          const bool isReported =
-              std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
+          const bool isReported = std::any_of(
+              plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<LinkOrdinal>& links) {
                 return std::count(links.begin(), links.end(), gear.link) > 0 &&
                        std::count(links.begin(), links.end(), other.link) > 0;
               });

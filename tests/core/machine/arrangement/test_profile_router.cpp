@@ -23,16 +23,16 @@ ProfileGrid freeGrid(int columns, int rows) {
   return grid;
 }
 
-ProfileNet joining(std::vector<int> cells) {
+ProfileNet joining(std::vector<CellOrdinal> cells) {
   ProfileNet net;
-  for (const int c : cells) net.groups.push_back({RouteTerminal{{c}, {}, 0}});
+  for (const CellOrdinal c : cells) net.groups.push_back({RouteTerminal{{c}, {}, 0}});
   return net;
 }
 
 /// Some cells blocked, columns of three widths, some too narrow for a disc, sleeves' rows cheap.
 ProfileGrid randomGrid(std::mt19937& random) {
   ProfileGrid grid = freeGrid(12, 9);
-  for (int& owner : grid.owner) {
+  for (NetOrdinal& owner : grid.owner) {
     if (random() % 4 == 0) owner = ProfileGrid::kBlocked;
   }
   for (std::size_t c = 0; c < 12; ++c) {
@@ -46,7 +46,7 @@ ProfileGrid randomGrid(std::mt19937& random) {
 constexpr double kUnreached = 1e300;
 
 /// What a step costs; nothing: it cannot be made.
-std::optional<double> stepPrice(const ProfileGrid& grid, const std::vector<double>& extra, int from, int to) {
+std::optional<double> stepPrice(const ProfileGrid& grid, const ByCell<double>& extra, int from, int to) {
   const int c = grid.columnOf(from), r = grid.rowOf(from);
   const int along = std::abs(c - grid.columnOf(to)), across = std::abs(r - grid.rowOf(to));
   const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
@@ -57,7 +57,7 @@ std::optional<double> stepPrice(const ProfileGrid& grid, const std::vector<doubl
 }
 
 /// All costs by steps until nothing gets cheaper.
-std::vector<double> costsOf(const ProfileGrid& grid, const std::vector<double>& extra,
+std::vector<double> costsOf(const ProfileGrid& grid, const ByCell<double>& extra,
                             const ProfileSearch::Places& sources) {
   std::vector<double> costs(grid.owner.size(), kUnreached);
   for (const auto& [cell, cost] : sources) {
@@ -78,10 +78,10 @@ std::vector<double> costsOf(const ProfileGrid& grid, const std::vector<double>& 
   return costs;
 }
 
-bool apart(const std::vector<ProfileRoute>& routes) {
-  std::vector<int> all;
+bool apart(const ByNet<ProfileRoute>& routes) {
+  std::vector<CellOrdinal> all;
   for (const ProfileRoute& route : routes) {
-    std::vector<int> own = route.cells;
+    std::vector<CellOrdinal> own = route.cells;
     std::sort(own.begin(), own.end());
     own.erase(std::unique(own.begin(), own.end()), own.end());
     all.insert(all.end(), own.begin(), own.end());
@@ -98,12 +98,12 @@ class ProfileRouterTest : public QObject {
   /// The first net's shortest way would shut the second in; it gives way.
   void netsGoRoundEachOther() {
     const ProfileGrid grid = freeGrid(5, 3);
-    const std::vector<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(4, 1)}),
-                                       joining({grid.cell(2, 0), grid.cell(2, 2)})};
+    const ByNet<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(4, 1)}),
+                                 joining({grid.cell(2, 0), grid.cell(2, 2)})};
     const auto routes = routeProfiles(grid, nets);
     QVERIFY(!routes.has_value());  // one of them has to cross the other: a plane has no bridges
-    const std::vector<ProfileNet> passing{joining({grid.cell(0, 1), grid.cell(4, 1)}),
-                                          joining({grid.cell(2, 0), grid.cell(2, 1)})};
+    const ByNet<ProfileNet> passing{joining({grid.cell(0, 1), grid.cell(4, 1)}),
+                                    joining({grid.cell(2, 0), grid.cell(2, 1)})};
     const auto found = routeProfiles(grid, passing);
     QVERIFY(found.has_value());
     QVERIFY(apart(*found));
@@ -114,8 +114,8 @@ class ProfileRouterTest : public QObject {
   /// it leaves them free in the first round already.
   void netsLeaveFreeWhereOthersLand() {
     const ProfileGrid grid = freeGrid(9, 6);
-    const std::vector<ProfileNet> nets{joining({grid.cell(0, 0), grid.cell(8, 0)}),
-                                       joining({grid.cell(4, 0), grid.cell(4, 1)})};
+    const ByNet<ProfileNet> nets{joining({grid.cell(0, 0), grid.cell(8, 0)}),
+                                 joining({grid.cell(4, 0), grid.cell(4, 1)})};
     const auto routes = routeProfiles(grid, nets, 1);
     QVERIFY(routes.has_value());
     QVERIFY(apart(*routes));
@@ -133,7 +133,7 @@ class ProfileRouterTest : public QObject {
       std::vector<int> cells(grid.owner.size());
       std::iota(cells.begin(), cells.end(), 0);
       std::shuffle(cells.begin(), cells.end(), random);
-      std::vector<ProfileNet> nets;
+      ByNet<ProfileNet> nets;
       for (std::size_t n = 0; n < 4; ++n)
         nets.push_back(joining({cells[3 * n], cells[3 * n + 1], cells[3 * n + 2]}));
       const auto routes = routeProfiles(grid, nets);
@@ -151,8 +151,8 @@ class ProfileRouterTest : public QObject {
   /// The analysis and the 3D view ask at once; one works, the other waits.
   void threadsThatAskTogetherHearTheSame() {
     const ProfileGrid grid = freeGrid(7, 5);
-    const std::vector<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(6, 1)}),
-                                       joining({grid.cell(2, 0), grid.cell(2, 1)})};
+    const ByNet<ProfileNet> nets{joining({grid.cell(0, 1), grid.cell(6, 1)}),
+                                 joining({grid.cell(2, 0), grid.cell(2, 1)})};
     std::vector<std::size_t> cells(4, 0);
     {
       std::vector<std::jthread> threads;
@@ -174,7 +174,7 @@ class ProfileRouterTest : public QObject {
     int found = 0;
     for (int round = 0; round < 60; ++round) {
       const ProfileGrid grid = randomGrid(random);
-      std::vector<double> extra(108, 0);
+      ByCell<double> extra(108, 0);
       for (double& cost : extra) cost = round % 2 == 0 ? 0 : static_cast<double>(random() % 1000) / 250;
       const auto place = [&] { return static_cast<int>(random() % 108); };
       ProfileSearch::Places sources, ends;
@@ -202,11 +202,11 @@ class ProfileRouterTest : public QObject {
       ++found;
       for (int c = nearest.first; c >= 0; c = search.from(c)) {
         QCOMPARE(search.cost(c), costs[static_cast<std::size_t>(c)]);
-        std::pair<double, int> best{kUnreached, -1};
+        std::pair<double, CellOrdinal> best{kUnreached, -1};
         for (int b = 0; b < 108 && search.from(c) >= 0; ++b) {
           const auto price = stepPrice(grid, extra, b, c);
           const double cost = costs[static_cast<std::size_t>(b)];
-          if (price && cost + *price == search.cost(c)) best = std::min(best, {cost, b});
+          if (price && cost + *price == search.cost(c)) best = std::min(best, {cost, CellOrdinal(b)});
         }
         QCOMPARE(search.from(c), best.second);
       }
@@ -220,12 +220,12 @@ class ProfileRouterTest : public QObject {
     int reached = 0;
     for (int round = 0; round < 300; ++round) {
       ProfileGrid grid = freeGrid(4, 150);
-      for (int& owner : grid.owner) {
+      for (NetOrdinal& owner : grid.owner) {
         if (random() % 20 == 0) owner = ProfileGrid::kBlocked;
       }
       for (std::size_t c = 0; c < 4; ++c) grid.plates[c] = random() % 3 > 0;
       const int source = static_cast<int>(random() % 600), end = static_cast<int>(random() % 600);
-      const std::vector<int> own{source};
+      const std::vector<CellOrdinal> own{source};
       std::vector<bool> seen(600, false);
       std::vector<int> waiting{source};
       while (!waiting.empty()) {
@@ -234,14 +234,14 @@ class ProfileRouterTest : public QObject {
         if (seen[static_cast<std::size_t>(cell)]) continue;
         seen[static_cast<std::size_t>(cell)] = true;
         for (const int next : {cell - 1, cell + 1, cell - 150, cell + 150}) {
-          if (next >= 0 && next < 600 && stepPrice(grid, std::vector<double>(600, 0), cell, next))
+          if (next >= 0 && next < 600 && stepPrice(grid, ByCell<double>(600, 0), cell, next))
             waiting.push_back(next);
         }
       }
       const ProfileBits bits(grid);
       ProfileSearch search(grid);
-      const bool found = search.begin(ProfileOwners(grid, bits), {own}, std::vector<double>(600, 0),
-                                      {{source, 0}}, {{end, 0}});
+      const bool found =
+          search.begin(ProfileOwners(grid, bits), {own}, ByCell<double>(600, 0), {{source, 0}}, {{end, 0}});
       QCOMPARE(found, seen[static_cast<std::size_t>(end)]);
       reached += found ? 1 : 0;
     }

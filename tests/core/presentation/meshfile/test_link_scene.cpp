@@ -87,7 +87,8 @@ class TestLinkScene : public QObject {
     const auto end = worldPosesAt(scene, durationOf(scene));
     const auto half = worldPosesAt(scene, durationOf(scene) / 2);
     for (std::size_t i = 0; i < rest.size(); ++i) QVERIFY(end[i].isApprox(rest[i], 1e-12));
-    const int away = std::abs(robot.rates[1].toDouble()) == 0.5 ? robot.tree.child(1) : 0;  // half a turn
+    const bool isHalf = std::abs(robot.rates[1].toDouble()) == 0.5;
+    const LinkOrdinal away = isHalf ? robot.tree.child(1) : LinkOrdinal(0);  // half a turn
     const std::size_t node = rest.size() - robot.parts.size() + static_cast<std::size_t>(away) - 1;
     QVERIFY(away > 0 && !half[node].isApprox(rest[node], 1e-3));
   }
