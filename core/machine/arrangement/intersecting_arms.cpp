@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/arrangement/pedestals.h"
@@ -136,29 +138,86 @@ std::vector<double> levelsBeyond(const PlanDraft& draft, ClassOrdinal home, Clas
   return levels;
 }
 
-/// The arm to the bearing's axis that passes most, then the shortest.
+/// Where a bearing may be on its axis.
+std::vector<double> placesOf(const PlanDraft& draft, const Bearing& bearing) {
+  const AxisLayout& on = draft.axis(draft.classOf(bearing));
+  std::vector<double> places{bearing.at, on.outerSlot()};
+  for (const double x : on.slotCandidates()) places.push_back(x);
+  std::erase_if(places, [&](double at) { return !on.slotIsFree(at); });
+  return places;
+}
+
+/// Which arms to an axis make a fork: two from one bar, on both sides of the link's own axis.
+class Forks {
+ public:
+  Forks(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, const Bearing& bearing)
+      : m_draft(draft), m_link(link), m_home(home), m_to(draft.classOf(bearing)) {
+    const auto intersection = draft.intersectionOf(home, m_to);
+    if (!intersection) return;
+    m_middle = intersection->second;
+    for (const Bearing& other : draft.axis(m_to).bearings) {
+      const bool isAcross = side(other.at) * side(bearing.at) < 0;
+      if (other.parent == link && other.child != bearing.child && !other.placed && isAcross) m_other = &other;
+    }
+  }
+
+  /// With an arm that is there, or with one that can be.
+  [[nodiscard]] bool contain(const ArmPlan& arm) {
+    if (!m_middle) return false;
+    const auto& arms = m_draft.armsOf[m_link];
+    const bool isThere = std::any_of(arms.begin(), arms.end(), [&](std::size_t a) {
+      const ArmPlan& other = m_draft.plan.arms[a];
+      return other.to == m_to && other.level == arm.level && side(other.at) * side(arm.at) < 0;
+    });
+    return isThere || (m_other != nullptr && side(m_other->at) * side(arm.at) < 0 && canBe(arm.level));
+  }
+
+ private:
+  [[nodiscard]] int side(double at) const { return at < *m_middle ? -1 : 1; }
+
+  [[nodiscard]] bool canBe(double level) {
+    const auto known = m_known.find(level);
+    if (known != m_known.end()) return known->second;
+    const std::vector<double> places = placesOf(m_draft, *m_other);
+    const bool can = std::any_of(places.begin(), places.end(), [&](double at) {
+      return side(at) == side(m_other->at) &&
+             armCollisions(m_draft, {m_link, m_home, level, m_to, at, m_other->child}) == 0;
+    });
+    m_known.emplace(level, can);
+    return can;
+  }
+
+  const PlanDraft& m_draft;
+  LinkOrdinal m_link;
+  ClassOrdinal m_home, m_to;
+  std::optional<double> m_middle;    ///< of the intersection, along the other axis
+  const Bearing* m_other = nullptr;  ///< a bearing across that has no arm yet
+  std::map<double, bool> m_known;    ///< by level
+};
+
+/// The arm to the bearing's axis that passes most, then one that makes a fork, then the shortest.
 TriedArm bestArm(const PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, const Bearing& bearing,
                  const std::vector<double>& levels) {
   const int c = draft.classOf(bearing);
   const AxisLayout& target = draft.axis(c);
   const AxisLayout& own = draft.axis(home);
-  std::vector<double> places{bearing.at, target.outerSlot()};
-  for (const double x : target.slotCandidates()) places.push_back(x);
+  Forks forks(draft, link, home, bearing);
   TriedArm best;
   double bestCost = 1e300;
   const auto consider = [&](double at, double level, double extra) {
     const ArmPlan arm{link, home, level, c, at, bearing.child};
-    constexpr int kInside = 20;  // an arm that cannot come out weighs as much as so many places in gears
+    constexpr double kNoFork = 60;  // modules that a fork may be longer; less than one place in a gear
+    constexpr int kInside = 20;     // an arm that cannot come out weighs as much as so many places in gears
     const int collisions = armCollisions(draft, arm) + (own.emerges(link, level) ? 0 : kInside);
-    const double cost = 100 * own.module * collisions + std::abs(at - bearing.at) +
-                        std::abs(level - own.coordinate(target.at(at))) + extra;
+    const double length = std::abs(at - bearing.at) + std::abs(level - own.coordinate(target.at(at))) + extra;
+    const double cost =
+        100 * own.module * collisions + (forks.contain(arm) ? 0 : kNoFork * own.module) + length;
     if (cost >= bestCost - 1e-9 * own.module) return;
     best = {arm, collisions};
     bestCost = cost;
   };
-  for (const double at : places) {
+  for (const double at : placesOf(draft, bearing)) {
     if (draft.isStopped()) break;
-    if (!target.slotIsFree(at)) continue;
     for (const std::size_t a : draft.armsOf[link]) consider(at, draft.plan.arms[a].level, 0);
     for (const double level : levels) {
       if (own.slotIsFree(level)) consider(at, level, 6 * own.module);

@@ -14,8 +14,9 @@ namespace geargraph::inline arrangement {
                                             const Bearing& bearing);
 
 /// Places bearing and arm for an axis that intersects the link's own. First criterion: clear of the gears;
-/// then bearings as drawn, arms beside the link's own wheel or at an arm that it has already. If no arm is
-/// clear of the gears, a pin is tried, then an arm around the wheels.
+/// then forks, from one bar to bearings on both sides of the link's axis; then bearings as drawn, arms beside
+/// the link's own wheel or at an arm that it has already. If no arm is clear of the gears, a pin is tried,
+/// then an arm around the wheels.
 void placeIntersecting(PlanDraft& draft, LinkOrdinal link, ClassOrdinal home, Bearing& bearing);
 
 }  // namespace geargraph::inline arrangement

@@ -234,6 +234,26 @@ class TestArrangement : public QObject {
     }
   }
 
+  /// From one bar the wrist's carrier goes up to both ends of the axis across, outside of the wheels on it.
+  void aWristIsCarriedByAFork() {
+    const Arranged arranged(test::example("bevel-wrist"));
+    std::vector<const ArmPlan*> arms;
+    for (const ArmPlan& arm : arranged.plan.arms) {
+      if (arm.link == 1) arms.push_back(&arm);
+    }
+    QCOMPARE(arms.size(), std::size_t{2});
+    QCOMPARE(arms[0]->to, arms[1]->to);
+    QCOMPARE(arms[0]->level, arms[1]->level);
+    const AxisLayout& across = arranged.plan.axes[arms[0]->to];
+    const double middle = across.coordinate(arranged.plan.axes[arms[0]->from].point);  // at right angles
+    QVERIFY((arms[0]->at - middle) * (arms[1]->at - middle) < 0);
+    for (const ArmPlan* arm : arms) {
+      const auto wheels = across.wheelsOf(arm->child);
+      QVERIFY(wheels);
+      QVERIFY(arm->at < middle ? arm->at < wheels->low : arm->at > wheels->high);
+    }
+  }
+
   /// The sun's shaft runs within the carrier's, the bearing of the carrier is nearer to its arm.
   void aDifferentialIsCarriedByAHollowShaft() {
     const Arranged arranged(test::example("bevel-differential"));
