@@ -26,10 +26,7 @@ class EditCommand final : public QUndoCommand {
         m_before(document.mechanism()),
         m_after(after.pointer()),
         m_unpublished(after),
-        m_gesture(edit.gesture),
-        m_patch(*document.mechanism(), after) {
-    m_document.m_historyBytes += bytes();
-  }
+        m_gesture(edit.gesture) {}
   EditCommand(const EditCommand& other)
       : QUndoCommand(other.text()),
         m_document(other.m_document),
@@ -41,14 +38,28 @@ class EditCommand final : public QUndoCommand {
   }
   ~EditCommand() override { m_document.m_historyBytes -= bytes(); }
 
+  /// Finds the difference, which a step of a gesture can do without that the one before it takes up
+  /// (takes()).
+  void compare(const Mechanism& before, const Mechanism& after) {
+    m_document.m_historyBytes -= bytes();
+    m_patch.emplace(before, after);
+    m_document.m_historyBytes += bytes();
+  }
+  [[nodiscard]] bool isEmpty() const { return m_patch->isEmpty(); }
+  /// Will a further step of this gesture be merged with this one, which knows what was before it?
+  [[nodiscard]] bool takes(const Edit& next) const {
+    return next.gesture != 0 && next.gesture == m_gesture && !m_before.expired() &&
+           m_before.lock() == m_document.m_gestureStart;
+  }
+
   void redo() override {
     if (m_document.m_rebuilding) return;
     if (m_unpublished) return m_document.publish(*std::exchange(m_unpublished, std::nullopt));
-    m_document.step(m_patch, true, m_after);
+    m_document.step(*m_patch, true, m_after);
   }
   void undo() override {
     if (m_document.m_rebuilding) return;
-    m_document.step(m_patch, false, m_before);
+    m_document.step(*m_patch, false, m_before);
   }
 
   /// QUndoStack offers neighbours with equal ids for merging; the gesture's number tells two drags apart.
@@ -59,26 +70,26 @@ class EditCommand final : public QUndoCommand {
     if (m_document.m_rebuilding || other.m_gesture != m_gesture) return false;
     const MechanismPtr after = m_document.mechanism();
     MechanismPtr before = m_before.lock();
-    if (!before) before = std::make_shared<const Mechanism>(m_patch.back(other.m_patch.back(*after)));
-    m_document.m_historyBytes -= bytes();
-    m_patch = MechanismPatch(*before, *after);
-    m_document.m_historyBytes += bytes();
+    if (!before) before = std::make_shared<const Mechanism>(m_patch->back(other.m_patch->back(*after)));
+    compare(*before, *after);
     m_before = before;
     m_after = after;
-    if (m_patch.isEmpty()) setObsolete(true);  // dragged back to where it was
+    if (isEmpty()) setObsolete(true);  // dragged back to where it was
     return true;
   }
 
  private:
   friend class Document;
-  [[nodiscard]] std::size_t bytes() const { return sizeof(EditCommand) - sizeof(m_patch) + m_patch.bytes(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return m_patch ? sizeof(EditCommand) - sizeof(*m_patch) + m_patch->bytes() : 0;
+  }
 
   Document& m_document;
   std::weak_ptr<const Mechanism> m_before;
   std::weak_ptr<const Mechanism> m_after;
   std::optional<PlacedMechanism> m_unpublished;  ///< until the step is first taken
   quint64 m_gesture;
-  MechanismPatch m_patch;
+  std::optional<MechanismPatch> m_patch;  ///< none in a step that the one before it takes up
 };
 
 Document::Document(QObject* parent)
@@ -106,10 +117,14 @@ bool Document::apply(const Edit& edit) {
     return false;
   }
   const MechanismPtr before = mechanism();
-  const bool nothingToDo = edit.gesture == 0 && next->mechanism() == *before;
-  if (nothingToDo) return true;
   const int steps = m_undoStack.index();
-  m_undoStack.push(new EditCommand(*this, *next, edit));
+  auto command = std::make_unique<EditCommand>(*this, *next, edit);
+  const auto* last = steps == 0 ? nullptr : static_cast<const EditCommand*>(m_undoStack.command(steps - 1));
+  const bool isTaken = last != nullptr && last->takes(edit) && steps != m_undoStack.cleanIndex();
+  if (!isTaken) command->compare(*before, *next);
+  const bool nothingToDo = edit.gesture == 0 && command->isEmpty();
+  if (nothingToDo) return true;
+  m_undoStack.push(command.release());
   if (m_undoStack.index() > steps) m_gestureStart = before;  // merged steps go on with the one they have
   if (m_historyBytes > m_historyLimit) shortenHistory();
   return true;

@@ -170,6 +170,18 @@ void apply(const MemberPatch& patch, UnknownMembers& members, bool forward) {
   for (const auto& [position, text] : patch.changed) apply(text, members[position].second, forward);
 }
 
+template <class Value>
+bool isNothing(const std::optional<Value>& patch) {
+  return !patch;
+}
+template <class Element>
+bool isNothing(const std::vector<Element>& patch) {
+  return patch.empty();
+}
+bool isNothing(const MemberPatch& patch) {
+  return patch.changed.empty() && !patch.replaced;
+}
+
 const std::vector<Input> kNoInputs;
 
 const std::vector<Input>& inputsOf(const Mechanism& mechanism) {
@@ -219,7 +231,7 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_camera(cameraPatch(before.view.camera, after.view.camera)),
       m_viewMembers(memberPatch(before.view.unknown, after.view.unknown)),
       m_members(memberPatch(before.unknown, after.unknown)) {
-  m_isEmpty = before == after;
+  m_isEmpty = hasNothing();
   count();
 }
 
@@ -284,6 +296,15 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   geargraph::apply(m_camera, mechanism.view.camera, forward);
   geargraph::apply(m_viewMembers, mechanism.view.unknown, forward);
   geargraph::apply(m_members, mechanism.unknown, forward);
+}
+
+bool MechanismPatch::hasNothing() const {
+  const auto areNothing = [](const auto&... patches) { return (isNothing(patches) && ...); };
+  return m_inputsBefore == m_inputsAfter &&
+         areNothing(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels,
+                    m_couplings, m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances,
+                    m_density, m_gravity, m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after,
+                    m_sheetNotes, m_camera, m_viewMembers, m_members);
 }
 
 void MechanismPatch::count() {

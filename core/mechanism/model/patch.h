@@ -70,6 +70,7 @@ class MechanismPatch {
   static void apply(const NodePatch& patch, std::map<LinkId, SheetPoint>& nodes, bool forward);
 
   void apply(Mechanism& mechanism, bool forward) const;
+  [[nodiscard]] bool hasNothing() const;
   void count();
 
   std::optional<TextPatch> m_name;

@@ -20,6 +20,7 @@ class PatchTest : public QObject {
     [&] {
       QCOMPARE(writeMechanism(patch.forward(before)), writeMechanism(after));
       QCOMPARE(writeMechanism(patch.back(after)), writeMechanism(before));
+      QCOMPARE(patch.isEmpty(), before == after);
     }();
     return patch.bytes();
   }
