@@ -5,6 +5,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <utility>
 
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/context_menu.h"
@@ -285,7 +286,7 @@ void DrawingView::fit() {
 }
 
 void DrawingView::setLargestFit(double scale) {
-  m_largest = scale;
+  if (std::exchange(m_largest, scale) == scale) return;
   if (m_fitted) fit();
 }
 

@@ -11,6 +11,7 @@
 #include <QToolBar>
 
 #include "ui/canvas/drawing_view.h"
+#include "ui/mainwindow/layout_pause.h"
 #include "ui/settings/settings.h"
 
 namespace geargraph::inline mainwindow {
@@ -54,9 +55,12 @@ void Presentation::enter() {
   m_workLayout = m_window->saveState();
   m_workGeometry = m_window->saveGeometry();
   m_workState = m_window->windowState();
-  setBarsVisible(false);
-  choosePanels();
-  m_window->setWindowState(m_workState | Qt::WindowFullScreen);
+  {
+    const LayoutPause pause(m_window);
+    setBarsVisible(false);
+    choosePanels();
+    m_window->setWindowState(m_workState | Qt::WindowFullScreen);
+  }
   emit changed(true);
   qApp->installEventFilter(this);
   showHint();
@@ -92,6 +96,7 @@ void Presentation::leave() {
   delete m_hint;
   m_hint = nullptr;
   emit changed(false);
+  const LayoutPause pause(m_window);
   m_window->setWindowState(m_workState);
   setBarsVisible(true);
   m_window->restoreState(m_workLayout);

@@ -1,6 +1,7 @@
 #include "ui/mainwindow/window_actions.h"
 
 #include <QMainWindow>
+#include <utility>
 
 #include "ui/theme/icons.h"
 
@@ -259,7 +260,10 @@ void WindowActions::makeMotion() {
 }
 
 void WindowActions::setTheme(Theme theme, bool isAsSystem, double typeScale) {
-  for (const auto& [action, name] : m_icons) action->setIcon(icon(name, ColorRole::ink, theme));
+  const bool isOther = std::exchange(m_iconTheme, theme) != theme;
+  for (const auto& [action, name] : m_icons) {
+    if (isOther) action->setIcon(icon(name, ColorRole::ink, theme));
+  }
   QAction* chosen = theme == Theme::light ? light : theme == Theme::dark ? dark : highContrast;
   (isAsSystem ? asSystem : chosen)->setChecked(true);
   for (QAction* size : typeSizes->actions()) {

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <array>
+#include <optional>
 
 #include "core/presentation/drawing/palette.h"
 #include "ui/tools/tool.h"
@@ -107,6 +108,7 @@ struct WindowActions {
 
   QMainWindow* m_window;
   std::vector<std::pair<QAction*, QString>> m_icons;
+  std::optional<Theme> m_iconTheme;  ///< that the icons have the colours of; none: not yet
 };
 
 }  // namespace geargraph::inline mainwindow

@@ -14,6 +14,7 @@
 #include "ui/forces/torque_rows.h"
 #include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/dock_titles.h"
+#include "ui/mainwindow/layout_pause.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
@@ -156,12 +157,15 @@ void MainWindow::placeDocks() {
 }
 
 void MainWindow::applyDefaultLayout() {
-  for (QDockWidget* each : m_docks) {
-    each->setFloating(false);
-    removeDockWidget(each);
+  {
+    const LayoutPause pause(this);
+    for (QDockWidget* each : m_docks) {
+      if (each->isFloating()) each->setFloating(false);  // hides and shows it, floating or not
+      removeDockWidget(each);
+    }
+    placeDocks();
+    for (QDockWidget* each : m_docks) each->show();
   }
-  placeDocks();
-  for (QDockWidget* each : m_docks) each->show();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
   resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() * 46 / 100, height() * 54 / 100},

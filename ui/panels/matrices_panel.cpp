@@ -237,6 +237,7 @@ QFrame* MatricesPanel::makeCard() {
   m_card = new QFrame(this);
   m_card->setProperty("look", "card");
   m_card->setFixedWidth(kCardWidth);
+  m_card->installEventFilter(this);
   m_cardTitle = new QLabel(m_card);
   m_cardTitle->setProperty("look", "title");
   m_cardTitle->setWordWrap(true);
@@ -364,6 +365,12 @@ QString MatricesPanel::whyEmpty() const {
   if (snapshot->mechanism->n() == 0) return tr("Draw the first link: L, then click.");
   if (snapshot->mechanism->t() == 0) return tr("Draw a turning joint: T, then drag from a link to another.");
   return tr("Draw a gear mesh: G, then drag from a gear to the one it drives.");
+}
+
+/// Its text, or the type it is set in, has changed.
+bool MatricesPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_card && event->type() == QEvent::LayoutRequest) fitCard();
+  return QWidget::eventFilter(watched, event);
 }
 
 void MatricesPanel::resizeEvent(QResizeEvent* event) {

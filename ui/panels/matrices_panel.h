@@ -51,6 +51,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void rejected(const QString& why);  ///< copying failed: why, as a sentence
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QEvent>
+#include <QHash>
 #include <QLabel>
 #include <QListView>
 #include <QPainter>
@@ -23,7 +24,8 @@ namespace {
 constexpr int kIconRoom = 38;
 constexpr int kRight = 14;
 /// Rows that are measured in one event: the wrapped text of thousands would hold up the window.
-constexpr int kRowsAtOnce = 200;
+constexpr int kRowsAtOnce = 50;
+constexpr int kMostHeights = 20'000;  ///< that are kept
 
 /// An icon, the sentence, and below it the place in a file, in secondary ink.
 class DiagnosticDelegate : public QStyledItemDelegate {
@@ -60,12 +62,10 @@ class DiagnosticDelegate : public QStyledItemDelegate {
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     const auto* list = qobject_cast<const QListView*>(option.widget);
     const int width = (list != nullptr ? list->viewport()->width() : 400) - kIconRoom - kRight;
-    const QRect text =
-        QFontMetrics(option.font)
-            .boundingRect(QRect(0, 0, width, 10'000), Qt::TextWordWrap, index.data().toString());
+    const int text = wrappedHeight(index.data().toString(), width, option.font);
     const int small = placeOf(index).isEmpty() ? 0 : QFontMetrics(smallFont(option.font)).height() + 3;
     const auto* fixes = list != nullptr ? qobject_cast<FixRow*>(list->indexWidget(index)) : nullptr;
-    return {width, text.height() + small + 16 + (fixes != nullptr ? fixes->heightFor(width) : 0)};
+    return {width, text + small + 16 + (fixes != nullptr ? fixes->heightFor(width) : 0)};
   }
 
  private:
@@ -76,6 +76,21 @@ class DiagnosticDelegate : public QStyledItemDelegate {
   static QString placeOf(const QModelIndex& index) {
     return index.data(DiagnosticModel::PlaceRole).toString();
   }
+
+  /// The list asks for all rows whenever it is laid out, as when it is shown or its sheet is set.
+  [[nodiscard]] int wrappedHeight(const QString& text, int width, const QFont& font) const {
+    if (width != m_width || font != m_font || m_heights.size() > kMostHeights) m_heights.clear();
+    m_width = width;
+    m_font = font;
+    const auto known = m_heights.constFind(text);
+    if (known != m_heights.constEnd()) return *known;
+    const QRect room(0, 0, width, 10'000);
+    return *m_heights.insert(text, QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, text).height());
+  }
+
+  mutable int m_width = 0;  ///< that the heights are for
+  mutable QFont m_font;
+  mutable QHash<QString, int> m_heights;
 };
 
 }  // namespace

@@ -118,6 +118,7 @@ void ResultsPanel::makeTable() {
   m_table->setFrameShape(QFrame::NoFrame);
   m_table->setContentsMargins(8, 0, 8, 0);
   m_table->viewport()->installEventFilter(this);
+  m_table->installEventFilter(this);
   connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, this, &ResultsPanel::fitColumns);
   connect(header, &ResultsHeader::sectionHovered, this, &ResultsPanel::hoverHead);
   connect(m_table, &QTableView::entered, this, &ResultsPanel::hoverRow);
@@ -363,19 +364,25 @@ QString ResultsPanel::whyNone() const {
 bool ResultsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Leave) m_selection->unhover();
   if (event->type() == QEvent::Resize && watched == m_table->viewport()) fitColumns();
+  if (event->type() == QEvent::FontChange && watched == m_table) fitToType();
   return QWidget::eventFilter(watched, event);
 }
 
 void ResultsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-    for (QTableView* table : {m_table, m_links})
-      table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
-    m_links->horizontalHeader()->setFixedHeight(scaledPixels(kRowHeight + 1));
-    m_measured.clear();
-    fitColumns();
-  }
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitToType();
+}
+
+/// Sheets that change nothing but colours come, too: setting a height goes through thousands of rows.
+void ResultsPanel::fitToType() {
+  std::pair type(m_table->font(), scaledPixels(kRowHeight));
+  if (type == m_type) return;
+  m_type = std::move(type);
+  for (QTableView* table : {m_table, m_links}) table->verticalHeader()->setDefaultSectionSize(m_type.second);
+  m_links->horizontalHeader()->setFixedHeight(scaledPixels(kRowHeight + 1));
+  m_measured.clear();
+  fitColumns();
 }
 
 }  // namespace geargraph::inline panels

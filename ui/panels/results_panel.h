@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFont>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -68,6 +69,7 @@ class ResultsPanel : public QWidget {
   void renew();
   void renewNote();
   void renewRatio();
+  void fitToType();
   void fitColumns();
   [[nodiscard]] int widthOfColumn(int column) const;
   void paintVerdict();
@@ -92,9 +94,10 @@ class ResultsPanel : public QWidget {
   bool m_absolute = false;
   std::optional<LinkId> m_observer;  ///< reference of absolute speeds; none: the ground
   bool m_isAwake = true;
-  bool m_isBehind = false;      ///< the display is out of date
-  std::vector<int> m_measured;  ///< widths of columns; 0: not yet
-  std::vector<int> m_fitted;    ///< widths of columns; the last is that of the table
+  bool m_isBehind = false;       ///< the display is out of date
+  std::vector<int> m_measured;   ///< widths of columns; 0: not yet
+  std::vector<int> m_fitted;     ///< widths of columns; the last is that of the table
+  std::pair<QFont, int> m_type;  ///< of the table, and the height of rows, that they were measured in
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
   QLabel* m_empty;

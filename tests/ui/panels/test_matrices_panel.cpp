@@ -72,6 +72,15 @@ class MatricesPanelTest : public QObject {
     QVERIFY(panel->findChild<QLabel*>(QStringLiteral("cellText"))->text().endsWith("(from 1 to 0). Eq. (5)"));
   }
 
+  void theCardWidensForLargeType() {
+    const QWidget* card = panel->findChild<QLabel*>(QStringLiteral("cellText"))->parentWidget();
+    const int before = card->width();
+    QFont large = panel->font();
+    large.setPixelSize(2 * bodyPixels());
+    panel->setFont(large);
+    QTRY_VERIFY(card->width() > before);
+  }
+
   /// In every matrix that has the entry, wherever it is there.
   void theEntryOfAMeshAndAJointIsFramed() {
     QVERIFY(!view().showFramed());
