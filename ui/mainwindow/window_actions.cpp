@@ -260,9 +260,8 @@ void WindowActions::makeMotion() {
 }
 
 void WindowActions::setTheme(Theme theme, bool isAsSystem, double typeScale) {
-  const bool isOther = std::exchange(m_iconTheme, theme) != theme;
-  for (const auto& [action, name] : m_icons) {
-    if (isOther) action->setIcon(icon(name, ColorRole::ink, theme));
+  if (std::exchange(m_iconTheme, theme) != theme) {
+    for (const auto& [action, name] : m_icons) action->setIcon(icon(name, ColorRole::ink, theme));
   }
   QAction* chosen = theme == Theme::light ? light : theme == Theme::dark ? dark : highContrast;
   (isAsSystem ? asSystem : chosen)->setChecked(true);

@@ -48,7 +48,8 @@ class CoaxialMaker {
 
  private:
   struct Sleeve {
-    NetOrdinal net = 0, row = 0, first = 0, last = 0;
+    NetOrdinal net;
+    int row = 0, first = 0, last = 0;
     std::size_t shaft = 0;
   };
   void addSleeves(NetOrdinal net);
