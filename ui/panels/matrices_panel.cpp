@@ -289,14 +289,13 @@ void MatricesPanel::explain(const QModelIndex& index) {
       const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(m_cardTitle->text(), m_cardText->text());
       QToolTip::showText(QCursor::pos(), tip, m_view);
     }
-    return fitCard();
+    return;
   }
   const auto quantity = m_model->quantityKind();
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
   m_cardTitle->setText(shownText(base::translated(definition.name)));
   m_cardText->setText(shownText(base::translated(definition.text)) +
                       (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
-  fitCard();
 }
 
 void MatricesPanel::fitCard() {
