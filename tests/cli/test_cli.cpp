@@ -18,12 +18,11 @@
 
 using namespace geargraph;
 using nlohmann::json;
+using test::kRobot;
 using test::Run;
 using test::run;
 
 namespace {
-
-const QString kRobot = QString::fromStdString(test::examplePath("robot"));
 
 /// Rows of fields of plain CSV, without quotes.
 std::vector<std::vector<std::string>> table(const std::string& csv) {

@@ -9,19 +9,14 @@
 
 using namespace geargraph;
 using nlohmann::json;
+using test::kRobot;
+using test::parsed;
 using test::Run;
 using test::run;
 
 namespace {
 
-const QString kRobot = QString::fromStdString(test::examplePath("robot"));
 const QString kPlanetary = QString::fromStdString(test::examplePath("planetary-ring-held"));
-
-json parsed(const Run& call) {
-  const json read = json::parse(call.output, nullptr, false);
-  if (read.is_discarded()) qFatal("no JSON: %s %s", call.output.c_str(), call.errors.c_str());
-  return read;
-}
 
 }  // namespace
 

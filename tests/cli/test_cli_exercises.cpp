@@ -11,6 +11,7 @@
 
 namespace geargraph {
 
+using test::kRobot;
 using test::Run;
 using test::run;
 
@@ -19,7 +20,6 @@ class CliExercisesTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_folder;
-  const QString kRobot = QString::fromStdString(test::examplePath("robot"));
 
   [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
   [[nodiscard]] std::string contents(const QString& name) const {

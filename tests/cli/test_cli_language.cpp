@@ -17,7 +17,7 @@ std::optional<std::string> taken(Words& words) {
                                                     : std::get<std::optional<std::string>>(std::move(result));
 }
 
-std::string errorOf(Words words) {
+std::string languageErrorOf(Words words) {
   const auto result = takeLanguage(words);
   const auto* error = std::get_if<UsageError>(&result);
   return error == nullptr ? "" : error->message;
@@ -60,9 +60,9 @@ class TestCliLanguage : public QObject {
     words = {"analyze", "--", "--language", "de"};
     QVERIFY(!taken(words));
     QCOMPARE(words.size(), std::size_t(4));
-    QCOMPARE(errorOf({"--language"}),
+    QCOMPARE(languageErrorOf({"--language"}),
              std::string("The option --language needs a value: --language en|de|tr|es."));
-    QCOMPARE(errorOf({"--language", "xx"}), std::string("--language is one of en, de, tr, es."));
+    QCOMPARE(languageErrorOf({"--language", "xx"}), std::string("--language is one of en, de, tr, es."));
   }
 
   /// LC_ALL goes before LC_MESSAGES, which goes before LANG; the option goes before all.

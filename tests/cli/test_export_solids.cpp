@@ -7,6 +7,7 @@
 #include "tests/cli/cli_run.h"
 #include "tests/core/presentation/meshfile/assembly_check.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/file_contents.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -14,16 +15,9 @@ using nlohmann::json;
 
 namespace {
 
-const QString kRobot = QString::fromStdString(examplePath("robot"));
-
 /// `export robot.geargraph --to FORM -o OUT ...`
 Run exported(const QString& form, const QString& out, const QStringList& more = {}) {
   return run(QStringList{"export", kRobot, "--to", form, "-o", out} + more);
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 MeshScene sceneIn(const std::string& bytes, MeshFormat format) {

@@ -1,21 +1,20 @@
 #include <QDir>
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/cli/cli_run.h"
+
 namespace {
 
-struct Run {
+struct Summary {
   int status = -1;
   QStringList lines;
 };
 
-Run run(const QStringList& words) {
-  QProcess program;
-  program.start(GEARGRAPH_CLI, QStringList{"summary"} + words);
-  if (!program.waitForFinished(60'000)) return {};
-  return {program.exitCode(), QString(program.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts)};
+Summary summaryOf(const QStringList& words) {
+  const auto call = geargraph::test::run(QStringList{"summary"} + words);
+  return {call.status, QString::fromStdString(call.output).split('\n', Qt::SkipEmptyParts)};
 }
 
 QString examples() {
@@ -29,8 +28,8 @@ class TestSummary : public QObject {
 
  private slots:
   void aFolderIsARowForEachDocumentWhateverTheJobs() {
-    const Run one = run({"--jobs", "1", examples()});
-    const Run four = run({"--jobs", "4", examples()});
+    const Summary one = summaryOf({"--jobs", "1", examples()});
+    const Summary four = summaryOf({"--jobs", "4", examples()});
     QCOMPARE(four.lines, one.lines);
     const auto documents = QDir(examples()).entryList({"*.geargraph"}).size();
     QCOMPARE(one.lines.size(), documents + 1);
@@ -45,25 +44,25 @@ class TestSummary : public QObject {
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("{");
     broken.close();
-    const Run errors = run({folder.path(), examples() + "/robot.geargraph"});
+    const Summary errors = summaryOf({folder.path(), examples() + "/robot.geargraph"});
     QCOMPARE(errors.status, 1);
     QVERIFY2(errors.lines[1].contains(",errors,,,,,,,1,0,syntax,"), qPrintable(errors.lines[1]));
     QVERIFY(errors.lines[2].contains(",ok,"));
-    const Run none = run({folder.filePath("none.geargraph")});
+    const Summary none = summaryOf({folder.filePath("none.geargraph")});
     QCOMPARE(none.status, 2);
     QVERIFY(none.lines[1].contains(",unreadable,"));
   }
 
   void wrongUsage() {
-    QCOMPARE(run({}).status, 2);
-    QCOMPARE(run({"--jobs", "0", examples()}).status, 2);
-    QCOMPARE(run({"--jobs", "many", examples()}).status, 2);
+    QCOMPARE(summaryOf({}).status, 2);
+    QCOMPARE(summaryOf({"--jobs", "0", examples()}).status, 2);
+    QCOMPARE(summaryOf({"--jobs", "many", examples()}).status, 2);
   }
 
   void theRowsGoIntoAFile() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("rows.csv");
-    QCOMPARE(run({examples() + "/robot.geargraph", "-o", path}).lines.size(), 0);
+    QCOMPARE(summaryOf({examples() + "/robot.geargraph", "-o", path}).lines.size(), 0);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll().count('\n'), 2);

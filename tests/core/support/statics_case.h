@@ -5,6 +5,7 @@
 
 #include "core/theory/statics/live_statics.h"
 #include "core/theory/statics/statics_agreement.h"
+#include "core/theory/statics/statics_report.h"
 #include "tests/core/support/matroid_fixture.h"
 
 namespace geargraph::test {
@@ -62,5 +63,9 @@ struct StaticsCase : Worked {
     throw std::logic_error("no such coupling");
   }
 };
+
+inline StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options = {}) {
+  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
+}
 
 }  // namespace geargraph::test

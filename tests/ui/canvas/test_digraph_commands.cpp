@@ -11,7 +11,6 @@ using namespace geargraph;
 
 namespace {
 
-const Qt::KeyboardModifiers kShift = Qt::ShiftModifier;
 const Qt::KeyboardModifiers kControl = Qt::ControlModifier;
 
 QLineEdit* editorOf(const ViewDriver& d) {
@@ -53,10 +52,10 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.click(d.center(3));
     QCOMPARE(d.selected(), QString("3"));
-    d.click(d.middle(JointId("11")), kShift);
+    d.click(d.middle(JointId("11")), Qt::ShiftModifier);
     d.click(d.center(7), kControl);
     QCOMPARE(d.selected(), QString("3 7 11"));
-    d.click(d.center(3), kShift);
+    d.click(d.center(3), Qt::ShiftModifier);
     QCOMPARE(d.selected(), QString("7 11"));
     d.click({20, 20});
     QCOMPARE(d.selected(), QString());
@@ -66,7 +65,7 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.drag({90, 290}, {340, 370});
     QCOMPARE(d.selected(), QString("0 1 10"));
-    d.drag({630, 130}, {700, 200}, kShift);
+    d.drag({630, 130}, {700, 200}, Qt::ShiftModifier);
     QCOMPARE(d.selected(), QString("0 1 3 10"));
     QCOMPARE(d.steps(), 0);
   }
@@ -149,7 +148,7 @@ class TestDigraphCommands : public QObject {
     QCOMPARE(d.steps(), 0);
     d.click(d.center(3));
     d.key(Qt::Key_Right);
-    d.key(Qt::Key_Up, kShift);
+    d.key(Qt::Key_Up, Qt::ShiftModifier);
     QCOMPARE(d.center(3), (SheetPoint{670, 159}));
     QCOMPARE(d.steps(), 2);
   }
@@ -168,7 +167,7 @@ class TestDigraphCommands : public QObject {
   void xFlipsTheSelectedArrows() {
     ViewDriver d(placedRobot());
     d.click(d.middle(JointId("11")));
-    d.click(d.middle(MeshId("17")), kShift);
+    d.click(d.middle(MeshId("17")), Qt::ShiftModifier);
     d.key(Qt::Key_X);
     QCOMPARE(d.mechanism().find(JointId("11"))->tail, LinkId("6"));
     QCOMPARE(d.mechanism().find(MeshId("17"))->tail, LinkId("7"));
@@ -389,7 +388,7 @@ class TestDigraphCommands : public QObject {
     };
     d.click(d.middle(MeshId("15")));
     QCOMPARE(walked(), QString("8 10 15"));
-    d.click(d.center(3), kShift);
+    d.click(d.center(3), Qt::ShiftModifier);
     QCOMPARE(walked(), QString());
     d.view.showCycle(MeshId("18"));
     QCOMPARE(walked(), QString("13 14 18"));

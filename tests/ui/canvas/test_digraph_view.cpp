@@ -8,7 +8,6 @@ using namespace geargraph;
 
 namespace {
 
-const Qt::KeyboardModifiers kShift = Qt::ShiftModifier;
 const Qt::KeyboardModifiers kAlt = Qt::AltModifier;
 
 /// Draws the paper's robot with nothing but mouse and tool keys.
@@ -136,7 +135,7 @@ class TestDigraphView : public QObject {
   void severalSelectedNodesMoveTogether() {
     ViewDriver d(placedRobot());
     d.click(d.center(3));
-    d.click(d.center(7), kShift);
+    d.click(d.center(7), Qt::ShiftModifier);
     d.drag(d.center(7), d.center(7) + SheetPoint{31, 17}, kAlt);
     QCOMPARE(d.center(7), (SheetPoint{691, 357}));
     QCOMPARE(d.center(3), (SheetPoint{691, 177}));

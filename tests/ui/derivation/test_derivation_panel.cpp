@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/snapshot_of.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/theme/application_theme.h"
@@ -13,9 +14,7 @@
 namespace geargraph {
 namespace {
 
-SnapshotPtr snapshotOf(Mechanism mechanism) {
-  return analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
-}
+using test::snapshotOf;
 
 Mechanism robot() {
   return test::example("robot");

@@ -4,14 +4,13 @@
 
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/snapshot_of.h"
 #include "ui/models/matrix_model.h"
 
 namespace geargraph {
 namespace {
 
-SnapshotPtr snapshotOf(Mechanism mechanism) {
-  return analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
-}
+using test::snapshotOf;
 
 QString shown(const MatrixModel& model, int row, int column) {
   return model.index(row, column).data().toString();

@@ -13,6 +13,7 @@
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/snapshot_of.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_header.h"
@@ -22,13 +23,8 @@
 #include "ui/theme/folding_bar.h"
 
 namespace geargraph {
-namespace {
 
-SnapshotPtr snapshotOf(Mechanism mechanism) {
-  return analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
-}
-
-}  // namespace
+using test::snapshotOf;
 
 class MatricesPanelTest : public QObject {
   Q_OBJECT

@@ -1,20 +1,14 @@
 #include <QtTest>
 
+#include "tests/ui/tools/pointer_at.h"
 #include "ui/tools/load_tool.h"
 #include "ui/tools/tool_machine.h"
 
 using namespace geargraph;
+using test::at;
+using test::kJoint;
 
 namespace {
-
-const JointId kJoint("8");
-
-Pointer at(double x, double y, std::optional<ElementId> on = {}) {
-  Pointer pointer;
-  pointer.at = {x, y};
-  pointer.on = on;
-  return pointer;
-}
 
 /// What the tool proposes for these events, one after the other.
 class Hand {

@@ -1,18 +1,13 @@
 #include <QtTest>
 
+#include "tests/ui/tools/pointer_at.h"
 #include "ui/tools/section_tool.h"
 
-using namespace geargraph;
-using namespace geargraph::section_tool;
-
+namespace geargraph::section_tool {
 namespace {
 
-Pointer at(double x, double y, std::optional<ElementId> on = {}) {
-  Pointer pointer;
-  pointer.at = {x, y};
-  pointer.on = std::move(on);
-  return pointer;
-}
+using test::at;
+
 const ElementId kOne = LinkId("1");
 const ElementId kTwo = LinkId("2");
 
@@ -85,5 +80,7 @@ class TestSectionTool : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSectionTool)
+}  // namespace geargraph::section_tool
+
+QTEST_APPLESS_MAIN(geargraph::section_tool::TestSectionTool)
 #include "test_section_tool.moc"

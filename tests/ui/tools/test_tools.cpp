@@ -2,24 +2,20 @@
 #include <random>
 #include <set>
 
+#include "tests/ui/tools/pointer_at.h"
 #include "ui/tools/snapping.h"
 #include "ui/tools/tool_machine.h"
 
 using namespace geargraph;
+using test::at;
+using test::kJoint;
 
 namespace {
 
 const LinkId kOne("1");
 const LinkId kTwo("2");
-const JointId kJoint("8");
 const MeshId kMesh("15");
 
-Pointer at(double x, double y, std::optional<ElementId> on = {}) {
-  Pointer pointer;
-  pointer.at = {x, y};
-  pointer.on = on;
-  return pointer;
-}
 Pointer adding(Pointer pointer) {
   pointer.add = true;
   return pointer;

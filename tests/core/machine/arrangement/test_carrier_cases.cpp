@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/machine/arrangement/carrier_cases.h"
-#include "core/machine/bodies/complete_train.h"
 #include "core/machine/solids/part_solids.h"
+#include "tests/core/machine/arrangement/planned_train.h"
 #include "tests/core/support/example_files.h"
 
 using namespace geargraph;
@@ -13,11 +13,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-struct Planned {
-  explicit Planned(const Mechanism& mechanism)
-      : placement(placementOf(mechanism)),
-        train(trainOf(mechanism, placement)),
-        plan(arrangementOf(mechanism, placement, train)) {}
+struct CasedTrain : test::PlannedTrain {
+  using PlannedTrain::PlannedTrain;
 
   [[nodiscard]] std::vector<CasePlan> cases() const { return carrierCases(plan, train, placement); }
   [[nodiscard]] const AxisLayout& axisOf(const CasePlan& made) const {
@@ -31,10 +28,6 @@ struct Planned {
     plan.shaftsOn[static_cast<std::size_t>(made.axisClass)].push_back(plan.shafts.size());
     plan.shafts.push_back({made.axisClass, bearing->child, low, high, 0, (made.inner + made.outer) / 2});
   }
-
-  Placement placement;
-  GearTrain train;
-  Arrangement plan;
 };
 
 }  // namespace
@@ -49,14 +42,14 @@ class TestCarrierCases : public QObject {
       const Mechanism mechanism = test::example(name);
       if (!placementOf(mechanism).tree) continue;
       ++trains;
-      QVERIFY2(Planned(mechanism).cases().size() == (name == "bevel-differential" ? 1 : 0), name.c_str());
+      QVERIFY2(CasedTrain(mechanism).cases().size() == (name == "bevel-differential" ? 1 : 0), name.c_str());
     }
     QVERIFY(trains > 10);
   }
 
   /// The pinions and their shafts turn within the ring; its tubes end in it.
   void theRingGoesRoundThePinions() {
-    const Planned differential(test::example("bevel-differential"));
+    const CasedTrain differential(test::example("bevel-differential"));
     const CasePlan made = differential.cases().at(0);
     const AxisLayout& own = differential.axisOf(made);
     QCOMPARE(made.rings.size(), std::size_t{2});
@@ -85,22 +78,22 @@ class TestCarrierCases : public QObject {
 
   /// Where the second ring has no room there is one; where that has none, there is no case.
   void whatStandsInTheRingIsNotEnclosed() {
-    const Planned free(test::example("bevel-differential"));
+    const CasedTrain free(test::example("bevel-differential"));
     const CasePlan made = free.cases().at(0);
     const auto [low, high] = made.rings.at(1);
-    Planned second(test::example("bevel-differential"));
+    CasedTrain second(test::example("bevel-differential"));
     second.block(made, low, high);
     QCOMPARE(second.cases().at(0).rings.size(), std::size_t{1});
     QCOMPARE(second.cases().at(0).tubes.size(), std::size_t{2});
     QCOMPARE(second.cases().at(0).rings.at(0), made.rings.at(0));
-    Planned first(test::example("bevel-differential"));
+    CasedTrain first(test::example("bevel-differential"));
     first.block(made, made.rings.at(0).first, made.rings.at(0).second);
     QVERIFY(first.cases().empty());
   }
 
   /// The frame of the ground goes round the case.
   void theFrameStaysClearOfTheCase() {
-    const Planned differential(test::example("bevel-differential"));
+    const CasedTrain differential(test::example("bevel-differential"));
     const CasePlan made = differential.cases().at(0);
     const SweptEnvelope swept = envelopeOf(made, differential.axisOf(made));
     QVERIFY(!differential.plan.frame.bars.empty());

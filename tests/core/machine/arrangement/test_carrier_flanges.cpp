@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/machine/arrangement/carrier_flanges.h"
-#include "core/machine/bodies/complete_train.h"
+#include "tests/core/machine/arrangement/planned_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
@@ -13,21 +13,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-struct Planned {
-  explicit Planned(const Mechanism& mechanism)
-      : placement(placementOf(mechanism)),
-        train(trainOf(mechanism, placement)),
-        plan(arrangementOf(mechanism, placement, train)) {}
+struct FlangedTrain : test::PlannedTrain {
+  using PlannedTrain::PlannedTrain;
 
   [[nodiscard]] std::vector<FlangePlan> flanges() const { return carrierFlanges(plan, train, placement); }
-
-  Placement placement;
-  GearTrain train;
-  Arrangement plan;
 };
 
 /// The flange stands beyond the planets, on the other side than the arms, before the ring's plate.
-void checkLevels(const Planned& planned, const FlangePlan& made) {
+void checkLevels(const FlangedTrain& planned, const FlangePlan& made) {
   const AxisLayout& own = planned.plan.axes[static_cast<std::size_t>(made.axisClass)];
   const double side = made.level < made.arms ? -1 : 1, edge = made.level - side * own.width() / 2;
   QVERIFY(side * (made.level - made.arms) > own.width());
@@ -41,7 +34,7 @@ void checkLevels(const Planned& planned, const FlangePlan& made) {
 }
 
 /// Pillars pass all gears in the plane of the arms.
-void checkPillars(const Planned& planned, const FlangePlan& made) {
+void checkPillars(const FlangedTrain& planned, const FlangePlan& made) {
   const AxisLayout& own = planned.plan.axes[static_cast<std::size_t>(made.axisClass)];
   const Eigen::Isometry3d frame = frameAlong(own.at(made.level), own.direction, Vector3d::UnitX());
   QVERIFY(made.pillars.size() >= 2);
@@ -72,7 +65,7 @@ class TestCarrierFlanges : public QObject {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
       if (!placementOf(mechanism).tree) continue;
-      QVERIFY2(Planned(mechanism).flanges().size() == expected.count(name), name.c_str());
+      QVERIFY2(FlangedTrain(mechanism).flanges().size() == expected.count(name), name.c_str());
     }
   }
 
@@ -81,7 +74,7 @@ class TestCarrierFlanges : public QObject {
     for (const int sun : {15, 24, 40}) {
       for (const int planet : {12, 18, 30}) {
         for (const int planets : {1, 2, 3, 4}) {
-          const Planned planned(test::planetary(sun, planet, planets));
+          const FlangedTrain planned(test::planetary(sun, planet, planets));
           for (const FlangePlan& made : planned.flanges()) {
             ++flanges;
             QCOMPARE(made.ends.size(), static_cast<std::size_t>(planets));
@@ -95,7 +88,7 @@ class TestCarrierFlanges : public QObject {
   }
 
   void shaftsOfPlanetsReachThrough() {
-    Planned planned(test::planetary(24, 18, 3));
+    FlangedTrain planned(test::planetary(24, 18, 3));
     const std::vector<FlangePlan> flanges = planned.flanges();
     QCOMPARE(flanges.size(), std::size_t{1});
     const FlangePlan& made = flanges.front();
@@ -116,13 +109,13 @@ class TestCarrierFlanges : public QObject {
 
   /// Not where something stands on a planet's axis, nor where a bar of the frame passes.
   void nothingElseIsInTheWay() {
-    const Planned free(test::planetary(24, 18, 3));
+    const FlangedTrain free(test::planetary(24, 18, 3));
     const FlangePlan made = free.flanges().at(0);
     const AxisLayout& own = free.plan.axes[static_cast<std::size_t>(made.axisClass)];
-    Planned occupied = free;
+    FlangedTrain occupied = free;
     occupied.plan.axes[static_cast<std::size_t>(made.axisClass)].occupy(made.level, made.link);
     QVERIFY(occupied.flanges().empty());
-    Planned barred = free;
+    FlangedTrain barred = free;
     const Vector3d across = own.direction.unitOrthogonal() * 100 * own.module;
     barred.plan.frame.bars.push_back({own.at(made.level) - across, own.at(made.level) + across, own.module});
     QVERIFY(barred.flanges().empty());

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/machine/arrangement/arrangement.h"
 #include "core/machine/arrangement/swept_envelope.h"
-#include "core/machine/bodies/complete_train.h"
+#include "tests/core/machine/arrangement/planned_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
@@ -14,16 +13,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-struct Planned {
-  explicit Planned(const Mechanism& mechanism)
-      : placement(placementOf(mechanism)),
-        train(trainOf(mechanism, placement)),
-        plan(arrangementOf(mechanism, placement, train)),
-        envelopes(sweptEnvelopes(plan, train, placement)) {}
+struct FramedTrain : test::PlannedTrain {
+  explicit FramedTrain(const Mechanism& mechanism)
+      : PlannedTrain(mechanism), envelopes(sweptEnvelopes(plan, train, placement)) {}
 
-  Placement placement;
-  GearTrain train;
-  Arrangement plan;
   std::vector<SweptEnvelope> envelopes;
 };
 
@@ -32,7 +25,7 @@ Mechanism randomTrain(std::uint64_t seed) {
 }
 
 /// The envelope of a link's gear.
-const SweptEnvelope& gearOf(const Planned& planned, int link) {
+const SweptEnvelope& gearOf(const FramedTrain& planned, int link) {
   return *std::find_if(planned.envelopes.begin(), planned.envelopes.end(),
                        [&](const SweptEnvelope& e) { return e.link == link && e.kind == HullKind::gear; });
 }
@@ -45,7 +38,7 @@ class TestGroundFrame : public QObject {
  private slots:
   /// Sun 24, planet 18, ring 60 at module 2: the planet goes round at 42, its tips at 20.
   void aPlanetSweepsARing() {
-    const Planned planned(test::example("planetary-ring-held"));
+    const FramedTrain planned(test::example("planetary-ring-held"));
     const SweptEnvelope& sun = gearOf(planned, 1);
     const SweptEnvelope& planet = gearOf(planned, 3);
     const double distance =
@@ -73,7 +66,7 @@ class TestGroundFrame : public QObject {
   void partsStayInTheirEnvelopes() {
     int places = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      const Planned planned(randomTrain(seed));
+      const FramedTrain planned(randomTrain(seed));
       const AxisClasses& classes = *planned.placement.classes;
       const auto hulls = bodyHulls(planned.plan, planned.train, {0, true});
       std::size_t e = 0;
@@ -103,7 +96,7 @@ class TestGroundFrame : public QObject {
   void theFrameStaysClearOfWhatMoves() {
     int bars = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-      const Planned planned(randomTrain(seed));
+      const FramedTrain planned(randomTrain(seed));
       const FramePlan& frame = planned.plan.frame;
       for (const SweptEnvelope& e : planned.envelopes) {
         if (!frame.feet.empty()) QVERIFY(e.lowestAlong(Vector3d::UnitZ()) > frame.top);
@@ -123,23 +116,23 @@ class TestGroundFrame : public QObject {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
       if (placementOf(mechanism).tree)
-        QVERIFY2(Planned(mechanism).plan.frame.onPedestals.empty(), name.c_str());
+        QVERIFY2(FramedTrain(mechanism).plan.frame.onPedestals.empty(), name.c_str());
     }
     int separate = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed)
-      separate += Planned(randomTrain(seed)).plan.frame.onPedestals.empty() ? 0 : 1;
+      separate += FramedTrain(randomTrain(seed)).plan.frame.onPedestals.empty() ? 0 : 1;
     QVERIFY2(separate <= 60, qPrintable(QString::number(separate)));
   }
 
   /// Two shafts on the ground with nothing else: joined without a base.
   void aSpurPairNeedsNoBase() {
-    const FramePlan frame = Planned(test::example("spur-pair")).plan.frame;
+    const FramePlan frame = FramedTrain(test::example("spur-pair")).plan.frame;
     QVERIFY(frame.bars.empty() && frame.feet.empty() && frame.housings.empty() && frame.onPedestals.empty());
   }
 
   /// The bearings of a differential stand on two columns.
   void aDifferentialStandsOnItsBase() {
-    const FramePlan frame = Planned(test::example("bevel-differential")).plan.frame;
+    const FramePlan frame = FramedTrain(test::example("bevel-differential")).plan.frame;
     QCOMPARE(frame.bars.size(), std::size_t{2});
     QCOMPARE(frame.feet.size(), std::size_t{2});
     QCOMPARE(frame.housings.size(), std::size_t{1});
@@ -151,7 +144,7 @@ class TestGroundFrame : public QObject {
 
   /// The carrier's bearing is carried by a bridge over the ring.
   void aRingCarriesTheBridgeOverIt() {
-    const FramePlan frame = Planned(test::example("planetary-ring-held")).plan.frame;
+    const FramePlan frame = FramedTrain(test::example("planetary-ring-held")).plan.frame;
     QCOMPARE(frame.bars.size(), std::size_t{2});
     QVERIFY(frame.feet.empty());
   }

@@ -12,11 +12,9 @@ using namespace geargraph;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 GearSpec gear(int kind, int teeth, double cone, double bore) {
   GearSpec spec = standardGear(static_cast<GearKind>(kind), teeth, 2, 9);
-  spec.coneAngle = cone * kPi / 180;
+  spec.coneAngle = cone * std::numbers::pi / 180;
   if (kind == 2) spec.faceWidth = coneDistance(spec) / 3;
   spec.bore = bore;
   return spec;
@@ -37,7 +35,7 @@ double sectionArea(const GearSpec& spec) {
     const ProfilePoint& b = tooth.points[i + 1];
     half += 0.5 * a.rad * b.rad * std::sin(a.gam - b.gam);
   }
-  const double round = kPi * std::pow((ring ? spec.rim : spec.bore) / spec.module, 2) / 4;
+  const double round = std::numbers::pi * std::pow((ring ? spec.rim : spec.bore) / spec.module, 2) / 4;
   return ring ? round - 2 * spec.teeth * half : 2 * spec.teeth * half - round;
 }
 

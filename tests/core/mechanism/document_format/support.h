@@ -68,4 +68,9 @@ inline const std::string kEverything = R"({
     "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
 })";
 
+/// The mechanism of kEverything.
+inline Mechanism everything() {
+  return *readMechanism(kEverything);
+}
+
 }  // namespace geargraph::test

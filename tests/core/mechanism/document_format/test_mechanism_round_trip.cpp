@@ -24,14 +24,10 @@ class TestMechanismRoundTrip : public QObject {
 
 namespace {
 
-Mechanism read(const std::string& text) {
+Mechanism readText(const std::string& text) {
   auto mechanism = readMechanism(text);
   if (!mechanism) qFatal("%s", summary(mechanism.error()).c_str());
   return *mechanism;
-}
-
-Mechanism robot() {
-  return example("robot");
 }
 
 using NodePlaces = std::map<LinkId, SheetPoint>;
@@ -39,7 +35,7 @@ using NodePlaces = std::map<LinkId, SheetPoint>;
 }  // namespace
 
 void TestMechanismRoundTrip::everyMemberIsRead() {
-  const Mechanism m = read(kEverything);
+  const Mechanism m = readText(kEverything);
   QCOMPARE(m.name, std::string("stage"));
   QCOMPARE(m.notes, std::string("free\ntext"));
   QCOMPARE(m.unit, std::string("in"));
@@ -96,11 +92,11 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
 }
 
 void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
-  const Mechanism mechanism = read(kEverything);
+  const Mechanism mechanism = readText(kEverything);
   const std::string written = writeMechanism(mechanism);
-  QVERIFY(read(written) == mechanism);
-  QCOMPARE(writeMechanism(read(written)), written);
-  QVERIFY(read(writeMechanism(emptyMechanism())) == emptyMechanism());
+  QVERIFY(readText(written) == mechanism);
+  QCOMPARE(writeMechanism(readText(written)), written);
+  QVERIFY(readText(writeMechanism(emptyMechanism())) == emptyMechanism());
 }
 
 void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
@@ -114,9 +110,10 @@ void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
 
 void TestMechanismRoundTrip::numbersKeepTheirSpelling() {
   QFETCH(QString, number);
-  const std::string written = writeMechanism(read(with(kEverything, "-1.50", number.toStdString())));
+  const std::string written = writeMechanism(readText(with(kEverything, "-1.50", number.toStdString())));
   QVERIFY2(written.find("\"offset\": " + number.toStdString() + "}") != std::string::npos, written.c_str());
-  const std::string unknown = writeMechanism(read(with(kEverything, "1.50}}", number.toStdString() + "}}")));
+  const std::string unknown =
+      writeMechanism(readText(with(kEverything, "1.50}}", number.toStdString() + "}}")));
   QVERIFY2(unknown.find("{\"zoom\": " + number.toStdString() + "}") != std::string::npos, unknown.c_str());
 }
 
@@ -129,17 +126,17 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
     text.insert(at + 1, member);
     at += member.size();
   }
-  const std::string written = writeMechanism(read(text));
+  const std::string written = writeMechanism(readText(text));
   for (int i = 0; i < count; ++i) {
     const std::string member = "\"new " + std::to_string(i) + "\": [1e-3, {\"\\u00e9\": null}, \"x\"]";
     QVERIFY2(written.find(member) != std::string::npos, member.c_str());
   }
   QCOMPARE(count, 29);  // every object of the document but both lists of nodes
-  QVERIFY(read(written) == read(text));
+  QVERIFY(readText(written) == readText(text));
 }
 
 void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
-  const Mechanism before = robot();
+  const Mechanism before = example("robot");
   const std::vector<std::pair<LinkId, SheetPoint>> places{{LinkId("4"), {130.5, -0.1}},
                                                           {LinkId("7"), {1.0 / 3, 2e5}}};
   const Mechanism placed = withTtNodesMoved(before, places).value();
@@ -159,19 +156,19 @@ void TestMechanismRoundTrip::textsSurvive() {
   mechanism.name = "Γ \"quoted\" \\ / \b\f\n\r\t\x01 \xF0\x9F\x98\x80";
   mechanism.notes = std::string("a\0b", 3);
   mechanism.links[0].name = "=1+2";
-  QVERIFY(read(writeMechanism(mechanism)) == mechanism);
+  QVERIFY(readText(writeMechanism(mechanism)) == mechanism);
   const std::string escaped = with(kEverything, "\"stage\"", R"("\u0393\ud83d\ude00\/\b")");
-  QCOMPARE(read(escaped).name, std::string("Γ\xF0\x9F\x98\x80/\b"));
+  QCOMPARE(readText(escaped).name, std::string("Γ\xF0\x9F\x98\x80/\b"));
 }
 
 void TestMechanismRoundTrip::theRobotsFile_isCanonical() {
   const std::string file = exampleText("robot");
-  QCOMPARE(QString::fromStdString(writeMechanism(robot())), QString::fromStdString(file));
+  QCOMPARE(QString::fromStdString(writeMechanism(example("robot"))), QString::fromStdString(file));
 }
 
 /// Table 1: each pitch point is d/2 from the axis of each of its two gears, d = 2 N.
 void TestMechanismRoundTrip::theRobotsPitchPoints_lieOnBothPitchSurfaces() {
-  const Mechanism m = robot();
+  const Mechanism m = example("robot");
   const auto distanceFromAxis = [&](const NumberTriple& point, const char* id) {
     const Axis& axis = *m.find(AxisId(id));
     Rational squared;

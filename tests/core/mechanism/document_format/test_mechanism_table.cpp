@@ -22,7 +22,7 @@ const std::string kPair =
     "turningJoint,4,0,2,b\n"
     "gearMesh,5,1,2,,20,30\n";
 
-Mechanism read(const std::string& table) {
+Mechanism readTable(const std::string& table) {
   auto mechanism = readMechanismTable(table);
   if (!mechanism) qFatal("%s: %s", summary(mechanism.error()).c_str(), mechanism.error()[0].message.c_str());
   return *mechanism;
@@ -41,12 +41,6 @@ QString faults(const std::string& table) {
     }
   }
   return all.join("; ");
-}
-
-Mechanism everything() {
-  auto mechanism = readMechanism(kEverything);
-  if (!mechanism) qFatal("%s", summary(mechanism.error()).c_str());
-  return *mechanism;
 }
 
 const std::string kHeader = "element,id,tail,head,axis,tailTeeth,headTeeth,x,y\n";
@@ -86,8 +80,8 @@ void TestMechanismTable::everyExampleIsReadBack() {
   for (const char separator : {',', ';', '\t'}) {
     const std::string table = writeMechanismTable(mechanism, {separator, separator == ';'});
     QVERIFY(looksLikeTable(table));
-    QCOMPARE(read(table), part.mechanism);
-    QCOMPARE(writeMechanismTable(read(table), {separator, separator == ';'}), table);
+    QCOMPARE(readTable(table), part.mechanism);
+    QCOMPARE(writeMechanismTable(readTable(table), {separator, separator == ';'}), table);
   }
   Mechanism without = mechanism;  // nothing else is lost
   without.view = {};
@@ -96,7 +90,7 @@ void TestMechanismTable::everyExampleIsReadBack() {
 
 void TestMechanismTable::everyMemberIsReadBack() {
   const Mechanism mechanism = everything();
-  const Mechanism back = read(writeMechanismTable(mechanism));
+  const Mechanism back = readTable(writeMechanismTable(mechanism));
   QCOMPARE(back, tablePart(mechanism).mechanism);
   Mechanism without = mechanism;
   without.view = {};
@@ -118,7 +112,7 @@ void TestMechanismTable::whatATableDoesNotHoldIsNamed() {
 }
 
 void TestMechanismTable::aTableByHandIsAMechanism() {
-  const Mechanism mechanism = read(kPair);
+  const Mechanism mechanism = readTable(kPair);
   QCOMPARE(mechanism.n(), 2);
   QCOMPARE(mechanism.unit, std::string("mm"));
   QVERIFY(mechanism.turningJoints[1].axis == AxisId("b") && !mechanism.inputs);
@@ -129,15 +123,15 @@ void TestMechanismTable::aTableByHandIsAMechanism() {
 }
 
 void TestMechanismTable::rowsAndColumnsMayBeInAnyOrder() {
-  QCOMPARE(read("headTeeth,tailTeeth,head,axis,tail,id,element,\n"
-                "30,20,2,,1,5,gearMesh,\n,,1,a,0,3,turningJoint,\n\n,,,,,,,\n,,2,b,0,4,turningJoint\n"
-                ",,,,,a,axis\n,,,,,b,axis\n,,,,,0,link\n,,,,,1,link\n,,,,,2,link\n"),
-           read("element,id,tail,head,axis,tailTeeth,headTeeth\nlink,0\nlink,1\nlink,2\naxis,a\naxis,b\n"
-                "turningJoint,3,0,1,a\nturningJoint,4,0,2,b\ngearMesh,5,1,2,,20,30\n"));
+  QCOMPARE(readTable("headTeeth,tailTeeth,head,axis,tail,id,element,\n"
+                     "30,20,2,,1,5,gearMesh,\n,,1,a,0,3,turningJoint,\n\n,,,,,,,\n,,2,b,0,4,turningJoint\n"
+                     ",,,,,a,axis\n,,,,,b,axis\n,,,,,0,link\n,,,,,1,link\n,,,,,2,link\n"),
+           readTable("element,id,tail,head,axis,tailTeeth,headTeeth\nlink,0\nlink,1\nlink,2\naxis,a\naxis,b\n"
+                     "turningJoint,3,0,1,a\nturningJoint,4,0,2,b\ngearMesh,5,1,2,,20,30\n"));
 }
 
 void TestMechanismTable::semicolonsAllowDecimalCommas() {
-  const Mechanism mechanism = read("element;id;x;y;z\r\nlink;0\r\naxis;a;1,5;-0,25;1/3\r\n");
+  const Mechanism mechanism = readTable("element;id;x;y;z\r\nlink;0\r\naxis;a;1,5;-0,25;1/3\r\n");
   QCOMPARE(mechanism.axes[0].point->at(0).text(), std::string("1.5"));
   QCOMPARE(mechanism.axes[0].point->at(1).text(), std::string("-0.25"));
   QCOMPARE(faults("element;id;x;y;z\nlink;0\naxis;a;1,000,5;0;0\n"), QString("3:8 schema"));
@@ -149,7 +143,7 @@ void TestMechanismTable::noInputsAreNotTheSameAsNone() {
     Mechanism mechanism = emptyMechanism();
     if (isStated) mechanism.inputs.emplace();
     if (isStated) mechanism.balances.emplace();
-    QCOMPARE(read(writeMechanismTable(mechanism)), mechanism);
+    QCOMPARE(readTable(writeMechanismTable(mechanism)), mechanism);
   }
 }
 
@@ -162,7 +156,7 @@ void TestMechanismTable::textsSurvive() {
                          {CouplingId("=\\"), CouplingKind::clutch, {LinkId("'"), LinkId("a|b\\")}, {}}};
   mechanism.engaged = {CouplingId("=\\"), CouplingId("a|b")};
   const std::string table = writeMechanismTable(mechanism);
-  QCOMPARE(read(table), mechanism);
+  QCOMPARE(readTable(table), mechanism);
   for (const char* const formula : {",=", ",+", ",-1,", ",@"})
     QVERIFY2(table.find(formula) == std::string::npos, table.c_str());
   for (const std::string text : {"", "|", "\\", "a|", "\\\\|"})
@@ -174,7 +168,7 @@ void TestMechanismTable::numbersKeepTheirSpelling() {
        {"0.10", "1e-3", "-0", "22/7", "-1/3", "+5", "007", "0.123456789012345678901234567890", "5e-4000"}) {
     Mechanism mechanism = emptyMechanism();
     mechanism.axes.push_back({AxisId("a"), NumberTriple{*Number::fromText(number), 1, 2}, {}, false, {}});
-    QCOMPARE(read(writeMechanismTable(mechanism)), mechanism);
+    QCOMPARE(readTable(writeMechanismTable(mechanism)), mechanism);
   }
 }
 

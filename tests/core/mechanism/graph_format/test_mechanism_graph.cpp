@@ -18,19 +18,13 @@ namespace {
 
 constexpr std::array kForms = {GraphForm::dot, GraphForm::graphMl, GraphForm::nodeLink};
 
-Mechanism read(const std::string& text) {
+Mechanism readGraph(const std::string& text) {
   const auto form = graphFormOf(text);
   if (!form) qFatal("no form: %s", text.c_str());
   auto reading = readMechanismGraph(text, *form);
   if (!reading) qFatal("%s", reading.error()[0].message.c_str());
   if (!reading->notes.empty()) qFatal("%s", reading->notes[0].c_str());
   return reading->mechanism;
-}
-
-Mechanism everything() {
-  auto mechanism = readMechanism(kEverything);
-  if (!mechanism) qFatal("%s", summary(mechanism.error()).c_str());
-  return *mechanism;
 }
 
 /// The text as Graphviz writes it after reading it.
@@ -63,8 +57,8 @@ class TestMechanismGraph : public QObject {
     for (const GraphForm form : kForms) {
       const std::string text = digraphFile(mechanism, form);
       QCOMPARE(graphFormOf(text), std::optional(form));
-      QCOMPARE(read(text), tablePart(mechanism).mechanism);
-      QCOMPARE(digraphFile(read(text), form), text);
+      QCOMPARE(readGraph(text), tablePart(mechanism).mechanism);
+      QCOMPARE(digraphFile(readGraph(text), form), text);
       const auto any = readAnyMechanism(text);
       QVERIFY(any && any->mechanism == tablePart(mechanism).mechanism);
     }
@@ -73,7 +67,7 @@ class TestMechanismGraph : public QObject {
   void everyMemberIsReadBack() {
     for (const GraphForm form : kForms) {
       const std::string text = digraphFile(everything(), form);
-      QCOMPARE(read(text), tablePart(everything()).mechanism);
+      QCOMPARE(readGraph(text), tablePart(everything()).mechanism);
     }
   }
 
@@ -116,7 +110,7 @@ class TestMechanismGraph : public QObject {
       mechanism.balances.reset();
     }
     for (const GraphForm form : kForms)
-      QCOMPARE(read(digraphFile(mechanism, form)), tablePart(mechanism).mechanism);
+      QCOMPARE(readGraph(digraphFile(mechanism, form)), tablePart(mechanism).mechanism);
   }
 
   void statedNoInputsStayStated() {
@@ -124,14 +118,14 @@ class TestMechanismGraph : public QObject {
       Mechanism mechanism = emptyMechanism();
       if (isStated) mechanism.inputs.emplace();
       if (isStated) mechanism.balances.emplace();
-      for (const GraphForm form : kForms) QCOMPARE(read(digraphFile(mechanism, form)), mechanism);
+      for (const GraphForm form : kForms) QCOMPARE(readGraph(digraphFile(mechanism, form)), mechanism);
     }
   }
 
   void graphvizReadsItAndWritesTheSame() {
     for (const Mechanism& mechanism : {everything(), example("robot"), example("simpson")}) {
       const std::string back = throughGraphviz(digraphFile(mechanism, GraphForm::dot));
-      QCOMPARE(read(back), tablePart(mechanism).mechanism);
+      QCOMPARE(readGraph(back), tablePart(mechanism).mechanism);
     }
   }
 
@@ -165,7 +159,7 @@ class TestMechanismGraph : public QObject {
         {"source": "0", "target": "2", "key": 4, "label": 4, "kind": "turning", "axis": "b"},
         {"source": "0", "target": "1", "key": 3, "label": 3, "kind": "turning", "axis": "a", "offset": "1/3"}],
       "nodes": [{"id": "2", "name": "gear", "mass": null}, {"id": "0"}, {"id": "1"}]})";
-    const Mechanism mechanism = read(text);
+    const Mechanism mechanism = readGraph(text);
     QCOMPARE(mechanism.links[2].name, std::string("gear"));
     QCOMPARE(mechanism.turningJoints[0].id, JointId("3"));
     QCOMPARE(mechanism.turningJoints[0].axis, AxisId("a"));

@@ -6,19 +6,14 @@
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
+#include "tests/core/support/diagnostic_codes.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph {
 namespace {
 
+using test::codesOf;
 using test::robotTopology;
-
-/// The codes of the diagnostics, in order.
-std::vector<Code> codesOf(const Diagnostics& diagnostics) {
-  std::vector<Code> codes;
-  for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
-  return codes;
-}
 
 template <class Value>
 Code rejectionOf(const Expected<Value>& result) {

@@ -2,6 +2,7 @@
 
 #include "core/mechanism/placement/placement.h"
 #include "core/mechanism/placement/tolerance.h"
+#include "tests/core/support/diagnostic_codes.h"
 #include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
@@ -34,10 +35,8 @@ Mechanism planetOn(const std::vector<std::string>& sun, const std::vector<std::s
       .build();
 }
 
-std::vector<Code> codesOf(const Mechanism& mechanism) {
-  std::vector<Code> codes;
-  for (const Diagnostic& diagnostic : placementOf(mechanism).diagnostics) codes.push_back(diagnostic.code);
-  return codes;
+std::vector<Code> placementCodes(const Mechanism& mechanism) {
+  return codesOf(placementOf(mechanism).diagnostics);
 }
 
 const std::vector<Code> kFits;
@@ -51,7 +50,7 @@ class LineComparisonTest : public QObject {
   void shaftsAsFarApartAsAMicrometreAreTwoWhereverTheyAre() {
     for (const char* x : {"0", "1000000000", "-1e12", "1/3", "1e-12"}) {
       const std::string far = (Rational::fromText(x).value() + Rational(1, 1'000'000'000'000)).toString();
-      QCOMPARE(codesOf(shafts({x, "0", "0"}, {far, "0", "0"})), kFits);
+      QCOMPARE(placementCodes(shafts({x, "0", "0"}, {far, "0", "0"})), kFits);
       const Placement placement = placementOf(shafts({x, "0", "0"}, {far, "0", "0"}));
       QVERIFY(std::abs(std::abs(placement.meshes[0]->tailRadius) * 3e12 - 1) < 1e-9);
     }
@@ -64,19 +63,19 @@ class LineComparisonTest : public QObject {
       Mechanism train =
           planetOn({x, "0", "0"}, {(at + Rational(700, 3)).toString(), "1400/3", "1400/3"}, {x, "2e-9", "0"});
       for (Axis& axis : train.axes) axis.direction = NumberTriple{Number(1), Number(2), Number(2)};
-      QCOMPARE(codesOf(train), kMerged);
+      QCOMPARE(placementCodes(train), kMerged);
     }
   }
 
   void decimalsThatRoundMissByLittleOfTheTrainsSize() {
-    QCOMPARE(codesOf(planetOn({"27", "46.7653718", "0"}, {"27", "46.76537", "90"}, {"27", "0", "0"})),
+    QCOMPARE(placementCodes(planetOn({"27", "46.7653718", "0"}, {"27", "46.76537", "90"}, {"27", "0", "0"})),
              kMerged);
     // The same train a thousand million times smaller, and far away.
-    QCOMPARE(codesOf(planetOn({"27e-9", "46.7653718e-9", "0"}, {"27e-9", "46.76537e-9", "90e-9"},
-                              {"27e-9", "0", "0"})),
+    QCOMPARE(placementCodes(planetOn({"27e-9", "46.7653718e-9", "0"}, {"27e-9", "46.76537e-9", "90e-9"},
+                                     {"27e-9", "0", "0"})),
              kMerged);
-    QCOMPARE(codesOf(planetOn({"1000000027", "46.7653718", "0"}, {"1000000027", "46.76537", "90"},
-                              {"1000000027", "0", "0"})),
+    QCOMPARE(placementCodes(planetOn({"1000000027", "46.7653718", "0"}, {"1000000027", "46.76537", "90"},
+                                     {"1000000027", "0", "0"})),
              kMerged);
   }
 
@@ -93,7 +92,7 @@ class LineComparisonTest : public QObject {
                          .mesh(1, 2, 20, 40)
                          .mesh(3, 4, 20, 40)
                          .build();
-    QCOMPARE(codesOf(both), kFits);
+    QCOMPARE(placementCodes(both), kFits);
   }
 
   void oneMistypedCoordinateDoesNotMergeTheOthers() {
@@ -110,7 +109,7 @@ class LineComparisonTest : public QObject {
                           .mesh(2, 3, 40, 20)
                           .mesh(3, 4, 20, 40)
                           .build();
-    QCOMPARE(codesOf(train), kFits);
+    QCOMPARE(placementCodes(train), kFits);
   }
 
   void directionsOfAnyLengthHaveLengthOne() {

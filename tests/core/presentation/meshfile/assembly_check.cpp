@@ -29,7 +29,7 @@ struct Gear {
   std::vector<Corners> facets;
 };
 
-QByteArray contents(const QString& path) {
+QByteArray bytesOf(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
@@ -241,7 +241,7 @@ double penetration(const Gear& a, const Eigen::Isometry3d& A, const Gear& b, con
 
 AssemblyMeasurements checkedAssembly(const QString& folder, const QString& turned, double pitches) {
   AssemblyMeasurements found;
-  const QJsonObject index = QJsonDocument::fromJson(contents(folder + "/assembly.json")).object();
+  const QJsonObject index = QJsonDocument::fromJson(bytesOf(folder + "/assembly.json")).object();
   std::map<QString, Gear> gears;
   for (const QJsonValue& value : index["gears"].toArray()) {
     const QJsonObject json = value.toObject();
@@ -251,7 +251,7 @@ AssemblyMeasurements checkedAssembly(const QString& folder, const QString& turne
               json["module"].toDouble(),
               json["delta_deg"].toDouble() * kPi / 180,
               Eigen::Isometry3d::Identity(),
-              facetsOf(contents(folder + "/" + json["file"].toString()))};
+              facetsOf(bytesOf(folder + "/" + json["file"].toString()))};
     if (gear.name == turned) {
       gear.turn.rotate(Eigen::AngleAxisd(2 * kPi * pitches / gear.teeth, Vector3d::UnitZ()));
     }

@@ -4,6 +4,7 @@
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/mesh_reader.h"
 #include "tests/core/presentation/meshfile/cogs.h"
+#include "tests/core/support/file_contents.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -37,11 +38,6 @@ Assembly twoGears() {
     assembly.frames.push_back({turned, bevel.pose});
   }
   return assembly;
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
 }
 
 QJsonObject index(const QString& folder) {

@@ -4,11 +4,10 @@
 #include "core/presentation/meshfile/mesh_reader.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "tests/core/presentation/meshfile/cogs.h"
+#include "tests/core/presentation/meshfile/mesh_formats.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
-
-Q_DECLARE_METATYPE(geargraph::MeshFormat)
 
 namespace {
 
@@ -38,13 +37,6 @@ const MeshNode* nodeNamed(const MeshScene& scene, const std::string& name) {
     if (node.name == name) return &node;
   }
   return nullptr;
-}
-
-void addFormats() {
-  QTest::addColumn<MeshFormat>("format");
-  for (const MeshFormat format : allMeshFormats()) {
-    QTest::newRow(std::string(meshFormatName(format)).c_str()) << format;
-  }
 }
 
 }  // namespace

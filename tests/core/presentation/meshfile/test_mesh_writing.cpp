@@ -6,29 +6,13 @@
 #include "core/presentation/meshfile/mesh_reader.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "tests/core/presentation/meshfile/cogs.h"
+#include "tests/core/presentation/meshfile/mesh_formats.h"
 #include "tests/core/support/aborts.h"
+#include "tests/core/support/file_contents.h"
 #include "tests/core/support/pseudo_language.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
-
-Q_DECLARE_METATYPE(geargraph::MeshFormat)
-
-namespace {
-
-void addFormats() {
-  QTest::addColumn<MeshFormat>("format");
-  for (const MeshFormat format : allMeshFormats()) {
-    QTest::newRow(std::string(meshFormatName(format)).c_str()) << format;
-  }
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
-}
-
-}  // namespace
 
 class TestMeshWriting : public QObject {
   Q_OBJECT

@@ -67,7 +67,7 @@ Mechanism pairOf(int tailTeeth, int headTeeth, const std::string& kind, const st
   return readMechanism(text).value();
 }
 
-AssemblyMeasurements measurements(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
+AssemblyMeasurements measured(const Assembly& assembly, const QString& turned = {}, double pitches = 0) {
   const QTemporaryDir folder;
   if (const auto error = writeAssembly(assembly, folder.path().toStdString(), false)) {
     qFatal("%s", error->message.c_str());
@@ -91,7 +91,7 @@ class TestTrainFiles : public QObject {
   void teethMeshInTheFramesOfTheMotion() {
     QFETCH(QString, name);
     const Example example(name.toStdString());
-    const AssemblyMeasurements found = measurements(example.assembly(example.motions));
+    const AssemblyMeasurements found = measured(example.assembly(example.motions));
     QCOMPARE(found.problem, QString());
     QCOMPARE(found.pairs, example.mechanism.c());
     QCOMPARE(found.gears, int(example.train.gears.size()));
@@ -128,7 +128,7 @@ class TestTrainFiles : public QObject {
     QFETCH(QString, kind);
     QFETCH(QString, second);
     const Example example(pairOf(tail, head, kind.toStdString(), second.toStdString()));
-    const AssemblyMeasurements found = measurements(example.assembly(example.motions));
+    const AssemblyMeasurements found = measured(example.assembly(example.motions));
     QCOMPARE(found.pairs, 1);
     QVERIFY(found.closed && found.leastTravel > 1);
     QVERIFY2(found.phaseError < 0.005, qPrintable(QString::number(found.phaseError)));
@@ -137,7 +137,7 @@ class TestTrainFiles : public QObject {
 
   void aLoopThatCannotBeAssembledMissesByWhatTheTrainSays() {
     const Example misfit(test::example("cannot-be-assembled"));  // three planets on 20, 20 and 60 teeth
-    const AssemblyMeasurements found = measurements(misfit.assembly(misfit.rates));
+    const AssemblyMeasurements found = measured(misfit.assembly(misfit.rates));
     double residual = 0;
     for (const TrainMesh& mesh : misfit.train.meshes) residual = std::max(residual, std::abs(mesh.residual));
     QVERIFY(residual > 0.1 && std::abs(found.phaseError - residual) < 1e-6);
@@ -146,12 +146,12 @@ class TestTrainFiles : public QObject {
   void aTenthOfAPitchOrAWrongRateWouldBeSeen() {
     const Example robot("robot");
     const Assembly assembly = robot.assembly(robot.rates);
-    QVERIFY(measurements(assembly, QString::fromStdString(assembly.gears[3].name), 0.1).penetration > 0.05);
+    QVERIFY(measured(assembly, QString::fromStdString(assembly.gears[3].name), 0.1).penetration > 0.05);
     std::vector<Rational> wrong = robot.rates;
     for (Rational& rate : wrong) {
       if (rate != robot.rates[0]) rate = -rate;
     }
-    QVERIFY(measurements(robot.assembly(wrong)).phaseError > 0.05);
+    QVERIFY(measured(robot.assembly(wrong)).phaseError > 0.05);
   }
 
   void pitchesOfBothGearsOfAMeshPassAlike() {

@@ -4,15 +4,14 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/pages/report_pdf.h"
+#include "tests/core/presentation/report/derived_report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/support/pdf_streams.h"
 
 namespace geargraph {
 namespace {
 
-Report reportOf(Mechanism mechanism) {
-  return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
-}
+using test::reportOf;
 
 QByteArray pdfOf(const Mechanism& mechanism) {
   ReportLists drawings;

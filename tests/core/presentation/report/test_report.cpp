@@ -6,6 +6,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
 #include "core/teaching/comparison/comparison_families.h"
+#include "tests/core/presentation/report/derived_report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
@@ -13,9 +14,7 @@
 namespace geargraph {
 namespace {
 
-Report reportOf(Mechanism mechanism) {
-  return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
-}
+using test::reportOf;
 
 /// The formula beside a number; with a star or without.
 std::map<int, std::string> numbered(const Report& report, bool isDual = false) {

@@ -4,10 +4,13 @@
 #include "core/presentation/report/report.h"
 #include "core/presentation/typeset/tex_reader.h"
 #include "core/presentation/typeset/typeset.h"
+#include "tests/core/presentation/report/derived_report.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
+
+using test::reportOf;
 
 FormulaBox boxOf(const char* tex, FormulaPlace place = FormulaPlace::ownLine) {
   return typesetFormula(formulaOf(tex), place);
@@ -67,10 +70,6 @@ QString faultOf(const FormulaBox& box) {
     }
   }
   return {};
-}
-
-Report reportOf(Mechanism mechanism) {
-  return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
 }
 
 void compare(double measured, double expected) {

@@ -13,10 +13,6 @@ using namespace geargraph::test;
 
 namespace {
 
-StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options) {
-  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
-}
-
 ForceTable tableOf(const StaticsCase& train, const StaticsReport& report, ForceTableKind kind) {
   return forceTable(train.mechanism, train.model, train.placement, report, kind);
 }

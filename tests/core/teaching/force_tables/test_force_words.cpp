@@ -21,10 +21,6 @@ std::vector<std::string> namesIn(const Mechanism& mechanism) {
   return names;
 }
 
-StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options) {
-  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
-}
-
 /// A planetary set of three planets, whose meshes share the load, or one.
 struct Loaded {
   StaticsCase train;

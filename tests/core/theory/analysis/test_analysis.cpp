@@ -3,6 +3,7 @@
 
 #include "core/theory/analysis/analysis.h"
 #include "tests/core/support/deep_train.h"
+#include "tests/core/support/diagnostic_codes.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -10,18 +11,13 @@
 namespace geargraph {
 namespace {
 
+using test::codesOf;
 SnapshotPtr analysisOf(const Mechanism& mechanism) {
   return analyze(std::make_shared<const Mechanism>(mechanism));
 }
 
-std::vector<Code> codesOf(const AnalysisSnapshot& snapshot) {
-  std::vector<Code> codes;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics) codes.push_back(diagnostic.code);
-  return codes;
-}
-
 long timesSaid(const AnalysisSnapshot& snapshot, Code code) {
-  const std::vector<Code> codes = codesOf(snapshot);
+  const std::vector<Code> codes = codesOf(snapshot.diagnostics);
   return std::count(codes.begin(), codes.end(), code);
 }
 
@@ -81,7 +77,7 @@ class AnalysisTest : public QObject {
     robot.gearMeshes[3].tail = LinkId("4");  // three axes from 3
     robot.gearMeshes[3].pitchPoint.reset();
     const SnapshotPtr snapshot = analysisOf(robot);
-    QCOMPARE(codesOf(*snapshot), (std::vector<Code>{Code::coaxialMesh, Code::noTransferVertex}));
+    QCOMPARE(codesOf(snapshot->diagnostics), (std::vector<Code>{Code::coaxialMesh, Code::noTransferVertex}));
     QVERIFY(snapshot->diagnostics[1].message.find("(a, b, c, e)") != std::string::npos);  // its path
     QVERIFY(!snapshot->solved);
   }
@@ -99,7 +95,7 @@ class AnalysisTest : public QObject {
     train.link(second, a);
     const SnapshotPtr snapshot = analysisOf(train.mechanism());
     std::vector<Code> geometry;
-    for (const Code code : codesOf(*snapshot)) {
+    for (const Code code : codesOf(snapshot->diagnostics)) {
       if (code == Code::splitAxis || code == Code::mergedAxes) geometry.push_back(code);
     }
     QCOMPARE(geometry, (std::vector<Code>{Code::splitAxis, Code::mergedAxes}));
@@ -177,7 +173,7 @@ class AnalysisTest : public QObject {
   void aPitchPointOffItsPlaneIsStillSaid() {
     Mechanism robot = test::robot();
     robot.gearMeshes[1].pitchPoint = NumberTriple{Number(9), Number(-20), Number(30)};
-    QCOMPARE(codesOf(*analysisOf(robot)), (std::vector<Code>{Code::pitchGeometry}));
+    QCOMPARE(codesOf(analysisOf(robot)->diagnostics), (std::vector<Code>{Code::pitchGeometry}));
   }
 };
 

@@ -9,6 +9,7 @@
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/relative_speed.h"
 #include "core/theory/states/state_edits.h"
+#include "tests/core/support/diagnostic_codes.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
@@ -17,6 +18,7 @@
 namespace geargraph {
 namespace {
 
+using test::codesOf;
 /// Both steps, without what the teeth have to say.
 SnapshotPtr analysed(const Mechanism& mechanism) {
   const SnapshotPtr live = analyzeStates(analyzeLive(std::make_shared<const Mechanism>(mechanism)));
@@ -30,14 +32,8 @@ Mechanism engaging(const Mechanism& mechanism, const std::vector<CouplingId>& co
   return withEngagement(mechanism, couplings).value();
 }
 
-std::vector<Code> codesOf(const AnalysisSnapshot& snapshot) {
-  std::vector<Code> codes;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics) codes.push_back(diagnostic.code);
-  return codes;
-}
-
 bool has(const AnalysisSnapshot& snapshot, Code code) {
-  const std::vector<Code> codes = codesOf(snapshot);
+  const std::vector<Code> codes = codesOf(snapshot.diagnostics);
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 

@@ -14,16 +14,12 @@ using namespace geargraph::test;
 
 namespace {
 
-StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options) {
-  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
-}
-
 Load inJoint(const Mechanism& mechanism, int joint, const Number& torque) {
   return {{}, JointTorque{mechanism.turningJoints[static_cast<std::size_t>(joint)].id, torque}};
 }
 
 /// Loads in joints, on links and at points, balances in the inputs that bear no load.
-StaticsOptions randomLoads(const StaticsCase& train, std::uint64_t seed) {
+StaticsOptions randomOptions(const StaticsCase& train, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto number = [&] { return Number(Rational(static_cast<std::int64_t>(random() % 41) - 20, 3)); };
   StaticsOptions options;
@@ -141,7 +137,7 @@ class TestPowerFlow : public QObject {
       if (name == "robot-to-mend") continue;
       const StaticsCase train(example(name));
       for (const bool losses : {false, true}) {
-        StaticsOptions options = randomLoads(train, 7);
+        StaticsOptions options = randomOptions(train, 7);
         options.losses = losses;
         options.efficiency = Rational(97, 100);
         const StaticsReport report = reportOf(train, options);
@@ -176,7 +172,7 @@ class TestPowerFlow : public QObject {
       const int n = 4 + static_cast<int>(seed % 14);
       const StaticsCase train(seed % 3 == 0 ? deepTrain(seed, n)
                                             : randomTrain(seed, n, n - 1 - static_cast<int>(seed % 3)));
-      StaticsOptions options = randomLoads(train, seed);
+      StaticsOptions options = randomOptions(train, seed);
       options.losses = seed % 2 == 0;
       options.efficiency = Rational(97, 100);
       const StaticsReport report = reportOf(train, options);
@@ -197,7 +193,7 @@ class TestPowerFlow : public QObject {
   void largeTrainsToo() {
     for (const bool deep : {false, true}) {
       const StaticsCase train(deep ? deepTrain(3, 500) : randomTrain(3, 500, 498));
-      StaticsOptions options = randomLoads(train, 3);
+      StaticsOptions options = randomOptions(train, 3);
       options.loads.resize(20);
       const StaticsReport report = reportOf(train, options);
       QVERIFY(report.flow.has_value());

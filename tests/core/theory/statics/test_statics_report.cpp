@@ -3,6 +3,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/statics/load_diagnostics.h"
 #include "core/theory/statics/statics_report.h"
+#include "tests/core/support/diagnostic_codes.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/statics_case.h"
@@ -13,16 +14,6 @@ using namespace geargraph;
 using namespace geargraph::test;
 
 namespace {
-
-StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options = {}) {
-  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
-}
-
-std::vector<Code> codesOf(const StaticsReport& report) {
-  std::vector<Code> codes;
-  for (const Diagnostic& diagnostic : report.diagnostics) codes.push_back(diagnostic.code);
-  return codes;
-}
 
 std::string messageOf(const StaticsReport& report, Code code) {
   for (const Diagnostic& diagnostic : report.diagnostics)
@@ -75,7 +66,7 @@ class TestStaticsReport : public QObject {
     const StaticsCase train(robot());
     const StaticsReport report = reportOf(train, loaded({inJoint("14", "10"), inJoint("8", "1")}));
     QCOMPARE(report.balancedJoints, (std::vector{1, 3}));
-    QCOMPARE(codesOf(report), std::vector{Code::unbalanced});
+    QCOMPARE(codesOf(report.diagnostics), std::vector{Code::unbalanced});
     QCOMPARE(
         messageOf(report, Code::unbalanced),
         std::string("Nothing holds this motion: joints 8, 10, 12, 13 and 14 turn freely under the load on "
@@ -87,12 +78,12 @@ class TestStaticsReport : public QObject {
     StaticsOptions options;
     options.state = 0;
     const StaticsReport report = reportOf(train, options);
-    QCOMPARE(codesOf(report), std::vector{Code::unitLoad});
+    QCOMPARE(codesOf(report.diagnostics), std::vector{Code::unitLoad});
     QCOMPARE(*train.balance(report.lossless, 0).fraction(), Rational(-108, 23));
     // A load on the output: the drive is the balance.
     options.loads = {{{}, LinkTorque{LinkId("2"), {}, Number(-108)}}};
     const StaticsReport pulled = reportOf(train, options);
-    QVERIFY(codesOf(pulled).empty());
+    QVERIFY(codesOf(pulled.diagnostics).empty());
     QCOMPARE(*train.balance(pulled.lossless, 0).fraction(), Rational(23));
     QVERIFY(pulled.sums->fed == Real(23) && pulled.sums->taken == Real(23));
   }
@@ -103,7 +94,7 @@ class TestStaticsReport : public QObject {
     const StaticsCase train(gearbox);
     StaticsOptions options;
     options.state = 0;
-    const auto codes = codesOf(reportOf(train, options));
+    const auto codes = codesOf(reportOf(train, options).diagnostics);
     QVERIFY(std::find(codes.begin(), codes.end(), Code::noMotion) != codes.end());
     QVERIFY(std::find(codes.begin(), codes.end(), Code::unbalanced) != codes.end());
   }
@@ -149,17 +140,17 @@ class TestStaticsReport : public QObject {
 
   void missingDataIsReported() {
     const StaticsCase train(robot());
-    QCOMPARE(codesOf(reportOf(train)), std::vector{Code::noLoad});
+    QCOMPARE(codesOf(reportOf(train).diagnostics), std::vector{Code::noLoad});
     StaticsOptions options = loaded({inJoint("14", "1")});
     options.losses = true;
-    QCOMPARE(codesOf(reportOf(train, options)), std::vector{Code::noEfficiency});
+    QCOMPARE(codesOf(reportOf(train, options).diagnostics), std::vector{Code::noEfficiency});
     Mechanism strange = robot();
     strange.unit = "cubit";
     const StaticsCase odd(strange);
     options =
         loaded({inJoint("14", "1"), {{}, LinkForce{LinkId("3"), {Number(1), Number(2), Number(3)}, {}}}});
     const StaticsReport report = reportOf(odd, options);
-    QCOMPARE(codesOf(report), std::vector{Code::unknownUnit});
+    QCOMPARE(codesOf(report.diagnostics), std::vector{Code::unknownUnit});
     QVERIFY(report.forces.bearings.empty());
     QCOMPARE(*odd.balance(report.lossless, 0).fraction(), Rational(8, 27));  // the torque alone
   }
@@ -206,7 +197,7 @@ class TestStaticsReport : public QObject {
     QVERIFY(messageOf(report, Code::recirculation).find("49.5 times") != std::string::npos ||
             messageOf(report, Code::recirculation).find("50.5 times") != std::string::npos);
     // Both meshes are on one planet: they are named together.
-    const std::vector<Code> codes = codesOf(report);
+    const std::vector<Code> codes = codesOf(report.diagnostics);
     QCOMPARE(std::count(codes.begin(), codes.end(), Code::recirculation), std::ptrdiff_t{1});
   }
 
