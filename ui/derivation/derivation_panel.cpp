@@ -22,7 +22,7 @@ DerivationPanel::DerivationPanel(Selection* selection, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(makeBar());
   layout->addWidget(m_pages, 1);
-  m_service->onAnswer(this, [this](const SetReportPtr& report) { showReport(report); });
+  m_service->onAnswer(this, [this](const DerivationPtr& derivation) { showDerivation(*derivation); });
   connect(m_service, &DerivationService::failed, this, [this](const QString& why) {
     showText(tr("The derivation could not be worked out: %1").arg(why));
   });
@@ -86,13 +86,13 @@ void DerivationPanel::renew() {
   if (m_view->report() == nullptr) showText(tr("The derivation is being worked out…"));
   m_wanted = m_snapshot;
   m_shown = nullptr;
-  m_service->request(m_snapshot);
+  m_service->request({m_snapshot, m_view->currentLayout()});
 }
 
-void DerivationPanel::showReport(const SetReportPtr& report) {
+void DerivationPanel::showDerivation(const Derivation& derivation) {
   if (!m_whyNot.isEmpty()) return;
   m_shown = m_wanted;
-  m_view->setReport(report);
+  m_view->setDerivation(derivation);
   fillSections();
   m_pages->setCurrentWidget(m_view);
   m_sections->setEnabled(true);

@@ -41,7 +41,7 @@ class DerivationPanel : public QWidget {
  private:
   QWidget* makeBar();
   void renew();
-  void showReport(const SetReportPtr& report);
+  void showDerivation(const Derivation& derivation);
   void showText(const QString& text);
   void showWantedSection();
   void fillSections();

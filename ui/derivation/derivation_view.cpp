@@ -8,7 +8,9 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline ui_derivation {
@@ -17,6 +19,7 @@ namespace {
 constexpr int kMargin = 18;
 constexpr int kWidestPage = 900;  // px at zoom 1: longer lines are hard to read
 constexpr double kLightRoom = 4;
+constexpr std::size_t kManyLines = 60;
 
 QString textOf(const ReportWords& words) {
   QString text;
@@ -67,6 +70,14 @@ DerivationView::DerivationView(Selection* selection, QWidget* parent)
 }
 
 void DerivationView::setReport(const SetReportPtr& report) {
+  show(report, nullptr);
+}
+
+void DerivationView::setDerivation(const Derivation& derivation) {
+  show(derivation.report, &derivation);
+}
+
+void DerivationView::show(const SetReportPtr& report, const Derivation* derivation) {
   const Anchor before = anchor();
   m_report = report;
   m_headings.clear();
@@ -76,7 +87,10 @@ void DerivationView::setReport(const SetReportPtr& report) {
       if (std::holds_alternative<ReportHeading>(blocks[i])) m_headings.push_back(i);
     }
   }
-  layOutAt(before);
+  if (derivation == nullptr || derivation->layout != currentLayout()) return layOutAt(before);
+  m_layout = derivation->layout;
+  place(derivation->lines);
+  returnTo(before);
 }
 
 void DerivationView::setZoom(double zoom) {
@@ -94,6 +108,10 @@ DerivationView::Anchor DerivationView::anchor() const {
 
 void DerivationView::layOutAt(const Anchor& anchor) {
   layOut();
+  returnTo(anchor);
+}
+
+void DerivationView::returnTo(const Anchor& anchor) {
   const int heading = std::min(anchor.heading, std::max(0, static_cast<int>(m_headings.size()) - 1));
   verticalScrollBar()->setValue(topOfHeading(heading) + anchor.below);
   viewport()->update();
@@ -101,25 +119,32 @@ void DerivationView::layOutAt(const Anchor& anchor) {
   scrollContentsBy(0, 0);
 }
 
+/// A long report takes as long as the rest of the window.
+void DerivationView::layOutAnew() {
+  if (m_lines.size() < kManyLines) return layOutAt(anchor());
+  if (std::exchange(m_isTurnDue, true)) return;
+  Turns::instance().later(this, [this] {
+    m_isTurnDue = false;
+    if (currentLayout() != m_layout) layOutAt(anchor());
+  });
+}
+
+DerivationLayout DerivationView::currentLayout() const {
+  const double room = std::min<double>(viewport()->width() - 2 * kMargin, scaledPixels(kWidestPage) * m_zoom);
+  return {room, bodyPixels() * m_zoom, (bodyPixels() + 3) * m_zoom, font().toString()};
+}
+
 /// Once for a report, a width and a size; scrolling lays out nothing.
 void DerivationView::layOut() {
-  m_laidOutFor = viewport()->width();
-  m_pixels = bodyPixels();
-  m_lines.clear();
-  m_tops.assign(1, kMargin);
-  const double room = std::min<double>(m_laidOutFor - 2 * kMargin, scaledPixels(kWidestPage) * m_zoom);
-  if (m_report == nullptr || room < 50) return renewScrollBars(0, 0);
-  FlowParameters flow;
-  flow.width = room;
-  flow.size = bodyPixels() * m_zoom;
-  flow.formulaSize = (bodyPixels() + 3) * m_zoom;
-  flow.tallest = 1e6;
-  flow.leastPart = 0.8;
-  flow.leavesOutWide = false;
+  m_layout = currentLayout();
   if (!m_measure || m_measure->font() != font()) m_measure.emplace(font());
-  m_lines = m_report->lines(flow, *m_measure);
+  place(m_report == nullptr ? std::vector<FlowLine>() : derivationLines(*m_report, m_layout, *m_measure));
+}
+
+void DerivationView::place(std::vector<FlowLine> lines) {
+  m_lines = std::move(lines);
   m_tops.clear();
-  double y = kMargin, width = room;
+  double y = kMargin, width = m_layout.width;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     y += i == 0 ? 0 : std::round(m_lines[i].above);
     m_tops.push_back(y);
@@ -129,7 +154,7 @@ void DerivationView::layOut() {
     }
   }
   m_tops.push_back(y);
-  renewScrollBars(width + 2 * kMargin, y + kMargin);
+  m_lines.empty() ? renewScrollBars(0, 0) : renewScrollBars(width + 2 * kMargin, y + kMargin);
 }
 
 void DerivationView::renewScrollBars(double width, double height) {
@@ -244,7 +269,7 @@ void DerivationView::paintLight(QPainter& painter, std::size_t line, QPointF ori
 
 void DerivationView::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
-  if (viewport()->width() != m_laidOutFor) return layOutAt(anchor());
+  if (currentLayout() != m_layout) return layOutAnew();
   const double height = m_lines.empty() ? 0 : m_tops.back() + kMargin;
   renewScrollBars(horizontalScrollBar()->maximum() + horizontalScrollBar()->pageStep(), height);
 }
@@ -317,8 +342,7 @@ bool DerivationView::viewportEvent(QEvent* event) {
 void DerivationView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
   const bool mayBeOther = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
-  if (mayBeOther && (!m_measure || m_measure->font() != font() || m_pixels != bodyPixels()))
-    layOutAt(anchor());
+  if (mayBeOther && currentLayout() != m_layout) layOutAnew();
   if (event->type() == QEvent::PaletteChange) viewport()->update();
 }
 

@@ -24,6 +24,10 @@ class DerivationView : public QAbstractScrollArea {
 
   /// Shows a report, keeping the scroll position as far as possible.
   void setReport(const SetReportPtr& report);
+  /// The same; it need not be laid out here if its layout is that of the view.
+  void setDerivation(const Derivation& derivation);
+  /// As the view lays out reports now.
+  [[nodiscard]] DerivationLayout currentLayout() const;
   [[nodiscard]] const SetReportPtr& report() const { return m_report; }
 
   [[nodiscard]] double zoom() const { return m_zoom; }
@@ -65,8 +69,12 @@ class DerivationView : public QAbstractScrollArea {
     int below = 0;  ///< px
   };
 
+  void show(const SetReportPtr& report, const Derivation* derivation);
   void layOut();
   void layOutAt(const Anchor& anchor);
+  void layOutAnew();
+  void place(std::vector<FlowLine> lines);
+  void returnTo(const Anchor& anchor);
   [[nodiscard]] Anchor anchor() const;
   [[nodiscard]] int topOfHeading(int heading) const;
   void renewScrollBars(double width, double height);
@@ -79,16 +87,16 @@ class DerivationView : public QAbstractScrollArea {
 
   Selection* m_selection;
   SetReportPtr m_report;
+  DerivationLayout m_layout;  ///< of the lines
   std::optional<FontMeasure> m_measure;
   std::vector<FlowLine> m_lines;
   std::vector<double> m_tops;           ///< by line, and one for the end
   std::vector<std::size_t> m_headings;  ///< blocks
   FlowPainter m_painter;
   double m_zoom = 1;
-  int m_laidOutFor = -1;  ///< width
-  int m_pixels = 0;       ///< the size of type that it is laid out with
-  bool m_hovers = false;  ///< the hovered element was hovered in this view
-  int m_heading = -1;     ///< last emitted
+  bool m_isTurnDue = false;  ///< in which it is laid out anew
+  bool m_hovers = false;     ///< the hovered element was hovered in this view
+  int m_heading = -1;        ///< last emitted
 };
 
 }  // namespace geargraph::inline ui_derivation

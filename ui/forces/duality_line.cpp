@@ -5,12 +5,15 @@
 #include <QFontInfo>
 #include <QImage>
 #include <QPainter>
+#include <QTextDocument>
 #include <QtMath>
 #include <algorithm>
+#include <utility>
 
 #include "core/teaching/force_tables/dual_equations.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/rate_label.h"
+#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline forces {
@@ -234,8 +237,33 @@ void DualityLine::show(const ForcesPtr& forces) {
 }
 
 void DualityLine::changeEvent(QEvent* event) {
+  const bool isOtherFont = event->type() == QEvent::FontChange;
+  if (isOtherFont) m_size = {};
   QLabel::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) renew();
+  if (!isOtherFont && event->type() != QEvent::PaletteChange) return;
+  if (std::exchange(m_isTurnDue, true)) return;
+  Turns::instance().later(this, [this] {
+    m_isTurnDue = false;
+    renew();
+  });
+}
+
+QSize DualityLine::sizeHint() const {
+  if (m_size.isEmpty()) {
+    QTextDocument document;
+    document.setDefaultFont(font());
+    document.setDocumentMargin(0);
+    document.setHtml(text());
+    const QSizeF text = document.size();
+    m_size = QSize(qCeil(text.width()), qCeil(text.height())).grownBy(contentsMargins());
+  }
+  return m_size.expandedTo(minimumSize());
+}
+
+void DualityLine::renewText(const QString& html) {
+  if (html == text()) return;
+  m_size = {};  // before the label asks for it
+  setText(html);
 }
 
 void DualityLine::renew() {
@@ -256,12 +284,12 @@ void DualityLine::renew() {
     if (equations) {
       const Theme theme = themeOf(palette());
       const QString rate = rateSymbol(font(), qColor(ColorRole::ink, theme), devicePixelRatioF());
-      setText(DualityText(mechanism, *equations, theme, rate).html());
+      renewText(DualityText(mechanism, *equations, theme, rate).html());
       m_mesh = mechanism.gearMeshes[static_cast<std::size_t>(equations->mesh)].id;
       m_joint = mechanism.turningJoints[static_cast<std::size_t>(equations->joint)].id;
     }
   }
-  if (!equations) clear();
+  if (!equations) renewText({});
   emit filled(equations.has_value());
   isChosen ? tell(m_mesh, m_joint) : tell({}, {});
 }

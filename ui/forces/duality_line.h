@@ -21,6 +21,10 @@ class DualityLine : public QLabel {
   /// and meshes are ignored.
   void pointAt(const ElementId& row, const ElementId& column);
 
+  /// That of the text, laid out once. A QLabel lays its tables out six times to know as much.
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
  signals:
   /// Emitted when there is something to show, or no longer.
   void filled(bool isFilled);
@@ -34,11 +38,14 @@ class DualityLine : public QLabel {
 
  private:
   void renew();
+  void renewText(const QString& html);
   [[nodiscard]] std::set<ElementId> pointedAt() const;
   void tell(const ElementId& mesh, const ElementId& joint);
 
   Selection* m_selection;
   ForcesPtr m_forces;
+  mutable QSize m_size;                      ///< of the text and its margins; empty: not known yet
+  bool m_isTurnDue = false;                  ///< in which the colours and the font are renewed
   std::set<ElementId> m_cell;                ///< that of a matrix, under the mouse
   ElementId m_mesh, m_joint;                 ///< of the entry that is framed here
   std::set<ElementId> m_entry{ElementId()};  ///< last emitted; initially a value that no entry has

@@ -214,6 +214,7 @@ void ResultsPanel::hoverRow(const QModelIndex& index) {
 void ResultsPanel::renew() {
   m_isBehind = !m_isAwake;
   if (m_isBehind) return;
+  m_measured.clear();  // before what is shown below resizes the table
   const bool solved = m_model->columnCount() > 0;
   m_empty->setText(whyNone());
   const bool hasLinks = m_absolute && m_linkModel->rowCount() > 0;
@@ -226,7 +227,6 @@ void ResultsPanel::renew() {
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
   renewNote();
   renewRatio();
-  m_measured.clear();
   fitColumns();
   paintVerdict();
 }
@@ -269,7 +269,9 @@ int ResultsPanel::widthOfColumn(int column) const {
   const int rows = std::min(m_model->rowCount(), kRowsMeasured);
   int width = kLeastWidth;
   for (int row = 0; row < rows; ++row) {
-    width = std::max(width, delegate->widthOf(m_model->index(row, column), m_table->font()));
+    const QModelIndex cell = m_model->index(row, column);
+    if (cell.data(ResultsModel::ZeroRole).toBool()) continue;  // most of a large matrix, and narrow
+    width = std::max(width, delegate->widthOf(cell, m_table->font()));
   }
   return std::min(width, kMostWidth);
 }

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QMainWindow>
 #include <QWidget>
+#include <algorithm>
 #include <utility>
 
 #include "ui/service/turns.h"
@@ -111,13 +112,19 @@ bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// Many parts with a former sheet may be shown by one command, as when the layout is reset: they wait their
-/// turn, and the window with its painting.
+/// Many parts may be shown by one command, as when the layout is reset or a presentation ends: they wait
+/// their turn, and the window with its painting. Not so the first one without a former sheet, nor those of a
+/// window that is about to be shown, whose layout begins with them.
 void ThemeSheets::renewWhenShown(QWidget& part) {
-  const bool mayWait = !part.isWindow() && !part.styleSheet().isEmpty();
-  if (!mayWait) return theme::setSheet(part, m_sheet);
   if (part.styleSheet() == m_sheet) return;
-  m_outdated.emplace_back(&part);
+  const bool isFirst = part.styleSheet().isEmpty() && !m_isUnderWay;
+  if (part.isWindow() || isFirst || !part.window()->isVisible()) {
+    theme::setSheet(part, m_sheet);
+    if (isFirst && part.window()->isVisible()) begin();
+    return;
+  }
+  if (std::find(m_outdated.begin(), m_outdated.end(), &part) == m_outdated.end())
+    m_outdated.emplace_back(&part);
   holdPainting();
   begin();
 }

@@ -222,6 +222,26 @@ class DerivationPanelTest : public QObject {
     QVERIFY(panel->minimumSizeHint().width() < 420);
   }
 
+  /// A window that is resized does not wait for a long derivation.
+  void anotherWidthIsLaidOutInATurnOfItsOwn() {
+    showNow(snapshotOf(robot()));
+    const int before = view().verticalScrollBar()->maximum();
+    panel->resize(300, 400);
+    QCOMPARE(view().verticalScrollBar()->maximum(), before);
+    QTRY_VERIFY(view().verticalScrollBar()->maximum() > before);
+  }
+
+  void aWidthThatChangesMeanwhileCounts() {
+    panel->setSnapshot(snapshotOf(robot()), {});
+    panel->setAwake(true);
+    panel->resize(300, 400);
+    QTRY_VERIFY(panel->isUpToDate() && view().report() != nullptr);
+    QCoreApplication::processEvents();  // a turn, if one is due
+    const int shown = view().verticalScrollBar()->maximum();
+    view().setReport(view().report());  // laid out here
+    QCOMPARE(view().verticalScrollBar()->maximum(), shown);
+  }
+
   void itFollowsTheTheme() {
     showNow(snapshotOf(robot()));
     QCOMPARE(picture().pixelColor(1, 1), qColor(ColorRole::sheet, Theme::light));

@@ -102,8 +102,12 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QCOMPARE(
         dual->text().count(QRegularExpression(QStringLiteral("border:2px[^>]*><a [^>]*>\u2212?60</a></td>"))),
         3);
+    const QSize both = dual->sizeHint();
+    QCOMPARE(both, dual->QLabel::sizeHint());
     selection.select({mechanism.turningJoints[0].id});
     QVERIFY2(dual->text().contains(QLatin1String("Row 9: speeds of mesh 9")), qPrintable(dual->text()));
+    QCOMPARE(dual->sizeHint(), dual->QLabel::sizeHint());
+    QVERIFY(dual->sizeHint() != both);
     // It follows the train with losses.
     type("meshEfficiency", "0.98");
     selection.select({mechanism.turningJoints[1].id});

@@ -183,6 +183,26 @@ class ThemeSheetsTest : public QObject {
     applyTheme(*qApp, Theme::light);
   }
 
+  /// As when a presentation ends that hid them before they were ever seen.
+  void docksThatAreFirstShownTogetherGetItOneATurn() {
+    ThemedWindow shown;
+    QCOMPARE(shown.outdated(styleSheetOf(Theme::light)), 0);  // the layout of a new window begins with it
+    std::vector<QDockWidget*> added;
+    for (int i = 0; i < 3; ++i) {
+      auto* dock = added.emplace_back(new QDockWidget(QString::number(i), &shown.window));
+      dock->setWidget(new QLabel(QStringLiteral("new")));
+      dock->hide();
+      shown.window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+    }
+    QTRY_VERIFY(ThemeSheets::instance().isSettled());
+    for (QDockWidget* dock : added) dock->show();
+    const QString sheet = styleSheetOf(Theme::light);
+    QCOMPARE(shown.outdated(sheet), 2);  // the first one has it at once
+    QVERIFY(!shown.window.updatesEnabled());
+    QTRY_VERIFY(shown.window.updatesEnabled());
+    QCOMPARE(shown.outdated(sheet), 0);
+  }
+
   void windowsPaintOneATurn() {
     ThemedWindow one;
     ThemedWindow other;
