@@ -8,7 +8,7 @@
 namespace geargraph::test {
 
 /// @return true: initialising the result adds the class.
-/// @param file  source; its name without folder and ending names the class for whoever runs it
+/// @param file  the source; its name without folder and ending is the name to run the class by
 bool addTestClass(const char* file, int (*run)(int count, char** words));
 
 template <typename Class>
