@@ -144,21 +144,24 @@ void DerivationView::layOut() {
 void DerivationView::place(std::vector<FlowLine> lines) {
   m_lines = std::move(lines);
   m_tops.clear();
-  double y = kMargin, width = m_layout.width;
+  m_width = m_layout.width;
+  double y = kMargin;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     y += i == 0 ? 0 : std::round(m_lines[i].above);
     m_tops.push_back(y);
     y += std::ceil(m_lines[i].height);
     for (const FlowFormula& formula : m_lines[i].formulas) {
-      width = std::max(width, formula.x + formula.box->width * formula.size);
+      m_width = std::max(m_width, formula.x + formula.box->width * formula.size);
     }
   }
   m_tops.push_back(y);
-  m_lines.empty() ? renewScrollBars(0, 0) : renewScrollBars(width + 2 * kMargin, y + kMargin);
+  renewScrollBars();
 }
 
-void DerivationView::renewScrollBars(double width, double height) {
+void DerivationView::renewScrollBars() {
   const QSize room = viewport()->size();
+  const double width = m_lines.empty() ? 0 : m_width + 2 * kMargin;
+  const double height = m_lines.empty() ? 0 : m_tops.back() + kMargin;
   // What is longer than the view scrolls so far that its last section can come to the top.
   const int beyond = static_cast<int>(std::ceil(height)) - room.height();
   const int last = topOfHeading(static_cast<int>(m_headings.size()) - 1);
@@ -269,9 +272,7 @@ void DerivationView::paintLight(QPainter& painter, std::size_t line, QPointF ori
 
 void DerivationView::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
-  if (currentLayout() != m_layout) return layOutAnew();
-  const double height = m_lines.empty() ? 0 : m_tops.back() + kMargin;
-  renewScrollBars(horizontalScrollBar()->maximum() + horizontalScrollBar()->pageStep(), height);
+  currentLayout() != m_layout ? layOutAnew() : renewScrollBars();
 }
 
 void DerivationView::wheelEvent(QWheelEvent* event) {

@@ -77,7 +77,7 @@ class DerivationView : public QAbstractScrollArea {
   void returnTo(const Anchor& anchor);
   [[nodiscard]] Anchor anchor() const;
   [[nodiscard]] int topOfHeading(int heading) const;
-  void renewScrollBars(double width, double height);
+  void renewScrollBars();
   [[nodiscard]] std::optional<std::size_t> lineAt(QPoint place) const;
   [[nodiscard]] std::optional<ElementId> elementAt(QPoint place) const;
   void paintLight(QPainter& painter, std::size_t line, QPointF origin);
@@ -90,6 +90,7 @@ class DerivationView : public QAbstractScrollArea {
   DerivationLayout m_layout;  ///< of the lines
   std::optional<FontMeasure> m_measure;
   std::vector<FlowLine> m_lines;
+  double m_width = 0;                   ///< of the widest, without margins
   std::vector<double> m_tops;           ///< by line, and one for the end
   std::vector<std::size_t> m_headings;  ///< blocks
   FlowPainter m_painter;

@@ -238,7 +238,7 @@ void DualityLine::show(const ForcesPtr& forces) {
 
 void DualityLine::changeEvent(QEvent* event) {
   const bool isOtherFont = event->type() == QEvent::FontChange;
-  if (isOtherFont) m_size = {};
+  if (isOtherFont) m_textSize = {};
   QLabel::changeEvent(event);
   if (!isOtherFont && event->type() != QEvent::PaletteChange) return;
   if (std::exchange(m_isTurnDue, true)) return;
@@ -249,20 +249,19 @@ void DualityLine::changeEvent(QEvent* event) {
 }
 
 QSize DualityLine::sizeHint() const {
-  if (m_size.isEmpty()) {
+  if (m_textSize.isEmpty()) {
     QTextDocument document;
     document.setDefaultFont(font());
     document.setDocumentMargin(0);
     document.setHtml(text());
-    const QSizeF text = document.size();
-    m_size = QSize(qCeil(text.width()), qCeil(text.height())).grownBy(contentsMargins());
+    m_textSize = {qCeil(document.size().width()), qCeil(document.size().height())};
   }
-  return m_size.expandedTo(minimumSize());
+  return m_textSize.grownBy(contentsMargins()).expandedTo(minimumSize());
 }
 
 void DualityLine::renewText(const QString& html) {
   if (html == text()) return;
-  m_size = {};  // before the label asks for it
+  m_textSize = {};  // before the label asks for it
   setText(html);
 }
 

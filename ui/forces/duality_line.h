@@ -44,7 +44,7 @@ class DualityLine : public QLabel {
 
   Selection* m_selection;
   ForcesPtr m_forces;
-  mutable QSize m_size;                      ///< of the text and its margins; empty: not known yet
+  mutable QSize m_textSize;                  ///< empty: not known yet
   bool m_isTurnDue = false;                  ///< in which the colours and the font are renewed
   std::set<ElementId> m_cell;                ///< that of a matrix, under the mouse
   ElementId m_mesh, m_joint;                 ///< of the entry that is framed here

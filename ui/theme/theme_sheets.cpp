@@ -117,10 +117,10 @@ bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
 /// window that is about to be shown, whose layout begins with them.
 void ThemeSheets::renewWhenShown(QWidget& part) {
   if (part.styleSheet() == m_sheet) return;
-  const bool isFirst = part.styleSheet().isEmpty() && !m_isUnderWay;
-  if (part.isWindow() || isFirst || !part.window()->isVisible()) {
+  const bool isInSight = !part.isWindow() && part.window()->isVisible();
+  if (!isInSight || (part.styleSheet().isEmpty() && !m_isUnderWay)) {
     theme::setSheet(part, m_sheet);
-    if (isFirst && part.window()->isVisible()) begin();
+    if (isInSight) begin();  // those that follow are not the first
     return;
   }
   if (std::find(m_outdated.begin(), m_outdated.end(), &part) == m_outdated.end())

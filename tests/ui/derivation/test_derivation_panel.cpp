@@ -231,6 +231,16 @@ class DerivationPanelTest : public QObject {
     QTRY_VERIFY(view().verticalScrollBar()->maximum() > before);
   }
 
+  /// Beyond the widest page nothing is laid out anew.
+  void aWideViewThatGetsNarrowerDoesNotScrollSideways() {
+    showNow(snapshotOf(robot()));
+    panel->resize(1600, 400);
+    QTRY_COMPARE(view().horizontalScrollBar()->pageStep(), view().viewport()->width());
+    panel->resize(1200, 400);
+    QTRY_COMPARE(view().horizontalScrollBar()->pageStep(), view().viewport()->width());
+    QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
+  }
+
   void aWidthThatChangesMeanwhileCounts() {
     panel->setSnapshot(snapshotOf(robot()), {});
     panel->setAwake(true);
