@@ -271,6 +271,7 @@ void MainWindow::wireViews() {
     tellWhenSettled();
   });
   m_workbench->forces().onAnswer(this, [this](const ForcesPtr& forces) { onForces(forces); });
+  connect(m_problems, &ProblemsPanel::fixesOffered, this, &MainWindow::tellWhenSettled);
   connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
     m_view3d->showMoment(time);
     auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
@@ -367,7 +368,8 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 
 bool MainWindow::isSettled() const {
   return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate() && m_power->isSettled() && findChild<PowerArrows*>()->isSettled();
+         m_ttGraph->isUpToDate() && m_problems->isSettled() && m_power->isSettled() &&
+         findChild<PowerArrows*>()->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {

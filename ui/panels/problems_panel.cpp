@@ -156,6 +156,7 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   m_fixFinder->onAnswer(this, [this](const std::vector<std::vector<Fix>>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) showFixes(m_rowsAsked[i], found[i]);
     m_list->doItemsLayout();
+    emit fixesOffered();
   });
   renew();
 }

@@ -40,8 +40,11 @@ class ProblemsPanel : public QWidget {
 
   [[nodiscard]] DiagnosticModel& model() { return *m_model; }
   [[nodiscard]] QListView& list() { return *m_list; }
+  /// Are all fixes offered that were asked for?
+  [[nodiscard]] bool isSettled() const { return m_fixFinder->isUpToDate(); }
 
  signals:
+  void fixesOffered();  ///< those that were found in the background
   void countChanged(int count);
   void fixWanted(const geargraph::Fix& fix);
   void momentWanted(double time);  ///< s of the motion: time of a clicked diagnostic
