@@ -1,7 +1,5 @@
 #include "tests/soak/gesture_soak.h"
 
-#include <malloc.h>
-
 #include <QApplication>
 #include <QDir>
 #include <QFile>
@@ -10,11 +8,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/soak/held_memory.h"
 #include "tests/soak/live_objects.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/theme/application_theme.h"
@@ -119,7 +119,6 @@ QString GestureSoak::documentFile(const std::string& name) {
   const QString path =
       m_folder.filePath(QString::fromStdString(name).replace(u':', u'-') + QStringLiteral(".geargraph"));
   const Mechanism document = documentOf(name);
-  m_mostLinks = document.n();
   if (writeFile(QFile::encodeName(path).toStdString(), writeMechanism(document)))
     finding(QStringLiteral("The document could not be written."));
   return path;
@@ -171,8 +170,37 @@ void GestureSoak::step() {
   next();
   if (isOpening()) return;
   act();
+  checkStalls();
+}
+
+/// Of the largest document: gestures paste, and delete.
+void GestureSoak::countLinks() {
   for (MainWindow* each : m_windows->windows())
-    m_mostLinks = std::max(m_mostLinks, each->document().mechanism()->n());  // gestures paste
+    m_links = std::max(m_links, each->document().mechanism()->n());
+}
+
+/// A stall is measured against the links that there are about then: what a gesture asked for may still arrive
+/// during the next one.
+void GestureSoak::checkStalls() {
+  countLinks();
+  for (auto& [activity, stall] : m_watchdog->take()) {
+    test::StallWatchdog::Stall& longest = m_longest[m_document + QStringLiteral(", ") + activity];
+    if (stall.length() > longest.length()) longest = stall;
+    if (activity == kOpening || activity == kClosing || stall.length() <= limitOfStall()) continue;
+    TooLong& worst = m_tooLong[activity];
+    if (stall.length() > worst.stall.length())
+      worst = {std::move(stall), std::max(m_links, m_linksBefore), limitOfStall()};
+  }
+}
+
+void GestureSoak::reportStalls() {
+  for (const auto& [activity, worst] : std::exchange(m_tooLong, {})) {
+    m_watchdog->setActivity(activity);
+    finding(QStringLiteral("the event loop was stalled for %1 of %2; %3 links")
+                .arg(textOf(worst.stall))
+                .arg(worst.limit, 0, 'f', 0)
+                .arg(worst.links));
+  }
 }
 
 /// A gesture that makes a window (opens an example, begins a practice, changes the language) is an opening
@@ -234,19 +262,11 @@ void GestureSoak::endRound() {
   if (m_waited < kSettling) next();
   if (!m_windows->windows().empty() || QApplication::activeModalWidget() != nullptr) return closeAll();
   if (++m_waited <= kSettling) return;
-  malloc_trim(0);
   const AtRest rest = atRest();
   const bool isWhole = m_gestures - m_gesturesBefore >= gesturesOfRound();
   if (isWhole) m_rests.push_back(rest);
-  for (const auto& [activity, stall] : m_watchdog->longestByActivity()) {
-    test::StallWatchdog::Stall& longest = m_longest[m_document + QStringLiteral(", ") + activity];
-    if (stall.length() > longest.length()) longest = stall;
-    if (stall.length() > limitOfStall() && activity != kOpening && activity != kClosing) {
-      m_watchdog->setActivity(activity);
-      finding(
-          QStringLiteral("the event loop was stalled for %1; %2 links").arg(textOf(stall)).arg(m_mostLinks));
-    }
-  }
+  checkStalls();
+  reportStalls();
   std::printf("  round %d, %s: %ld gestures, %ld objects and %.1f MB at rest, %.0f s\n", m_round,
               qPrintable(m_document), m_gestures - m_gesturesBefore, rest.objects, rest.memory,
               m_time.elapsed() / 1e3);
@@ -261,13 +281,13 @@ void GestureSoak::endRound() {
 }
 
 double GestureSoak::limitOfStall() const {
-  const double limit = m_mostLinks > kLargeTrain ? kLargeStallLimit : kStallLimit;
-  return m_options.slack * limit * std::max(1.0, static_cast<double>(m_mostLinks) / kLargestTrain);
+  const int links = std::max(m_links, m_linksBefore);
+  const double limit = links > kLargeTrain ? kLargeStallLimit : kStallLimit;
+  return m_options.slack * limit * std::max(1.0, static_cast<double>(links) / kLargestTrain);
 }
 
 AtRest GestureSoak::atRest() const {
-  const struct mallinfo2 heap = mallinfo2();
-  return {liveObjects(), static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6};
+  return {liveObjects(), heldMemory()};
 }
 
 /// The first rounds fill caches. What is held after the last round of every document beyond what was ever

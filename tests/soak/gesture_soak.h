@@ -54,6 +54,11 @@ class GestureSoak : public QObject {
 
   // The gestures; each is some steps, an event each.
   using KindOfGesture = void (GestureSoak::*)();
+  struct TooLong {
+    test::StallWatchdog::Stall stall;
+    int links = 0;
+    double limit = 0;  ///< ms
+  };
   void chooseGesture();
   [[nodiscard]] KindOfGesture kindOfGesture();
   void answerPopup(QWidget* popup);
@@ -86,6 +91,9 @@ class GestureSoak : public QObject {
   [[nodiscard]] long gesturesOfRound() const;
   [[nodiscard]] bool isLastRound() const;
   [[nodiscard]] bool isTimeOver() const;
+  void countLinks();
+  void checkStalls();
+  void reportStalls();
   [[nodiscard]] double limitOfStall() const;
   void finding(const QString& what);
   void checkLeaks();
@@ -104,8 +112,10 @@ class GestureSoak : public QObject {
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture
   KindOfGesture m_favourite = nullptr;                      ///< of this round
+  std::map<QString, TooLong> m_tooLong;                     ///< of this round, by gesture
   QString m_document;
-  int m_mostLinks = 0;  ///< that a document had this round
+  int m_links = 0;        ///< the most that a document had during the gesture
+  int m_linksBefore = 0;  ///< during the gesture before
   int m_round = 0;
   long m_gestures = 0;
   long m_gesturesBefore = 0;  ///< this round

@@ -99,6 +99,8 @@ Qt::KeyboardModifiers GestureSoak::modifiers() {
 /// The steps of a gesture in their order.
 void GestureSoak::begin(const QString& gesture, std::vector<std::function<void()>> steps) {
   m_watchdog->setActivity(gesture);
+  m_linksBefore = std::exchange(m_links, 0);
+  countLinks();
   m_sinceGesture.start();
   ++m_gestures;
   std::reverse(steps.begin(), steps.end());

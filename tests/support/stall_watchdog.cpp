@@ -182,4 +182,9 @@ void StallWatchdog::reset() {
   m_longest.clear();
 }
 
+std::map<QString, StallWatchdog::Stall> StallWatchdog::take() {
+  const std::lock_guard lock(m_mutex);
+  return std::exchange(m_longest, {});
+}
+
 }  // namespace geargraph::test

@@ -62,6 +62,8 @@ class StallWatchdog : public QObject {
   /// The longest of all.
   [[nodiscard]] double longest() const;
   void reset();
+  /// longestByActivity() of the time since the last call, which is forgotten.
+  [[nodiscard]] std::map<QString, Stall> take();
 
  protected:
   bool event(QEvent* event) override;

@@ -37,6 +37,15 @@ class StallWatchdogTest : public QObject {
     QVERIFY(stall.wall >= stall.cpu - 1);
   }
 
+  void whatIsTakenIsForgotten() {
+    StallWatchdog watchdog(QStringLiteral("computing"));
+    QTimer::singleShot(0, this, [] { computeFor(80); });
+    QTRY_VERIFY(watchdog.longest() > 60);
+    const auto taken = watchdog.take();
+    QVERIFY(taken.at(QStringLiteral("computing")).length() > 60);
+    QVERIFY(watchdog.longest() < 60);
+  }
+
   void waitingForAnIdleLockIsAStallOfThatLength() {
     StallWatchdog watchdog;
     QTRY_VERIFY(!watchdog.longestByActivity().empty());

@@ -11,6 +11,10 @@ else()
 endif()
 option(GEARGRAPH_PORTABLE "Make do with the standard library where there are calls of Linux (core/foundations/platform)" ${portable})
 set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
+# Sanitizers bring an allocator of their own.
+include(CMakeDependentOption)
+cmake_dependent_option(GEARGRAPH_JEMALLOC "The editor allocates with jemalloc (app/editor/memory.cpp)" ON
+  "GEARGRAPH_QT;NOT GEARGRAPH_PORTABLE;NOT GEARGRAPH_SANITIZE" OFF)
 
 option(GEARGRAPH_FUZZ "Build the libFuzzer programs (clang only; preset fuzz)" OFF)
 
