@@ -3,6 +3,7 @@
 #include <QObject>
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -57,13 +58,15 @@ class Selection : public QObject {
 
  private:
   template <class Exists>
-  static std::set<ElementId> kept(std::set<ElementId> elements, Exists exists) {
-    std::erase_if(elements, [&](const ElementId& element) { return !exists(element); });
-    return elements;
+  static std::set<ElementId> kept(const std::set<ElementId>& elements, Exists exists) {
+    std::set<ElementId> left;  // often few of thousands
+    std::copy_if(elements.begin(), elements.end(), std::inserter(left, left.end()), exists);
+    return left;
   }
 
   [[nodiscard]] std::set<ElementId> existing(std::set<ElementId> elements) const {
-    return m_exists ? kept(std::move(elements), m_exists) : std::move(elements);
+    if (m_exists) std::erase_if(elements, [this](const ElementId& element) { return !m_exists(element); });
+    return elements;
   }
 
   std::function<bool(const ElementId&)> m_exists;
