@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QThread>
 #include <QTimer>
 #include <algorithm>
 
@@ -247,8 +248,10 @@ void WindowSet::leave(std::unique_ptr<MainWindow> window) {
   m_leaveSoon->start();
 }
 
+/// Not in the event loop of a dialog: a window that has been closed may be what it was opened by, and waits
+/// on the stack for its answer.
 void WindowSet::deleteLeft() {
-  if (!m_leaving.front()->hasStopped()) return;
+  if (QThread::currentThread()->loopLevel() > 1 || !m_leaving.front()->hasStopped()) return;
   m_leaving.pop_front();
   if (m_leaving.empty()) m_leaveSoon->stop();
 }

@@ -1,10 +1,13 @@
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QEventLoop>
 #include <QFileInfo>
 #include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <cmath>
 #include <ctime>
 
@@ -89,6 +92,34 @@ class WindowCloseTest : public QObject {
     QVERIFY(!window.isNull());  // nothing was waited for
     QVERIFY(!window->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(window.isNull(), 20'000);
+  }
+
+  /// The dialog, and the function of the window that waits for its answer, are on the stack.
+  void aWindowStaysWhileItAsks() {
+    const QTemporaryDir folder;
+    WindowSet windows(folder.path());
+    const QPointer<MainWindow> window(&windows.openNew());
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    const QPointer<QDialog> question(new QDialog(window));
+    bool stayed = false;
+    QEventLoop program;
+    QTimer::singleShot(0, &program, [&] {
+      constexpr int kTicks = 20;  // of the interval at which windows that have been closed are looked after
+      int ticks = 0;
+      QTimer timer;
+      connect(&timer, &QTimer::timeout, question, [&] {
+        if (window->hasStopped() && ++ticks > kTicks) question->reject();
+      });
+      timer.start(5);
+      QTimer::singleShot(0, question, [&] { window->close(); });
+      question->exec();
+      stayed = !question.isNull();
+      delete question;
+      program.quit();
+    });
+    program.exec();
+    QVERIFY(stayed);
+    QTRY_VERIFY(window.isNull());
   }
 
   /// Panels that are hidden no longer want what they read, which renews the commands of the window.
