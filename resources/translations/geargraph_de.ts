@@ -11327,6 +11327,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Die Datei zeigt die ersten %1 s davon, mit ihrer Geschwindigkeit; sie endet nicht, wo sie begann.</translation>
     </message>
     <message>
+        <source>Nothing in the file moves.</source>
+        <translation>In der Datei bewegt sich nichts.</translation>
+    </message>
+    <message>
         <source>A mechanism with errors has no gears</source>
         <translation>Ein Mechanismus mit Fehlern hat keine Räder</translation>
     </message>

@@ -11327,6 +11327,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>El archivo muestra los primeros %1 s, a su velocidad; no termina donde empezó.</translation>
     </message>
     <message>
+        <source>Nothing in the file moves.</source>
+        <translation>Nada se mueve en el archivo.</translation>
+    </message>
+    <message>
         <source>A mechanism with errors has no gears</source>
         <translation>Un mecanismo con errores no tiene ruedas</translation>
     </message>

@@ -11326,6 +11326,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Dosya bunun ilk %1 s&apos;sini, kendi hızında gösterir; başladığı yerde bitmez.</translation>
     </message>
     <message>
+        <source>Nothing in the file moves.</source>
+        <translation>Dosyada hiçbir şey hareket etmez.</translation>
+    </message>
+    <message>
         <source>A mechanism with errors has no gears</source>
         <translation>Hatalı bir mekanizmanın dişlileri olmaz</translation>
     </message>

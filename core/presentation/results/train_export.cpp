@@ -138,8 +138,13 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
   }
   if (const auto* error = std::get_if<MeshFileError>(&scene)) {
     std::string message = error->message;
-    if (message.ends_with('.')) message.pop_back();
-    return ExportFailure{Kind::limit, std::move(message)};
+    if (choice.seconds > 0) {
+      if (message.ends_with('.')) message.pop_back();
+      return ExportFailure{Kind::limit, std::move(message)};
+    }
+    // Nobody asked for the motion alone, and the shortest stretch of it is too much.
+    solids.shows = std::move(message) + ' ' + translated("Nothing in the file moves.");
+    scene = linkScene(source, std::nullopt);
   }
   solids.scene = std::get<MeshScene>(std::move(scene));
   return solids;

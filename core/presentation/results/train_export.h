@@ -56,7 +56,8 @@ struct SolidsChoice {
   std::optional<std::string> link = {};  ///< only the link with this label
   bool moves = false;                    ///< with the motion at the document's speeds
   /// The duration of one period in the file, s; 0: real time. If the period is too long for a file: this many
-  /// seconds of the motion in real time; 0: kStretch.
+  /// seconds of the motion in real time; 0: kStretch, less of what is faster, and of what is faster still the
+  /// train at rest.
   double seconds = 0;
 };
 

@@ -75,6 +75,18 @@ class TestResults : public QObject {
     QVERIFY(durationOf(solids.scene) > 0 && solids.shows.empty() && solids.left.empty());
   }
 
+  /// As in a long train, whose gears make each other faster and faster.
+  void aMotionTooFastForAFileLeavesTheTrainAtRest() {
+    ExportTrain train = trainOf(robot());
+    train.motions.front().front() = Rational(100'000'000'000'000'000);
+    const auto solids = std::get<TrainSolids>(trainSolids(train, {.tolerance = 0.1, .moves = true}));
+    QCOMPARE(durationOf(solids.scene), 0.0);
+    QVERIFY(solids.shows.find("too fast") != std::string::npos);
+    QVERIFY(solids.shows.ends_with("Nothing in the file moves."));
+    const auto asked = trainSolids(train, {.tolerance = 0.1, .moves = true, .seconds = 5});
+    QCOMPARE(std::get<ExportFailure>(asked).kind, ExportFailure::Kind::limit);
+  }
+
   void graphsNeedWhatTheyShow() {
     for (const char* name : {"dot", "graphml", "node-link"}) {
       const GraphForm form = *graphFormFromName(name);
