@@ -297,20 +297,20 @@ void GestureSoak::typeText() {
     return qobject_cast<const QLineEdit*>(each) != nullptr ||
            qobject_cast<const QPlainTextEdit*>(each) != nullptr;
   };
-  QWidget* field = QApplication::focusWidget();
-  if (!isField(field)) {
+  QPointer<QWidget> on(QApplication::focusWidget());
+  if (!isField(on)) {
     QList<QWidget*> fields;
     for (QWidget* each : window()->findChildren<QWidget*>()) {
       if (isField(each) && each->isVisible() && each->isEnabled()) fields << each;
     }
     if (fields.isEmpty()) return;
-    field = fields[below(static_cast<int>(fields.size()))];
-    field->setFocus();
+    on = fields[below(static_cast<int>(fields.size()))];
+    on->setFocus();  // what was being typed elsewhere counts now, and forms may be made anew
+    if (!on) return;
   }
   static const QStringList kTexts{QStringLiteral("12"),   QStringLiteral("22/7"),  QStringLiteral("-0.5 in"),
                                   QStringLiteral("name"), QStringLiteral("1e300"), QStringLiteral("gear"),
                                   QStringLiteral(""),     QStringLiteral("0"),     QStringLiteral("齿轮")};
-  const QPointer<QWidget> on(field);
   std::vector<std::function<void()>> steps{[on] {
     if (on) QMetaObject::invokeMethod(on, "selectAll");
   }};
@@ -324,7 +324,7 @@ void GestureSoak::typeText() {
   }
   const int end = oneIn(3) ? Qt::Key_Escape : Qt::Key_Return;
   steps.emplace_back([on, end] { key(on.data(), end); });
-  begin(QStringLiteral("typing into ") + field->objectName(), std::move(steps));
+  begin(QStringLiteral("typing into ") + on->objectName(), std::move(steps));
 }
 
 void GestureSoak::triggerAction() {
