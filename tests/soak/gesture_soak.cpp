@@ -173,7 +173,7 @@ void GestureSoak::step() {
   checkStalls();
 }
 
-/// Of the largest document: gestures paste, and delete.
+/// Those of the largest document; gestures change them.
 void GestureSoak::countLinks() {
   for (MainWindow* each : m_windows->windows())
     m_links = std::max(m_links, each->document().mechanism()->n());

@@ -142,7 +142,7 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
       if (message.ends_with('.')) message.pop_back();
       return ExportFailure{Kind::limit, std::move(message)};
     }
-    // Nobody asked for the motion alone, and the shortest stretch of it is too much.
+    // The duration was not asked for, and the shortest stretch of the motion has too many keys.
     solids.shows = std::move(message) + ' ' + translated("Nothing in the file moves.");
     scene = linkScene(source, std::nullopt);
   }

@@ -104,7 +104,7 @@ class WindowCloseTest : public QObject {
     bool stayed = false;
     QEventLoop program;
     QTimer::singleShot(0, &program, [&] {
-      constexpr int kTicks = 20;  // of the interval at which windows that have been closed are looked after
+      constexpr int kTicks = 20;  // of the interval at which WindowSet deletes what was closed
       int ticks = 0;
       QTimer timer;
       connect(&timer, &QTimer::timeout, question, [&] {
