@@ -188,8 +188,7 @@ void GestureSoak::checkStalls() {
     if (stall.length() > longest.length()) longest = stall;
     if (activity == kOpening || activity == kClosing || stall.length() <= limitOfStall()) continue;
     TooLong& worst = m_tooLong[activity];
-    if (stall.length() > worst.stall.length())
-      worst = {std::move(stall), std::max(m_links, m_linksBefore), limitOfStall()};
+    if (stall.length() > worst.stall.length()) worst = {std::move(stall), linksOfLate(), limitOfStall()};
   }
 }
 
@@ -280,8 +279,12 @@ void GestureSoak::endRound() {
   next();
 }
 
+int GestureSoak::linksOfLate() const {
+  return std::max(m_links, m_linksBefore);
+}
+
 double GestureSoak::limitOfStall() const {
-  const int links = std::max(m_links, m_linksBefore);
+  const int links = linksOfLate();
   const double limit = links > kLargeTrain ? kLargeStallLimit : kStallLimit;
   return m_options.slack * limit * std::max(1.0, static_cast<double>(links) / kLargestTrain);
 }

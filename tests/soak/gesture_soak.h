@@ -94,6 +94,7 @@ class GestureSoak : public QObject {
   void countLinks();
   void checkStalls();
   void reportStalls();
+  [[nodiscard]] int linksOfLate() const;
   [[nodiscard]] double limitOfStall() const;
   void finding(const QString& what);
   void checkLeaks();

@@ -104,7 +104,7 @@ class WindowCloseTest : public QObject {
     bool stayed = false;
     QEventLoop program;
     QTimer::singleShot(0, &program, [&] {
-      constexpr int kTicks = 20;  // of the interval at which WindowSet deletes what was closed
+      constexpr int kTicks = 20;  // WindowSet deletes closed windows by a timer as fast as this one
       int ticks = 0;
       QTimer timer;
       connect(&timer, &QTimer::timeout, question, [&] {
