@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   const ScreenFit screenFit;
   WindowSet windows(WindowSet::defaultFolder());
   windows.start(line.documents);
+  if (windows.windows().empty()) return 0;
   // Where nothing was asked for and nothing is opened again, this may be the first time that the program is
   // used.
   if (MainWindow* first = windows.windows().front();

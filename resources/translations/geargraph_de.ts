@@ -4695,6 +4695,10 @@
         <translation>Die Sprache kann gewechselt werden, wenn der Export beendet ist.</translation>
     </message>
     <message>
+        <source>The language can be changed when the file has been read.</source>
+        <translation>Die Sprache kann gewechselt werden, wenn die Datei gelesen ist.</translation>
+    </message>
+    <message>
         <source>Moving links</source>
         <translation>Bewegte Glieder</translation>
     </message>

@@ -4695,6 +4695,10 @@
         <translation>El idioma se puede cambiar cuando termine la exportación.</translation>
     </message>
     <message>
+        <source>The language can be changed when the file has been read.</source>
+        <translation>El idioma se puede cambiar cuando se haya leído el archivo.</translation>
+    </message>
+    <message>
         <source>Moving links</source>
         <translation>Eslabones móviles</translation>
     </message>

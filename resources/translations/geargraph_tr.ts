@@ -4694,6 +4694,10 @@
         <translation>Dil, dışa aktarma bitince değiştirilebilir.</translation>
     </message>
     <message>
+        <source>The language can be changed when the file has been read.</source>
+        <translation>Dil, dosya okunduktan sonra değiştirilebilir.</translation>
+    </message>
+    <message>
         <source>Moving links</source>
         <translation>Hareketli uzuvlar</translation>
     </message>

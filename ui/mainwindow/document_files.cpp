@@ -6,7 +6,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QFutureWatcher>
-#include <QPointer>
 #include <QProgressDialog>
 #include <QPromise>
 #include <QThreadPool>
@@ -15,12 +14,15 @@
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
+#include "ui/service/background_work.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
 
 /// A file of so many bytes is read within a frame or two (3 MB: 0.1 to 0.2 s).
 constexpr qint64 kReadAtOnce = 200'000;
+
+const QString kReading = QStringLiteral("documentReading");
 
 using ReadResult = std::shared_ptr<Expected<Mechanism>>;
 
@@ -33,6 +35,41 @@ QFuture<ReadResult> onThread(const std::function<Expected<Mechanism>()>& read) {
   });
   return promise->future();
 }
+
+/// What a window works at while it reads: whoever closes the window ends the event loop that waits for it,
+/// and the window stays until that loop has been left.
+class Reading final : public QObject, public BackgroundWork {
+ public:
+  explicit Reading(QWidget* window) : QObject(window) {
+    setObjectName(kReading);
+    connect(&m_watcher, &QFutureWatcherBase::finished, &m_loop, &QEventLoop::quit);
+  }
+  void start(const std::function<Expected<Mechanism>()>& read) { m_watcher.setFuture(onThread(read)); }
+  void requestStop() override {
+    m_isGivenUp = true;
+    m_loop.quit();
+  }
+  [[nodiscard]] bool hasStopped() const override { return false; }
+  /// Waits for at most `silence` ms.
+  void wait(int silence) {
+    QTimer::singleShot(silence, &m_loop, &QEventLoop::quit);
+    m_loop.exec(QEventLoop::ExcludeUserInputEvents);
+  }
+  void wait(const QProgressDialog& dialog) {
+    connect(&dialog, &QProgressDialog::canceled, this, &Reading::requestStop);
+    m_loop.exec();
+  }
+  [[nodiscard]] bool isGoingOn() const { return !m_isGivenUp && !m_watcher.isFinished(); }
+  [[nodiscard]] std::optional<Expected<Mechanism>> result() const {
+    if (m_isGivenUp || !m_watcher.isFinished()) return std::nullopt;
+    return std::move(*m_watcher.result());
+  }
+
+ private:
+  QEventLoop m_loop;
+  QFutureWatcher<ReadResult> m_watcher;
+  bool m_isGivenUp = false;
+};
 
 std::filesystem::path nativePath(const QString& path) {
   return QFile::encodeName(path).toStdString();
@@ -66,27 +103,21 @@ bool isTable(const QString& path) {
 
 std::optional<Expected<Mechanism>> readInBackground(const std::function<Expected<Mechanism>()>& read,
                                                     const QString& name, QWidget* window, int silence) {
-  const QPointer<QWidget> open(window);
-  QEventLoop loop;
-  QFutureWatcher<ReadResult> watcher;
-  QObject::connect(&watcher, &QFutureWatcherBase::finished, &loop, &QEventLoop::quit);
-  watcher.setFuture(onThread(read));
-  QTimer::singleShot(silence, &loop, &QEventLoop::quit);
-  loop.exec(QEventLoop::ExcludeUserInputEvents);
-  if (!watcher.isFinished() && open) {
-    // The window owns it and may be deleted while the loop runs, with it.
-    const QPointer<QProgressDialog> dialog =
-        new QProgressDialog(QCoreApplication::translate("DocumentFiles", "Reading %1 …").arg(name),
-                            QCoreApplication::translate("DocumentFiles", "Cancel"), 0, 0, window);
-    dialog->setWindowModality(Qt::WindowModal);
-    QObject::connect(dialog, &QProgressDialog::canceled, &loop, &QEventLoop::quit);
-    QObject::connect(window, &QObject::destroyed, &loop, &QEventLoop::quit);
-    dialog->show();
-    loop.exec();
-    delete dialog;
+  Reading reading(window);
+  reading.start(read);
+  reading.wait(silence);
+  if (reading.isGoingOn()) {
+    QProgressDialog dialog(QCoreApplication::translate("DocumentFiles", "Reading %1 …").arg(name),
+                           QCoreApplication::translate("DocumentFiles", "Cancel"), 0, 0, window);
+    dialog.setWindowModality(Qt::WindowModal);
+    dialog.show();
+    reading.wait(dialog);
   }
-  if (!watcher.isFinished() || !open) return std::nullopt;
-  return std::move(*watcher.result());
+  return reading.result();
+}
+
+bool isReading(const QWidget& window) {
+  return window.findChild<QObject*>(kReading) != nullptr;
 }
 
 std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* window) {

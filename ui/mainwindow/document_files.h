@@ -21,10 +21,14 @@ namespace geargraph::inline mainwindow {
 [[nodiscard]] Expected<Mechanism> readDocument(const QString& path);
 
 /// Reads on a background thread while the window stays responsive. After `silence` ms a dialog shows `name`
-/// and offers to cancel. std::nullopt if cancelled, or if the window was closed meanwhile.
+/// and offers to cancel. std::nullopt if cancelled, or if the window was closed meanwhile: it is background
+/// work of the window, which must not be deleted while it goes on.
 [[nodiscard]] std::optional<Expected<Mechanism>> readInBackground(
     const std::function<Expected<Mechanism>()>& read, const QString& name, QWidget* window,
     int silence = 400);
+
+/// Does readInBackground() go on for this window?
+[[nodiscard]] bool isReading(const QWidget& window);
 
 /// readDocument(), by readInBackground() for large files.
 [[nodiscard]] std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* window);

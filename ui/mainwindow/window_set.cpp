@@ -103,6 +103,9 @@ void WindowSet::chooseLanguage(const QString& code) {
     if (window->exportJobs().isBusy())
       return window->statusLine().showRejection(
           tr("The language can be changed when the export is finished."));
+    if (isReading(*window))
+      return window->statusLine().showRejection(
+          tr("The language can be changed when the file has been read."));
   }
   saveLanguage(code);
   const QString wanted = code.isEmpty() ? systemLanguage() : code;
@@ -177,8 +180,9 @@ void WindowSet::start(const QStringList& documents) {
     for (const QString& path : documents) {
       if (!filesWith(path, nullptr).empty()) continue;  // named twice
       MainWindow& window = add();
-      window.files().open(path.startsWith(QLatin1String(":/")) ? path : QFileInfo(path).absoluteFilePath());
       window.show();
+      window.files().open(path.startsWith(QLatin1String(":/")) ? path : QFileInfo(path).absoluteFilePath());
+      if (m_windows.empty()) return;  // the program was quit while it read
     }
   } else if (!reopenSession()) {
     openNew().showStartPage();

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QListView>
 #include <QMimeData>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
@@ -13,6 +14,7 @@
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/languages/languages.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
@@ -39,6 +41,13 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     const QString path = folder->filePath(QStringLiteral("large.geargraph"));
     if (writeDocument(mechanism, path)) qFatal("%s", qPrintable(path));
     return path;
+  }
+  /// Reads an empty document when the gate opens.
+  static std::function<Expected<Mechanism>()> readerOf(const std::shared_ptr<QSemaphore>& gate) {
+    return [gate]() -> Expected<Mechanism> {
+      gate->acquire();
+      return emptyMechanism();
+    };
   }
   void startAgain(const QStringList& documents = {}) {
     set.reset();  // without closing anything, as in a crash
@@ -169,34 +178,58 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
   void readingCanBeCancelled() {
     set->start({});
     const auto gate = std::make_shared<QSemaphore>();
-    const auto never = [gate]() -> Expected<Mechanism> {
-      gate->acquire();
-      return emptyMechanism();
-    };
     QTimer ticks;
     connect(&ticks, &QTimer::timeout, this, [this] {
       const auto* dialog = first().findChild<QProgressDialog*>();
       if (dialog != nullptr) dialog->findChild<QPushButton*>()->click();
     });
     ticks.start(0);
-    QVERIFY(!readInBackground(never, QStringLiteral("slow.geargraph"), &first(), 1).has_value());
+    QVERIFY(!readInBackground(readerOf(gate), QStringLiteral("slow.geargraph"), &first(), 1).has_value());
     gate->release();
   }
 
-  void aWindowMayGoWhileItReads() {
-    QWidget* const window = new QWidget;
+  /// By Ctrl+Q in another window, for example. What reads is on the stack, with the window that asked for it.
+  void aWindowMayBeClosedWhileItReads() {
+    set->start({});
+    const QPointer<MainWindow> window(&first());
     const auto gate = std::make_shared<QSemaphore>();
-    const auto never = [gate]() -> Expected<Mechanism> {
-      gate->acquire();
-      return emptyMechanism();
-    };
+    int waits = 0;
     QTimer ticks;
-    connect(&ticks, &QTimer::timeout, window, [window] {
-      if (window->findChild<QProgressDialog*>() != nullptr) delete window;
+    connect(&ticks, &QTimer::timeout, this, [&] {
+      if (window->findChild<QProgressDialog*>() == nullptr) return;
+      ++waits;
+      window->close();
     });
     ticks.start(0);
-    QVERIFY(!readInBackground(never, QStringLiteral("slow.geargraph"), window, 1).has_value());
+    QVERIFY(!readInBackground(readerOf(gate), QStringLiteral("slow.geargraph"), window, 1).has_value());
+    ticks.stop();
+    QCOMPARE(waits, 1);
+    QVERIFY(!window.isNull());
+    QVERIFY(set->windows().empty());
     gate->release();
+    QTRY_VERIFY(window.isNull());
+  }
+
+  void theProgramMayBeQuitWhileItReadsItsFirstDocument() {
+    QTimer ticks;
+    connect(&ticks, &QTimer::timeout, this, [this] { set->quit(); });
+    ticks.start(0);
+    set->start({writtenLarge(), written(QStringLiteral("next.geargraph"), 1)});
+    QVERIFY(set->windows().empty());
+  }
+
+  void theLanguageStaysWhileAFileIsRead() {
+    set->start({});
+    const MainWindow* const window = &first();
+    const auto gate = std::make_shared<QSemaphore>();
+    QTimer::singleShot(0, this, [&] {
+      emit first().languageWanted(QStringLiteral("de"));
+      gate->release();
+    });
+    QVERIFY(readInBackground(readerOf(gate), QStringLiteral("slow.geargraph"), &first()).has_value());
+    QCOMPARE(&first(), window);
+    QCOMPARE(currentLanguage(), QStringLiteral("en"));
+    QVERIFY(first().statusLine().text().contains(QStringLiteral("language")));
   }
 
   void filesAreDropped() {
