@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QShowEvent>
 #include <QTextBrowser>
 #include <algorithm>
 #include <array>
@@ -14,7 +15,9 @@
 namespace geargraph::inline mainwindow {
 namespace {
 
-constexpr std::size_t kColumns = 3;  // all of it without scrolling on a small screen
+/// In percent. All of it can be seen without scrolling on a screen of 1366 by 768; the last are sentences.
+constexpr std::array kWidths{22, 22, 23, 33};
+constexpr std::size_t kColumns = kWidths.size();
 
 struct Row {
   QString what;
@@ -27,6 +30,7 @@ struct Group {
 };
 
 void addRows(const QMenu& menu, std::vector<Row>& rows) {
+  static const QRegularExpression count(QStringLiteral(" \\d+$"));  // how many problems there are now
   for (const QAction* action : menu.actions()) {
     if (action->menu() != nullptr) {
       addRows(*action->menu(), rows);
@@ -37,7 +41,7 @@ void addRows(const QMenu& menu, std::vector<Row>& rows) {
     const QString named = action->text().section(QLatin1Char('\t'), 1);
     if (keys.isEmpty() && !named.isEmpty()) keys << named;
     QString what = plainText(action->text());
-    what.remove(QRegularExpression(QStringLiteral(" \\d+$")));  // how many problems there are now
+    what.remove(count);
     if (!keys.isEmpty()) rows.push_back({what, keys.join(QStringLiteral(", "))});
   }
 }
@@ -103,21 +107,27 @@ QString ShortcutSheet::textFor(const QMenuBar& menus) {
     placed += size;
   }
   QString cells;
-  for (const QString& column : columns) cells += QStringLiteral("<td width='33%'>%1</td>").arg(column);
+  for (std::size_t i = 0; i < kColumns; ++i)
+    cells += QStringLiteral("<td width='%1%'>%2</td>").arg(kWidths[i]).arg(columns[i]);
   return QStringLiteral("<table width='100%' cellpadding='8'><tr>%1</tr></table>").arg(cells);
 }
 
-ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
+ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent)
+    : QDialog(parent), m_menus(&menus), m_text(new QTextBrowser(this)) {
   setObjectName(QStringLiteral("shortcutSheet"));
   setWindowTitle(tr("Keyboard shortcuts"));
   setAttribute(Qt::WA_DeleteOnClose);
-  auto* text = new QTextBrowser(this);
-  text->setFrameShape(QFrame::NoFrame);
-  text->setHtml(textFor(menus));
+  m_text->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(text);
-  resize(1160, 640);
+  layout->addWidget(m_text);
+  resize(1330, 670);
+}
+
+/// Not before: at each change of its size all of the text would be laid out again.
+void ShortcutSheet::showEvent(QShowEvent* event) {
+  if (!event->spontaneous()) m_text->setHtml(textFor(*m_menus));
+  QDialog::showEvent(event);
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -3,6 +3,7 @@
 #include <QDialog>
 
 class QMenuBar;
+class QTextBrowser;
 
 namespace geargraph::inline mainwindow {
 
@@ -16,6 +17,13 @@ class ShortcutSheet : public QDialog {
 
   /// The sheet as HTML.
   [[nodiscard]] static QString textFor(const QMenuBar& menus);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  const QMenuBar* m_menus;
+  QTextBrowser* m_text;
 };
 
 }  // namespace geargraph::inline mainwindow
