@@ -107,17 +107,18 @@ void InputsPanel::renew() {
   const std::size_t shown = std::min(inputs.size(), m_mostRows);
   std::vector<std::string> titles;
   for (std::size_t i = 0; i < shown; ++i) titles.push_back(titleOf(inputs[i].joint));
-  const bool areFirst =
-      m_rows.size() <= shown &&
-      std::equal(m_rows.begin(), m_rows.end(), inputs.begin(),
-                 [](const Row& row, const Input& input) { return row.joint == input.joint; }) &&
-      std::equal(m_shownTitles.begin(), m_shownTitles.end(), titles.begin());
-  if (!areFirst) clearRows();
+  std::size_t kept = 0;
+  while (kept < std::min(m_rows.size(), shown) && m_rows[kept].joint == inputs[kept].joint) ++kept;
+  removeRows(kept);
   if (m_rows.size() < shown) {
     const LaidOutAtOnce added(m_list);
-    while (m_rows.size() < shown)
+    while (m_rows.size() < shown) {
       m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
+      showTitle(m_rows.back());
+    }
   }
+  for (std::size_t i = 0; i < kept; ++i)
+    if (m_shownTitles[i] != titles[i]) showTitle(m_rows[i]);
   m_list->setVisible(shown > 0);
   m_shownTitles = std::move(titles);
   for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
@@ -160,44 +161,28 @@ void InputsPanel::renewEngaged() {
                                .arg(shownText(mechanism.states[static_cast<std::size_t>(state)].name), list));
 }
 
-void InputsPanel::clearRows() {
-  m_shownTitles.clear();
-  for (const Row& row : std::exchange(m_rows, {})) {
-    for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
+void InputsPanel::removeRows(std::size_t first) {
+  for (std::size_t i = first; i < m_rows.size(); ++i) {
+    for (QWidget* widget : m_rows[i].widgets) removeFrom(*m_grid, widget);
   }
+  m_rows.resize(std::min(m_rows.size(), first));
 }
 
+/// Its title is still to be shown.
 InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   Row row;
   row.joint = input.joint;
-  const ElementIndex& index = m_document->elements();
-  const TurningJoint& joint = *index.find(input.joint);
-  const QString jointLabel = shownText(index.labelOf(input.joint).value());
-  const QString head = shownText(index.labelOf(joint.head).value());
-  const QString tail = shownText(index.labelOf(joint.tail).value());
-
-  auto* dot = new QLabel(m_list);
-  dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
-  const std::string& headName = index.find(joint.head)->name;
-  auto* name = new RateLabel(jointLabel, relativeText(head, headName, tail), m_list);
-  name->setToolTip(
-      tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: about the "
-         "direction of the axis, by the right-hand rule.")
-          .arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
+  row.dot = new QLabel(m_list);
+  row.name = new RateLabel(m_list);
   row.slider = new SpeedSlider(m_list);
-  row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
-  dot->setAccessibleName(tr("Colour of link %1").arg(head));
-  row.slider->setAccessibleName(
-      tr("Speed of joint %1, %2").arg(jointLabel, relativeText(head, headName, tail)));
   row.field = new NumberField(m_list);
-  row.field->setObjectName(QStringLiteral("speed.") + jointLabel);
-  row.field->setAccessibleName(row.slider->accessibleName());
   row.field->setFixedWidth(76);
   row.field->setStep(Rational(1, 10));
   row.field->setAlignment(Qt::AlignCenter);
   auto* unit = new QLabel(tr("rad/s"), m_list);
   unit->setProperty("look", "hint");
-  row.widgets = {dot, name, row.slider, row.field, unit, makeExchange(input.joint)};
+  row.exchange = makeExchange(input.joint);
+  row.widgets = {row.dot, row.name, row.slider, row.field, unit, row.exchange};
   int column = 0;
   for (QWidget* widget : row.widgets) {
     m_grid->addWidget(widget, line, column++);
@@ -221,10 +206,32 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   return row;
 }
 
+/// Labels change with every link that is added or deleted.
+void InputsPanel::showTitle(const Row& row) {
+  const ElementIndex& index = m_document->elements();
+  const TurningJoint& joint = *index.find(row.joint);
+  const QString jointLabel = shownText(index.labelOf(row.joint).value());
+  const QString head = shownText(index.labelOf(joint.head).value());
+  const QString tail = shownText(index.labelOf(joint.tail).value());
+  const std::string& headName = index.find(joint.head)->name;
+  const QString words = relativeText(head, headName, tail);
+
+  row.dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
+  row.dot->setAccessibleName(tr("Colour of link %1").arg(head));
+  row.name->setRate(jointLabel, words);
+  row.name->setToolTip(
+      tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: about the "
+         "direction of the axis, by the right-hand rule.")
+          .arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
+  row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
+  row.slider->setAccessibleName(tr("Speed of joint %1, %2").arg(jointLabel, words));
+  row.field->setObjectName(QStringLiteral("speed.") + jointLabel);
+  row.field->setAccessibleName(row.slider->accessibleName());
+  row.exchange->setObjectName(QStringLiteral("exchange.") + jointLabel);
+}
+
 QToolButton* InputsPanel::makeExchange(JointId joint) {
   auto* button = new QToolButton(m_list);
-  button->setObjectName(QStringLiteral("exchange.") +
-                        shownText(m_document->elements().labelOf(joint).value()));
   button->setText(QStringLiteral("⇄"));
   button->setProperty("look", "control");
   button->setToolTip(tr("Drive another joint instead; the motion stays as it is"));

@@ -15,6 +15,7 @@ class QToolButton;
 namespace geargraph::inline panels {
 
 class NumberField;
+class RateLabel;
 class SpeedSlider;
 
 /// The input joints with a slider and a number for each speed. A drag of a slider is one undo step. Each
@@ -38,16 +39,21 @@ class InputsPanel : public QWidget {
   struct Row {
     JointId joint;
     std::vector<QWidget*> widgets;
+    QLabel* dot = nullptr;
+    RateLabel* name = nullptr;
     SpeedSlider* slider = nullptr;
     NumberField* field = nullptr;
+    QToolButton* exchange = nullptr;
     int range = 2;  ///< rad/s at the ends of the slider
   };
 
   void renew();
-  void clearRows();
+  /// From the first on.
+  void removeRows(std::size_t first);
   Row makeRow(const Input& input, int line);
   /// "8 4 sun 0 ground": the labels of the joint and of the links that it joins, with their names.
   [[nodiscard]] std::string titleOf(JointId joint) const;
+  void showTitle(const Row& row);
   void showSpeed(Row& row, const Number& speed);
   void setSpeed(JointId joint, const Number& speed);
   QToolButton* makeExchange(JointId joint);

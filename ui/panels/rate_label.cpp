@@ -36,9 +36,15 @@ double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const 
   return theta + subscript + 1;
 }
 
-RateLabel::RateLabel(const QString& joint, const QString& words, QWidget* parent)
-    : QWidget(parent), m_joint(joint), m_words(words) {
+RateLabel::RateLabel(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+}
+
+void RateLabel::setRate(const QString& joint, const QString& words) {
+  m_joint = joint;
+  m_words = words;
+  updateGeometry();
+  update();
 }
 
 /// The size for words of this width, in pixels.

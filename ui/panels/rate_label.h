@@ -19,7 +19,9 @@ class RateLabel : public QWidget {
   Q_OBJECT
 
  public:
-  RateLabel(const QString& joint, const QString& words, QWidget* parent = nullptr);
+  explicit RateLabel(QWidget* parent = nullptr);
+
+  void setRate(const QString& joint, const QString& words);
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;

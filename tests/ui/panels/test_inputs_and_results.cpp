@@ -336,6 +336,31 @@ class InputsAndResultsTest : public QObject {
     QVERIFY(!more->isVisibleTo(inputs.get()));
   }
 
+  void rowsStayWhereLabelsChange() {
+    const auto row = [this](const char* joint) {
+      return inputs->findChild<SpeedSlider*>(QLatin1String("slider.") + QLatin1String(joint));
+    };
+    SpeedSlider* const first = row("8");
+    SpeedSlider* const third = row("11");
+    document->apply({"add",
+                     [](const Mechanism& before) {
+                       return withLink(before, SheetPoint{90, 300});
+                     },
+                     0});
+    QCOMPARE(row("9"), first);  // eight links move, so that the joints follow 8
+    QCOMPARE(row("12"), third);
+    QCOMPARE(first->accessibleName(), QStringLiteral("Speed of joint 9, link 4"));
+
+    auto driven = document->mechanism()->inputs;
+    driven->erase(driven->begin() + 1);
+    document->apply({"drive", [driven](const Mechanism& before) { return withInputs(before, driven); }, 0});
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCOMPARE(row("9"), first);
+    QVERIFY(row("12") != third);  // it is another row
+    QCOMPARE(row("12")->accessibleName(),
+             QStringLiteral("Speed of joint 12, link 6 relative to 1"));
+  }
+
   void rowsAreShownTogether() {
     inputs->show();
     document->replace(test::randomTrain(7, 40, 0), {});
