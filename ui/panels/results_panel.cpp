@@ -14,6 +14,7 @@
 #include "core/theory/matroid/input_roles.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
+#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
@@ -366,14 +367,25 @@ QString ResultsPanel::whyNone() const {
 bool ResultsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Leave) m_selection->unhover();
   if (event->type() == QEvent::Resize && watched == m_table->viewport()) fitColumns();
-  if (event->type() == QEvent::FontChange && watched == m_table) fitToType();
+  if (event->type() == QEvent::FontChange && watched == m_table) typeChanged();
   return QWidget::eventFilter(watched, event);
 }
 
 void ResultsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitToType();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) typeChanged();
+}
+
+/// A sheet sets fonts several times, with all of the panel: while it is in sight, what is measured waits for
+/// a turn of its own.
+void ResultsPanel::typeChanged() {
+  if (!isVisible()) return fitToType();
+  if (std::exchange(m_isToFit, true)) return;
+  Turns::instance().later(this, [this] {
+    m_isToFit = false;
+    fitToType();
+  });
 }
 
 /// Sheets that change nothing but colours come, too: setting a height goes through thousands of rows.

@@ -69,6 +69,7 @@ class ResultsPanel : public QWidget {
   void renew();
   void renewNote();
   void renewRatio();
+  void typeChanged();
   void fitToType();
   void fitColumns();
   [[nodiscard]] int widthOfColumn(int column) const;
@@ -97,6 +98,7 @@ class ResultsPanel : public QWidget {
   bool m_isBehind = false;       ///< the display is out of date
   std::vector<int> m_measured;   ///< widths of columns; 0: not yet
   std::vector<int> m_fitted;     ///< widths of columns; the last is that of the table
+  bool m_isToFit = false;        ///< a turn is due for other type
   std::pair<QFont, int> m_type;  ///< of the table, and the height of rows, that they were measured in
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
