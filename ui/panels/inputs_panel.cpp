@@ -34,6 +34,11 @@ constexpr std::size_t kRowsAtOnce = 30;
 /// With more of them every change of the list holds the window.
 constexpr std::size_t kMostRows = 90;
 
+/// rad/s at the ends of a slider that is made for this speed.
+int rangeFor(const Number& speed) {
+  return std::max(2, static_cast<int>(std::min(1e6, std::ceil(2 * std::abs(speed.value())))));
+}
+
 }  // namespace
 
 InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* parent)
@@ -84,10 +89,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   connect(document, &Document::changed, this, &InputsPanel::renew);
-  connect(document, &Document::replaced, this, [this] {
-    m_mostRows = kRowsAtOnce;
-    if (m_rows.size() > m_mostRows) renew();
-  });
+  connect(document, &Document::replaced, this, &InputsPanel::startAnew);
   renew();
 }
 
@@ -98,6 +100,17 @@ std::string InputsPanel::titleOf(JointId joint) const {
   for (const LinkId link : {turning.head, turning.tail})
     title += ' ' + index.labelOf(link).value() + ' ' + index.find(link)->name;
   return title;
+}
+
+/// Rows of the former document stay where joints have the same ids, and sliders the range of the speeds.
+void InputsPanel::startAnew() {
+  m_mostRows = kRowsAtOnce;
+  std::size_t kept = 0;
+  while (kept < std::min(m_rows.size(), m_mostRows) &&
+         m_rows[kept].range == rangeFor((*m_document->mechanism()->inputs)[kept].speed))
+    ++kept;
+  removeRows(kept);
+  renew();
 }
 
 void InputsPanel::renew() {
@@ -190,8 +203,7 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
     widget->installEventFilter(this);
   }
 
-  const double size = std::abs(input.speed.value());
-  row.range = std::max(2, static_cast<int>(std::min(1e6, std::ceil(2 * size))));
+  row.range = rangeFor(input.speed);
   connect(row.slider, &SpeedSlider::sliderPressed, this, [this] { m_gesture = m_document->newGesture(); });
   connect(row.field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
   connect(row.slider, &SpeedSlider::valueChanged, this, [this, id = row.joint, range = row.range](int steps) {

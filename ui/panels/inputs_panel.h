@@ -47,6 +47,7 @@ class InputsPanel : public QWidget {
     int range = 2;  ///< rad/s at the ends of the slider
   };
 
+  void startAnew();
   void renew();
   /// From the first on.
   void removeRows(std::size_t first);

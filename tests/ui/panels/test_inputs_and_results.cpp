@@ -357,8 +357,23 @@ class InputsAndResultsTest : public QObject {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCOMPARE(row("9"), first);
     QVERIFY(row("12") != third);  // it is another row
-    QCOMPARE(row("12")->accessibleName(),
-             QStringLiteral("Speed of joint 12, link 6 relative to 1"));
+    QCOMPARE(row("12")->accessibleName(), QStringLiteral("Speed of joint 12, link 6 relative to 1"));
+  }
+
+  void slidersHaveTheRangeOfTheDocumentsSpeeds() {
+    const auto slider = [this] {
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      return inputs->findChild<SpeedSlider*>(QStringLiteral("slider.8"));
+    };
+    SpeedSlider* const before = slider();
+    Mechanism other = *document->mechanism();
+    other.inputs->front().speed = Number(Rational(1, 2));
+    document->replace(other, {});
+    QCOMPARE(slider(), before);
+    other.inputs->front().speed = Number(50);
+    document->replace(other, {});
+    slider()->setValue(slider()->value() / 2);
+    QCOMPARE(document->mechanism()->inputs->front().speed.value(), 25.0);
   }
 
   void rowsAreShownTogether() {
