@@ -23,6 +23,8 @@
 namespace geargraph::inline panels {
 namespace {
 
+constexpr int kMostLettersOfName = 2000;  ///< twice as many as a document may have
+
 /// The value that all elements share, or nothing.
 template <class Element, class Get>
 auto shared(const std::vector<const Element*>& elements, Get get)
@@ -70,6 +72,7 @@ DocumentForm::DocumentForm(Document* document)
     : PropertyForm(document, {}), m_owner(document), m_name(new QLineEdit(this)) {
   setTitle(tr("Document"));
   m_name->setObjectName(QStringLiteral("documentName"));
+  m_name->setMaxLength(kMostLettersOfName);
   m_nameGesture = document->newGesture();
   addRow(tr("Name"), Term::label, m_name);
   addNote(tr("Select a link, a joint or a mesh to see and change what belongs to it."));
@@ -101,6 +104,7 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
   }
   m_name = new QLineEdit(this);
   m_name->setObjectName(QStringLiteral("linkName"));
+  m_name->setMaxLength(kMostLettersOfName);
   m_name->setAccessibleName(tr("Name of the link"));
   addRow(tr("Name"), Term::link, m_name);
   newGesture();

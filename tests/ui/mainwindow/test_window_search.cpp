@@ -1,4 +1,6 @@
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QLabel>
 #include <QListView>
@@ -55,6 +57,13 @@ class WindowSearchTest : public QObject {
     QVERIFY(window->selection().hovered().empty());
     QVERIFY(window->digraph().hasFocus());
     QVERIFY(search()->text().isEmpty());
+  }
+
+  void whatIsTooLongToSearchForIsCut() {
+    QApplication::clipboard()->setText(QString(100'000, QLatin1Char('x')));
+    search()->paste();
+    QCOMPARE(search()->text().size(), 200);
+    search()->clear();
   }
 
   void elementsOfALargeDocumentFollow() {
