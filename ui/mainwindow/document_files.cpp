@@ -36,8 +36,8 @@ QFuture<ReadResult> onThread(const std::function<Expected<Mechanism>()>& read) {
   return promise->future();
 }
 
-/// What a window works at while it reads: whoever closes the window ends the event loop that waits for it,
-/// and the window stays until that loop has been left.
+/// What a window works at while it reads: closing the window ends the event loop that waits for it, and the
+/// window stays until that loop has been left.
 class Reading final : public QObject, public BackgroundWork {
  public:
   explicit Reading(QWidget* window) : QObject(window) {
