@@ -2,11 +2,13 @@
 
 #include <QKeyEvent>
 
+#include "ui/document/typed_length.h"
+
 namespace geargraph::inline canvas {
 
 RenameEditor::RenameEditor(const QString& text, QWidget* parent) : QLineEdit(text, parent) {
   setAlignment(Qt::AlignCenter);
-  setMaxLength(200);
+  setMaxLength(kMostTyped);
   setPlaceholderText(tr("Name"));
   setAccessibleName(tr("Name of the link"));
   selectAll();

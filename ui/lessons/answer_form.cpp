@@ -14,6 +14,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/teaching/lessons/prepared_step.h"
+#include "ui/document/typed_length.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_lessons {
@@ -125,6 +126,7 @@ void AnswerForm::addList(QGridLayout* grid) {
 
 QLineEdit* AnswerForm::makeLine(const AnswerField& field, bool isCell) {
   auto* line = new QLineEdit(m_page);
+  line->setMaxLength(kMostTyped);
   line->setObjectName(QStringLiteral("answer.") + shown(field.name));
   line->setAccessibleName(shown(field.shownName()));
   if (isCell) {

@@ -13,6 +13,7 @@
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "ui/document/typed_length.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
 #include "ui/panels/note_form.h"
@@ -22,8 +23,6 @@
 
 namespace geargraph::inline panels {
 namespace {
-
-constexpr int kMostLettersOfName = 2000;  ///< twice as many as a document may have
 
 /// The value that all elements share, or nothing.
 template <class Element, class Get>
@@ -72,7 +71,7 @@ DocumentForm::DocumentForm(Document* document)
     : PropertyForm(document, {}), m_owner(document), m_name(new QLineEdit(this)) {
   setTitle(tr("Document"));
   m_name->setObjectName(QStringLiteral("documentName"));
-  m_name->setMaxLength(kMostLettersOfName);
+  m_name->setMaxLength(kMostTyped);
   m_nameGesture = document->newGesture();
   addRow(tr("Name"), Term::label, m_name);
   addNote(tr("Select a link, a joint or a mesh to see and change what belongs to it."));
@@ -104,7 +103,7 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
   }
   m_name = new QLineEdit(this);
   m_name->setObjectName(QStringLiteral("linkName"));
-  m_name->setMaxLength(kMostLettersOfName);
+  m_name->setMaxLength(kMostTyped);
   m_name->setAccessibleName(tr("Name of the link"));
   addRow(tr("Name"), Term::link, m_name);
   newGesture();

@@ -12,23 +12,17 @@
 
 #include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/length.h"
+#include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline panels {
-namespace {
-
-/// Twice as many as a number of a document may have. A document that is pasted by mistake would be laid out
-/// as one line.
-constexpr int kMostLetters = 2 * 4300;
-
-}  // namespace
 
 NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
   setProperty("look", "number");
   setFocusPolicy(Qt::StrongFocus);  // not by the wheel, which scrolls the panel
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAttribute(Qt::WA_Hover);
-  lineEdit()->setMaxLength(kMostLetters);
+  lineEdit()->setMaxLength(kMostTyped);
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::onText);
   lineEdit()->installEventFilter(this);
   m_pause.setSingleShot(true);

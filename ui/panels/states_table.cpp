@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline panels {
@@ -101,6 +102,7 @@ StatesHeader::StatesHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent
 /// columns.
 void StatesHeader::rename(int section) {
   auto* editor = new QLineEdit(model()->headerData(section, Qt::Horizontal).toString(), viewport());
+  editor->setMaxLength(kMostTyped);
   editor->setGeometry(sectionViewportPosition(section), 2, std::max(sectionSize(section), 56), 26);
   editor->selectAll();
   editor->show();

@@ -351,6 +351,32 @@ class WindowHabitsTest : public QObject {
     QVERIFY2(typed >= 3, qPrintable(QString::number(typed)));
   }
 
+  void longNamesAndTorquesAreTypedInTheDrawingWhole() {
+    const auto typeAtTheEnd = [&](const char* text) {
+      QWidget* editor = window->focusWidget();
+      QVERIFY(qobject_cast<RenameEditor*>(editor) != nullptr);
+      QTest::keyClick(editor, Qt::Key_End);
+      QTest::keyClicks(editor, QLatin1String(text));
+      QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_VERIFY(window->isSettled());
+    };
+    change([](const Mechanism& before) { return withName(before, LinkId("1"), std::string(998, 'n')); });
+    window->selection().select({LinkId("1")});
+    window->digraph().renameSelected();
+    typeAtTheEnd("xy");
+    QCOMPARE(now()->find(LinkId("1"))->name, std::string(998, 'n') + "xy");
+    window->digraph().renameSelected();
+    typeAtTheEnd("z");  // refused, not cut
+    QCOMPARE(now()->find(LinkId("1"))->name, std::string(998, 'n') + "xy");
+
+    window->digraph().editLoad();
+    const std::string torque = "1/" + std::string(300, '7');
+    typeAtTheEnd(torque.c_str());
+    window->digraph().editLoad();
+    QCOMPARE(qobject_cast<RenameEditor*>(window->focusWidget())->text().toStdString(), torque + " Nm");
+    QTest::keyClick(window->focusWidget(), Qt::Key_Escape);
+  }
+
   void aNameOrNoteBeingTypedStaysOutOfAnotherDocument() {
     const Mechanism other = readDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")).value();
     window->selection().select({LinkId("1")});
