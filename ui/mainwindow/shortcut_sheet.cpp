@@ -121,7 +121,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_text);
-  resize(1330, 670);
+  resize(1330, 690);
 }
 
 /// Not before: at each change of its size all of the text would be laid out again.
