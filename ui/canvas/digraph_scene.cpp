@@ -5,7 +5,6 @@
 
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/note_marks.h"
-#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -137,11 +136,10 @@ void DigraphScene::markStale(std::size_t at) {
 
 void DigraphScene::drawStale() {
   if (m_staleCount <= kSlice) return drawStaleSlice();
-  if (!std::exchange(m_isSliceDue, true)) Turns::instance().later(this, [this] { drawStaleSlice(); });
+  m_sliceTurn.request();
 }
 
 void DigraphScene::drawStaleSlice() {
-  m_isSliceDue = false;
   for (std::size_t left = std::min(kSlice, m_staleCount); left > 0; ++m_staleFrom) {
     if (!m_isStale[m_staleFrom]) continue;
     m_isStale[m_staleFrom] = false;

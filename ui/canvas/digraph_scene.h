@@ -5,6 +5,7 @@
 
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "ui/canvas/drawing_scene.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 
@@ -63,7 +64,7 @@ class DigraphScene final : public DrawingScene {
   std::size_t m_staleCount = 0;
   std::size_t m_staleFrom = 0;  ///< index of the first stale one
   bool m_isMoving = false;      ///< some stale ones have moved
-  bool m_isSliceDue = false;    ///< a slice of stale ones is scheduled
+  TurnOf m_sliceTurn{this, [this] { drawStaleSlice(); }};
 };
 
 }  // namespace geargraph::inline canvas

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/presentation/drawing/tt_graph_layout.h"
-#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -44,11 +43,10 @@ void TtGraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
     m_stale.insert(changed.begin(), changed.end());
   }
   if (m_stale.size() <= kSlice) return drawSlice();
-  if (!std::exchange(m_isSliceDue, true)) Turns::instance().later(this, [this] { drawSlice(); });
+  m_sliceTurn.request();
 }
 
 void TtGraphScene::drawSlice() {
-  m_isSliceDue = false;
   if (!m_sheet) return m_stale.clear();
   for (std::size_t left = kSlice; left > 0 && !m_stale.empty(); --left) {
     const ElementId element = *m_stale.begin();
@@ -57,9 +55,7 @@ void TtGraphScene::drawSlice() {
         m_sheet->elements.drawing(m_sheet->geometry, element, emphasisOf(emphases(), element));
     setElement(element, std::move(drawing.marks));
   }
-  if (m_stale.empty()) return;
-  m_isSliceDue = true;
-  Turns::instance().later(this, [this] { drawSlice(); });
+  if (!m_stale.empty()) m_sliceTurn.request();
 }
 
 DrawingScene::Draw TtGraphScene::drawing() const {

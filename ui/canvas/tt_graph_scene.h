@@ -6,6 +6,7 @@
 
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "ui/canvas/drawing_scene.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline canvas {
 
@@ -48,7 +49,7 @@ class TtGraphScene final : public DrawingScene {
 
   TtGraphSheetPtr m_sheet;
   std::unordered_set<ElementId> m_stale;  ///< to be drawn again
-  bool m_isSliceDue = false;
+  TurnOf m_sliceTurn{this, [this] { drawSlice(); }};
 };
 
 }  // namespace geargraph::inline canvas

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline ui_derivation {
@@ -122,11 +121,7 @@ void DerivationView::returnTo(const Anchor& anchor) {
 /// A long report takes as long as the rest of the window.
 void DerivationView::layOutAnew() {
   if (m_lines.size() < kManyLines) return layOutAt(anchor());
-  if (std::exchange(m_isTurnDue, true)) return;
-  Turns::instance().later(this, [this] {
-    m_isTurnDue = false;
-    if (currentLayout() != m_layout) layOutAt(anchor());
-  });
+  m_layOutTurn.request();
 }
 
 DerivationLayout DerivationView::currentLayout() const {

@@ -8,6 +8,7 @@
 #include "ui/derivation/derivation_service.h"
 #include "ui/derivation/flow_painter.h"
 #include "ui/selection/selection.h"
+#include "ui/service/turns.h"
 
 namespace geargraph::inline ui_derivation {
 
@@ -95,9 +96,11 @@ class DerivationView : public QAbstractScrollArea {
   std::vector<std::size_t> m_headings;  ///< blocks
   FlowPainter m_painter;
   double m_zoom = 1;
-  bool m_isTurnDue = false;  ///< in which it is laid out anew
-  bool m_hovers = false;     ///< the hovered element was hovered in this view
-  int m_heading = -1;        ///< last emitted
+  TurnOf m_layOutTurn{this, [this] {
+                        if (currentLayout() != m_layout) layOutAt(anchor());
+                      }};
+  bool m_hovers = false;  ///< the hovered element was hovered in this view
+  int m_heading = -1;     ///< last emitted
 };
 
 }  // namespace geargraph::inline ui_derivation

@@ -13,7 +13,6 @@
 #include "core/teaching/force_tables/dual_equations.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/rate_label.h"
-#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline forces {
@@ -241,11 +240,7 @@ void DualityLine::changeEvent(QEvent* event) {
   if (isOtherFont) m_textSize = {};
   QLabel::changeEvent(event);
   if (!isOtherFont && event->type() != QEvent::PaletteChange) return;
-  if (std::exchange(m_isTurnDue, true)) return;
-  Turns::instance().later(this, [this] {
-    m_isTurnDue = false;
-    renew();
-  });
+  m_styleTurn.request();
 }
 
 QSize DualityLine::sizeHint() const {

@@ -3,6 +3,7 @@
 #include <QLabel>
 
 #include "ui/selection/selection.h"
+#include "ui/service/turns.h"
 #include "ui/statics/forces_service.h"
 
 namespace geargraph::inline forces {
@@ -44,11 +45,11 @@ class DualityLine : public QLabel {
 
   Selection* m_selection;
   ForcesPtr m_forces;
-  mutable QSize m_textSize;                  ///< empty: not known yet
-  bool m_isTurnDue = false;                  ///< in which the colours and the font are renewed
-  std::set<ElementId> m_cell;                ///< that of a matrix, under the mouse
-  ElementId m_mesh, m_joint;                 ///< of the entry that is framed here
-  std::set<ElementId> m_entry{ElementId()};  ///< last emitted; initially a value that no entry has
+  mutable QSize m_textSize;                       ///< empty: not known yet
+  TurnOf m_styleTurn{this, [this] { renew(); }};  ///< for other colours or another font
+  std::set<ElementId> m_cell;                     ///< that of a matrix, under the mouse
+  ElementId m_mesh, m_joint;                      ///< of the entry that is framed here
+  std::set<ElementId> m_entry{ElementId()};       ///< last emitted; initially a value that no entry has
 };
 
 }  // namespace geargraph::inline forces

@@ -14,7 +14,6 @@
 #include "core/theory/matroid/input_roles.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
-#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
@@ -381,11 +380,7 @@ void ResultsPanel::changeEvent(QEvent* event) {
 /// a turn of its own.
 void ResultsPanel::typeChanged() {
   if (!isVisible()) return fitToType();
-  if (std::exchange(m_isToFit, true)) return;
-  Turns::instance().later(this, [this] {
-    m_isToFit = false;
-    fitToType();
-  });
+  m_typeTurn.request();
 }
 
 /// Sheets that change nothing but colours come, too: setting a height goes through thousands of rows.

@@ -10,6 +10,7 @@
 #include "ui/models/link_text.h"
 #include "ui/models/results_model.h"
 #include "ui/selection/selection.h"
+#include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
 class QFrame;
@@ -95,10 +96,10 @@ class ResultsPanel : public QWidget {
   bool m_absolute = false;
   std::optional<LinkId> m_observer;  ///< reference of absolute speeds; none: the ground
   bool m_isAwake = true;
-  bool m_isBehind = false;       ///< the display is out of date
-  std::vector<int> m_measured;   ///< widths of columns; 0: not yet
-  std::vector<int> m_fitted;     ///< widths of columns; the last is that of the table
-  bool m_isToFit = false;        ///< a turn is due for other type
+  bool m_isBehind = false;      ///< the display is out of date
+  std::vector<int> m_measured;  ///< widths of columns; 0: not yet
+  std::vector<int> m_fitted;    ///< widths of columns; the last is that of the table
+  TurnOf m_typeTurn{this, [this] { fitToType(); }};
   std::pair<QFont, int> m_type;  ///< of the table, and the height of rows, that they were measured in
   QToolButton* m_symbols;
   QStackedWidget* m_pages;

@@ -34,6 +34,14 @@ void Turns::later(QObject* context, std::function<void()> piece) {
   begin();
 }
 
+void TurnOf::request() {
+  if (std::exchange(m_isDue, true)) return;
+  Turns::instance().later(m_context, [this] {
+    m_isDue = false;
+    m_piece();
+  });
+}
+
 void Turns::begin() {
   if (!std::exchange(m_isUnderWay, true)) m_turn.start();
 }

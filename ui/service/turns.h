@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <deque>
 #include <functional>
+#include <utility>
 
 namespace geargraph::inline ui_service {
 
@@ -39,6 +40,22 @@ class Turns : public QObject {
   std::deque<Waiting> m_waiting;
   QTimer m_turn;
   bool m_isUnderWay = false;  ///< a turn is due
+};
+
+/// A piece of work that an object asks for again and again and that one later turn does for all of them.
+class TurnOf {
+ public:
+  /// @param context the object that owns this
+  TurnOf(QObject* context, std::function<void()> piece) : m_context(context), m_piece(std::move(piece)) {}
+
+  /// Runs the piece in a later turn, unless one is due already. The piece may ask for the next one.
+  void request();
+  [[nodiscard]] bool isDue() const { return m_isDue; }
+
+ private:
+  QObject* m_context;
+  std::function<void()> m_piece;
+  bool m_isDue = false;
 };
 
 }  // namespace geargraph::inline ui_service

@@ -5,9 +5,7 @@
 #include <QMainWindow>
 #include <QWidget>
 #include <algorithm>
-#include <utility>
 
-#include "ui/service/turns.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline theme {
@@ -52,16 +50,10 @@ void ThemeSheets::setSheet(const QString& sheet, bool withHidden) {
   }
   if (m_outdated.empty() && m_hidden.empty()) return;
   if (!m_outdated.empty()) holdPainting();
-  begin();
-}
-
-void ThemeSheets::begin() {
-  if (std::exchange(m_isUnderWay, true)) return;
-  Turns::instance().later(this, [this] { renewNext(); });
+  m_turn.request();
 }
 
 void ThemeSheets::renewNext() {
-  m_isUnderWay = false;
   const bool isSettling = !m_outdated.empty();
   if (!isSettling && !m_held.empty()) return paintNext();
   std::vector<QPointer<QWidget>>& waiting = isSettling ? m_outdated : m_hidden;
@@ -73,7 +65,7 @@ void ThemeSheets::renewNext() {
     break;
   }
   if (isSettling && m_outdated.empty()) return paintNext();
-  if (!m_outdated.empty() || !m_hidden.empty()) begin();
+  if (!m_outdated.empty() || !m_hidden.empty()) m_turn.request();
 }
 
 /// Else a window would show some parts in the old colours and some in the new.
@@ -97,7 +89,7 @@ void ThemeSheets::paintNext() {
     QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
     break;
   }
-  if (!m_held.empty() || !m_hidden.empty()) begin();
+  if (!m_held.empty() || !m_hidden.empty()) m_turn.request();
   if (m_held.empty()) emit settled();
 }
 
@@ -118,15 +110,15 @@ bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
 void ThemeSheets::renewWhenShown(QWidget& part) {
   if (part.styleSheet() == m_sheet) return;
   const bool isInSight = !part.isWindow() && part.window()->isVisible();
-  if (!isInSight || (part.styleSheet().isEmpty() && !m_isUnderWay)) {
+  if (!isInSight || (part.styleSheet().isEmpty() && !m_turn.isDue())) {
     theme::setSheet(part, m_sheet);
-    if (isInSight) begin();  // those that follow are not the first
+    if (isInSight) m_turn.request();  // those that follow are not the first
     return;
   }
   if (std::find(m_outdated.begin(), m_outdated.end(), &part) == m_outdated.end())
     m_outdated.emplace_back(&part);
   holdPainting();
-  begin();
+  m_turn.request();
 }
 
 }  // namespace geargraph::inline theme

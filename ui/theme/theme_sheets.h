@@ -5,6 +5,8 @@
 #include <QString>
 #include <vector>
 
+#include "ui/service/turns.h"
+
 class QWidget;
 
 namespace geargraph::inline theme {
@@ -36,7 +38,6 @@ class ThemeSheets : public QObject {
  private:
   explicit ThemeSheets(QObject* application);
 
-  void begin();
   void renewNext();
   void renewWhenShown(QWidget& part);
   void holdPainting();
@@ -46,7 +47,7 @@ class ThemeSheets : public QObject {
   std::vector<QPointer<QWidget>> m_outdated;  ///< visible parts
   std::vector<QPointer<QWidget>> m_hidden;    ///< parts that get it after those
   std::vector<QPointer<QWidget>> m_held;  ///< windows that do not repaint while visible parts are outdated
-  bool m_isUnderWay = false;              ///< a turn is due
+  TurnOf m_turn{this, [this] { renewNext(); }};
 };
 
 }  // namespace geargraph::inline theme

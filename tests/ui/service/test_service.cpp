@@ -87,6 +87,22 @@ class ServiceTest : public QObject {
     QTRY_COMPARE(run, 10);
   }
 
+  void aTurnIsTakenOnceForAllThatAskForIt() {
+    int run = 0;
+    std::function<void()> piece = [&] { ++run; };
+    TurnOf turn(this, [&] { piece(); });
+    turn.request();
+    turn.request();
+    QCOMPARE(run, 0);
+    Turns::instance().later(this, [&] { run += 10; });
+    QTRY_COMPARE(run, 11);
+    piece = [&] {  // it may ask for the next one
+      if (++run < 15) turn.request();
+    };
+    turn.request();
+    QTRY_COMPARE(run, 15);
+  }
+
   void whatIsWaitingComesBeforeTheNextPiece() {
     QStringList order;
     const auto input = [&] {  // comes while a piece is under way
