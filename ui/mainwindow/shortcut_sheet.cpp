@@ -1,14 +1,17 @@
 #include "ui/mainwindow/shortcut_sheet.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QTextBrowser>
+#include <QtMath>
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "ui/search/search_entries.h"
 
@@ -17,7 +20,7 @@ namespace {
 
 /// In percent. All of it can be seen without scrolling on a screen of 1366 by 768; the last are sentences.
 constexpr std::array kWidths{22, 22, 23, 33};
-constexpr std::size_t kColumns = kWidths.size();
+constexpr int kMargin = 8;
 
 struct Row {
   QString what;
@@ -93,9 +96,23 @@ QString htmlOf(const Group& group) {
   return html + QStringLiteral("</table>");
 }
 
+/// As high as its text: the sheet scrolls its columns together.
+class SheetColumn : public QTextBrowser {
+ public:
+  explicit SheetColumn(QWidget* parent) : QTextBrowser(parent) {
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::ClickFocus);  // the keys scroll the sheet
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
+            [this](const QSizeF& size) { setFixedHeight(qCeil(size.height())); });
+  }
+};
+
 }  // namespace
 
-QString ShortcutSheet::textFor(const QMenuBar& menus) {
+std::array<QString, ShortcutSheet::kColumns> ShortcutSheet::columnsFor(const QMenuBar& menus) {
+  static_assert(kWidths.size() == kColumns);
   const std::vector<Group> groups = groupsOf(menus);
   std::size_t all = 0;
   for (const Group& group : groups) all += group.rows.size() + 2;
@@ -106,28 +123,46 @@ QString ShortcutSheet::textFor(const QMenuBar& menus) {
     columns[std::min(kColumns - 1, kColumns * (placed + size) / all)] += htmlOf(group);
     placed += size;
   }
-  QString cells;
-  for (std::size_t i = 0; i < kColumns; ++i)
-    cells += QStringLiteral("<td width='%1%'>%2</td>").arg(kWidths[i]).arg(columns[i]);
-  return QStringLiteral("<table width='100%' cellpadding='8'><tr>%1</tr></table>").arg(cells);
+  return columns;
 }
 
-ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent)
-    : QDialog(parent), m_menus(&menus), m_text(new QTextBrowser(this)) {
+ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent), m_menus(&menus) {
   setObjectName(QStringLiteral("shortcutSheet"));
   setWindowTitle(tr("Keyboard shortcuts"));
   setAttribute(Qt::WA_DeleteOnClose);
-  m_text->setFrameShape(QFrame::NoFrame);
+  auto* sheet = new QWidget;
+  sheet->setBackgroundRole(QPalette::Base);
+  auto* columns = new QHBoxLayout(sheet);
+  columns->setContentsMargins(kMargin, 0, kMargin, 0);
+  columns->setSpacing(kMargin);
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    m_columns[i] = new SheetColumn(sheet);
+    columns->addWidget(m_columns[i], kWidths[i], Qt::AlignTop);
+  }
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(sheet);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_text);
+  layout->addWidget(scroll);
   resize(1330, 690);
 }
 
 /// Not before: at each change of its size all of the text would be laid out again.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  if (!event->spontaneous()) m_text->setHtml(textFor(*m_menus));
+  if (!event->spontaneous() && m_waiting.empty()) {
+    const std::array<QString, kColumns> columns = columnsFor(*m_menus);
+    m_waiting.assign(columns.begin(), columns.end());
+    m_turn.request();
+  }
   QDialog::showEvent(event);
+}
+
+void ShortcutSheet::fillNext() {
+  m_columns[kColumns - m_waiting.size()]->setHtml(m_waiting.front());
+  m_waiting.pop_front();
+  if (!m_waiting.empty()) m_turn.request();
 }
 
 }  // namespace geargraph::inline mainwindow

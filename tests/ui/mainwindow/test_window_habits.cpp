@@ -432,7 +432,11 @@ class WindowHabitsTest : public QObject {
     press(Qt::Key_F1, Qt::ControlModifier);
     auto* sheet = part<ShortcutSheet>("shortcutSheet");
     QVERIFY(sheet != nullptr && sheet->isVisible());
-    const QString text = sheet->findChild<QTextBrowser*>()->toPlainText();
+    const auto columns = sheet->findChildren<QTextBrowser*>();
+    QCOMPARE(columns.size(), static_cast<qsizetype>(ShortcutSheet::kColumns));
+    QTRY_VERIFY(!columns.back()->toPlainText().isEmpty());
+    QString text;
+    for (const QTextBrowser* column : columns) text += column->toPlainText();
     for (const char* key : {"Ctrl+K", "F11", "Ctrl+D", "Alt+1", "Ctrl+G", "Space", "Shift+F"}) {
       QVERIFY2(text.contains(key), key);
     }
