@@ -1,6 +1,7 @@
 #include "ui/theme/theme_sheets.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
 #include <QWidget>
@@ -21,6 +22,13 @@ bool isPart(const QWidget* widget) {
   if (isMainWindow(widget) || widget->inherits("QTipLabel")) return false;
   const QWidget* parent = widget->parentWidget();
   return parent == nullptr || isMainWindow(parent);
+}
+
+/// A dock, or several in tabs, that floats.
+bool isFloating(const QWidget& part) {
+  const bool isDock =
+      qobject_cast<const QDockWidget*>(&part) != nullptr || part.inherits("QDockWidgetGroupWindow");
+  return isDock && part.isWindow();
 }
 
 }  // namespace
@@ -109,7 +117,7 @@ bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
 /// window that is about to be shown, whose layout begins with them.
 void ThemeSheets::renewWhenShown(QWidget& part) {
   if (part.styleSheet() == m_sheet) return;
-  const bool isInSight = !part.isWindow() && part.window()->isVisible();
+  const bool isInSight = part.window()->isVisible() && (!part.isWindow() || isFloating(part));
   if (!isInSight || (part.styleSheet().isEmpty() && !m_turn.isDue())) {
     theme::setSheet(part, m_sheet);
     if (isInSight) m_turn.request();  // those that follow are not the first

@@ -183,6 +183,22 @@ class ThemeSheetsTest : public QObject {
     applyTheme(*qApp, Theme::light);
   }
 
+  void floatingDocksWithAnotherSheetThatAreShownTogetherGetItOneATurn() {
+    ThemedWindow shown;
+    for (QDockWidget* dock : shown.docks) {
+      dock->setFloating(true);
+      dock->hide();
+    }
+    applyTheme(*qApp, Theme::light, 1.5);
+    QTRY_VERIFY(ThemeSheets::instance().isSettled() && shown.window.updatesEnabled());
+    const QString sheet = styleSheetOf(Theme::light);
+    for (QDockWidget* dock : shown.docks) dock->show();
+    QVERIFY(shown.docks.front()->isWindow());
+    QCOMPARE(shown.outdated(sheet), kDocks);
+    QTRY_COMPARE(shown.outdated(sheet), 0);
+    applyTheme(*qApp, Theme::light);
+  }
+
   /// As when a presentation ends that hid them before they were ever seen.
   void docksThatAreFirstShownTogetherGetItOneATurn() {
     ThemedWindow shown;
