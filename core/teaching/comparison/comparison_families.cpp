@@ -123,9 +123,9 @@ Mechanism wristOf(int arms) {
   return sketch.take();
 }
 
+/// Of the first step alone: looking for gears that touch took most of the time.
 FamilyCount countOf(TrainFamily family, int size) {
-  const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(familyTrain(family, size)), 0, {},
-                                       SolveOptions{.symbolic = false});
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(familyTrain(family, size)));
   const auto comparison = compareMethods(*snapshot, ComparisonDepth::numbers);
   GEARGRAPH_REQUIRE(comparison.has_value());
   return {family,
