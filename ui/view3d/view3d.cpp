@@ -308,6 +308,13 @@ View3D::View3D(Selection* selection, QWidget* parent)
     d->onOptionsChanged();
     emit contentChanged();
   });
+  connect(&d->viewer, &Viewer::traced, this, [this](const TracedPath& path) {
+    if (path.times.empty()) return;  // by now nothing moves
+    emit noteMade(tr("The point travels %1 %2 in %3 s.")
+                      .arg(path.length, 0, 'g', 5)
+                      .arg(QString::fromStdString(stage()->unit))
+                      .arg(path.times.back(), 0, 'g', 5));
+  });
   connect(&d->viewer, &Viewer::menuWanted, this,
           [this](const std::optional<Hit>& hit, const QPointF& at) { d->openPartMenu(hit, at); });
   setNavigation(savedNavigation());
@@ -474,12 +481,7 @@ bool View3D::hasAxis(const ElementId& link) const {
 }
 
 void View3D::trace(const Hit& hit) {
-  if (!d->viewer.trace(hit)) return;
-  const TracedPath& path = traces().back().path;
-  emit noteMade(tr("The point travels %1 %2 in %3 s.")
-                    .arg(path.length, 0, 'g', 5)
-                    .arg(QString::fromStdString(stage()->unit))
-                    .arg(path.times.back(), 0, 'g', 5));
+  d->viewer.trace(hit);
 }
 void View3D::clearTraces() {
   d->viewer.clearTraces();

@@ -105,7 +105,9 @@ void addWaysBack(QMenu& menu, View3D& view) {
         ->setObjectName("view3dShowAll");
   }
   if (view.traces().empty()) return;
-  menu.addAction(tr("Save the traced path as CSV…"), &view, [&view] { emit view.traceFileWanted(); });
+  // None yet while it is being computed.
+  if (!view.traces().back().path.points.empty())
+    menu.addAction(tr("Save the traced path as CSV…"), &view, [&view] { emit view.traceFileWanted(); });
   menu.addAction(tr("Clear traced paths"), &view, [&view] { view.clearTraces(); });
 }
 

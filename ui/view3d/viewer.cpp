@@ -16,7 +16,18 @@ constexpr double kTraceWithoutPeriod = 60;  // s
 
 }  // namespace
 
-Viewer::Viewer(Selection* selection, QObject* parent) : QObject(parent), m_selection(selection) {
+Viewer::Viewer(Selection* selection, QObject* parent)
+    : QObject(parent),
+      m_selection(selection),
+      m_paths(new Service<PathsRequest, std::vector<TracedPath>>(
+          [](const PathsRequest& request, const auto& respond) {
+            std::vector<TracedPath> paths;
+            for (const TracedPoint& point : request.points)
+              paths.push_back(pathOf(point, request, respond.stop()));
+            respond(std::move(paths));
+          },
+          this)) {
+  m_paths->onAnswer(this, [this](const std::vector<TracedPath>& paths) { showPaths(paths); });
   m_whenHandRests.setSingleShot(true);
   m_whenHandRests.setInterval(kHandRests);
   connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::renewHighlight);
@@ -60,6 +71,7 @@ void Viewer::startAnew(const std::optional<Camera>& camera) {
   m_opening = camera;
   m_isCameraChosen = camera.has_value();
   m_view.traces.clear();
+  m_paths->cancel();
   m_view.turned.clear();
   m_view.hidden.clear();
   m_view.referenceLink.reset();
@@ -87,31 +99,48 @@ void Viewer::renewTraces(const Stage& before) {
       if (!trace.point.watcher) continue;
     }
     trace.point.instance = static_cast<std::size_t>(found - now.begin());
-    trace.path = pathOf(trace.point);
     kept.push_back(std::move(trace));
   }
   if (kept.empty() && m_view.traces.empty()) return;
   m_view.traces = std::move(kept);
+  requestPaths();
   emit optionsChanged();
 }
 
+void Viewer::requestPaths() {
+  if (m_view.traces.empty()) return m_paths->cancel();
+  PathsRequest request{m_stage, {}, m_view.turned, {}};
+  for (const ShownTrace& trace : m_view.traces) request.points.push_back(trace.point);
+  request.start.resize(m_stage->inputSpeeds.size(), 0);
+  if (trajectoryOf(*m_stage, m_view) != nullptr) request.trajectory = m_view.trajectory;
+  m_paths->request(std::move(request));
+}
+
+void Viewer::showPaths(const std::vector<TracedPath>& paths) {
+  for (std::size_t i = 0; i < m_view.traces.size(); ++i) m_view.traces[i].path = paths[i];
+  place();
+  emit optionsChanged();
+  if (std::exchange(m_isTraceNew, false)) emit traced(m_view.traces.back().path);
+}
+
 /// Empty where nothing moves.
-TracedPath Viewer::pathOf(const TracedPoint& point) const {
-  if (!m_stage->place || m_stage->inputSpeeds.empty()) return {};
-  std::vector<double> start = m_view.turned;
-  start.resize(m_stage->inputSpeeds.size(), 0);
-  const InputTrajectory* const trajectory = trajectoryOf(*m_stage, m_view);
+TracedPath Viewer::pathOf(const TracedPoint& point, const PathsRequest& request,
+                          const std::stop_token& stop) {
+  const Stage& stage = *request.stage;
+  if (!stage.place || stage.inputSpeeds.empty()) return {};
+  std::vector<double> start = request.start;
+  const InputTrajectory* const trajectory = request.trajectory.get();
   if (trajectory != nullptr && trajectory->seconds() > 0)
-    return tracedPath(*m_stage, point, start, trajectory->seconds(), trajectory);
-  double duration = m_stage->period > 0 ? m_stage->period : kTraceWithoutPeriod;
-  const StageRange range = m_stage->range ? m_stage->range(start) : StageRange();
+    return tracedPath(stage, point, start, trajectory->seconds(), trajectory, stop);
+  double duration = stage.period > 0 ? stage.period : kTraceWithoutPeriod;
+  const StageRange range = stage.range ? stage.range(start) : StageRange();
   if (std::isfinite(range.from.time)) {
-    for (std::size_t k = 0; k < start.size(); ++k) start[k] += m_stage->inputSpeeds[k] * range.from.time;
+    for (std::size_t k = 0; k < start.size(); ++k) start[k] += stage.inputSpeeds[k] * range.from.time;
     duration = std::min(duration, range.to.time - range.from.time);
   } else {
     duration = std::min(duration, range.to.time);
   }
-  return tracedPath(*m_stage, point, start, duration);
+  return tracedPath(stage, point, start, duration, nullptr, stop);
 }
 
 void Viewer::setTime(double seconds) {
@@ -123,7 +152,7 @@ void Viewer::setTrajectory(InputTrajectoryPtr trajectory) {
   if (trajectory == m_view.trajectory) return;
   m_view.trajectory = std::move(trajectory);
   if (m_stage == nullptr) return;
-  for (ShownTrace& trace : m_view.traces) trace.path = pathOf(trace.point);
+  requestPaths();
   place();
   emit optionsChanged();
 }
@@ -218,8 +247,9 @@ bool Viewer::trace(const Hit& hit) {
   if (m_stage == nullptr || !m_stage->place || m_stage->inputSpeeds.empty()) return false;
   const TracedPoint point{hit.instance, m_seen.poses[hit.instance].inverse() * hit.point,
                           instance(m_view.referenceLink)};
-  m_view.traces.push_back({hit.element, point, pathOf(point)});
-  place();
+  m_view.traces.push_back({hit.element, point, {}});
+  m_isTraceNew = true;
+  requestPaths();
   emit optionsChanged();
   return true;
 }
@@ -227,6 +257,7 @@ bool Viewer::trace(const Hit& hit) {
 void Viewer::clearTraces() {
   if (m_view.traces.empty()) return;
   m_view.traces.clear();
+  m_paths->cancel();
   place();
   emit optionsChanged();
 }

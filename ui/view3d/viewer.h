@@ -12,6 +12,7 @@
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/stage/stage_view.h"
 #include "ui/selection/selection.h"
+#include "ui/service/service.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view_options.h"
 
@@ -94,9 +95,10 @@ class Viewer : public QObject {
   [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
 
   /// Shows the path of the point over one period, or over a minute if there is none, relative to the
-  /// reference link. False if nothing moves.
+  /// reference link, when it has been computed (traced()). False if nothing moves.
   bool trace(const Hit& hit);
   void clearTraces();
+  /// Paths that are being computed are empty or, after a change of the stage, the former ones.
   [[nodiscard]] const std::vector<ShownTrace>& traces() const { return m_view.traces; }
 
   [[nodiscard]] const Camera& camera() const { return m_view.camera; }
@@ -135,7 +137,8 @@ class Viewer : public QObject {
   void sceneChanged();  ///< other solids or instances
   void viewChanged();   ///< anything that is painted
   void cameraChanged();
-  void optionsChanged();  ///< of options, reference link, hidden links, traces
+  void optionsChanged();                           ///< of options, reference link, hidden links, traces
+  void traced(const geargraph::TracedPath& path);  ///< of the newest trace()
   void menuWanted(const std::optional<geargraph::Hit>& hit, const QPointF& place);
   void turnedByHandChanged();
   void timeWanted(double seconds);  ///< a drag has moved the train to this time
@@ -149,6 +152,13 @@ class Viewer : public QObject {
   struct Grab {
     std::vector<QPointF> steps;
     bool isByHand = false;  ///< Ctrl is held
+  };
+  /// The points of all traces, and how they move.
+  struct PathsRequest {
+    StagePtr stage;
+    std::vector<TracedPoint> points;
+    std::vector<double> start;      ///< rad, one per input
+    InputTrajectoryPtr trajectory;  ///< null: at the inputs' speeds
   };
   /// Wheel steps until it is known what is under the pointer.
   struct Zoom {
@@ -172,7 +182,8 @@ class Viewer : public QObject {
   void fitNow();
   [[nodiscard]] std::optional<std::size_t> instance(const std::optional<ElementId>& link) const;
   void renewTraces(const Stage& before);
-  [[nodiscard]] TracedPath pathOf(const TracedPoint& point) const;
+  void requestPaths();
+  void showPaths(const std::vector<TracedPath>& paths);
   void turn(Hit& held, const QPointF& step);
   void renewHoverHighlight();
   void ask(const QPointF& place, PickFor use, Answer answer);
@@ -189,7 +200,12 @@ class Viewer : public QObject {
   void click(const std::optional<Hit>& hit, bool isAdded);
   void zoomAt(const QPointF& place, double factor);
 
+  static TracedPath pathOf(const TracedPoint& point, const PathsRequest& request,
+                           const std::stop_token& stop);
+
   Selection* m_selection;
+  Service<PathsRequest, std::vector<TracedPath>>* m_paths;
+  bool m_isTraceNew = false;  ///< traced() is to be emitted for the last one
   StagePtr m_stage;
   StageView m_view;
   QString m_forcesCaption;

@@ -14,11 +14,12 @@ constexpr std::size_t kMostPoses = 1 << 17;
 constexpr double kFineEnough = 1e-4;
 
 TracedPath sampled(const Stage& stage, const TracedPoint& point, std::span<const double> start,
-                   double seconds, const InputTrajectory* trajectory, std::size_t steps) {
+                   double seconds, const InputTrajectory* trajectory, std::size_t steps,
+                   const std::stop_token& stop) {
   TracedPath path;
   std::vector<Pose> poses(stage.scene.instances.size());
   std::vector<double> angles(start.size());
-  for (std::size_t step = 0; step <= steps; ++step) {
+  for (std::size_t step = 0; step <= steps && !stop.stop_requested(); ++step) {
     const double time = seconds * static_cast<double>(step) / static_cast<double>(steps);
     if (trajectory != nullptr) angles = trajectory->at(time).angles;
     for (std::size_t k = 0; k < angles.size(); ++k)
@@ -46,15 +47,15 @@ void appendNumber(std::string& text, double value) {
 }  // namespace
 
 TracedPath tracedPath(const Stage& stage, const TracedPoint& point, std::span<const double> start,
-                      double seconds, const InputTrajectory* trajectory) {
+                      double seconds, const InputTrajectory* trajectory, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(stage.place && seconds > 0 && start.size() == stage.inputSpeeds.size());
   GEARGRAPH_REQUIRE(trajectory == nullptr || trajectory->inputs() == start.size());
   std::size_t steps = kFirstSteps;
   double gain = 0;
-  TracedPath path = sampled(stage, point, start, seconds, trajectory, steps);
-  while (2 * steps * stage.scene.instances.size() <= kMostPoses) {
+  TracedPath path = sampled(stage, point, start, seconds, trajectory, steps, stop);
+  while (2 * steps * stage.scene.instances.size() <= kMostPoses && !stop.stop_requested()) {
     steps *= 2;
-    TracedPath finer = sampled(stage, point, start, seconds, trajectory, steps);
+    TracedPath finer = sampled(stage, point, start, seconds, trajectory, steps, stop);
     gain = finer.length - path.length;
     path = std::move(finer);
     if (gain <= kFineEnough * path.length) break;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "core/presentation/stage/input_trajectory.h"
@@ -25,11 +26,13 @@ struct TracedPoint {
 
 /// The path over `seconds` from time 0, while the inputs run at their speeds from `start` (rad, one per
 /// input), or follow `trajectory` in addition to `start`. The sampling is refined until the length changes by
-/// less than 1e-4, or 2^17 poses have been made; the length is extrapolated from the last two.
+/// less than 1e-4, or 2^17 poses have been made, but never less than 257 times; the length is extrapolated
+/// from the last two. Ends early if `stop` is requested. Cost: 0.2 s with 1,000 links.
 /// @pre the stage moves, seconds > 0, the trajectory is of its inputs
 [[nodiscard]] TracedPath tracedPath(const Stage& stage, const TracedPoint& point,
                                     std::span<const double> start, double seconds,
-                                    const InputTrajectory* trajectory = nullptr);
+                                    const InputTrajectory* trajectory = nullptr,
+                                    const std::stop_token& stop = {});
 
 /// The path as CSV with a header line: time in s, x, y, z in the unit.
 [[nodiscard]] std::string pathCsv(const TracedPath& path, const std::string& unit);

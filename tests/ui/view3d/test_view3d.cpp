@@ -601,7 +601,7 @@ class TestView3D : public QObject {
     QString note;
     connect(&shown.view, &View3D::noteMade, this, [&](const QString& text) { note = text; });
     shown.view.trace({0, LinkId("1"), {15, -22, 4}});
-    QCOMPARE(note, QString("The point travels 90 mm in 4 s."));
+    QTRY_COMPARE(note, QString("The point travels 90 mm in 4 s."));
     const QImage with = shown.view.grab().toImage();
     shown.view.clearTraces();
     QVERIFY(with != shown.view.grab().toImage());
