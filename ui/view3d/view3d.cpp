@@ -309,7 +309,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
     emit contentChanged();
   });
   connect(&d->viewer, &Viewer::traced, this, [this](const TracedPath& path) {
-    if (path.times.empty()) return;  // by now nothing moves
+    if (path.times.empty() || stage() == nullptr) return;  // by now nothing moves
     emit noteMade(tr("The point travels %1 %2 in %3 s.")
                       .arg(path.length, 0, 'g', 5)
                       .arg(QString::fromStdString(stage()->unit))
