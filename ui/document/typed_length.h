@@ -7,4 +7,7 @@ namespace geargraph::inline document {
 /// by mistake is cut: all of it would be laid out as one line.
 inline constexpr int kMostTyped = 10'000;
 
+/// Characters a search field takes.
+inline constexpr int kMostSearched = 200;
+
 }  // namespace geargraph::inline document

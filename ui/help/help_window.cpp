@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "core/presentation/manual/manual.h"
+#include "ui/document/typed_length.h"
 #include "ui/help/help_browser.h"
 #include "ui/theme/theme_colors.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 constexpr int kContentsWidth = 240;
 constexpr int kFindWidth = 220;
-constexpr int kMostLetters = 200;  ///< a document that is pasted by mistake is laid out as one line
 constexpr int kPlaceRole = Qt::UserRole;
 
 QString shown(const std::string& text) {
@@ -104,7 +104,7 @@ QWidget* HelpWindow::makeBar() {
     m_find->selectAll();
   });
   m_find->setObjectName(QStringLiteral("helpFind"));
-  m_find->setMaxLength(kMostLetters);
+  m_find->setMaxLength(kMostSearched);
   m_find->setPlaceholderText(tr("Find in the manual  Ctrl+F"));
   m_find->setAccessibleName(tr("Find in the manual"));
   m_find->setToolTip(tr("Return goes to the next place, through all pages (Ctrl+F)"));

@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "core/presentation/manual/manual.h"
+#include "ui/document/typed_length.h"
 #include "ui/help/help_page_of.h"
 
 namespace geargraph::inline search {
 namespace {
 
 constexpr int kWidth = 266;
-constexpr int kMostLetters = 200;  ///< a document that is pasted by mistake is laid out as one line
 constexpr int kPopupWidth = 520;
 constexpr int kPopupHeight = 400;
 constexpr int kPage = 10;
@@ -48,7 +48,7 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
       m_model(new SearchModel(this)),
       m_popup(new SearchPopup(m_model, menus->window())) {
   setObjectName(QStringLiteral("search"));
-  setMaxLength(kMostLetters);
+  setMaxLength(kMostSearched);
   setToolTip(tr("Find a command, an element, a term or a page of the manual (Ctrl+K)"));
   setAccessibleName(tr("Search"));
   setMinimumWidth(kWidth / 3);

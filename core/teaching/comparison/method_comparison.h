@@ -84,7 +84,7 @@ enum class ComparisonDepth { numbers, symbols };
 /// Compares the methods on a mechanism. std::nullopt if it has more than kMostComparedLinks links, a method
 /// has no solution for it, or `stop` was requested.
 /// Cost: O(n^3) operations on fractions and on functions of the ratios.
-/// @param snapshot of the first step or of both
+/// The first step of the analysis suffices (analyzeLive()).
 [[nodiscard]] std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot,
                                                              ComparisonDepth depth = ComparisonDepth::symbols,
                                                              const std::stop_token& stop = {});
