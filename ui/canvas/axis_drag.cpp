@@ -5,12 +5,13 @@
 
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
+#include "ui/models/printed_number.h"
 
 namespace geargraph::inline canvas {
 namespace {
 
 QString lengthText(double length, const Mechanism& mechanism) {
-  return QStringLiteral("%1 %2").arg(length, 0, 'g', 5).arg(QString::fromStdString(mechanism.unit));
+  return QStringLiteral("%1 %2").arg(printedNumber(length, 5), QString::fromStdString(mechanism.unit));
 }
 
 }  // namespace

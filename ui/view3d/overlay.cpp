@@ -8,6 +8,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/stage/force_arrow_shape.h"
+#include "ui/models/printed_number.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -28,7 +29,7 @@ void paintScaleBar(QPainter& painter, const LabelGround& ground, double fromBelo
   painter.setPen(ink);
   painter.drawText(
       QRectF(right - 200, y - 24, 200, 20), Qt::AlignRight | Qt::AlignBottom,
-      QStringLiteral("%1 %2").arg(length, 0, 'g', 6).arg(QString::fromStdString(ground.stage.unit)));
+      QStringLiteral("%1 %2").arg(printedNumber(length, 6), QString::fromStdString(ground.stage.unit)));
 }
 
 QColor inkOf(bool dark) {

@@ -14,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "ui/models/printed_number.h"
 #include "ui/settings/settings.h"
 #include "ui/view3d/axis_hold.h"
 #include "ui/view3d/canvas_surface.h"
@@ -311,9 +312,8 @@ View3D::View3D(Selection* selection, QWidget* parent)
   connect(&d->viewer, &Viewer::traced, this, [this](const TracedPath& path) {
     if (path.times.empty() || stage() == nullptr) return;  // by now nothing moves
     emit noteMade(tr("The point travels %1 %2 in %3 s.")
-                      .arg(path.length, 0, 'g', 5)
-                      .arg(QString::fromStdString(stage()->unit))
-                      .arg(path.times.back(), 0, 'g', 5));
+                      .arg(printedNumber(path.length, 5), QString::fromStdString(stage()->unit),
+                           printedNumber(path.times.back(), 5)));
   });
   connect(&d->viewer, &Viewer::menuWanted, this,
           [this](const std::optional<Hit>& hit, const QPointF& at) { d->openPartMenu(hit, at); });

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
+#include <QScopeGuard>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -14,6 +15,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "core/foundations/base/spoken.h"
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/view3d.h"
 
@@ -602,6 +604,10 @@ class TestView3D : public QObject {
     connect(&shown.view, &View3D::noteMade, this, [&](const QString& text) { note = text; });
     shown.view.trace({0, LinkId("1"), {15, -22, 4}});
     QTRY_COMPARE(note, QString("The point travels 90 mm in 4 s."));
+    const auto restored = qScopeGuard([] { setDecimalSign('.'); });
+    setDecimalSign(',');
+    shown.view.trace({0, LinkId("1"), {15.3, -22, 4}});
+    QTRY_COMPARE(note, QString("The point travels 91,8 mm in 4 s."));
     const QImage with = shown.view.grab().toImage();
     shown.view.clearTraces();
     QVERIFY(with != shown.view.grab().toImage());
