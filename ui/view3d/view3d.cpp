@@ -2,12 +2,10 @@
 
 #include <QApplication>
 #include <QContextMenuEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QSurfaceFormat>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -17,12 +15,12 @@
 #include "ui/models/printed_number.h"
 #include "ui/settings/settings.h"
 #include "ui/view3d/axis_hold.h"
+#include "ui/view3d/canvas_host.h"
 #include "ui/view3d/canvas_surface.h"
-#include "ui/view3d/gl_canvas.h"
-#include "ui/view3d/image_canvas.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/playback_bar.h"
 #include "ui/view3d/section_bar.h"
+#include "ui/view3d/view_buttons.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -35,23 +33,18 @@ class View3D::Private {
       : q(view),
         selection(chosen),
         viewer(chosen, view),
+        host(new CanvasHost(&viewer, &labels, view)),
         bar(new PlaybackBar(&playback, view)),
         strip(new SectionBar(&viewer, view)),
         emptyText(new QLabel(view)),
         note(new QLabel(view)),
         painter(new QLabel(view)),
-        axis(new AxisHold(&viewer, chosen, view)) {}
+        axis(new AxisHold(&viewer, chosen, view)),
+        buttons(new ViewButtons(view)) {}
 
-  void useGl();
-  void useImage(const QString& why);
-  void place(QWidget* canvas);
   void tellWhatPaints(bool isSoftware, const QString& why);
   void showPainter();
-  [[nodiscard]] QWidget* canvas() const { return gl != nullptr ? static_cast<QWidget*>(gl) : image; }
-  QToolButton* addButton(const char* name, const QString& text, const QString& tip,
-                         const std::function<void()>& act);
-  void makeButtons();
-  void makeMoreButton();
+  void wireButtons();
   void placeStrip();
   void onOptionsChanged();
   [[nodiscard]] StageRange range() const;
@@ -65,17 +58,15 @@ class View3D::Private {
   Viewer viewer;
   LabelLayer labels;
   Playback playback;
-  GlCanvas* gl = nullptr;
-  ImageCanvas* image = nullptr;
+  CanvasHost* host;
   PlaybackBar* bar;
   SectionBar* strip;
-  QWidget* buttons = nullptr;
   QLabel* emptyText;
   QLabel* note;
   QLabel* painter;  ///< says so where the processor paints
   AxisHold* axis;
+  ViewButtons* buttons;
   bool isPaintedBySoftware = false;
-  bool dark = false;
 };
 
 /// The times that the joints' limits leave to the motion from where hands have put it.
@@ -109,43 +100,6 @@ void View3D::Private::wireAxis() {
   connect(axis, &AxisHold::nudged, q, &View3D::axisNudged);
 }
 
-void View3D::Private::place(QWidget* canvas) {
-  canvas->setObjectName("view3dCanvas");
-  canvas->setFocusProxy(q);
-  q->layout()->addWidget(canvas);
-  canvas->lower();
-}
-
-void View3D::Private::useGl() {
-  gl = new GlCanvas(&viewer, &labels, q);
-  gl->setDark(dark);
-  place(gl);
-  connect(gl, &GlCanvas::started, q, [this] { tellWhatPaints(gl->isSoftware(), {}); });
-  // Not at once: the canvas is in the middle of its own event.
-  connect(
-      gl, &GlCanvas::failed, q,
-      [this](const QString& why) {
-        gl->deleteLater();
-        gl = nullptr;
-        useImage(why);
-      },
-      Qt::QueuedConnection);
-}
-
-/// `why` there is no window of the graphics card; empty where there could be one.
-void View3D::Private::useImage(const QString& why) {
-  image = new ImageCanvas(&viewer, &labels, q);
-  if (!image->problem().isEmpty() && why.isEmpty()) {
-    delete std::exchange(image, nullptr);
-    return useGl();
-  }
-  image->setDark(dark);
-  image->setWaitingText(waitingText());
-  place(image);
-  image->show();
-  tellWhatPaints(image->isSoftware(), why);
-}
-
 void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
   isPaintedBySoftware = isSoftware;
   painter->setText(tr("Software 3D"));
@@ -161,54 +115,15 @@ void View3D::Private::showPainter() {
   painter->setVisible(isPaintedBySoftware && painter->geometry().right() < buttons->x());
 }
 
-QToolButton* View3D::Private::addButton(const char* name, const QString& text, const QString& tip,
-                                        const std::function<void()>& act) {
-  auto* button = new QToolButton(buttons);
-  button->setObjectName(QLatin1String(name));
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::TabFocus);
-  buttons->layout()->addWidget(button);
-  connect(button, &QToolButton::clicked, q, act);
-  return button;
-}
-
-void View3D::Private::makeButtons() {
-  buttons = new QWidget(q);
-  buttons->setObjectName("view3dButtons");
-  buttons->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(buttons);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
-  addButton("view3dFit", tr("Fit"), tr("All of the train in the view (F)"), [this] { q->fit(); });
-  addButton("view3dIso", tr("Iso"), tr("Isometric (0)"), [this] { q->showFrom(StandardView::isometric); });
-  addButton("view3dFront", tr("Front"), tr("From the front: x to the right, z up (1)"),
-            [this] { q->showFrom(StandardView::front); });
-  addButton("view3dRight", tr("Right"), tr("From the right: y to the right, z up (2)"),
-            [this] { q->showFrom(StandardView::right); });
-  addButton("view3dTop", tr("Top"), tr("From above: x to the right, y up (3)"),
-            [this] { q->showFrom(StandardView::top); });
-  QToolButton* section = addButton("view3dSection", tr("Section"), tr("Cut the train open (S)"), [this] {
+void View3D::Private::wireButtons() {
+  connect(buttons, &ViewButtons::fitWanted, q, &View3D::fit);
+  connect(buttons, &ViewButtons::viewWanted, q, &View3D::showFrom);
+  connect(buttons, &ViewButtons::menuOpening, q, &View3D::fillViewMenu);
+  connect(buttons, &ViewButtons::sectionToggled, q, [this] {
     ViewOptions options = viewer.options();
     options.section = options.section ? std::nullopt : std::optional(SectionChoice{});
     viewer.setOptions(options);
   });
-  section->setCheckable(true);
-  makeMoreButton();
-}
-
-// The menu is made when it opens: it shows what holds then.
-void View3D::Private::makeMoreButton() {
-  QToolButton* more = addButton("view3dMore", QStringLiteral("⋯"), tr("What is shown, and how"), [] {});
-  auto* menu = new QMenu(more);
-  menu->setToolTipsVisible(true);
-  connect(menu, &QMenu::aboutToShow, q, [this, menu] {
-    menu->clear();
-    q->fillViewMenu(*menu);
-  });
-  more->setMenu(menu);
-  more->setPopupMode(QToolButton::InstantPopup);
 }
 
 void View3D::Private::placeStrip() {
@@ -222,7 +137,7 @@ void View3D::Private::onOptionsChanged() {
   labels.setShown(LabelKind::link, options.linkLabels);
   labels.setShown(LabelKind::joint, options.jointLabels);
   labels.setShown(LabelKind::axis, options.axisLabels);
-  buttons->findChild<QToolButton*>("view3dSection")->setChecked(options.section.has_value());
+  buttons->setSection(options.section.has_value());
   strip->layout()->activate();
   placeStrip();
   emit viewer.viewChanged();
@@ -237,7 +152,7 @@ void View3D::Private::openPartMenu(std::optional<Hit> hit, const QPointF& at) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   q->fillPartMenu(*menu, hit);
   emit q->menuOpening(menu, hit ? std::optional(hit->element) : std::nullopt);
-  menu->popup(canvas()->mapToGlobal(at.toPoint()));
+  menu->popup(host->canvas()->mapToGlobal(at.toPoint()));
 }
 
 std::optional<ElementId> View3D::Private::selectedLink() const {
@@ -275,10 +190,11 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->painter->setProperty("look", "hint");
   d->painter->move(12, 10);
   d->painter->hide();
-  d->makeButtons();
+  d->wireButtons();
   d->wireAxis();
-  const CanvasSurface& surface = canvasSurface();
-  surface.isWindow ? d->useGl() : d->useImage(surface.why);
+  connect(d->host, &CanvasHost::started, this,
+          [this](bool isSoftware, const QString& why) { d->tellWhatPaints(isSoftware, why); });
+  d->host->start(waitingText());
   connect(&d->playback, &Playback::timeChanged, &d->viewer, [this](double seconds) {
     emit d->viewer.moving();
     d->viewer.setTime(seconds);
@@ -324,7 +240,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
 
 // The canvas goes while the viewer it looks at is still there.
 View3D::~View3D() {
-  delete d->canvas();
+  d->host->stop();
 }
 
 void View3D::setForces(StageForces forces, const QString& caption) {
@@ -439,9 +355,7 @@ void View3D::chooseNavigation(Navigation navigation) {
 }
 
 void View3D::setDark(bool dark) {
-  d->dark = dark;
-  if (d->gl != nullptr) d->gl->setDark(dark);
-  if (d->image != nullptr) d->image->setDark(dark);
+  d->host->setDark(dark);
   d->bar->setDark(dark);
   d->viewer.setRenderStyle(dark ? RenderStyle::dark() : RenderStyle::light());
 }
@@ -491,7 +405,7 @@ const std::vector<ShownTrace>& View3D::traces() const {
 }
 
 QString View3D::rendererName() const {
-  return d->gl != nullptr ? d->gl->rendererName() : d->image->rendererName();
+  return d->host->rendererName();
 }
 
 QString View3D::driver() {
@@ -501,11 +415,11 @@ QString View3D::driver() {
 }
 
 bool View3D::isImage() const {
-  return d->gl == nullptr;
+  return d->host->isImage();
 }
 
 bool View3D::isUpToDate() const {
-  return d->image == nullptr || d->image->isUpToDate();
+  return d->host->isUpToDate();
 }
 
 void View3D::fit() {
@@ -542,7 +456,7 @@ void View3D::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Period:
       return d->playback.step(+1);
     case Qt::Key_S:
-      return d->buttons->findChild<QToolButton*>("view3dSection")->click();
+      return d->buttons->toggleSection();
     case Qt::Key_E: {
       ViewOptions changed = options();
       changed.explosion = changed.explosion > 0 ? 0 : 1;
@@ -607,7 +521,7 @@ void View3D::contextMenuEvent(QContextMenuEvent* event) {
   const auto part = stage() != nullptr ? instanceOf(*stage(), link) : std::nullopt;
   std::optional<Hit> hit;
   if (part) hit = Hit{*part, *link, d->viewer.poses()[*part].translation()};
-  d->openPartMenu(hit, QPointF(d->canvas()->rect().center()));
+  d->openPartMenu(hit, QPointF(d->host->canvas()->rect().center()));
 }
 
 void View3D::resizeEvent(QResizeEvent* event) {
