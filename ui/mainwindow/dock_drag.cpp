@@ -3,6 +3,9 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QTabBar>
+#include <algorithm>
+#include <utility>
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -13,23 +16,38 @@ bool isOfDrag(int key) {
          key == Qt::Key_Escape;
 }
 
+bool isWithin(const QMainWindow& window, const QObject* part) {
+  while (part != nullptr && part != &window) part = part->parent();
+  return part != nullptr;
+}
+
+/// Can docks be dragged by it? By their titles and by their tabs.
+bool isHandle(const QObject* part) {
+  return qobject_cast<const QDockWidget*>(part) != nullptr || qobject_cast<const QTabBar*>(part) != nullptr;
+}
+
+/// A group that has lost its docks hides itself; one that is still seen is held by another one's layout.
+bool isLost(const QWidget& group) {
+  const auto docks = group.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+  return group.isVisible() &&
+         std::all_of(docks.begin(), docks.end(), [](const QDockWidget* dock) { return dock->isWindow(); });
+}
+
 }  // namespace
 
 DockDrag::DockDrag(QMainWindow* window) : QObject(window), m_window(window) {
   qApp->installEventFilter(this);
 }
 
-/// Null if no dock of the window is. A dock that floats is a window of its own.
-QDockWidget* DockDrag::dragged() const {
+// A dock that floats is a window of its own.
+QDockWidget* DockDrag::draggedOf(const QMainWindow& window) {
   auto* dock = qobject_cast<QDockWidget*>(QWidget::mouseGrabber());
-  for (const QObject* each = dock; each != nullptr; each = each->parent())
-    if (each == m_window) return dock;
-  return nullptr;
+  return isWithin(window, dock) ? dock : nullptr;
 }
 
 /// As if the button were released here.
 void DockDrag::end() const {
-  QDockWidget* dock = dragged();
+  QDockWidget* dock = draggedOf(*m_window);
   if (dock == nullptr) return;
   const QPointF at = QCursor::pos();
   QMouseEvent release(QEvent::MouseButtonRelease, dock->mapFromGlobal(at), at, Qt::LeftButton, Qt::NoButton,
@@ -37,9 +55,23 @@ void DockDrag::end() const {
   QCoreApplication::sendEvent(dock, &release);
 }
 
+void DockDrag::takeBackIfLost() {
+  const QByteArray before = std::exchange(m_before, {});
+  if (before.isEmpty()) return;
+  const auto children = m_window->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+  const bool anyLost = std::any_of(children.begin(), children.end(), [](const QWidget* child) {
+    return child->inherits("QDockWidgetGroupWindow") && isLost(*child);
+  });
+  if (anyLost) m_window->restoreState(before);
+}
+
 bool DockDrag::eventFilter(QObject* watched, QEvent* event) {
   const bool isEnd = event->type() == QEvent::Close || event->type() == QEvent::Hide;
   if (isEnd && watched == m_window) end();
+  if (event->type() == QEvent::MouseButtonPress && isHandle(watched) && isWithin(*m_window, watched))
+    m_before = m_window->saveState();
+  if (event->type() == QEvent::MouseButtonRelease && !m_before.isEmpty())
+    QMetaObject::invokeMethod(this, &DockDrag::takeBackIfLost, Qt::QueuedConnection);
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const bool isDragged = isKey && qobject_cast<QDockWidget*>(QWidget::mouseGrabber()) != nullptr &&
                          QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);

@@ -12,6 +12,7 @@
 #include "core/foundations/files/file_identity.h"
 #include "ui/languages/languages.h"
 #include "ui/mainwindow/crash_offer.h"
+#include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/main_window.h"
@@ -260,10 +261,14 @@ void WindowSet::deleteLeft() {
   if (m_leaving.empty()) m_leaveSoon->stop();
 }
 
-/// Records the layouts of the windows. A window that was shown just now has no layout yet.
+/// Records the layouts of the windows. A window that was shown just now has no layout yet, one whose docks
+/// are being dragged is recorded later.
 void WindowSet::recordLayouts() {
   for (const auto& window : m_windows) {
-    if (window->isVisible()) m_layouts[window.get()] = {window->saveGeometry(), window->saveState()};
+    if (DockDrag::draggedOf(*window) != nullptr)
+      m_recordSoon->start();
+    else if (window->isVisible())
+      m_layouts[window.get()] = {window->saveGeometry(), window->saveState()};
   }
   remember();
 }

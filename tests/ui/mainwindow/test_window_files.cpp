@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSemaphore>
 #include <QTemporaryFile>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph {
 
@@ -365,6 +367,46 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     startAgain();
     QVERIFY(QTest::qWaitForWindowExposed(&first()));
     QTRY_COMPARE(width(), before - 77);
+  }
+
+  /// In the middle of a drag the layout holds room for docks that float as a group, which has no name; and
+  /// what is dropped on the rest of its group would be lost.
+  void theSessionWaitsForADragOfDocks() {
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("saveState")));
+    set->start({written(QStringLiteral("one.geargraph"), 1)});
+    QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    QTRY_VERIFY(first().isSettled());
+    auto* dock = first().findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
+    auto* floating = first().findChild<QDockWidget*>(QStringLiteral("dock.properties"));
+    floating->setFloating(true);
+    floating->move(first().mapToGlobal(QPoint(300, 300)));
+    const QPoint title(60, 12);
+    const auto drag = [&](QDockWidget* on, const QPoint& to) {
+      const QPoint from = on->mapToGlobal(title);
+      QTest::mouseMove(on, title);
+      QTest::mousePress(on, Qt::LeftButton, {}, title);
+      for (int i = 1; i <= 8; ++i) QTest::mouseMove(on, on->mapFromGlobal(from + (to - from) * i / 8));
+      QVERIFY(QWidget::mouseGrabber() == on);
+    };
+    const auto drop = [&](QDockWidget* on) { QTest::mouseRelease(on, Qt::LeftButton, {}, title); };
+    drag(dock, floating->mapToGlobal(QPoint(20, floating->height() / 2)));
+    drop(dock);
+    QCOMPARE(dock->parentWidget(), floating->parentWidget());  // the group
+    drag(floating, first().mapToGlobal(first().rect().center()));
+    const auto recorded = [] {
+      flushSettings();
+      return QSettings().value(QStringLiteral("session/windows/1/state")).toByteArray();
+    };
+    const QByteArray before = recorded();
+    set->openNew();  // so all are recorded, after a second
+    QTest::qWait(1500);
+    QVERIFY(QWidget::mouseGrabber() == floating);
+    QCOMPARE(recorded(), before);
+    drop(floating);
+    QTRY_VERIFY(recorded() != before);
+    QCOMPARE(recorded(), first().saveState());
+    QCOMPARE(dock->parentWidget(), floating->parentWidget());  // else Qt has lost one of them
+    QVERIFY(dock->isVisible() && floating->isVisible() && !floating->isWindow());
   }
 
   void aSecondProgramLeavesTheSessionAlone() {
