@@ -9,7 +9,8 @@ class QPainter;
 namespace geargraph::inline panels {
 
 /// Paints a formula in the gear ratios, "-i18*i17/(i15 + 1)", typeset: italic i with its label as a
-/// subscript, products without a sign, a Unicode minus sign.
+/// subscript, products without a sign, a Unicode minus sign. The glyphs of the last formulas are kept, and
+/// only those left of the painter's clip are painted.
 ///
 /// @param painter null: only measures
 /// @param at the start of the baseline

@@ -47,19 +47,15 @@ int Autosave::edits() const {
 
 void Autosave::save() {
   m_timer->stop();
-  if (!m_side) m_side = freshSideFile(m_document->filePath(), m_folder);
-  if (!m_side) {
-    return finished(m_wanted, tr("Unsaved changes cannot be kept: no file can be written beside the document "
-                                 "or in %1.")
-                                  .arg(m_folder));
-  }
+  if (!m_place) m_place = std::make_shared<Place>(Place{m_document->filePath(), nullptr});
   const SideNote note{m_document->filePath(), m_title, edits(), QDateTime::currentDateTime()};
-  enqueue({m_side, m_document->mechanism(), note, m_wanted});
+  enqueue({m_place, m_document->mechanism(), note, m_wanted});
 }
 
 void Autosave::adopt(std::unique_ptr<SideFile> side, const SideNote& note) {
-  if (m_side) enqueue({std::move(m_side), nullptr, {}, m_wanted});
-  m_side = std::move(side);
+  if (m_place) enqueue({std::move(m_place), nullptr, {}, m_wanted});
+  m_sidePath = side->path();
+  m_place = std::make_shared<Place>(Place{note.filePath, std::move(side)});
   // The restored changes are one edit of this document.
   m_editsBefore = std::max(0, note.edits - 1);
 }
@@ -72,15 +68,16 @@ void Autosave::removeSideFile() {
   m_timer->stop();
   m_editsBefore = 0;
   m_written = m_wanted;
-  if (m_side) enqueue({std::move(m_side), nullptr, {}, m_wanted});
-  m_side.reset();
+  if (m_place) enqueue({std::move(m_place), nullptr, {}, m_wanted});
+  m_place.reset();
+  m_sidePath.clear();
 }
 
 void Autosave::enqueue(Job job) {
   {
     const std::lock_guard lock(m_mutex);
     // A state that nobody has written yet is not worth writing when there is a newer one.
-    if (!m_jobs.empty() && m_jobs.back().side == job.side) m_jobs.pop_back();
+    if (!m_jobs.empty() && m_jobs.back().place == job.place) m_jobs.pop_back();
     m_jobs.push_back(std::move(job));
   }
   m_wake.notify_one();
@@ -97,18 +94,30 @@ void Autosave::run(const std::stop_token& quit) {
       m_jobs.pop_front();
     }
     if (!job.mechanism) {
-      job.side->remove();
+      if (job.place->side) job.place->side->remove();
       continue;
     }
-    const auto error =
-        writeFile(QFile::encodeName(job.side->path()).toStdString(), sideFileBytes(*job.mechanism, job.note));
-    const QString why = error ? QString::fromStdString(error->message) : QString();
-    QMetaObject::invokeMethod(this, [this, number = job.number, why] { finished(number, why); });
+    const QString why = write(job);
+    const QString path = job.place->side ? job.place->side->path() : QString();
+    QMetaObject::invokeMethod(this, [this, job = std::move(job), path, why] { finished(job, path, why); });
   }
 }
 
-void Autosave::finished(quint64 number, const QString& error) {
-  m_written = std::max(m_written, number);
+/// @return why not; empty if it was written
+QString Autosave::write(const Job& job) const {
+  std::unique_ptr<SideFile>& side = job.place->side;
+  if (!side) side = freshSideFile(job.place->filePath, m_folder);
+  if (!side)
+    return tr("Unsaved changes cannot be kept: no file can be written beside the document or in %1.")
+        .arg(m_folder);
+  const auto error =
+      writeFile(QFile::encodeName(side->path()).toStdString(), sideFileBytes(*job.mechanism, job.note));
+  return error ? QString::fromStdString(error->message) : QString();
+}
+
+void Autosave::finished(const Job& job, const QString& path, const QString& error) {
+  m_written = std::max(m_written, job.number);
+  if (m_place == job.place) m_sidePath = path;
   const bool wasFailing = std::exchange(m_failing, !error.isEmpty());
   if (m_failing && !wasFailing) emit failed(error);
   if (isUpToDate()) emit upToDate();

@@ -42,7 +42,8 @@ class Autosave : public QObject, public BackgroundWork {
   void discard();
   /// Has the newest state been written, or is there nothing unsaved?
   [[nodiscard]] bool isUpToDate() const { return m_written == m_wanted; }
-  [[nodiscard]] QString sidePath() const { return m_side ? m_side->path() : QString(); }
+  /// Of the side file that was written last; empty while there is none.
+  [[nodiscard]] const QString& sidePath() const { return m_sidePath; }
 
  signals:
   /// Writing failed. Emitted once until it succeeds again.
@@ -50,8 +51,14 @@ class Autosave : public QObject, public BackgroundWork {
   void upToDate();
 
  private:
+  /// Where the side file of a document belongs. The file is locked, which waits for the disk, by the thread
+  /// that writes it first.
+  struct Place {
+    QString filePath;                ///< of the document
+    std::unique_ptr<SideFile> side;  ///< null before the first write; not for the GUI thread
+  };
   struct Job {
-    std::shared_ptr<SideFile> side;
+    std::shared_ptr<Place> place;
     MechanismPtr mechanism;  ///< null: remove the side file
     SideNote note;
     quint64 number = 0;
@@ -62,15 +69,17 @@ class Autosave : public QObject, public BackgroundWork {
   void removeSideFile();
   void enqueue(Job job);
   void run(const std::stop_token& quit);
-  void finished(quint64 number, const QString& error);
+  [[nodiscard]] QString write(const Job& job) const;
+  void finished(const Job& job, const QString& path, const QString& error);
   [[nodiscard]] int edits() const;
 
   Document* m_document;
-  QString m_folder;
+  const QString m_folder;
   QString m_title;
   QTimer* m_timer;
-  std::shared_ptr<SideFile> m_side;  ///< null while nothing is unsaved
-  int m_editsBefore = 0;             ///< of an adopted side file
+  std::shared_ptr<Place> m_place;  ///< null while nothing is unsaved
+  QString m_sidePath;
+  int m_editsBefore = 0;  ///< of an adopted side file
   quint64 m_wanted = 0;
   quint64 m_written = 0;
   bool m_failing = false;

@@ -11,6 +11,9 @@
 #include <QPointer>
 #include <QTimer>
 #include <QUuid>
+#include <boost/date_time/posix_time/posix_time_types.hpp>
+#include <boost/interprocess/exceptions.hpp>
+#include <boost/interprocess/sync/file_lock.hpp>
 #include <filesystem>
 #include <system_error>
 
@@ -18,6 +21,8 @@
 
 namespace geargraph::inline recovery {
 namespace {
+
+using FileLock = boost::interprocess::file_lock;
 
 const QString kListSuffix = QStringLiteral(".json");
 const QString kLockSuffix = QStringLiteral(".alive");
@@ -33,6 +38,20 @@ std::unique_ptr<QLockFile> lockAt(const QString& path) {
   auto lock = std::make_unique<QLockFile>(path);
   lock->setStaleLockTime(0);
   return lock;
+}
+
+/// Not a QLockFile, which waits until the disk has it: only running programs read it. Null if it cannot be
+/// held.
+std::unique_ptr<FileLock> heldRegistry(const QString& path) {
+  namespace time = boost::posix_time;
+  try {
+    if (!QFile(path).open(QIODevice::ReadWrite)) return nullptr;  // it is made once, and stays
+    auto lock = std::make_unique<FileLock>(nativePath(path).c_str());
+    const auto end = time::microsec_clock::universal_time() + time::milliseconds(kRegistryPatience);
+    return lock->timed_lock(end) ? std::move(lock) : nullptr;
+  } catch (const boost::interprocess::interprocess_exception&) {
+    return nullptr;  // the file system knows no locks
+  }
 }
 
 }  // namespace
@@ -131,8 +150,7 @@ std::optional<DocumentHolder> OpenDocuments::holderOf(const QString& path) const
 
 std::optional<DocumentHolder> OpenDocuments::claim(const QObject* window, const QString& path) {
   // Two programs that open one document at a time must not both find it free.
-  const auto registry = lockAt(QDir(m_folder).filePath(QStringLiteral("registry.lock")));
-  registry->tryLock(kRegistryPatience);
+  const auto registry = heldRegistry(QDir(m_folder).filePath(QStringLiteral("registry.lock")));
   auto holder = holderOf(path);
   const bool isOpen = !path.isEmpty() && !holder;
   const QString claimed = isOpen ? path : QString();

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QPixmapCache>
 #include <QToolTip>
 #include <algorithm>
 #include <optional>
@@ -21,8 +20,6 @@ constexpr std::pair<Theme, const char*> kThemeNames[] = {
 const QString kThemeKey = QStringLiteral("theme");
 const QString kTypeScaleKey = QStringLiteral("typeScale");
 constexpr const char* kStyledProperty = "geargraphStyled";
-/// KiB. Each icon takes some 100 of them for a theme; Qt's 10 MB hold neither two themes nor the start page.
-constexpr int kPixmapCache = 65536;
 /// Asking for it tells all widgets twice of another palette.
 std::optional<Theme> knownSystemTheme;
 
@@ -78,7 +75,6 @@ void applyTheme(QApplication& application, Theme theme, double typeScale) {
   // Each of these polishes all widgets of the program again, so what stays as it is is not set.
   if (!application.property(kStyledProperty).toBool()) {
     application.setStyle(new ProgramStyle);
-    QPixmapCache::setCacheLimit(kPixmapCache);
     application.setProperty(kStyledProperty, true);
   }
   if (QFont font = application.font(); font.pixelSize() != bodyPixels()) {

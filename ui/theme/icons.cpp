@@ -1,9 +1,12 @@
 #include "ui/theme/icons.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QPainter>
 #include <QPixmapCache>
 #include <QSvgRenderer>
+#include <map>
+#include <tuple>
 
 #include "ui/theme/theme_colors.h"
 
@@ -28,9 +31,7 @@ QPixmap drawn(const QString& name, const QColor& color, int pixels, qreal ratio)
   return pixmap;
 }
 
-}  // namespace
-
-QIcon icon(const QString& name, ColorRole role, Theme theme) {
+QIcon madeIcon(const QString& name, ColorRole role, Theme theme) {
   QIcon result;
   for (const int pixels : {16, 20, 32}) {
     for (const qreal ratio : {1.0, 2.0}) {
@@ -41,6 +42,38 @@ QIcon icon(const QString& name, ColorRole role, Theme theme) {
     }
   }
   return result;
+}
+
+/// All icons that were asked for, by name, role and theme: about 100 kB each. QPixmapCache drops what nothing
+/// has shown for a while, such as those of the other themes.
+class KeptIcons {
+ public:
+  using Key = std::tuple<QString, ColorRole, Theme>;
+
+  static KeptIcons& instance() {
+    static KeptIcons icons;
+    return icons;
+  }
+
+  QIcon operator()(const QString& name, ColorRole role, Theme theme) {
+    const auto [place, isNew] = m_icons.try_emplace(Key(name, role, theme));
+    if (isNew) place->second = madeIcon(name, role, theme);
+    return place->second;
+  }
+
+ private:
+  // Pixmaps go before the application does.
+  KeptIcons() {
+    qAddPostRoutine([] { instance().m_icons.clear(); });
+  }
+
+  std::map<Key, QIcon> m_icons;
+};
+
+}  // namespace
+
+QIcon icon(const QString& name, ColorRole role, Theme theme) {
+  return KeptIcons::instance()(name, role, theme);
 }
 
 QPixmap iconPixmap(const QString& name, ColorRole role, Theme theme, int pixels, qreal devicePixelRatio) {

@@ -116,8 +116,11 @@ int ProgramStyle::styleHint(StyleHint hint, const QStyleOption* option, const QW
 
 QIcon ProgramStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* option,
                                  const QWidget* widget) const {
-  if (option == nullptr || (pixmap != SP_TitleBarCloseButton && pixmap != SP_TitleBarNormalButton))
-    return QProxyStyle::standardIcon(pixmap, option, widget);
+  if (option == nullptr || (pixmap != SP_TitleBarCloseButton && pixmap != SP_TitleBarNormalButton)) {
+    QIcon& kept = m_standardIcons[pixmap];
+    if (kept.isNull()) kept = QProxyStyle::standardIcon(pixmap, option, widget);
+    return kept;
+  }
   const QString name = pixmap == SP_TitleBarCloseButton ? QStringLiteral("close") : QStringLiteral("float");
   return icon(name, ColorRole::ink, themeOf(option->palette));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QHash>
+#include <QIcon>
 #include <QProxyStyle>
 
 namespace geargraph::inline theme {
@@ -25,6 +27,10 @@ class ProgramStyle : public QProxyStyle {
   void polish(QWidget* widget) override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+
+ private:
+  /// Fusion reads their files every time, a dozen for a file dialog. They are the same for all widgets.
+  mutable QHash<StandardPixmap, QIcon> m_standardIcons;
 };
 
 }  // namespace geargraph::inline theme
