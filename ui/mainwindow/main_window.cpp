@@ -495,11 +495,12 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files->mayDiscard()) return event->ignore();
   m_files->discard();
-  m_presentation->setOn(false);
   if (m_lesson == nullptr) {  // whose panels are others
-    saveSetting(QStringLiteral("window/geometry"), saveGeometry());
-    saveSetting(QStringLiteral("window/state"), saveState());
+    const auto [geometry, state] = m_presentation->workLayout();
+    saveSetting(QStringLiteral("window/geometry"), geometry);
+    saveSetting(QStringLiteral("window/state"), state);
   }
+  m_presentation->end();
   event->accept();
   emit closed();
 }

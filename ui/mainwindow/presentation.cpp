@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <utility>
 
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/layout_pause.h"
@@ -52,8 +53,7 @@ void Presentation::setOn(bool on) {
 }
 
 void Presentation::enter() {
-  m_workLayout = m_window->saveState();
-  m_workGeometry = m_window->saveGeometry();
+  m_workLayout = {m_window->saveGeometry(), m_window->saveState()};
   m_workState = m_window->windowState();
   {
     const LayoutPause pause(m_window);
@@ -89,18 +89,30 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-/// The type shrinks first: large panels would push the window wider than it was.
-void Presentation::leave() {
+Presentation::Layout Presentation::workLayout() const {
+  return m_on ? m_workLayout : Layout{m_window->saveGeometry(), m_window->saveState()};
+}
+
+void Presentation::end() {
+  if (std::exchange(m_on, false)) finish();
+}
+
+void Presentation::finish() {
   qApp->removeEventFilter(this);
   saveSetting(kLayoutKey, m_window->saveState());
   delete m_hint;
   m_hint = nullptr;
   emit changed(false);
+}
+
+/// The type shrinks first: large panels would push the window wider than it was.
+void Presentation::leave() {
+  finish();
   const LayoutPause pause(m_window);
   m_window->setWindowState(m_workState);
   setBarsVisible(true);
-  m_window->restoreState(m_workLayout);
-  m_window->restoreGeometry(m_workGeometry);
+  m_window->restoreState(m_workLayout.state);
+  m_window->restoreGeometry(m_workLayout.geometry);
 }
 
 void Presentation::showHint() {

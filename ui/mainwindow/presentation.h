@@ -19,9 +19,18 @@ class Presentation : public QObject {
  public:
   static constexpr double kTypeScale = 1.5;
 
+  struct Layout {
+    QByteArray geometry;  ///< QWidget::saveGeometry()
+    QByteArray state;     ///< QMainWindow::saveState()
+  };
+
   explicit Presentation(QMainWindow* window);
 
   [[nodiscard]] bool isOn() const { return m_on; }
+  /// The working layout, which a presentation hides: what is to be remembered of the window.
+  [[nodiscard]] Layout workLayout() const;
+  /// Ends it with its window, which is not laid out again.
+  void end();
 
  public slots:
   void setOn(bool on);
@@ -37,14 +46,14 @@ class Presentation : public QObject {
  private:
   void enter();
   void leave();
+  void finish();
   void setBarsVisible(bool visible);
   void choosePanels();
   void showHint();
 
   QMainWindow* m_window;
   QLabel* m_hint = nullptr;
-  QByteArray m_workLayout;
-  QByteArray m_workGeometry;
+  Layout m_workLayout;
   Qt::WindowStates m_workState;
   bool m_on = false;
 };

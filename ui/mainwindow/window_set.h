@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/window_files.h"
 
 class QTimer;
@@ -65,10 +66,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   void recordLayouts();
   void remember();
 
-  struct Layout {
-    QByteArray geometry;
-    QByteArray state;
-  };
+  using Layout = Presentation::Layout;
 
   QString m_folder;
   QTimer* m_recordSoon;

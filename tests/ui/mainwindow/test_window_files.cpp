@@ -16,6 +16,7 @@
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/languages/languages.h"
+#include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
@@ -367,6 +368,21 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     startAgain();
     QVERIFY(QTest::qWaitForWindowExposed(&first()));
     QTRY_COMPARE(width(), before - 77);
+  }
+
+  void theSessionHasTheLayoutBehindAPresentation() {
+    set->start({written(QStringLiteral("one.geargraph"), 1)});
+    QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    const QByteArray before = first().saveState();
+    first().presentation().setOn(true);
+    QVERIFY(first().saveState() != before);
+    set->quit();
+    QCOMPARE(savedSetting(QStringLiteral("window/state")).toByteArray(), before);
+    QVERIFY(!savedSetting(QStringLiteral("presentation/state")).toByteArray().isEmpty());
+    startAgain();
+    QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    QTRY_COMPARE(first().saveState(), before);
+    QVERIFY(!first().isFullScreen());
   }
 
   /// In the middle of a drag the layout holds room for docks that float as a group, which has no name; and

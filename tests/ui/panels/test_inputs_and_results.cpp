@@ -2,6 +2,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QStackedWidget>
@@ -15,6 +16,7 @@
 #include "tests/core/support/trains.h"
 #include "ui/models/freedom_text.h"
 #include "ui/panels/inputs_panel.h"
+#include "ui/panels/ratio_text.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/speed_slider.h"
@@ -219,6 +221,32 @@ class InputsAndResultsTest : public QObject {
     document->replace(test::robot(), {});
     settle();
     QVERIFY(ratio->isHidden());
+  }
+
+  void ofALongFormulaWhatIsSeenIsPainted() {
+    const QFont font = QApplication::font();
+    QString formula = QStringLiteral("-i15");
+    for (int label = 16; label < 400; ++label) formula += QStringLiteral("*i%1").arg(label);
+    QVERIFY(paintRatios(nullptr, font, {}, formula) > 4000);
+    QVERIFY(paintRatios(nullptr, font, {}, QStringLiteral("i15*i16")) <
+            paintRatios(nullptr, font, {}, QStringLiteral("-i15*i16")));
+    const QRect cell(10, 0, 90, 30);
+    const auto painted = [&](bool isClipped) {
+      QImage image(300, 30, QImage::Format_RGB32);
+      image.fill(Qt::white);
+      QPainter painter(&image);
+      if (isClipped) painter.setClipRect(cell);
+      paintRatios(&painter, font, {12, 20}, formula);
+      return image;
+    };
+    const QImage whole = painted(false), clipped = painted(true);
+    QCOMPARE(clipped.copy(cell), whole.copy(cell));
+    QImage blank(300, 30, QImage::Format_RGB32);
+    blank.fill(Qt::white);
+    QVERIFY(whole.copy(cell) != blank.copy(cell));
+    const QRect beside(cell.right() + 1, 0, 100, 30);
+    QCOMPARE(clipped.copy(beside), blank.copy(beside));
+    QVERIFY(whole.copy(beside) != blank.copy(beside));
   }
 
   void theHeadOfAnInputLightsUpWhatItCommands() {
