@@ -1,6 +1,7 @@
 #include "tests/ui/mainwindow/hand.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -100,6 +101,15 @@ QStringList shownRows(MainWindow& window, MatrixKind kind) {
     rows << entries.join(QLatin1Char(' '));
   }
   return rows;
+}
+
+QStringList shownDocks(const MainWindow& window) {
+  QStringList names;
+  for (const auto* dock : window.findChildren<QDockWidget*>()) {
+    if (!dock->isHidden()) names << dock->objectName();
+  }
+  names.sort();
+  return names;
 }
 
 void isolateSettings() {

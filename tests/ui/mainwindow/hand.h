@@ -39,6 +39,9 @@ class Hand {
 /// The rows of the matrix that is shown, entries parted by blanks, with "-" for minus.
 [[nodiscard]] QStringList shownRows(MainWindow& window, MatrixKind kind);
 
+/// The names of the docks that are not hidden, in tabs or not, sorted.
+[[nodiscard]] QStringList shownDocks(const MainWindow& window);
+
 /// Settings in a folder of their own, thrown away at the end of the program; call before the first window.
 void isolateSettings();
 /// Settings in a folder that somebody else throws away.

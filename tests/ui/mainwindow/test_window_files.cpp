@@ -52,6 +52,11 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
       return emptyMechanism();
     };
   }
+  /// That of the first window in the session.
+  static QByteArray recordedLayout() {
+    flushSettings();
+    return QSettings().value(QStringLiteral("session/windows/1/state")).toByteArray();
+  }
   void startAgain(const QStringList& documents = {}) {
     set.reset();  // without closing anything, as in a crash
     set = std::make_unique<WindowSet>(app());
@@ -373,15 +378,18 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
   void theSessionHasTheLayoutBehindAPresentation() {
     set->start({written(QStringLiteral("one.geargraph"), 1)});
     QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    const QStringList shown = test::shownDocks(first());
     const QByteArray before = first().saveState();
     first().presentation().setOn(true);
     QVERIFY(first().saveState() != before);
+    QVERIFY(test::shownDocks(first()) != shown);
     set->quit();
     QCOMPARE(savedSetting(QStringLiteral("window/state")).toByteArray(), before);
+    QCOMPARE(recordedLayout(), before);
     QVERIFY(!savedSetting(QStringLiteral("presentation/state")).toByteArray().isEmpty());
     startAgain();
     QVERIFY(QTest::qWaitForWindowExposed(&first()));
-    QTRY_COMPARE(first().saveState(), before);
+    QTRY_COMPARE(test::shownDocks(first()), shown);
     QVERIFY(!first().isFullScreen());
   }
 
@@ -391,6 +399,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     QTest::failOnWarning(QRegularExpression(QStringLiteral("saveState")));
     set->start({written(QStringLiteral("one.geargraph"), 1)});
     QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    QTRY_VERIFY(first().isSettled());
     QTRY_VERIFY(first().isSettled());
     auto* dock = first().findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
     auto* floating = first().findChild<QDockWidget*>(QStringLiteral("dock.properties"));
@@ -409,18 +418,14 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     drop(dock);
     QCOMPARE(dock->parentWidget(), floating->parentWidget());  // the group
     drag(floating, first().mapToGlobal(first().rect().center()));
-    const auto recorded = [] {
-      flushSettings();
-      return QSettings().value(QStringLiteral("session/windows/1/state")).toByteArray();
-    };
-    const QByteArray before = recorded();
+    const QByteArray before = recordedLayout();
     set->openNew();  // so all are recorded, after a second
     QTest::qWait(1500);
     QVERIFY(QWidget::mouseGrabber() == floating);
-    QCOMPARE(recorded(), before);
+    QCOMPARE(recordedLayout(), before);
     drop(floating);
-    QTRY_VERIFY(recorded() != before);
-    QCOMPARE(recorded(), first().saveState());
+    QTRY_VERIFY(recordedLayout() != before);
+    QCOMPARE(recordedLayout(), first().saveState());
     QCOMPARE(dock->parentWidget(), floating->parentWidget());  // else Qt has lost one of them
     QVERIFY(dock->isVisible() && floating->isVisible() && !floating->isWindow());
   }

@@ -68,14 +68,6 @@ class WindowHabitsTest : public QObject {
   std::unique_ptr<QMenu> menuOf(int link) {
     return std::unique_ptr<QMenu>(window->digraph().contextMenuAt(test::Hand(*window).placeOf(link)));
   }
-  [[nodiscard]] QStringList shownDocks() {
-    QStringList names;
-    for (auto* dock : window->findChildren<QDockWidget*>()) {
-      if (!dock->isHidden()) names << dock->objectName();
-    }
-    names.sort();
-    return names;
-  }
 
  private slots:
   void initTestCase() { test::setUpProgram(); }
@@ -269,23 +261,23 @@ class WindowHabitsTest : public QObject {
   }
 
   void thePresentationIsLargeAndBareAndGoesAway() {
-    const QStringList before = shownDocks();
+    const QStringList before = test::shownDocks(*window);
     press(Qt::Key_F11);
     QVERIFY(window->presentation().isOn());
     QVERIFY(window->isFullScreen());
     QCOMPARE(QApplication::font().pixelSize(), 20);
     QVERIFY(!window->menuBar()->isVisible() && !window->statusBar()->isVisible());
     QVERIFY(part<QLabel>("presentationHint")->text().contains("F11"));
-    QCOMPARE(shownDocks(), QStringList{"dock.matrices"});
+    QCOMPARE(test::shownDocks(*window), QStringList{"dock.matrices"});
     press(Qt::Key_3, Qt::AltModifier);  // the 3D view too
-    QCOMPARE(shownDocks(), (QStringList{"dock.matrices", "dock.view3d"}));
+    QCOMPARE(test::shownDocks(*window), (QStringList{"dock.matrices", "dock.view3d"}));
     press(Qt::Key_F11);
     QVERIFY(!window->isFullScreen());
     QCOMPARE(QApplication::font().pixelSize(), 13);
     QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible());
-    QCOMPARE(shownDocks(), before);
+    QCOMPARE(test::shownDocks(*window), before);
     press(Qt::Key_F11);  // as it was chosen
-    QCOMPARE(shownDocks(), (QStringList{"dock.matrices", "dock.view3d"}));
+    QCOMPARE(test::shownDocks(*window), (QStringList{"dock.matrices", "dock.view3d"}));
     window->document().undoStack().setClean();
     QVERIFY(window->close());
     QVERIFY(!window->presentation().isOn());  // the layout for work is what is kept
