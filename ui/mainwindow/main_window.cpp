@@ -5,7 +5,6 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
-#include <QScreen>
 #include <algorithm>
 
 #include "core/mechanism/model/edits.h"
@@ -52,8 +51,6 @@
 
 namespace geargraph::inline mainwindow {
 namespace {
-
-constexpr int kTitleBar = 40;  // px: at most that of a window manager
 
 QString whyNoGears(const AnalysisSnapshot& snapshot) {
   if (snapshot.mechanism->n() == 0)
@@ -465,31 +462,6 @@ bool MainWindow::event(QEvent* event) {
   if (event->type() == QEvent::ThemeChange) renewSystemTheme();
   if (isOther && systemTheme() != themeOf(QApplication::palette())) setTheme(systemTheme());
   return QMainWindow::event(event);
-}
-
-void MainWindow::restoreLayout() {
-  restoreLayout(savedSetting(QStringLiteral("window/geometry")).toByteArray(),
-                savedSetting(QStringLiteral("window/state")).toByteArray());
-}
-
-void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
-  if (!geometry.isEmpty()) {
-    restoreGeometry(geometry);
-  } else if (const QSize room = screen()->availableSize();
-             room.height() < height() + kTitleBar && room.width() >= minimumSizeHint().width()) {
-    setWindowState(Qt::WindowMaximized);  // else the status bar would lie below the screen
-  }
-  m_layout = state;
-}
-
-void MainWindow::showEvent(QShowEvent* event) {
-  QMainWindow::showEvent(event);
-  if (m_layoutApplied) return;
-  m_layoutApplied = true;
-  // Not before: a window that has no size yet squeezes its docks.
-  if (m_layout.isEmpty() || !restoreState(m_layout)) applyDefaultLayout();
-  m_notices->renew();
-  drawing().setFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

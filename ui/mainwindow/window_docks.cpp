@@ -1,9 +1,11 @@
-// The panels of a window round its drawing: which there are, where they stand, and which comes to the front.
+// The panels of a window round its drawing: which there are, where they stand, and which comes to the front;
+// and the layout that is restored when the window is shown.
 
 #include <QAction>
 #include <QBoxLayout>
 #include <QDockWidget>
 #include <QFrame>
+#include <QScreen>
 #include <algorithm>
 
 #include "ui/derivation/derivation_panel.h"
@@ -16,6 +18,7 @@
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/layout_pause.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/notice_bar.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
@@ -24,11 +27,14 @@
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/search/search_entries.h"
+#include "ui/settings/settings.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
+
+constexpr int kTitleBar = 40;  // px: at most that of a window manager
 
 /// What somebody who opens a document has to know before anything else. A harmless remark is not.
 bool isUrgent(const Diagnostic& diagnostic) {
@@ -172,6 +178,31 @@ void MainWindow::applyDefaultLayout() {
               Qt::Vertical);
   dock("dock.matrices")->raise();
   raiseResults();
+}
+
+void MainWindow::restoreLayout() {
+  restoreLayout(savedSetting(QStringLiteral("window/geometry")).toByteArray(),
+                savedSetting(QStringLiteral("window/state")).toByteArray());
+}
+
+void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
+  if (!geometry.isEmpty()) {
+    restoreGeometry(geometry);
+  } else if (const QSize room = screen()->availableSize();
+             room.height() < height() + kTitleBar && room.width() >= minimumSizeHint().width()) {
+    setWindowState(Qt::WindowMaximized);  // else the status bar would lie below the screen
+  }
+  m_layout = state;
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (m_layoutApplied) return;
+  m_layoutApplied = true;
+  // Not before: a window that has no size yet squeezes its docks.
+  if (m_layout.isEmpty() || !restoreState(m_layout)) applyDefaultLayout();
+  m_notices->renew();
+  drawing().setFocus();
 }
 
 /// Of the panels of results the one that this document is about.
