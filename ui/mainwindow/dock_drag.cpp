@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
-#include <QTabBar>
 #include <algorithm>
 #include <utility>
 
@@ -23,7 +22,7 @@ bool isWithin(const QMainWindow& window, const QObject* part) {
 
 /// Can docks be dragged by it? By their titles and by their tabs.
 bool isHandle(const QObject* part) {
-  return qobject_cast<const QDockWidget*>(part) != nullptr || qobject_cast<const QTabBar*>(part) != nullptr;
+  return qobject_cast<const QDockWidget*>(part) != nullptr || part->inherits("QMainWindowTabBar");
 }
 
 /// A group that has lost its docks hides itself; one that is still seen is held by another one's layout.

@@ -297,6 +297,7 @@ void WindowSet::remember() {
 
 void WindowSet::quit() {
   recordLayouts();
+  m_recordSoon->stop();  // it would record that there are no windows
   m_quitting = true;
   for (MainWindow* window : windows()) {
     if (!window->close()) break;

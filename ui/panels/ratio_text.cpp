@@ -15,7 +15,7 @@ namespace geargraph::inline panels {
 namespace {
 
 enum Face { kUpright, kItalic, kLowered, kFaces };
-constexpr int kMostKept = 4096;  // formulas
+constexpr qsizetype kMostKept = 200'000;  // glyphs of all formulas, 20 bytes each
 constexpr QChar kMinus(0x2212);
 
 /// The glyphs of a formula in one face, from the left to the right.
@@ -44,9 +44,15 @@ class Setter {
   [[nodiscard]] const QFont& font() const { return m_font; }
   [[nodiscard]] const QRawFont& face(int face) const { return m_faces[face]; }
   [[nodiscard]] const SetFormula& operator()(const QString& formula) {
-    if (m_kept.size() > kMostKept) m_kept.clear();
     const auto known = m_kept.constFind(formula);
-    return known != m_kept.constEnd() ? *known : *m_kept.insert(formula, set(formula));
+    if (known != m_kept.constEnd()) return *known;
+    if (m_glyphs > kMostKept) {
+      m_kept.clear();
+      m_glyphs = 0;
+    }
+    const SetFormula& made = *m_kept.insert(formula, set(formula));
+    for (const Glyphs& ofFace : made.glyphs) m_glyphs += ofFace.indexes.size();
+    return made;
   }
 
  private:
@@ -85,6 +91,7 @@ class Setter {
   QFont m_font;
   std::array<QRawFont, kFaces> m_faces;
   QHash<QString, SetFormula> m_kept;
+  qsizetype m_glyphs = 0;  ///< in m_kept
 };
 
 /// For the font of the last formula: one table has one font.

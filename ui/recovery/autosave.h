@@ -42,7 +42,7 @@ class Autosave : public QObject, public BackgroundWork {
   void discard();
   /// Has the newest state been written, or is there nothing unsaved?
   [[nodiscard]] bool isUpToDate() const { return m_written == m_wanted; }
-  /// Of the side file that was written last; empty if there is none.
+  /// The path of the current side file; empty before its first write.
   [[nodiscard]] const QString& sidePath() const { return m_sidePath; }
 
  signals:
