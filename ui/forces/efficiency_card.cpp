@@ -11,7 +11,6 @@
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
-#include "ui/theme/style_sheet.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline forces {

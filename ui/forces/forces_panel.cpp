@@ -25,8 +25,8 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/looks.h"
 #include "ui/theme/sideways_scroll.h"
-#include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline forces {
 namespace {
@@ -340,7 +340,7 @@ void ForcesPanel::showRemark() {
   const ColorRole role = gravest->severity() == Severity::error     ? ColorRole::error
                          : gravest->severity() == Severity::warning ? ColorRole::warning
                                                                     : ColorRole::secondary;
-  setSheet(*m_remark, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+  setInk(*m_remark, role);
 }
 
 QString ForcesPanel::explanation() const {

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRadioButton>
-#include <QStyle>
 #include <algorithm>
 
 #include "core/foundations/base/words.h"
@@ -236,8 +235,7 @@ void AnswerForm::setMark(std::size_t field, const char* mark) {
   QWidget* widget = widgetOf(field);
   if (widget->property("mark").toString() == QLatin1String(mark)) return;
   widget->setProperty("mark", QLatin1String(mark));
-  widget->style()->unpolish(widget);
-  widget->style()->polish(widget);
+  widget->update();
 }
 
 void AnswerForm::mark(const Verdict& verdict) {

@@ -16,6 +16,7 @@
 #include "ui/derivation/derivation_view.h"
 #include "ui/lessons/answer_form.h"
 #include "ui/lessons/lesson_words.h"
+#include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline ui_lessons {
@@ -78,7 +79,8 @@ class FormScroll : public QScrollArea {
 LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_service(new LessonService(this)) {
   setObjectName(QStringLiteral("lessonPanel"));
-  setAttribute(Qt::WA_StyledBackground);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
   m_text = new DerivationView(selection, this);
   m_text->setObjectName(QStringLiteral("lessonText"));
   m_text->setFrameShape(QFrame::NoFrame);
@@ -93,7 +95,6 @@ LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* pare
   m_result->setWordWrap(true);
   m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* page = new QWidget(this);
-  page->setObjectName(QStringLiteral("page"));
   auto* answers = new QVBoxLayout(page);
   answers->setContentsMargins(20, 0, 16, 4);
   answers->addWidget(m_form);
@@ -372,12 +373,8 @@ void LessonPanel::setState(State state) {
 }
 
 void LessonPanel::setResult(const QString& text, bool isRight) {
-  const QColor color = qColor(isRight ? ColorRole::fine : ColorRole::error, themeOf(palette()));
   const bool isShown = m_state == State::shown;
-  QPalette colors = m_result->palette();
-  colors.setColor(QPalette::WindowText, isShown ? palette().color(QPalette::WindowText) : color);
-  m_result->setPalette(colors);
-  m_result->setProperty("isRight", isRight);
+  setInk(*m_result, isShown ? ColorRole::ink : isRight ? ColorRole::fine : ColorRole::error);
   m_result->setText((isRight ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + text);
 }
 
@@ -429,12 +426,6 @@ void LessonPanel::fitText() {
 void LessonPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitText();
-}
-
-void LessonPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && !m_result->text().isEmpty())
-    setResult(m_result->text().mid(2), m_result->property("isRight").toBool());
 }
 
 }  // namespace geargraph::inline ui_lessons

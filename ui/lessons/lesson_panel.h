@@ -68,7 +68,6 @@ class LessonPanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   QWidget* makeHead();

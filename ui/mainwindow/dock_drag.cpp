@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLayout>
 #include <algorithm>
 #include <utility>
 
@@ -25,10 +26,19 @@ bool isHandle(const QObject* part) {
   return qobject_cast<const QDockWidget*>(part) != nullptr || part->inherits("QMainWindowTabBar");
 }
 
-/// A group that has lost its docks hides itself; one that is still seen is held by another one's layout.
-bool isLost(const QWidget& group) {
+bool isInLayout(const QMainWindow& window, const QWidget& part) {
+  const QLayout& layout = *window.layout();
+  for (int i = 0; i < layout.count(); ++i) {
+    if (layout.itemAt(i)->widget() == &part) return true;
+  }
+  return false;
+}
+
+/// A group that has lost its docks hides itself and leaves the layout; one that is still seen is held by
+/// another one's layout, and one that stays in the window's cannot be saved.
+bool isLost(const QMainWindow& window, const QWidget& group) {
   const auto docks = group.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
-  return group.isVisible() &&
+  return (group.isVisible() || isInLayout(window, group)) &&
          std::all_of(docks.begin(), docks.end(), [](const QDockWidget* dock) { return dock->isWindow(); });
 }
 
@@ -58,8 +68,8 @@ void DockDrag::takeBackIfLost() {
   const QByteArray before = std::exchange(m_before, {});
   if (before.isEmpty()) return;
   const auto children = m_window->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
-  const bool anyLost = std::any_of(children.begin(), children.end(), [](const QWidget* child) {
-    return child->inherits("QDockWidgetGroupWindow") && isLost(*child);
+  const bool anyLost = std::any_of(children.begin(), children.end(), [this](const QWidget* child) {
+    return child->inherits("QDockWidgetGroupWindow") && isLost(*m_window, *child);
   });
   if (anyLost) m_window->restoreState(before);
 }

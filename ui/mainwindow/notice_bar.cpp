@@ -19,6 +19,7 @@ constexpr int kIcon = 16;
 
 NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
   setObjectName(QStringLiteral("noticeBar"));
+  setProperty("look", "banner");
   setMovable(false);
   toggleViewAction()->setVisible(false);
   auto* strip = new QWidget(this);

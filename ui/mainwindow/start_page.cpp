@@ -50,7 +50,7 @@ StartPage::StartPage(QWidget* parent)
       m_recentModel(new QStandardItemModel(this)),
       m_exampleModel(new QStandardItemModel(this)) {
   setObjectName(QStringLiteral("startPage"));
-  setAttribute(Qt::WA_StyledBackground);
+  setAutoFillBackground(true);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -71,6 +71,7 @@ QListView* StartPage::makeList(const char* name, QStandardItemModel* model) {
   list->setObjectName(QLatin1String(name));
   list->setModel(model);
   list->setProperty("look", "cards");
+  list->viewport()->setAutoFillBackground(false);
   list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   list->setSelectionMode(QAbstractItemView::SingleSelection);
   list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);

@@ -28,6 +28,7 @@
 #include "ui/panels/results_panel.h"
 #include "ui/search/search_entries.h"
 #include "ui/settings/settings.h"
+#include "ui/theme/in_sight.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -214,7 +215,7 @@ void MainWindow::raiseResults() {
 /// Another document has been opened: what it needs first comes to the front, once it is known.
 void MainWindow::onOpened() {
   const bool isGearbox = !m_document->mechanism()->states.empty();
-  if (isGearbox || !m_gearbox->visibleRegion().isEmpty()) raiseResults();
+  if (isGearbox || isInSight(*m_gearbox)) raiseResults();
   m_isOpened = true;
 }
 
@@ -222,7 +223,7 @@ void MainWindow::raiseProblems(const AnalysisSnapshot& snapshot) {
   if (!m_isOpened) return;
   if (std::any_of(snapshot.diagnostics.begin(), snapshot.diagnostics.end(), isUrgent)) {
     dock("dock.problems")->raise();
-  } else if (snapshot.isComplete && !m_problems->visibleRegion().isEmpty()) {
+  } else if (snapshot.isComplete && isInSight(*m_problems)) {
     dock("dock.matrices")->raise();
   }
   m_isOpened = !snapshot.isComplete;

@@ -18,7 +18,7 @@
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
-#include "ui/theme/style_sheet.h"
+#include "ui/theme/looks.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -213,12 +213,7 @@ void GearboxPanel::paintRemark() {
   }
   m_remark->setText(text);
   m_remark->setVisible(!text.isEmpty());
-  setSheet(*m_remark, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
-}
-
-void GearboxPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_model->mechanism()) paintRemark();
+  setInk(*m_remark, role);
 }
 
 std::vector<LinkId> GearboxPanel::selectedLinks() const {

@@ -54,9 +54,6 @@ class GearboxPanel : public QWidget {
   /// The table as CSV, with a proposed file name.
   void exportWanted(const QString& name, const QString& csv);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   QToolButton* makeButton(const char* name, const QString& text, const QString& tip);
   void wireTable();

@@ -13,7 +13,7 @@
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"
 #include "ui/theme/application_theme.h"
-#include "ui/theme/style_sheet.h"
+#include "ui/theme/looks.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -130,7 +130,7 @@ void InsertSetDialog::renew() {
   const auto set = form().set();
   m_insert->setEnabled(set.has_value());
   const ColorRole role = set ? ColorRole::secondary : ColorRole::error;
-  setSheet(*m_summary, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+  setInk(*m_summary, role);
   if (!set) {
     m_summary->setText(shownText(set.error().front().message));
     m_preview->setMechanism(emptyMechanism());

@@ -149,8 +149,7 @@ void NumberField::setWrong(const QString& why) {
 
 void NumberField::markWrong(bool isWrong) {
   setProperty("wrong", isWrong);
-  style()->unpolish(this);
-  style()->polish(this);
+  update();
 }
 
 void NumberField::stepBy(int steps) {

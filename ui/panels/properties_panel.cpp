@@ -16,7 +16,6 @@ PropertiesPanel::PropertiesPanel(Document* document, Selection* selection, QWidg
 
 void PropertiesPanel::rebuild() {
   m_form = makePropertyForm(m_document, m_selection->selected());
-  m_form->setObjectName(QStringLiteral("page"));
   m_form->setBackgroundRole(QPalette::Base);
   m_form->setAutoFillBackground(true);
   m_form->refresh();

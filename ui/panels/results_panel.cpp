@@ -16,7 +16,7 @@
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
-#include "ui/theme/style_sheet.h"
+#include "ui/theme/looks.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -66,6 +66,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
          "link to see its ratio."));
   connect(m_selection, &Selection::selectionChanged, this, &ResultsPanel::renewRatio);
   m_verdict->setObjectName(QStringLiteral("verdict"));
+  m_verdict->setProperty("look", "verdict");
   m_verdict->setWordWrap(true);
   m_patience.setSingleShot(true);
   m_patience.setInterval(kPatience);
@@ -341,17 +342,9 @@ void ResultsPanel::paintVerdict() {
   const auto now = verdictNow();
   if (!now) return;
   const auto& [text, role] = *now;
-  const Theme theme = themeOf(palette());
-  QColor ground = qColor(role, theme);
-  ground.setAlphaF(0.10F);
-  QColor border = qColor(role, theme);
-  border.setAlphaF(0.45F);
   m_verdict->setText(text);
   m_verdict->setVisible(!text.isEmpty());
-  setSheet(*m_verdict,
-           QStringLiteral("QLabel { color: %1; background: %2; border: 1px solid %3; "
-                          "border-radius: 5px; padding: 5px 12px; }")
-               .arg(qColor(role, theme).name(), ground.name(QColor::HexArgb), border.name(QColor::HexArgb)));
+  setInk(*m_verdict, role);
 }
 
 QString ResultsPanel::whyNone() const {
@@ -372,18 +365,17 @@ bool ResultsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void ResultsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) typeChanged();
 }
 
-/// A sheet sets fonts several times, with all of the panel: while it is in sight, what is measured waits for
-/// a turn of its own.
+/// The panel and its table get another font one after the other: while it is in sight, what is measured waits
+/// for a turn of its own.
 void ResultsPanel::typeChanged() {
   if (!isVisible()) return fitToType();
   m_typeTurn.request();
 }
 
-/// Sheets that change nothing but colours come, too: setting a height goes through thousands of rows.
+/// Setting a height goes through thousands of rows.
 void ResultsPanel::fitToType() {
   std::pair type(m_table->font(), scaledPixels(kRowHeight));
   if (type == m_type) return;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFewest = 6;  // below, gears can hardly be made
 constexpr int kMany = 120;
-constexpr int kHandleWidth = 16;  // px, as the style sheet has it
+constexpr int kHandleWidth = 16;  // px, as the style has it
 
 }  // namespace
 

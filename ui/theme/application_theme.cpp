@@ -1,16 +1,14 @@
 #include "ui/theme/application_theme.h"
 
 #include <QApplication>
-#include <QFont>
-#include <QToolTip>
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "ui/settings/settings.h"
+#include "ui/theme/painting_in_parts.h"
 #include "ui/theme/program_style.h"
-#include "ui/theme/style_sheet.h"
-#include "ui/theme/theme_sheets.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline theme {
 namespace {
@@ -77,15 +75,7 @@ void applyTheme(QApplication& application, Theme theme, double typeScale) {
     application.setStyle(new ProgramStyle);
     application.setProperty(kStyledProperty, true);
   }
-  if (QFont font = application.font(); font.pixelSize() != bodyPixels()) {
-    font.setPixelSize(bodyPixels());
-    application.setFont(font);
-  }
-  const QPalette palette = paletteOf(theme);
-  application.setPalette(palette);
-  QToolTip::setPalette(palette);
-  const bool isLasting = typeScale == savedTypeScale();  // unlike that of a presentation
-  ThemeSheets::instance().setSheet(styleSheetOf(theme), isLasting);
+  PaintingInParts::instance().change(paletteOf(theme));
 }
 
 }  // namespace geargraph::inline theme

@@ -6,9 +6,8 @@ class QApplication;
 
 namespace geargraph::inline theme {
 
-/// Sets the style, palette, style sheet and font of the program, with fonts scaled by `typeScale`. May be
-/// called again to switch themes: widgets get a PaletteChange event, and windows repaint once all their parts
-/// have the new sheet (ThemeSheets::settled).
+/// Sets the style, palette and font of the program, with fonts scaled by `typeScale`. May be called again to
+/// switch themes: widgets get a PaletteChange event.
 void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
 
 /// The theme chosen in the settings; the system's if none was.

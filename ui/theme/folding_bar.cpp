@@ -21,7 +21,7 @@ bool FoldingBar::isFolded() const {
   return m_layout->direction() == QBoxLayout::TopToBottom;
 }
 
-// Of hints: a style sheet's min-width takes the place of the least width of a control, and is less.
+// Of hints: a control may be told to be narrower than what is in it needs.
 QSize FoldingBar::minimumSizeHint() const {
   const QMargins margins = m_layout->contentsMargins();
   const int wider = std::max(m_first->sizeHint().width(), m_second->sizeHint().width());

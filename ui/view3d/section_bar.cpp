@@ -46,7 +46,8 @@ QHBoxLayout* rowOf(QWidget* widget, const QString& title) {
 
 SectionBar::SectionBar(Viewer* viewer, QWidget* parent) : QWidget(parent), m_viewer(viewer) {
   setObjectName(QStringLiteral("view3dStrip"));
-  setAttribute(Qt::WA_StyledBackground);
+  setAttribute(Qt::WA_StyledBackground);  // so that the style draws the veil
+  setProperty("look", "veil");
   m_section = makeSectionRow();
   m_exploded = makeExplodedRow();
   auto* rows = new QVBoxLayout(this);

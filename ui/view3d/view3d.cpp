@@ -187,7 +187,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->painter->setObjectName("view3dPainter");
   d->viewer.setParent(this);
   new OverlayLayer(&d->viewer);
-  d->painter->setProperty("look", "hint");
+  d->painter->setProperty("look", "veil");
   d->painter->move(12, 10);
   d->painter->hide();
   d->wireButtons();

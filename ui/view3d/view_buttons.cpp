@@ -8,7 +8,8 @@ namespace geargraph::inline view3d {
 
 ViewButtons::ViewButtons(QWidget* parent) : QWidget(parent) {
   setObjectName("view3dButtons");
-  setAttribute(Qt::WA_StyledBackground);
+  setAttribute(Qt::WA_StyledBackground);  // so that the style draws the veil
+  setProperty("look", "veil");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -56,6 +57,7 @@ void ViewButtons::addMore() {
     menu->clear();
     emit menuOpening(*menu);
   });
+  more->setProperty("look", "flat");  // its text is sign enough of a menu
   more->setMenu(menu);
   more->setPopupMode(QToolButton::InstantPopup);
 }

@@ -13,6 +13,7 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/states_table.h"
+#include "ui/theme/in_sight.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -71,7 +72,7 @@ class FirstStrokesTest : public QObject {
       if (index.data(DiagnosticModel::SeverityRole).toInt() == static_cast<int>(Severity::error))
         return false;
     }
-    return window->problems().visibleRegion().isEmpty();
+    return !isInSight(window->problems());
   }
   [[nodiscard]] QStringList kinds() const {
     QStringList all;

@@ -20,6 +20,7 @@
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/in_sight.h"
 
 namespace geargraph {
 
@@ -174,7 +175,7 @@ class MainWindowTest : public QObject {
 
   void whatADocumentNeedsFirstComesToTheFront() {
     const auto isInFront = [this](const char* dock) {
-      return !window->findChild<QDockWidget*>(QLatin1String(dock))->widget()->visibleRegion().isEmpty();
+      return isInSight(*window->findChild<QDockWidget*>(QLatin1String(dock))->widget());
     };
     const auto open = [this](const QString& name) {
       for (const QString& path : examplePaths()) {
@@ -202,7 +203,7 @@ class MainWindowTest : public QObject {
       if (path.contains(QStringLiteral("ravigneaux"))) window = test::openedWindow(path);
     }
     auto* states = window->findChild<QDockWidget*>(QStringLiteral("dock.gearbox"));
-    QVERIFY(!states->widget()->visibleRegion().isEmpty());
+    QVERIFY(isInSight(*states->widget()));
   }
 
   void everyDockHasANameToBeRememberedBy() {

@@ -15,6 +15,7 @@
 #include "ui/dynamics/motion_page.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/panels/number_field.h"
+#include "ui/theme/in_sight.h"
 #include "ui/view3d/motion_plot.h"
 #include "ui/view3d/view3d.h"
 
@@ -82,7 +83,7 @@ class WindowDynamicsTest : public QObject {
     auto* dock = window->findChild<QDockWidget*>(QStringLiteral("dock.dynamics"));
     dock->show();
     dock->raise();
-    QTRY_VERIFY(!panel().visibleRegion().isEmpty());
+    QTRY_VERIFY(isInSight(panel()));
     settle();
   }
   void cleanup() { window.reset(); }

@@ -22,6 +22,7 @@
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
+#include "ui/theme/in_sight.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view3d.h"
 #include "ui/view3d/viewer.h"
@@ -80,7 +81,7 @@ class WindowForcesTest : public QObject {
     auto* dock = window->findChild<QDockWidget*>(QLatin1String(name));
     dock->show();
     dock->raise();
-    QTRY_VERIFY(!dock->widget()->visibleRegion().isEmpty());
+    QTRY_VERIFY(isInSight(*dock->widget()));
     QTRY_VERIFY(window->isSettled());
   }
 
@@ -378,7 +379,7 @@ class WindowForcesTest : public QObject {
     auto& matrices = *window->findChild<MatricesPanel*>();
     QVERIFY(matrices.view().isFramed(1, 1));  // C10 below joint 6, not in sight yet
     emit window->forces().dualityLine().linkActivated(QStringLiteral("entry"));
-    QTRY_VERIFY(matrices.isVisible() && !matrices.visibleRegion().isEmpty());
+    QTRY_VERIFY(isInSight(matrices));
     QVERIFY(matrices.model().quantityKind() == QuantityKind::coefficients);
     QVERIFY(matrices.view().isFramed(1, 1));
     QCOMPARE(matrices.view().currentIndex(), matrices.model().index(1, 1));

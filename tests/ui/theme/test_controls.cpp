@@ -19,7 +19,6 @@
 #include <map>
 
 #include "ui/theme/application_theme.h"
-#include "ui/theme/theme_sheets.h"
 
 namespace geargraph {
 namespace {
@@ -192,7 +191,6 @@ class ControlsTest : public QObject {
     page.resize(200, 120);
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
-    QTRY_VERIFY(ThemeSheets::instance().isSettled());
     const QRect place = control->geometry().adjusted(-2, -2, 2, 2);
     const double measured = contrastIn(page.grab(place).toImage());
     QVERIFY2(measured >= tried.least, qPrintable(QString::number(measured)));
