@@ -16,6 +16,7 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/soak/held_memory.h"
 #include "tests/soak/live_objects.h"
+#include "tests/soak/resident_code.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/theme/application_theme.h"
 
@@ -135,6 +136,7 @@ void GestureSoak::beginRound() {
   m_sinceGesture.start();
   m_gesturesBefore = m_gestures;
   m_favourite = nullptr;
+  if (m_round < 2) keepCodeResident();  // the first round loads libraries
   m_windows->openNew().files().openByUser(path);
 }
 

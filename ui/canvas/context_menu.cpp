@@ -50,7 +50,7 @@ void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, con
   const bool isNow = isEngaged(mechanism, coupling);
   const QString what = describe(mechanism, {coupling});
   QAction* entry = add(menu, (isNow ? tr("Release %1") : tr("Engage %1")).arg(what), {},
-                       [actions, coupling, isNow] { actions.engage(coupling, !isNow); });
+                       [engage = actions.engage, coupling, isNow] { engage(coupling, !isNow); });
   MenuPreview::of(menu).add(entry, engageEdit(mechanism, coupling, !isNow));
 }
 
@@ -60,7 +60,7 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
     const ElementId id = brake->id;
     addEngage(menu, mechanism, brake->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
-        [actions, id] { actions.removeCoupling(id); });
+        [removeCoupling = actions.removeCoupling, id] { removeCoupling(id); });
   } else {
     QAction* entry = add(menu, tr("Hold it with a brake"), "B", actions.addBrake,
                          ground ? tr("the ground does not move") : QString());
@@ -84,14 +84,14 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
     const ElementId id = clutch->id;
     addEngage(menu, mechanism, clutch->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
-        [actions, id] { actions.removeCoupling(id); });
+        [removeCoupling = actions.removeCoupling, id] { removeCoupling(id); });
     return;
   }
   const bool ground = mechanism.links.front().id == one || mechanism.links.front().id == other;
   QAction* entry = add(
       menu,
       tr("Connect %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})), {},
-      [actions, one, other] { actions.addClutch(one, other); },
+      [addClutch = actions.addClutch, one, other] { addClutch(one, other); },
       ground ? tr("hold the link with a brake") : QString());
   MenuPreview::of(menu).add(entry, clutchEdit(one, other));
 }
@@ -105,14 +105,17 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
       add(menu,
           tr("Move gear %1 to the other side of the apex")
               .arg(QString::fromStdString(*labelOf(mechanism, ofTail ? element.tail : element.head))),
-          {}, [actions, ofTail] { actions.flipSide(ofTail); });
+          {}, [flipSide = actions.flipSide, ofTail] { flipSide(ofTail); });
     }
   } else {
     const bool internal = *kind == MeshKind::internal;
     add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
-        [actions, internal] { actions.setMeshKind(internal ? MeshKind::external : MeshKind::internal); });
+        [setMeshKind = actions.setMeshKind, internal] {
+          setMeshKind(internal ? MeshKind::external : MeshKind::internal);
+        });
   }
-  addTick(menu, tr("Pin the module"), isPinned(element), [actions, mesh](bool on) { actions.pin(mesh, on); });
+  addTick(menu, tr("Pin the module"), isPinned(element),
+          [pin = actions.pin, mesh](bool on) { pin(mesh, on); });
 }
 
 void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
@@ -127,7 +130,7 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
   fillForBrake(menu, mechanism, link, actions);
   fillForClutch(menu, mechanism, actions);
   addTick(menu, tr("Pin the teeth of its gears"), isPinned(*mechanism.find(link)),
-          [actions, link](bool on) { actions.pin(link, on); });
+          [pin = actions.pin, link](bool on) { pin(link, on); });
   menu.addSeparator();
   add(menu, tr("Delete"), tr("Del"), actions.remove, ground ? tr("the ground cannot be deleted") : QString());
 }
@@ -140,9 +143,9 @@ void fillForPin(QMenu& menu, const Mechanism& mechanism, AxisId axis, const Cont
   QMenu* lay = menu.addMenu(layTitle);
   lay->setEnabled(!isPinned(*found));
   fillAxisMenu(*lay, axisChoices(mechanism, {axis}),
-               [actions, axis](const AxisChoice& choice) { actions.placeAxis(axis, choice); });
+               [placeAxis = actions.placeAxis, axis](const AxisChoice& choice) { placeAxis(axis, choice); });
   addTick(menu, tr("Axis %1 pinned").arg(QString::fromStdString(axis.text())), isPinned(*found),
-          [actions, axis](bool on) { actions.pin(axis, on); });
+          [pin = actions.pin, axis](bool on) { pin(axis, on); });
 }
 
 void fillForArrow(QMenu& menu, const Mechanism& mechanism, const ElementId& arrow,
@@ -190,7 +193,8 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
     fillForAxis(menu, mechanism, AxisId(element->id), actions);
   } else if (element->kind == ElementKind::coupling) {
     addEngage(menu, mechanism, CouplingId(element->id), actions);
-    add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.removeCoupling(id); });
+    add(menu, tr("Take it off"), {},
+        [removeCoupling = actions.removeCoupling, id = *element] { removeCoupling(id); });
   } else if (element->kind == ElementKind::note) {
     add(menu, tr("Change the text"), "F2", actions.open);
     add(menu, tr("Delete"), tr("Del"), actions.remove);

@@ -78,7 +78,7 @@ void drawSpinBox(const QStyle& style, const QStyleOptionSpinBox& option, QPainte
   if (field != nullptr && field->property("wrong").toBool())
     box.edge = qColor(ColorRole::error, themeOf(option.palette));
   drawBox(painter, option.rect, box);
-  if (field != nullptr && field->property("look").isValid()) return;  // it draws its steppers itself
+  if (field != nullptr && field->property("look").isValid()) return;  // a number draws its steppers itself
   for (const bool isUp : {true, false}) {
     QStyleOption arrow = option;
     arrow.rect =

@@ -112,8 +112,9 @@ void setInk(QLabel& label, ColorRole role) {
   applyInk(label, role);
 }
 
-void renewLooks() {
-  for (QWidget* widget : QApplication::allWidgets()) {
+void renewLooks(QWidget& root) {
+  if (root.testAttribute(Qt::WA_WState_Polished)) applyLook(root);
+  for (QWidget* widget : root.findChildren<QWidget*>()) {
     if (widget->testAttribute(Qt::WA_WState_Polished)) applyLook(*widget);
   }
 }

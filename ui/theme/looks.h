@@ -48,8 +48,8 @@ void applyLook(QWidget& widget);
 /// Sets the colour of a label's text, which follows the theme.
 void setInk(QLabel& label, ColorRole role);
 
-/// Applies the looks of all widgets again, for another theme or another type scale.
-void renewLooks();
+/// Applies the looks of a window and all in it again, for another theme or another type scale.
+void renewLooks(QWidget& root);
 
 /// The ground of what is chosen: the halo, thinned with the sheet so that type on it stays readable.
 [[nodiscard]] QColor chosenColor(Theme theme);

@@ -15,10 +15,15 @@
 namespace geargraph::inline theme {
 namespace {
 
-std::vector<QWidget*> visibleMainWindows() {
+bool isMainWindow(const QWidget* widget) {
+  return qobject_cast<const QMainWindow*>(widget) != nullptr;
+}
+
+/// Those that have been dressed.
+std::vector<QWidget*> mainWindows() {
   std::vector<QWidget*> windows;
   for (QWidget* widget : QApplication::topLevelWidgets()) {
-    if (qobject_cast<QMainWindow*>(widget) != nullptr && widget->isVisible()) windows.push_back(widget);
+    if (isMainWindow(widget) && widget->testAttribute(Qt::WA_WState_Polished)) windows.push_back(widget);
   }
   return windows;
 }
@@ -57,19 +62,26 @@ void PaintingInParts::hold(QWidget& window) {
   }
 }
 
-void PaintingInParts::ownFont(QWidget& window) {
+void PaintingInParts::dress(QWidget& window) {
   QFont font;
   font.setPixelSize(bodyPixels());
   window.setFont(font);
+  window.setPalette(QApplication::palette());
+}
+
+/// The window repaints in the turns of its parts: only what no part covers is painted with it. Its attribute
+/// is set alone, because the function would enable its parts with it, and repaint all.
+void PaintingInParts::follow(QWidget& window) {
+  window.setAttribute(Qt::WA_UpdatesDisabled);
+  dress(window);
+  renewLooks(window);
+  window.setAttribute(Qt::WA_UpdatesDisabled, false);
+  window.update(uncovered(window));
 }
 
 void PaintingInParts::change(const QPalette& palette) {
-  const std::vector<QWidget*> windows = visibleMainWindows();
-  // Only the attribute of the window itself: the function would enable its parts with it, and repaint all.
-  for (QWidget* window : windows) {
-    hold(*window);
-    window->setAttribute(Qt::WA_UpdatesDisabled);
-  }
+  const std::vector<QWidget*> windows = mainWindows();
+  for (QWidget* window : windows) hold(*window);
   if (QFont font = QApplication::font(); font.pixelSize() != bodyPixels()) {
     font.setPixelSize(bodyPixels());
     QApplication::setFont(font);
@@ -77,31 +89,28 @@ void PaintingInParts::change(const QPalette& palette) {
   QApplication::setPalette(palette);
   QToolTip::setPalette(palette);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationPaletteChange);
-  renewLooks();
+  for (QWidget* top : QApplication::topLevelWidgets()) {
+    if (top->parentWidget() == nullptr && !isMainWindow(top)) renewLooks(*top);
+  }
+  m_undressed.clear();
   for (QWidget* window : windows) {
-    const bool hasOwn = window->testAttribute(Qt::WA_SetFont) && window->font().pixelSize() != bodyPixels();
-    if (hasOwn && window->isActiveWindow()) {
-      ownFont(*window);
-    } else if (hasOwn) {
-      m_otherFont.emplace_back(window);
+    if (window->isActiveWindow()) {
+      follow(*window);
+    } else {
+      m_undressed.emplace_back(window);
     }
-    window->setAttribute(Qt::WA_UpdatesDisabled, false);
-    window->update(uncovered(*window));
   }
   if (!isSettled()) m_turn.request();
 }
 
 void PaintingInParts::goOn() {
-  std::deque<QPointer<QWidget>>& waiting = m_otherFont.empty() ? m_held : m_otherFont;
+  const bool isDressing = !m_undressed.empty();
+  std::deque<QPointer<QWidget>>& waiting = isDressing ? m_undressed : m_held;
   while (!waiting.empty()) {
     const QPointer<QWidget> next = waiting.front();
     waiting.pop_front();
     if (next == nullptr) continue;
-    if (&waiting == &m_held) {
-      next->setUpdatesEnabled(true);
-    } else {
-      ownFont(*next);
-    }
+    isDressing ? follow(*next) : next->setUpdatesEnabled(true);
     break;
   }
   if (!isSettled()) m_turn.request();

@@ -211,7 +211,7 @@ QIcon ProgramStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* opti
 void ProgramStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   applyLook(*widget);
-  if (qobject_cast<QMainWindow*>(widget) != nullptr) PaintingInParts::ownFont(*widget);
+  if (qobject_cast<QMainWindow*>(widget) != nullptr) PaintingInParts::dress(*widget);
   setGround(*widget);
   const QString tip = widget->toolTip();
   if (!widget->accessibleName().isEmpty() || tip.isEmpty() || !isWordless(*widget)) return;
