@@ -258,7 +258,7 @@ void MainWindow::wireViews() {
   connect(m_results, &ResultsPanel::menuWanted, this, &MainWindow::popUpMenuFor);
   connect(m_presentation, &Presentation::changed, this, [this](bool on) {
     m_actions->presentation->setChecked(on);
-    setTheme(themeOf(QApplication::palette()));
+    setTheme(themeOf(QApplication::palette()), !on);
   });
   connect(m_presentation, &Presentation::played, this, [this] { m_view3d->playback().toggle(); });
   m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr& report) {
@@ -444,10 +444,10 @@ void MainWindow::renewTitle() {
   setWindowModified(m_document->isModified());
 }
 
-void MainWindow::setTheme(Theme theme) {
+void MainWindow::setTheme(Theme theme, bool isLaidOutNext) {
   const double scale = savedTypeScale() * (m_presentation->isOn() ? Presentation::kTypeScale : 1);
   const bool applied = themeOf(QApplication::palette()) == theme && scaledPixels(100) == qRound(100 * scale);
-  if (!applied) applyTheme(*qApp, theme, scale);
+  if (!applied) applyTheme(*qApp, theme, scale, isLaidOutNext);
   m_actions->setTheme(theme, followsSystemTheme(), savedTypeScale());
   const double largest = DrawingView::kLargestFit * savedTypeScale() * (m_presentation->isOn() ? 2.5 : 1);
   for (DrawingView* each : m_allDrawings) {

@@ -127,7 +127,7 @@ class MainWindow : public QMainWindow {
   /// Shows the start page over an empty document, until there is another one. `withRecent`: with recent
   /// files.
   void showStartPage(bool withRecent = true);
-  void setTheme(Theme theme);
+  void setTheme(Theme theme, bool isLaidOutNext = false);
   /// Plays a lesson in this window from the stored progress; the document then belongs to the lesson and is
   /// never saved. `place`: "Lesson 4 of 15". `file`: of a preview, which is reloaded when the file changes.
   void playLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);

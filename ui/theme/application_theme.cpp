@@ -68,14 +68,14 @@ void saveTheme(Theme theme) {
   }
 }
 
-void applyTheme(QApplication& application, Theme theme, double typeScale) {
+void applyTheme(QApplication& application, Theme theme, double typeScale, bool isLaidOutNext) {
   setTypeScale(typeScale);
   // Each of these polishes all widgets of the program again, so what stays as it is is not set.
   if (!application.property(kStyledProperty).toBool()) {
     application.setStyle(new ProgramStyle);
     application.setProperty(kStyledProperty, true);
   }
-  PaintingInParts::instance().change(paletteOf(theme));
+  PaintingInParts::instance().change(paletteOf(theme), isLaidOutNext);
 }
 
 }  // namespace geargraph::inline theme

@@ -7,8 +7,9 @@ class QApplication;
 namespace geargraph::inline theme {
 
 /// Sets the style, palette and font of the program, with fonts scaled by `typeScale`. May be called again to
-/// switch themes: widgets get a PaletteChange event.
-void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
+/// switch themes: the parts of windows get a PaletteChange event one after the other (PaintingInParts).
+/// @param isLaidOutNext those of the active window get it at once
+void applyTheme(QApplication& application, Theme theme, double typeScale = 1, bool isLaidOutNext = false);
 
 /// The theme chosen in the settings; the system's if none was.
 [[nodiscard]] Theme savedTheme();

@@ -1,12 +1,14 @@
 #include "ui/theme/painting_in_parts.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QEvent>
 #include <QFont>
 #include <QMainWindow>
 #include <QPalette>
 #include <QToolTip>
 #include <QWidget>
+#include <algorithm>
 #include <vector>
 
 #include "ui/theme/looks.h"
@@ -19,31 +21,51 @@ bool isMainWindow(const QWidget* widget) {
   return qobject_cast<const QMainWindow*>(widget) != nullptr;
 }
 
-/// Those that have been dressed.
-std::vector<QWidget*> mainWindows() {
-  std::vector<QWidget*> windows;
-  for (QWidget* widget : QApplication::topLevelWidgets()) {
-    if (isMainWindow(widget) && widget->testAttribute(Qt::WA_WState_Polished)) windows.push_back(widget);
-  }
-  return windows;
+bool isDock(const QWidget* widget) {
+  return qobject_cast<const QDockWidget*>(widget) != nullptr;
 }
 
-std::vector<QWidget*> visibleParts(const QWidget& window) {
+/// What stands in a window, and its docks that float, alone or in tabs.
+std::vector<QWidget*> partsOf(const QWidget& window) {
   std::vector<QWidget*> parts;
-  for (QObject* child : window.children()) {
-    auto* part = qobject_cast<QWidget*>(child);
-    if (part != nullptr && part->isVisible()) parts.push_back(part);
+  for (QWidget* child : window.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (!child->isWindow()) parts.push_back(child);
   }
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    if (dock->isWindow() || dock->parentWidget() != &window) parts.push_back(dock);
+  }
+  // What is seen comes first.
+  std::stable_partition(parts.begin(), parts.end(), [](const QWidget* part) { return part->isVisible(); });
   return parts;
 }
 
 /// What no part covers: the lines between docks.
 QRegion uncovered(const QWidget& window) {
   QRegion region = window.rect();
-  for (const QWidget* part : visibleParts(window)) {
-    if (!part->isWindow()) region -= part->geometry();
+  for (const QWidget* part : partsOf(window)) {
+    if (part->isVisible() && !part->isWindow()) region -= part->geometry();
   }
   return region;
+}
+
+/// Is the window active, or a dock or a dialog of it?
+bool isActive(const QWidget& window) {
+  const QWidget* active = QApplication::activeWindow();
+  while (active != nullptr && active != &window) active = active->parentWidget();
+  return active != nullptr;
+}
+
+void dress(QWidget& widget) {
+  QFont font;
+  font.setPixelSize(bodyPixels());
+  widget.setFont(font);
+  widget.setPalette(QApplication::palette());
+}
+
+void follow(QWidget& widget) {
+  if (!widget.testAttribute(Qt::WA_WState_Polished)) return;  // it is dressed then
+  dress(widget);
+  renewLooks(widget);
 }
 
 }  // namespace
@@ -54,34 +76,18 @@ PaintingInParts& PaintingInParts::instance() {
   return *instance;
 }
 
-void PaintingInParts::hold(QWidget& window) {
-  for (QWidget* part : visibleParts(window)) {
-    if (!part->updatesEnabled()) continue;  // it waits already
-    part->setUpdatesEnabled(false);
-    m_held.emplace_back(part);
-  }
+void PaintingInParts::dressPart(QWidget& widget) {
+  const bool isPart = isMainWindow(widget.parentWidget()) && (!widget.isWindow() || isDock(&widget));
+  if (isPart || isMainWindow(&widget)) dress(widget);
 }
 
-void PaintingInParts::dress(QWidget& window) {
-  QFont font;
-  font.setPixelSize(bodyPixels());
-  window.setFont(font);
-  window.setPalette(QApplication::palette());
+void PaintingInParts::hold(QWidget& part) {
+  if (std::find(m_waiting.begin(), m_waiting.end(), &part) != m_waiting.end()) return;
+  if (part.isVisible()) part.setUpdatesEnabled(false);
+  m_waiting.emplace_back(&part);
 }
 
-/// The window repaints in the turns of its parts: only what no part covers is painted with it. Its attribute
-/// is set alone, because the function would enable its parts with it, and repaint all.
-void PaintingInParts::follow(QWidget& window) {
-  window.setAttribute(Qt::WA_UpdatesDisabled);
-  dress(window);
-  renewLooks(window);
-  window.setAttribute(Qt::WA_UpdatesDisabled, false);
-  window.update(uncovered(window));
-}
-
-void PaintingInParts::change(const QPalette& palette) {
-  const std::vector<QWidget*> windows = mainWindows();
-  for (QWidget* window : windows) hold(*window);
+void PaintingInParts::change(const QPalette& palette, bool isLaidOutNext) {
   if (QFont font = QApplication::font(); font.pixelSize() != bodyPixels()) {
     font.setPixelSize(bodyPixels());
     QApplication::setFont(font);
@@ -90,27 +96,31 @@ void PaintingInParts::change(const QPalette& palette) {
   QToolTip::setPalette(palette);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationPaletteChange);
   for (QWidget* top : QApplication::topLevelWidgets()) {
-    if (top->parentWidget() == nullptr && !isMainWindow(top)) renewLooks(*top);
-  }
-  m_undressed.clear();
-  for (QWidget* window : windows) {
-    if (window->isActiveWindow()) {
-      follow(*window);
-    } else {
-      m_undressed.emplace_back(window);
+    if (!isMainWindow(top)) {
+      if (!isDock(top)) renewLooks(*top);
+      continue;
     }
+    for (QWidget* part : partsOf(*top)) {
+      hold(*part);
+      if (isLaidOutNext && isActive(*top)) follow(*part);
+    }
+    // The parts, which repaint in their turns, do not inherit from it. Its attribute is set alone, because
+    // the function would enable them with it.
+    top->setAttribute(Qt::WA_UpdatesDisabled);
+    dress(*top);
+    top->setAttribute(Qt::WA_UpdatesDisabled, false);
+    top->update(uncovered(*top));
   }
   if (!isSettled()) m_turn.request();
 }
 
 void PaintingInParts::goOn() {
-  const bool isDressing = !m_undressed.empty();
-  std::deque<QPointer<QWidget>>& waiting = isDressing ? m_undressed : m_held;
-  while (!waiting.empty()) {
-    const QPointer<QWidget> next = waiting.front();
-    waiting.pop_front();
-    if (next == nullptr) continue;
-    isDressing ? follow(*next) : next->setUpdatesEnabled(true);
+  while (!m_waiting.empty()) {
+    const QPointer<QWidget> part = m_waiting.front();
+    m_waiting.pop_front();
+    if (part == nullptr) continue;
+    follow(*part);
+    part->setUpdatesEnabled(true);
     break;
   }
   if (!isSettled()) m_turn.request();

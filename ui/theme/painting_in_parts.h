@@ -11,9 +11,10 @@ class QWidget;
 
 namespace geargraph::inline theme {
 
-/// Changes the palette and the font of the application, and lets its windows follow in turns of the event
-/// loop: each gets them in one, and is painted a part (a dock, a bar, the centre) per turn. Four windows have
-/// thousands of widgets to tell, and a part takes 5 to 15 ms, where all of a window takes 50.
+/// Changes the palette and the font of the application, and lets the parts of its windows (docks, bars, the
+/// centre) follow one per turn of the event loop: 5 to 20 ms each for the events, the layout and the
+/// painting, where all of a window takes 50, and four windows as often. So parts have a palette and a font of
+/// their own: those of the application would change in all at once.
 class PaintingInParts : public QObject {
   Q_OBJECT
 
@@ -21,23 +22,22 @@ class PaintingInParts : public QObject {
   /// The instance of the application, created by the first call.
   static PaintingInParts& instance();
 
-  /// Gives a main window a palette and a font of its own: those of the application would change in all
-  /// windows at once.
-  static void dress(QWidget& window);
+  /// Gives a widget the palette of the application and the font of body text if it is a main window or a part
+  /// of one.
+  static void dressPart(QWidget& widget);
 
-  /// The active window has them when this returns: who asked may lay it out next.
-  void change(const QPalette& palette);
-  [[nodiscard]] bool isSettled() const { return m_held.empty() && m_undressed.empty(); }
+  /// @param isLaidOutNext the parts of the active window have them when this returns, because the window gets
+  ///   another layout next; they are painted in their turns
+  void change(const QPalette& palette, bool isLaidOutNext);
+  [[nodiscard]] bool isSettled() const { return m_waiting.empty(); }
 
  private:
   using QObject::QObject;
 
-  void hold(QWidget& window);
-  static void follow(QWidget& window);
+  void hold(QWidget& part);
   void goOn();
 
-  std::deque<QPointer<QWidget>> m_undressed;  ///< windows that have the former palette and font
-  std::deque<QPointer<QWidget>> m_held;       ///< parts that are not painted yet
+  std::deque<QPointer<QWidget>> m_waiting;  ///< parts that have not followed or are not painted
   TurnOf m_turn{this, [this] { goOn(); }};
 };
 

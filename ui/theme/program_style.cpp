@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QListView>
-#include <QMainWindow>
 #include <QPainter>
 #include <QPolygonF>
 #include <QPushButton>
@@ -210,8 +209,8 @@ QIcon ProgramStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* opti
 
 void ProgramStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
+  PaintingInParts::dressPart(*widget);
   applyLook(*widget);
-  if (qobject_cast<QMainWindow*>(widget) != nullptr) PaintingInParts::dress(*widget);
   setGround(*widget);
   const QString tip = widget->toolTip();
   if (!widget->accessibleName().isEmpty() || tip.isEmpty() || !isWordless(*widget)) return;
