@@ -42,13 +42,16 @@ void NoteForm::take() {
   const std::string text = noteText(m_text->toPlainText().toStdString());
   const SheetNote* const note = mechanism().find(NoteId(elements().front().id));
   if (note == nullptr || note->text == text) return;
+  m_isTaking = true;
   apply(tr("Change note"), [text](const Mechanism& before, const ElementId& element) {
     return withNoteText(before, NoteId(element.id), text);
   });
+  m_isTaking = false;
 }
 
 void NoteForm::refresh() {
-  if (m_text == nullptr) return;
+  // Another text in the middle of an undo of the field would leave Qt with a place that is not there.
+  if (m_text == nullptr || m_isTaking) return;
   const SheetNote* const note = mechanism().find(NoteId(elements().front().id));
   const QString now = shownText(note->text);
   // What is being typed stays as it is, with its blanks and its cursor.

@@ -21,6 +21,7 @@ class NoteForm : public PropertyForm {
   void take();
 
   QPlainTextEdit* m_text = nullptr;  ///< null for several notes
+  bool m_isTaking = false;           ///< what has just been typed, or undone, in the field
 };
 
 }  // namespace geargraph::inline panels

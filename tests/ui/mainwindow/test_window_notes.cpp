@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -129,6 +130,27 @@ class WindowNotesTest : public QObject {
     QCOMPARE(text->toPlainText(), QStringLiteral("two words"));
     window->actions().undo->trigger();
     QCOMPARE(notes()[0].text, std::string("one"));
+  }
+
+  /// Of the field itself, as in a window that is not active.
+  void undoInTheFieldIsNotDisturbed() {
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("QTextCursor")));
+    write(QStringLiteral("one"));
+    auto* text = window->findChild<QPlainTextEdit*>(QStringLiteral("noteText"));
+    QVERIFY(!text->hasFocus());
+    QTextCursor end(text->document());
+    end.movePosition(QTextCursor::End);
+    for (const char* typed : {"    ", "two"}) {
+      end.beginEditBlock();  // which undo takes back alone
+      end.insertText(QLatin1String(typed));
+      end.endEditBlock();
+    }
+    QCOMPARE(notes()[0].text, std::string("one    two"));
+    text->undo();
+    QCOMPARE(notes()[0].text, std::string("one"));
+    QCOMPARE(text->toPlainText(), QStringLiteral("one    "));
+    text->redo();
+    QCOMPARE(notes()[0].text, std::string("one    two"));
   }
 
   void filesAndPicturesHoldThem() {
