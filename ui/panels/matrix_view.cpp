@@ -10,6 +10,7 @@
 #include "ui/panels/matrix_header.h"
 #include "ui/panels/ratio_text.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/looks.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -119,7 +120,8 @@ MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setCornerButtonEnabled(false);
   setFrameShape(QFrame::NoFrame);
-  setEntryPixels(bodyPixels() + 1);
+  setProperty("look", "entries");
+  applyLook(*this);  // before it is shown, because its cells are measured
   setUpHeaders();
 
   m_rest.setSingleShot(true);
@@ -227,12 +229,6 @@ void MatrixView::resizeEvent(QResizeEvent* event) {
 void MatrixView::setZerosAsDots(bool dots) {
   m_zerosAsDots = dots;
   viewport()->update();
-}
-
-void MatrixView::setEntryPixels(int pixels) {
-  QFont entryFont = font();
-  entryFont.setPixelSize(pixels);
-  setFont(entryFont);
 }
 
 void MatrixView::setFramed(const ElementId& mesh, const ElementId& joint) {
@@ -387,11 +383,7 @@ void MatrixView::leaveEvent(QEvent* event) {
 void MatrixView::changeEvent(QEvent* event) {
   QTableView::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) viewport()->update();
-  if (event->type() == QEvent::ApplicationFontChange || event->type() == QEvent::StyleChange) {
-    if (font().pixelSize() == bodyPixels() + 1) return;
-    setEntryPixels(bodyPixels() + 1);
-    fitSections();
-  }
+  if (event->type() == QEvent::FontChange) fitSections();
 }
 
 }  // namespace geargraph::inline panels

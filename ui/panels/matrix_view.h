@@ -27,7 +27,6 @@ class MatrixView : public QTableView {
 
   void setZerosAsDots(bool dots);
   [[nodiscard]] bool zerosAsDots() const { return m_zerosAsDots; }
-  void setEntryPixels(int pixels);
 
   [[nodiscard]] bool isRowHighlighted(int row) const;
   [[nodiscard]] bool isColumnHighlighted(int column) const;

@@ -6,7 +6,6 @@
 #include "ui/theme/looks.h"
 
 class QPainter;
-class QPushButton;
 class QStyleOptionButton;
 class QStyleOptionToolButton;
 

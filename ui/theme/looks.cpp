@@ -25,7 +25,7 @@ constexpr std::pair<const char*, Look> kLooks[] = {
     {"count", Look::count},     {"strongCount", Look::strongCount},
     {"flat", Look::flat},       {"control", Look::control},
     {"fix", Look::fix},         {"cell", Look::cell},
-    {"cards", Look::cards},
+    {"entries", Look::entries}, {"cards", Look::cards},
 };
 // Most widgets have neither: the names are asked first, because a property is searched among all of its
 // class.
@@ -38,6 +38,12 @@ void applyInk(QLabel& label, ColorRole role) {
   inks.setColor(QPalette::WindowText, qColor(role, themeOf(QApplication::palette())));
   label.setPalette(inks);
   label.setForegroundRole(QPalette::WindowText);  // on the sheet it would be that of texts
+}
+
+void setSize(QWidget& widget, int pixels) {
+  QFont font;
+  font.setPixelSize(pixels);
+  widget.setFont(font);
 }
 
 void setWeight(QWidget& widget, int pixels = 0) {
@@ -102,6 +108,7 @@ void applyLook(QWidget& widget) {
   const Look look = lookOf(&widget);
   if (look == Look::none) return;
   if (look == Look::count || look == Look::strongCount) return setWeight(widget, smallPixels());
+  if (look == Look::entries) return setSize(widget, bodyPixels() + 1);
   if (auto* label = qobject_cast<QLabel*>(&widget)) return applyToLabel(*label, look);
   auto* field = qobject_cast<QLineEdit*>(&widget);
   if (field != nullptr && look == Look::cell) applyToCell(*field);

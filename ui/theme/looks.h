@@ -37,6 +37,7 @@ enum class Look {
   control,      ///< a button beside fields
   fix,          ///< a button in a row of problems
   cell,         ///< a field in a matrix
+  entries,      ///< a matrix, whose type is somewhat larger
   cards,        ///< a list of cards, without a ground of its own
 };
 

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -10,6 +11,7 @@
 #include <QSpinBox>
 #include <QStyle>
 #include <QStyleOptionSlider>
+#include <QTableView>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
@@ -109,6 +111,7 @@ class LooksTest : public QObject {
     QWidget page;
     auto* title = polished(new QLabel(QStringLiteral("x"), &page), "title");
     auto* count = polished(new QToolButton(&page), "count");
+    auto* matrix = polished(new QTableView(&page), "entries");
     QVERIFY(title->font().bold());
     QCOMPARE(title->font().pixelSize(), bodyPixels());
     applyTheme(*qApp, Theme::light, 1.5);
@@ -116,6 +119,8 @@ class LooksTest : public QObject {
     QVERIFY(title->font().bold());
     QCOMPARE(count->font().pixelSize(), smallPixels());
     QVERIFY(smallPixels() > 15);
+    QCOMPARE(matrix->font().pixelSize(), bodyPixels() + 1);
+    QCOMPARE(matrix->horizontalHeader()->font().pixelSize(), bodyPixels() + 1);
   }
 
   void anotherThemeIsOneChangeAndOnePainting() {
