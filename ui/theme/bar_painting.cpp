@@ -53,7 +53,8 @@ void drawDockTitle(const QStyleOptionDockWidget& option, QPainter& painter, cons
   drawLineBelow(option, painter);
   if (option.title.isEmpty() || dock == nullptr) return;
   const QRect room = dock->style()->subElementRect(QStyle::SE_DockWidgetTitleBarText, &option, dock);
-  const QString text = option.fontMetrics.elidedText(option.title, Qt::ElideRight, room.width());
+  painter.setFont(dock->font());  // Qt has set that of the system, which the size of type does not change
+  const QString text = painter.fontMetrics().elidedText(option.title, Qt::ElideRight, room.width());
   dock->style()->drawItemText(&painter, room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic,
                               option.palette, true, text, QPalette::WindowText);
 }
