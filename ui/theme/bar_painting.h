@@ -23,13 +23,13 @@ void drawDockTitle(const QStyleOptionDockWidget& option, QPainter& painter, cons
 void drawDockSeparator(const QStyleOption& option, QPainter& painter);
 
 void drawTab(const QStyleOptionTab& option, QPainter& painter);
-/// Of the text of a tab.
+/// The palette for the text of a tab.
 [[nodiscard]] QPalette tabInks(const QStyleOptionTab& option);
 
 void drawMenuBarItem(const QStyle& style, const QStyleOptionMenuItem& option, QPainter& painter);
 /// The ground of an item that the pointer or a key has chosen, and of the icon of one that is checked.
 void drawMenuItemGround(const QStyleOptionMenuItem& option, QPainter& painter);
-/// Of an item whose ground has been drawn.
+/// The palette for an item whose ground has been drawn.
 [[nodiscard]] QPalette menuInks(const QStyleOptionMenuItem& option);
 
 }  // namespace geargraph::inline theme

@@ -13,7 +13,7 @@
 namespace geargraph::inline theme {
 namespace {
 
-constexpr int kStepperWidth = 16;  // of the buttons of a spin box
+constexpr int kStepperWidth = 16;
 constexpr int kDropDownWidth = 20;
 
 /// The ground of a field that has a value.

@@ -35,7 +35,7 @@ void drawComboBox(const QStyleOptionComboBox& option, QPainter& painter);
 [[nodiscard]] QRect scrollBarPart(const QStyleOptionSlider& option, QStyle::SubControl part);
 void drawScrollBar(const QStyleOptionSlider& option, QPainter& painter, const QWidget* bar);
 
-/// Of horizontal sliders.
+/// The parts of a horizontal slider.
 [[nodiscard]] QRect sliderPart(const QStyleOptionSlider& option, QStyle::SubControl part);
 void drawSlider(const QStyleOptionSlider& option, QPainter& painter);
 

@@ -21,7 +21,7 @@ bool FoldingBar::isFolded() const {
   return m_layout->direction() == QBoxLayout::TopToBottom;
 }
 
-// Of hints: a control may be told to be narrower than what is in it needs.
+// It is that of their size hints: a control may be told to be narrower than what is in it needs.
 QSize FoldingBar::minimumSizeHint() const {
   const QMargins margins = m_layout->contentsMargins();
   const int wider = std::max(m_first->sizeHint().width(), m_second->sizeHint().width());

@@ -132,7 +132,7 @@ class WindowNotesTest : public QObject {
     QCOMPARE(notes()[0].text, std::string("one"));
   }
 
-  /// Of the field itself, as in a window that is not active.
+  /// The field's own undo, as in a window that is not active.
   void undoInTheFieldIsNotDisturbed() {
     QTest::failOnWarning(QRegularExpression(QStringLiteral("QTextCursor")));
     write(QStringLiteral("one"));
