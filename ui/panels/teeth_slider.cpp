@@ -7,12 +7,13 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "ui/theme/field_painting.h"
+
 namespace geargraph::inline panels {
 namespace {
 
 constexpr int kFewest = 6;  // below, gears can hardly be made
 constexpr int kMany = 120;
-constexpr int kHandleWidth = 16;  // px, as the style has it
 
 }  // namespace
 
@@ -39,8 +40,8 @@ void TeethSlider::showTeeth(const std::optional<int>& teeth) {
 /// To where the mouse is, wherever it was pressed.
 void TeethSlider::follow(int x) {
   if (m_isGivenUp) return;
-  setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), x - kHandleWidth / 2,
-                                                    width() - kHandleWidth,
+  setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), x - kSliderHandle / 2,
+                                                    width() - kSliderHandle,
                                                     layoutDirection() == Qt::RightToLeft));
 }
 

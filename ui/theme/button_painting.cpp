@@ -128,8 +128,7 @@ QSize roomFor(const ButtonForm& form, QSize content) {
 }
 
 void drawToolButton(const QStyle& style, const QStyleOptionToolButton& option, QPainter& painter,
-                    const QWidget& button) {
-  const ButtonForm& form = *toolButtonForm(&button);
+                    const QWidget& button, const ButtonForm& form) {
   const Look look = lookOf(&button);
   const Theme theme = themeOf(option.palette);
   const Inks inks = inksOf(look, option.state, theme);

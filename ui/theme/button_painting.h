@@ -25,7 +25,7 @@ struct ButtonForm {
 
 /// A tool button with a form: its ground, its icon and text, and the arrow of its menu.
 void drawToolButton(const QStyle& style, const QStyleOptionToolButton& option, QPainter& painter,
-                    const QWidget& button);
+                    const QWidget& button, const ButtonForm& form);
 
 /// The ground of a push button.
 void drawPushButtonGround(const QStyle& style, const QStyleOptionButton& option, QPainter& painter,

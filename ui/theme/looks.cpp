@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QVariant>
-#include <array>
 #include <utility>
 
 #include "ui/theme/theme_colors.h"

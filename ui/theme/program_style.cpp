@@ -42,7 +42,7 @@ void drawTip(const QStyleOption& option, QPainter& painter) {
 void setIndicatorInks(const QStyleOption& option, bool isOn, QPainter& painter) {
   const Theme theme = themeOf(option.palette);
   const auto color = [theme](ColorRole role) { return qColor(role, theme); };
-  const bool isEnabled = (option.state & QStyle::State_Enabled) != 0;
+  const bool isEnabled = hasState(option, QStyle::State_Enabled);
   const bool isMarked = (option.state & (QStyle::State_MouseOver | QStyle::State_HasFocus)) != 0;
   const ColorRole edge = !isEnabled         ? ColorRole::hairline
                          : isOn || isMarked ? ColorRole::accent
@@ -62,8 +62,8 @@ QRectF squareIn(const QRect& room) {
 }
 
 void drawCheckBox(const QStyleOption& option, QPainter& painter) {
-  const bool isPartly = (option.state & QStyle::State_NoChange) != 0;
-  const bool isOn = isPartly || (option.state & QStyle::State_On) != 0;
+  const bool isPartly = hasState(option, QStyle::State_NoChange);
+  const bool isOn = isPartly || hasState(option, QStyle::State_On);
   const QRectF box = squareIn(option.rect);
   painter.save();
   setIndicatorInks(option, isOn, painter);
@@ -82,7 +82,7 @@ void drawCheckBox(const QStyleOption& option, QPainter& painter) {
 }
 
 void drawRadioButton(const QStyleOption& option, QPainter& painter) {
-  const bool isOn = (option.state & QStyle::State_On) != 0;
+  const bool isOn = hasState(option, QStyle::State_On);
   const QRectF circle = squareIn(option.rect);
   painter.save();
   setIndicatorInks(option, isOn, painter);
@@ -328,10 +328,10 @@ void ProgramStyle::drawControl(ControlElement element, const QStyleOption* optio
                                const QWidget* widget) const {
   switch (element) {
     case CE_ShapedFrame:
-      if (widget != nullptr && lookOf(widget) != Look::none) {
+      if (const Look look = lookOf(widget); look != Look::none) {
         QStyleOption all = *option;
         all.rect = widget->rect();  // a frame itself leaves out the margins
-        drawFrameOf(lookOf(widget), *painter, all);
+        drawFrameOf(look, *painter, all);
       }
       break;
     case CE_HeaderSection:
@@ -383,8 +383,8 @@ void ProgramStyle::drawComplexControl(ComplexControl control, const QStyleOption
                                       QPainter* painter, const QWidget* widget) const {
   if (control == CC_ToolButton) {
     const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
-    if (button != nullptr && toolButtonForm(widget) != nullptr)
-      return drawToolButton(*this, *button, *painter, *widget);
+    const ButtonForm* form = toolButtonForm(widget);
+    if (button != nullptr && form != nullptr) return drawToolButton(*this, *button, *painter, *widget, *form);
   } else if (control == CC_SpinBox) {
     if (const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option))
       return drawSpinBox(*this, *box, *painter, widget);
