@@ -91,6 +91,7 @@ GestureSoak::~GestureSoak() {
 }
 
 int GestureSoak::run() {
+  touchMemory();
   m_time.start();
   beginRound();
   next();

@@ -2,8 +2,10 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <fstream>
@@ -24,6 +26,21 @@ void keepCodeResident() {
     std::fprintf(stderr, "pages of code may be read from the disk again: no right to lock them\n");
     return;
   }
+#endif
+}
+
+void touchMemory() {
+#ifdef __linux__
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::size_t size = std::min(kMost, page * static_cast<std::size_t>(::sysconf(_SC_AVPHYS_PAGES)) / 4);
+  void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) {  // NOLINT: a macro of the system's
+    std::fprintf(stderr, "no memory to touch: the first use of a page may take longer\n");
+    return;
+  }
+  for (std::size_t at = 0; at < size; at += page) static_cast<volatile char*>(memory)[at] = 1;
+  ::munmap(memory, size);
 #endif
 }
 

@@ -8,4 +8,9 @@ namespace geargraph::soak {
 /// says that.
 void keepCodeResident();
 
+/// Touches 1 GiB of memory, or a quarter of what is free, and gives it back: what the gestures need is taken
+/// from it. A virtual machine gets a page from its host when the page is first touched; 2.2 ms per MB instead
+/// of 0.4, where it was measured, which counts as CPU time of the program. The picture of a window has 8 MB.
+void touchMemory();
+
 }  // namespace geargraph::soak

@@ -103,6 +103,7 @@ CourseDialog::CourseDialog(QWidget* parent)
   m_list->setModel(m_model);
   m_list->setItemDelegate(new LessonRow(m_list));
   m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_list->setUniformItemSizes(true);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* own = new QPushButton(tr("Open a lesson file…"), this);
   own->setAutoDefault(false);

@@ -67,8 +67,9 @@ void MainWindow::showCourse() {
       wantLesson(lessonOfCourse(position), placeInCourse(position), QString());
     });
     connect(m_course, &CourseDialog::fileWanted, this, &MainWindow::chooseLessonFile);
+  } else {
+    m_course->renew();
   }
-  m_course->renew();
   m_course->show();
   m_course->raise();
   m_course->activateWindow();
