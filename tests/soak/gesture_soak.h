@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/soak/soak_options.h"
-#include "tests/support/stall_watchdog.h"
+#include "tests/soak/stall_watchdog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/window_set.h"
 

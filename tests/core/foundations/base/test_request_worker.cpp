@@ -1,7 +1,6 @@
 // Plain main(), no Qt: this program also runs under the thread sanitizer.
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <future>
 #include <thread>
@@ -68,20 +67,6 @@ void whatGoesOnElsewhereIsAskedToStopToo() {
   check(!stop.stop_requested(), "it goes on while nothing newer is wanted");
   worker.request(1);
   check(stop.stop_requested(), "a newer request asks it to stop, whether or not the call is over");
-}
-
-void workInTheBackgroundWaitsUntilNothingNewerComes() {
-  using Clock = std::chrono::steady_clock;
-  std::promise<Clock::time_point> begun;
-  RequestWorker<int> worker(
-      [&](int request, const std::stop_token&) {
-        if (request == 2) begun.set_value(Clock::now());
-      },
-      Urgency::background);
-  worker.request(1);
-  const Clock::time_point asked = Clock::now();
-  worker.request(2);
-  check(begun.get_future().get() - asked >= kRest, "a drag that goes on is left its processors");
 }
 
 #ifdef __linux__
@@ -172,7 +157,6 @@ int main() {
 #ifdef __linux__
   geargraph::workInTheBackgroundTakesWhatIsLeft();
 #endif
-  geargraph::workInTheBackgroundWaitsUntilNothingNewerComes();
   geargraph::supersededRequestsAreDropped();
   geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
   geargraph::manyAreToldToEndBeforeOneIsWaitedFor();

@@ -58,7 +58,7 @@ struct Robot {
 };
 
 Robot paperRobot() {
-  return Robot(example("robot"));
+  return Robot(test::example("robot"));
 }
 
 }  // namespace

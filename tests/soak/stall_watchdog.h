@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/stack_sampler.h"
+#include "tests/soak/stack_sampler.h"
 
 namespace geargraph::test {
 

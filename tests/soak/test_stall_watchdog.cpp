@@ -4,7 +4,7 @@
 #include <semaphore>
 #include <thread>
 
-#include "tests/support/stall_watchdog.h"
+#include "tests/soak/stall_watchdog.h"
 
 namespace geargraph::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/support/stall_watchdog.h"
+#include "tests/soak/stall_watchdog.h"
 
 #include <pthread.h>
 #include <unistd.h>

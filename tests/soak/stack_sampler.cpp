@@ -1,4 +1,4 @@
-#include "tests/support/stack_sampler.h"
+#include "tests/soak/stack_sampler.h"
 
 #include <backtrace.h>
 #include <cxxabi.h>
