@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/engagement_options.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 
@@ -62,7 +63,7 @@ std::string cell(const SolvedKinematics& solved, std::size_t row, std::size_t co
     std::string symbols = solved.symbolic->matrix[at]->toText();
     if (symbols.size() <= kLongestCell) return symbols;
   }
-  return solved.exact->matrix[at].toString();
+  return readableNumber(solved.exact->matrix[at]);
 }
 
 Table tableOf(const AnalysisSnapshot& snapshot) {
@@ -78,7 +79,7 @@ Table tableOf(const AnalysisSnapshot& snapshot) {
       const std::string entry = cell(solved, row, column);
       table.back().push_back(entry == "0" ? "." : entry);
     }
-    table.back().push_back(solved.exact->rates[static_cast<std::size_t>(output)].toString());
+    table.back().push_back(readableNumber(solved.exact->rates[static_cast<std::size_t>(output)]));
   }
   return table;
 }
@@ -106,7 +107,7 @@ std::string solution(const AnalysisSnapshot& snapshot) {
     const auto joint = static_cast<std::size_t>(exact.inputs[i]);
     text += (i > 0 ? ", " : " ") +
             translated("%1 at %2 rad/s", {std::to_string(snapshot.graph->edgeLabel(exact.inputs[i])),
-                                          exact.rates[joint].toString()});
+                                          readableNumber(exact.rates[joint])});
   }
   text += exact.inputs.empty() ? ' ' + translated("none") + '\n' : "\n";
   if (const std::vector<int>& follow = snapshot.matroid()->choice.rejected; !follow.empty()) {
@@ -127,7 +128,7 @@ std::string solution(const AnalysisSnapshot& snapshot) {
   return text +
          (solved.agreement->equal ? translated("The matroid method and the T-T graph method agree exactly.")
                                   : translated("The two methods differ by up to %1.",
-                                               {solved.agreement->largestDifference.toString()})) +
+                                               {readableNumber(solved.agreement->largestDifference)})) +
          '\n';
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/spoken.h"
 #include "ui/models/printed_number.h"
 
@@ -217,7 +218,9 @@ QVariant MatrixModel::quantityData(int row, int column, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (zero) return QStringLiteral("0");
-      return formula ? shownText(entry->text) : withPrintedMinus(shownText(spokenNumber(entry->text)));
+      if (formula) return shownText(entry->text);
+      if (isLongFraction(entry->text)) return printedNumber(entry->value);
+      return withPrintedMinus(shownText(spokenNumber(entry->text)));
     case Qt::TextAlignmentRole:
       return int(Qt::AlignCenter);
     case Qt::AccessibleTextRole:
@@ -262,3 +265,5 @@ bool MatrixModel::hasChanged(int row, int column) const {
 }
 
 }  // namespace geargraph::inline models
+
+#include "moc_matrix_model.cpp"

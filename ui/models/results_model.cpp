@@ -93,18 +93,17 @@ QString ResultsModel::ratioText(int row) const {
   if (row < 0 || row >= rowCount() || inputCount() != 1 || solution()->matrix.empty() || isZero(row, 0))
     return {};
   const QString names =
-      QStringLiteral("%1 : %2").arg(jointText(jointAt(row)), jointText(solution()->inputs.front()));
+      QStringLiteral("i = %1 : %2").arg(jointMotion(solution()->inputs.front()), jointMotion(jointAt(row)));
   const double decimal = solution()->matrix[at(row, 0)];
   const bool isExact =
       m_snapshot->solved && m_snapshot->solved->exact && !m_snapshot->solved->exact->matrix.empty();
-  if (!isExact)
-    return tr("%1 = %2, inverse %3").arg(names, printedNumber(decimal), printedNumber(1 / decimal));
-  const Rational& ratio = m_snapshot->solved->exact->matrix[at(row, 0)];
+  if (!isExact) return QStringLiteral("%1 = %2").arg(names, printedNumber(1 / decimal));
+  const Rational ratio = Rational(1) / m_snapshot->solved->exact->matrix[at(row, 0)];
   const auto text = [](const Rational& exact) {
     const QString fraction = printedFraction(exact);
     return exact.isInteger() ? fraction : tr("%1 (%2)").arg(fraction, printedNumber(exact.toDouble()));
   };
-  return tr("%1 = %2, inverse %3").arg(names, text(ratio), text(Rational(1) / ratio));
+  return QStringLiteral("%1 = %2").arg(names, text(ratio));
 }
 
 int ResultsModel::rowCount(const QModelIndex& parent) const {
@@ -184,9 +183,14 @@ QString ResultsModel::headOfRates() const {
 }
 
 QString ResultsModel::rowText(int row) const {
-  const int head = linkNodeAt(row);
-  return relativeText(QString::number(m_snapshot->graph->nodeLabel(head)), m_names.nameOf(head),
-                      QString::number(m_snapshot->graph->nodeLabel(tailNodeAt(row))));
+  return jointMotion(jointAt(row));
+}
+
+QString ResultsModel::jointMotion(int joint) const {
+  const Digraph& graph = *m_snapshot->graph;
+  const DigraphEdge& edge = graph.turningEdge(joint);
+  return relativeText(QString::number(graph.nodeLabel(edge.head)), m_names.nameOf(edge.head),
+                      QString::number(graph.nodeLabel(edge.tail)));
 }
 
 /// With the whole names, which the row may have shortened.
@@ -237,3 +241,5 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
 }
 
 }  // namespace geargraph::inline models
+
+#include "moc_results_model.cpp"

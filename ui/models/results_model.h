@@ -64,6 +64,8 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] int tailNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).tail; }
   [[nodiscard]] QString jointText(int joint) const;
   [[nodiscard]] QString rowText(int row) const;
+  /// The motion that a joint's rate is: that of its head link.
+  [[nodiscard]] QString jointMotion(int joint) const;
   [[nodiscard]] QString motionTip(int row) const;
   [[nodiscard]] std::size_t at(int row, int input) const;
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;

@@ -62,8 +62,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_ratio->setContentsMargins(16, 0, 16, 0);
   m_ratio->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   m_ratio->setToolTip(
-      tr("Speed of an output over that of the only input, and the inverse. Select a joint or a "
-         "link to see its ratio."));
+      tr("Speed of the only input over that of an output. Select a joint or a link to see its ratio."));
   connect(m_selection, &Selection::selectionChanged, this, &ResultsPanel::renewRatio);
   m_verdict->setObjectName(QStringLiteral("verdict"));
   m_verdict->setProperty("look", "verdict");
@@ -387,3 +386,5 @@ void ResultsPanel::fitToType() {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_results_panel.cpp"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/spoken.h"
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
@@ -198,7 +199,7 @@ std::string statesTable(const AnalysisSnapshot& snapshot, const std::stop_token&
     for (const CouplingId coupling : state.engaged) engaged.push_back(coupling.text());
     table += "<tr data-state=\"" + std::to_string(solution.state) + "\"><th scope=\"row\">" +
              escapedXml(state.name) + "</th><td>" + escapedXml(listed(engaged, kAllNames)) + "</td><td>" +
-             (solution.ratio ? printed(solution.ratio->toString()) : escapedXml(translated("none"))) +
+             (solution.ratio ? printed(readableNumber(*solution.ratio)) : escapedXml(translated("none"))) +
              "</td></tr>\n";
   }
   const std::string title = translated("States");
@@ -219,7 +220,7 @@ std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_to
   for (std::size_t i = 0; i < exact.inputs.size(); ++i) {
     inputs += (i == 0 ? "" : ", ") +
               translated("joint %1 at %2 rad/s", {std::to_string(graph.edgeLabel(exact.inputs[i])),
-                                                  printed(snapshot.matroid()->speeds[i].toString())});
+                                                  printed(readableNumber(snapshot.matroid()->speeds[i]))});
   }
   text += "<div id=\"inputs\"><p>" + escapedXml(translated("Inputs: %1.", {inputs})) + "</p></div>\n";
   std::string table = "<table class=\"plain\"><thead><tr>" + head(translated("joint"), {}, "col");
@@ -236,10 +237,10 @@ std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_to
              head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "row");
     if (hasMatrix) {
       for (std::size_t column = 0; column < exact.inputs.size(); ++column)
-        table += "<td>" + printed(exact.matrix[row * exact.inputs.size() + column].toString()) + "</td>";
+        table += "<td>" + printed(readableNumber(exact.matrix[row * exact.inputs.size() + column])) + "</td>";
     }
     table += "<td class=\"now\" data-now=\"" + std::to_string(joint) + "\">" +
-             printed(exact.rates[joint].toString()) + "</td></tr>\n";
+             printed(readableNumber(exact.rates[joint])) + "</td></tr>\n";
   }
   text += scrolled(translated("Speeds of the joints"), table + "</tbody></table>");
   if (snapshot.solved->agreement && snapshot.solved->agreement->equal)

@@ -1,3 +1,4 @@
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
@@ -33,7 +34,8 @@ class ComparisonPart : private ReportPart {
       return paragraph(translated("Both methods give the same fractions: all %1 entries agree.",
                                   {std::to_string(agreement.compared)}));
     }
-    paragraph(translated("The two methods differ by up to %1.", {agreement.largestDifference.toString()}));
+    paragraph(
+        translated("The two methods differ by up to %1.", {readableNumber(agreement.largestDifference)}));
   }
 
   void addSteps() {

@@ -81,7 +81,7 @@ std::string texMatrix(const QuantityTable& table) {
   for (int row = 0; row < table.rows(); ++row) {
     rows.emplace_back(static_cast<std::size_t>(table.columns()), "0");
     for (const QuantityEntry& entry : table.row(row)) {
-      rows.back()[static_cast<std::size_t>(entry.column)] = entry.latex;
+      rows.back()[static_cast<std::size_t>(entry.column)] = readableLatex(entry);
     }
   }
   return texMatrix(rows, table.partition());

@@ -57,7 +57,7 @@ class StaticsPart : private ReportPart {
     return texColumn(names);
   }
   [[nodiscard]] static std::string number(const Real& value) {
-    return value.isExact() ? latexOf(*value.fraction()) : spokenTexNumber(shortDecimal(value.number()));
+    return value.isExact() ? readableLatex(*value.fraction()) : spokenTexNumber(shortDecimal(value.number()));
   }
   /// " + 3 x", " - x" for a sum; the first term without a plus.
   static void addTerm(std::string& sum, bool negative, const std::string& term) {
@@ -162,7 +162,8 @@ class StaticsPart : private ReportPart {
           25);
     }
     paragraph(translated("With the teeth of this mechanism:"));
-    equation(left + texMatrix(rows([&](std::size_t at) { return latexOf(matrix.entries[at]); })) + right);
+    equation(left + texMatrix(rows([&](std::size_t at) { return readableLatex(matrix.entries[at]); })) +
+             right);
   }
 
   void addTorques() {

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
 #include "core/teaching/derivation/quantity_tables.h"
@@ -99,6 +100,15 @@ std::string latexOf(const Rational& value) {
   const bool negative = text.front() == '-';
   return (negative ? "-\\frac{" : "\\frac{") + text.substr(negative ? 1 : 0, slash - (negative ? 1 : 0)) +
          "}{" + text.substr(slash + 1) + "}";
+}
+
+std::string readableLatex(const Rational& value) {
+  return isLongFraction(value.toString()) ? spokenTexNumber(shortDecimal(value.toDouble())) : latexOf(value);
+}
+
+std::string readableLatex(const QuantityEntry& entry) {
+  const bool isLong = !entry.isFormula && isLongFraction(entry.text);
+  return isLong ? spokenTexNumber(shortDecimal(entry.value)) : entry.latex;
 }
 
 std::string shortDecimal(double value) {

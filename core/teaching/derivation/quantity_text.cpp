@@ -8,11 +8,12 @@
 namespace geargraph::inline derivation {
 namespace {
 
-enum class Spelling { plain, latex };
+enum class Spelling { plain, latex, readableLatex };
 
 /// As many digits as read back as the same number, where digits are wanted; else the text of the screen.
 std::string spelled(const QuantityTable& table, const QuantityEntry& entry, Spelling spelling) {
   if (spelling == Spelling::latex) return entry.latex;
+  if (spelling == Spelling::readableLatex) return readableLatex(entry);
   const bool approximate = entry.text.find("≈") != std::string::npos;
   if (table.form() != EntryForm::decimals && !approximate) return entry.text;
   std::array<char, 40> digits{};
@@ -119,7 +120,7 @@ void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptio
   }
 }
 
-std::string quantityLatex(const QuantityTable& table) {
+std::string quantityLatex(const QuantityTable& table, Fractions fractions) {
   std::string columns = "c|";
   for (int j = 0; j < table.columns(); ++j) {
     if (j > 0 && table.partition() == j) columns += '|';
@@ -129,7 +130,9 @@ std::string quantityLatex(const QuantityTable& table) {
   for (int j = 0; j < table.columns(); ++j) text += " & " + latexHeading(table, table.columnHeading(j));
   text += " \\\\ \\hline\n";
   for (int i = 0; i < table.rows(); ++i) {
-    text += latexHeading(table, table.rowHeading(i)) + " & " + rowText(table, i, " & ", Spelling::latex);
+    text +=
+        latexHeading(table, table.rowHeading(i)) + " & " +
+        rowText(table, i, " & ", fractions == Fractions::exact ? Spelling::latex : Spelling::readableLatex);
     text += i + 1 < table.rows() ? " \\\\\n" : "\n";
   }
   return text + "\\end{array}\n";

@@ -35,7 +35,7 @@ ElementId inputId(const Mechanism& mechanism, const MechanismDynamics& dynamics,
 /// Coordinates below the accuracy of a body's points, which are of single precision, are 0, not -2.02e-05 mm:
 /// a wheel has its centre on its axis.
 Eigen::Vector3d centerOf(const MassProperties& body) {
-  constexpr double kAccuracy = 1e-6;
+  constexpr double kAccuracy = 1e-5;
   const double gyration = body.mass > 0 ? std::sqrt(body.inertia.trace() / body.mass) : 0;
   const double noise = kAccuracy * (body.center.norm() + gyration);
   return body.center.unaryExpr([noise](double at) { return std::abs(at) < noise ? 0.0 : at; });

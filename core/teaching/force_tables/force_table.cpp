@@ -1,10 +1,9 @@
 #include "core/teaching/force_tables/force_table.h"
 
 #include <charconv>
-#include <cstdio>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::inline force_tables {
@@ -94,16 +93,11 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
 }
 
 std::string shownNumber(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", number == 0 ? 0.0 : number);
-  return spokenNumber(buffer);
+  return readableNumber(number);
 }
 
 std::string shownReal(const Real& value) {
-  constexpr std::size_t kLongest = 24;
-  if (!value.isExact()) return shownNumber(value.number());
-  std::string text = value.fraction()->toString();
-  return text.size() <= kLongest ? text : shownNumber(value.number());
+  return value.isExact() ? readableNumber(*value.fraction()) : readableNumber(value.number());
 }
 
 }  // namespace geargraph::inline force_tables
