@@ -7593,10 +7593,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Gelenk %1 (%2)</translation>
     </message>
     <message>
-        <source>%1 = %2, inverse %3</source>
-        <translation>%1 = %2, Kehrwert %3</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>Drehzahl von Gelenk %1: Glied %2 gegen Glied %3</translation>
     </message>
@@ -7609,8 +7605,8 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Drehzahl von Gelenk %1, %2</translation>
     </message>
     <message>
-        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
-        <translation>Drehzahl eines Abtriebs durch die des einzigen Antriebs, und der Kehrwert. Wählen Sie ein Gelenk oder Glied aus, um seine Übersetzung zu sehen.</translation>
+        <source>Speed of the only input over that of an output. Select a joint or a link to see its ratio.</source>
+        <translation>Drehzahl des einzigen Antriebs durch die eines Abtriebs. Wählen Sie ein Gelenk oder Glied aus, um seine Übersetzung zu sehen.</translation>
     </message>
     <message>
         <source>Ratio %1</source>
@@ -10983,10 +10979,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Gleichungen der Eingriffe</translation>
     </message>
     <message>
-        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
-        <translation>Die Bewegungsschrauben $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ der Gelenke eines Zyklus ergeben in der Summe null. Der Eingriff hat um seinen eigenen Wälzpunkt kein Moment, also ergeben die Momente der Drehgelenke allein null, jedes mit seinem Vorzeichen in $T$:</translation>
-    </message>
-    <message>
         <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
         <translation>Alle liegen auf einer Geraden: der Normalen der Ebene, die beide Achsen des Eingriffs enthält. Von jedem genügt eine Zahl, seine Komponente $P_{c,t}$ entlang dieser Normalen, und jeder Eingriff ergibt eine Gleichung:</translation>
     </message>
@@ -11053,6 +11045,38 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>degrees of freedom: as many inputs have to be given.</source>
         <translation>Freiheitsgrade: Ebenso viele Antriebe müssen gegeben sein.</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned about $x$ by the offset angle $\varphi_k$:</source>
+        <translation>Jede Richtung ist die $z$-Achse, um $x$ gedreht um den Versatzwinkel $\varphi_k$:</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned by a rotation $D_{0,k}$:</source>
+        <translation>Jede Richtung ist die $z$-Achse, gedreht mit $D_{0,k}$:</translation>
+    </message>
+    <message>
+        <source>The moment needs the way from the pitch point to a point of the axis:</source>
+        <translation>Für das Moment braucht man den Weg vom Wälzpunkt zu einem Punkt der Achse:</translation>
+    </message>
+    <message>
+        <source>The twist of a joint is its screw times its rate:</source>
+        <translation>Der Twist eines Gelenks ist seine Schraube mal seine Geschwindigkeit:</translation>
+    </message>
+    <message>
+        <source>Along each cycle the twists, with their signs in $C$, add up to zero:</source>
+        <translation>Entlang jedes Zyklus ergeben die Twists, mit ihren Vorzeichen in $C$, zusammen null:</translation>
+    </message>
+    <message>
+        <source>Their directions give the velocity of one gear of each mesh relative to the other. The mesh has no moment about its own pitch point, so the moments of the turning joints alone add up to zero:</source>
+        <translation>Ihre Richtungen ergeben die Geschwindigkeit eines Zahnrads jedes Eingriffs relativ zum anderen. Der Eingriff hat kein Moment um seinen eigenen Wälzpunkt; also ergeben die Momente der Drehgelenke allein null:</translation>
+    </message>
+    <message>
+        <source>With the inputs first, the equations are parted into columns of the inputs and of the outputs:</source>
+        <translation>Mit den Antrieben zuerst zerfallen die Gleichungen in Spalten der Antriebe und der Abtriebe:</translation>
+    </message>
+    <message>
+        <source>and their solution is</source>
+        <translation>und ihre Lösung ist</translation>
     </message>
     <message>
         <source>With the inputs first, and in gear ratios, the equations are</source>

@@ -7593,10 +7593,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>par %1 (%2)</translation>
     </message>
     <message>
-        <source>%1 = %2, inverse %3</source>
-        <translation>%1 = %2, inversa %3</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>Velocidad del par %1: eslabón %2 respecto al eslabón %3</translation>
     </message>
@@ -7609,8 +7605,8 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>Velocidad del par %1, %2</translation>
     </message>
     <message>
-        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
-        <translation>Velocidad de una salida entre la de la única entrada, y su inversa. Seleccione un par o un eslabón para ver su relación.</translation>
+        <source>Speed of the only input over that of an output. Select a joint or a link to see its ratio.</source>
+        <translation>Velocidad de la única entrada entre la de una salida. Seleccione un par o un eslabón para ver su relación.</translation>
     </message>
     <message>
         <source>Ratio %1</source>
@@ -10983,10 +10979,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Ecuaciones de los engranes</translation>
     </message>
     <message>
-        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
-        <translation>Las torsiones $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ de los pares de un ciclo suman cero. El engrane no tiene momento respecto a su propio punto primitivo, así que suman cero los momentos de los pares de revolución solos, cada uno con su signo en $T$:</translation>
-    </message>
-    <message>
         <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
         <translation>Todos apuntan a lo largo de una recta: la normal del plano que contiene ambos ejes del engrane. De cada uno basta un número, su componente $P_{c,t}$ según esa normal, y cada engrane da una ecuación:</translation>
     </message>
@@ -11053,6 +11045,38 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>degrees of freedom: as many inputs have to be given.</source>
         <translation>grados de libertad: hay que dar otras tantas entradas.</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned about $x$ by the offset angle $\varphi_k$:</source>
+        <translation>Cada dirección es el eje $z$ girado alrededor de $x$ en el ángulo $\varphi_k$:</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned by a rotation $D_{0,k}$:</source>
+        <translation>Cada dirección es el eje $z$ girado mediante $D_{0,k}$:</translation>
+    </message>
+    <message>
+        <source>The moment needs the way from the pitch point to a point of the axis:</source>
+        <translation>Para el momento se necesita el vector del punto primitivo a un punto del eje:</translation>
+    </message>
+    <message>
+        <source>The twist of a joint is its screw times its rate:</source>
+        <translation>El torsor cinemático de un par es su tornillo por su velocidad:</translation>
+    </message>
+    <message>
+        <source>Along each cycle the twists, with their signs in $C$, add up to zero:</source>
+        <translation>A lo largo de cada ciclo los torsores, con sus signos en $C$, suman cero:</translation>
+    </message>
+    <message>
+        <source>Their directions give the velocity of one gear of each mesh relative to the other. The mesh has no moment about its own pitch point, so the moments of the turning joints alone add up to zero:</source>
+        <translation>Sus direcciones dan la velocidad de una rueda de cada engrane respecto a la otra. El engrane no tiene momento respecto a su propio punto primitivo, así que los momentos de los pares giratorios suman cero por sí solos:</translation>
+    </message>
+    <message>
+        <source>With the inputs first, the equations are parted into columns of the inputs and of the outputs:</source>
+        <translation>Con las entradas primero, las ecuaciones se dividen en columnas de las entradas y de las salidas:</translation>
+    </message>
+    <message>
+        <source>and their solution is</source>
+        <translation>y su solución es</translation>
     </message>
     <message>
         <source>With the inputs first, and in gear ratios, the equations are</source>

@@ -7592,10 +7592,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>%1 mafsalı (%2)</translation>
     </message>
     <message>
-        <source>%1 = %2, inverse %3</source>
-        <translation>%1 = %2, tersi %3</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>%1 mafsalının hızı: %3 uzvuna göre %2 uzvu</translation>
     </message>
@@ -7608,8 +7604,8 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>%1 mafsalının hızı, %2</translation>
     </message>
     <message>
-        <source>Speed of an output over that of the only input, and the inverse. Select a joint or a link to see its ratio.</source>
-        <translation>Bir çıkışın hızının tek girişin hızına oranı ve tersi. Oranını görmek için bir mafsal ya da uzuv seçin.</translation>
+        <source>Speed of the only input over that of an output. Select a joint or a link to see its ratio.</source>
+        <translation>Tek girişin hızının bir çıkışın hızına oranı. Oranını görmek için bir mafsal ya da uzuv seçin.</translation>
     </message>
     <message>
         <source>Ratio %1</source>
@@ -10982,10 +10978,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Dişli çiftlerinin denklemleri</translation>
     </message>
     <message>
-        <source>The twists $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ of a cycle&apos;s joints add up to zero. The mesh has no moment about its own pitch point, so the moments of the turning joints alone do, each with its sign in $T$:</source>
-        <translation>Bir çevrimin mafsallarının hız vidaları $\hat{s}_k = \hat{u}_{c,k} \dot{\theta}_k$ toplamı sıfırdır. Dişli çiftinin kendi hatve noktasına göre momenti yoktur; bu yüzden döner mafsalların momentleri, her biri $T$ içindeki işaretiyle, tek başına sıfır verir:</translation>
-    </message>
-    <message>
         <source>They all point along one line: the normal of the plane that holds both axes of the mesh. One number of each is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:</source>
         <translation>Hepsi tek bir doğru boyuncadır: dişli çiftinin iki eksenini içeren düzlemin normali. Her birinden bir sayı yeter, bu normal boyunca bileşeni $P_{c,t}$; her dişli çifti bir denklem verir:</translation>
     </message>
@@ -11052,6 +11044,38 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>degrees of freedom: as many inputs have to be given.</source>
         <translation>serbestlik derecesi vardır: o kadar giriş verilmelidir.</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned about $x$ by the offset angle $\varphi_k$:</source>
+        <translation>Her yön, $x$ etrafında $\varphi_k$ kaçıklık açısı kadar döndürülmüş $z$ eksenidir:</translation>
+    </message>
+    <message>
+        <source>Each direction is the $z$ axis, turned by a rotation $D_{0,k}$:</source>
+        <translation>Her yön, $D_{0,k}$ dönmesiyle döndürülmüş $z$ eksenidir:</translation>
+    </message>
+    <message>
+        <source>The moment needs the way from the pitch point to a point of the axis:</source>
+        <translation>Moment için hatve noktasından eksenin bir noktasına giden vektör gerekir:</translation>
+    </message>
+    <message>
+        <source>The twist of a joint is its screw times its rate:</source>
+        <translation>Bir mafsalın burgusu, vidası ile hızının çarpımıdır:</translation>
+    </message>
+    <message>
+        <source>Along each cycle the twists, with their signs in $C$, add up to zero:</source>
+        <translation>Her çevrim boyunca burgular, $C$ içindeki işaretleriyle, sıfıra toplanır:</translation>
+    </message>
+    <message>
+        <source>Their directions give the velocity of one gear of each mesh relative to the other. The mesh has no moment about its own pitch point, so the moments of the turning joints alone add up to zero:</source>
+        <translation>Yönleri, her dişli çiftinin bir dişlisinin ötekine göre hızını verir. Dişli çiftinin kendi hatve noktasına göre momenti yoktur; bu yüzden döner mafsalların momentleri tek başına sıfıra toplanır:</translation>
+    </message>
+    <message>
+        <source>With the inputs first, the equations are parted into columns of the inputs and of the outputs:</source>
+        <translation>Girişler önce gelince denklemler giriş ve çıkış sütunlarına ayrılır:</translation>
+    </message>
+    <message>
+        <source>and their solution is</source>
+        <translation>ve çözümleri</translation>
     </message>
     <message>
         <source>With the inputs first, and in gear ratios, the equations are</source>

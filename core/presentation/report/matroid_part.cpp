@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/report/report_parts.h"
@@ -36,6 +38,12 @@ class MatroidPart : private ReportPart {
     return elements;
   }
 
+  [[nodiscard]] std::vector<int> allJoints() const {
+    std::vector<int> joints(static_cast<std::size_t>(m_graph.t()));
+    std::iota(joints.begin(), joints.end(), 0);
+    return joints;
+  }
+
   /// The best form that is there: fractions, else decimals.
   [[nodiscard]] QuantityTablePtr numbers(QuantityKind kind) const {
     QuantityTablePtr table = quantityTable(m_pointer, kind, EntryForm::fractions);
@@ -49,7 +57,9 @@ class MatroidPart : private ReportPart {
                 std::optional<int> number) {
     if (table == nullptr || table->rows() == 0) return;
     if (fits(*table)) {
-      return equation(before + (after.empty() ? quantityLatex(*table) : texMatrix(*table)) + after, number);
+      return equation(
+          before + (after.empty() ? quantityLatex(*table, Fractions::readable) : texMatrix(*table)) + after,
+          number);
     }
     paragraph(tooManyEntries(table->rows(), table->columns(), quantityCommandName(table->kind())));
   }
@@ -67,28 +77,72 @@ class MatroidPart : private ReportPart {
         "N_k & "
         "P_{c,k} & Q_{c,k} & R_{c,k} \\end{pmatrix}^T",
         6);
+    addDirections();
+    addMoments();
     const QuantityTablePtr screws = numbers(QuantityKind::screws);
     if (screws == nullptr || screws->rows() == 0) return;
     paragraph(translated("For the joints of each cycle, lengths in %1:", {m_snapshot.mechanism->unit}));
     addTable(screws, "", "", std::nullopt);
   }
 
+  /// Are all axes parallel to the plane of y and z, so that offset angles about x describe them? [AU, Eq.
+  /// (8)]
+  [[nodiscard]] bool hasOffsetAngles() const {
+    const Placement& placement = m_snapshot.kinematics->placement();
+    const int classes = static_cast<int>(placement.classes->classes.size());
+    for (ClassOrdinal axisClass = 0; axisClass < classes; ++axisClass)
+      if (!exactLineOfClass(*m_snapshot.mechanism, placement, axisClass).direction[0].isZero()) return false;
+    return true;
+  }
+
+  /// Eqs. (7)-(9).
+  void addDirections() {
+    const bool hasAngles = hasOffsetAngles();
+    paragraph(
+        hasAngles
+            ? translated("Each direction is the $z$ axis, turned about $x$ by the offset angle $\\varphi_k$:")
+            : translated("Each direction is the $z$ axis, turned by a rotation $D_{0,k}$:"));
+    equation("u_k = D_{0,k} \\begin{pmatrix} 0 & 0 & 1 \\end{pmatrix}^T", 7);
+    if (!hasAngles) return equation("L_k^2 + M_k^2 + N_k^2 = 1", 9);
+    equation(
+        "D_{0,k} = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & \\cos\\varphi_k & -\\sin\\varphi_k \\\\ 0 & "
+        "\\sin\\varphi_k & "
+        "\\cos\\varphi_k \\end{bmatrix}",
+        8);
+    equation("L_k = 0 , \\quad M_k = -\\sin\\varphi_k , \\quad N_k = \\cos\\varphi_k", 9);
+  }
+
+  /// Eqs. (10)-(12), the last for any direction.
+  void addMoments() {
+    paragraph(translated("The moment needs the way from the pitch point to a point of the axis:"));
+    equation("r_{c,k} = l_{c,k} \\times u_k", 10);
+    equation("l_{c,k} = \\begin{pmatrix} x_k - x_c & y_k - y_c & z_k - z_c \\end{pmatrix}^T", 11);
+    equation(
+        "P_{c,k} = y_{c,k} N_k - z_{c,k} M_k , \\quad Q_{c,k} = z_{c,k} L_k - x_{c,k} N_k , \\quad R_{c,k} = "
+        "x_{c,k} M_k - y_{c,k} L_k",
+        12);
+  }
+
   void addCoefficients() {
     heading(2, toTranslate("Equations of the meshes"));
+    paragraph(translated("The twist of a joint is its screw times its rate:"));
+    equation("\\hat{s}_k = \\hat{u}_{c,k} \\, \\dot{\\theta}_k", 13);
+    paragraph(translated("Along each cycle the twists, with their signs in $C$, add up to zero:"));
+    equation("\\sum_k \\left[ C \\circ \\hat{s}_k \\right] = 0_c", 14);
     paragraph(translated(
-        "The twists $\\hat{s}_k = \\hat{u}_{c,k} \\dot{\\theta}_k$ of a cycle's joints add up to zero. The "
-        "mesh has no "
-        "moment about its own pitch point, so the moments of the turning joints alone do, each with its sign "
-        "in "
-        "$T$:"));
-    equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0", 16);
+        "Their directions give the velocity of one gear of each mesh relative to the other. The mesh "
+        "has no moment about its own pitch point, so the moments of the turning joints alone add up "
+        "to zero:"));
+    equation("\\dot{\\theta}_c = -\\left[ T \\circ u_t \\right] \\dot{\\theta}_t", 15);
+    equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0_c", 16);
     paragraph(translated(
         "They all point along one line: the normal of the plane that holds both axes of the mesh. One number "
         "of each "
         "is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:"));
-    equation("P \\, \\dot{\\theta}_t = 0 , \\quad P = \\left[ T \\circ P_{c,t} \\right]", 17);
+    equation("\\left[ P_{c,t} \\right] \\dot{\\theta}_t = 0_c", 17);
+    equation("P_{c,t} = \\left[ T \\circ P_{c,t} \\right]", 18);
     paragraph(translated("With lengths in %1,", {m_snapshot.mechanism->unit}));
-    addTable(numbers(QuantityKind::coefficients), "P =\n", "", 18);
+    addTable(numbers(QuantityKind::coefficients), "", " " + rateColumn(m_graph, allJoints()) + " = 0", 19);
     addRatios();
   }
 
@@ -108,7 +162,7 @@ class MatroidPart : private ReportPart {
       const DigraphEdge& gears = m_graph.meshEdge(mesh);
       const std::string counts =
           "\\frac{" + std::to_string(teeth.tailTeeth) + "}{" + std::to_string(teeth.headTeeth) + "}";
-      const std::string ratio = latexOf(matrix.ratio(mesh));
+      const std::string ratio = readableLatex(matrix.ratio(mesh));
       lines.push_back("i_{" + label(m_graph.t() + mesh) + "} = \\frac{N_{" + std::to_string(gears.tail) +
                       "}}{N_{" + std::to_string(gears.head) + "}} = " + counts +
                       (ratio == counts ? "" : " = " + ratio));
@@ -192,16 +246,26 @@ class MatroidPart : private ReportPart {
     const LiveSolution& solution = *m_matroid.solution;
     if (solution.outputs.empty()) return;
     const bool symbols = m_snapshot.solved && m_snapshot.solved->symbolic;
+    if (!solution.inputs.empty()) {
+      paragraph(translated(
+          "With the inputs first, the equations are parted into columns of the inputs and of the outputs:"));
+      equation(
+          "\\left[ \\begin{array}{c|c} P_E & P_r \\end{array} \\right] \\begin{pmatrix} \\dot{\\theta}_E "
+          "\\\\ "
+          "\\dot{\\theta}_r \\end{pmatrix} = 0",
+          22);
+    }
+    paragraph(translated("Solved for the outputs,"));
+    equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
+    if (isStopped()) return;
     if (!solution.inputs.empty() && symbols) {
       paragraph(translated("With the inputs first, and in gear ratios, the equations are"));
       std::vector<int> joints = solution.inputs;
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
                " " + rateColumn(m_graph, joints) + " = 0", 24);
+      paragraph(translated("and their solution is"));
     }
-    if (isStopped()) return;
-    paragraph(translated("Solved for the outputs,"));
-    equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
     if (solution.inputs.empty()) {
       return paragraph(translated("there is nothing that turns: without a freedom all rates are $0$."));
     }
@@ -251,7 +315,7 @@ class MatroidPart : private ReportPart {
     const auto lines = [&](const std::vector<int>& joints) {
       std::vector<std::string> texts;
       for (const JointOrdinal joint : joints) {
-        texts.push_back(rateName(m_graph, joint) + " = " + latexOf(exact.rates[joint]));
+        texts.push_back(rateName(m_graph, joint) + " = " + readableLatex(exact.rates[joint]));
       }
       return texts;
     };

@@ -83,6 +83,9 @@ class TtGraphPart : private ReportPart {
         "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
         "teeth, with "
         "a plus sign where both turn the same way, each seen along its own axis:"));
+    equation(
+        "\\omega_{ik} = \\pm n_{ji} \\, \\omega_{jk} , \\quad n_{ji} = \\frac{N_j}{N_i} = \\frac{1}{n_{ij}}",
+        26);
     for (MeshOrdinal mesh = 0; mesh < m_digraph.c(); ++mesh)
       equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
     heading(2, toTranslate("Fundamental circuits"));
