@@ -59,5 +59,12 @@ find_program(GEARGRAPH_CCACHE ccache)
 if(GEARGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths are hashed relative to the checkout, so that two checkouts share their results.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GEARGRAPH_CCACHE})
+    CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${GEARGRAPH_CCACHE})
+  # Without it GCC does not name the compiled headers that it reads.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+endif()
+
+find_program(GEARGRAPH_MOLD mold)
+if(GEARGRAPH_MOLD AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT GEARGRAPH_FUZZ)
+  add_link_options(-fuse-ld=mold)
 endif()

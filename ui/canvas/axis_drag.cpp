@@ -116,3 +116,5 @@ void AxisDrag::end() {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_axis_drag.cpp"

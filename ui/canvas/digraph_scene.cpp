@@ -226,3 +226,5 @@ DrawingScene::Draw DigraphScene::drawing() const {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_digraph_scene.cpp"

@@ -123,3 +123,5 @@ Expected<Mechanism> DigraphView::withNoteAt(const Mechanism& mechanism, SheetPoi
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_digraph_view.cpp"

@@ -158,3 +158,5 @@ void DrawingScene::setOverlay(DisplayList overlay) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_drawing_scene.cpp"

@@ -424,3 +424,5 @@ QString DrawingView::toolTipFor(const ElementId& element) const {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_drawing_view.cpp"

@@ -214,3 +214,5 @@ void GraphView::drawBackground(QPainter* painter, const QRectF& rect) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_graph_view.cpp"

@@ -45,3 +45,5 @@ void MenuPreview::tryOut(QAction* entry) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_menu_preview.cpp"

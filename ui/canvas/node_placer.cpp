@@ -83,3 +83,5 @@ void NodePlacer::onFound(const Found& found) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_node_placer.cpp"

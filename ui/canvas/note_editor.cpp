@@ -102,3 +102,5 @@ void NoteEditor::finish(bool take) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_note_editor.cpp"

@@ -43,3 +43,5 @@ void RenameEditor::finish(bool take) {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_rename_editor.cpp"

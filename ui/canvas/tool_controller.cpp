@@ -309,3 +309,5 @@ DisplayList ToolController::overlay() const {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_tool_controller.cpp"

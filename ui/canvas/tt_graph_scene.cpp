@@ -65,3 +65,5 @@ DrawingScene::Draw TtGraphScene::drawing() const {
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_tt_graph_scene.cpp"

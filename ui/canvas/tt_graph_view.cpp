@@ -226,3 +226,5 @@ Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
 }
 
 }  // namespace geargraph::inline canvas
+
+#include "moc_tt_graph_view.cpp"

@@ -95,3 +95,5 @@ void ActionRecorder::onTriggered() {
 }
 
 }  // namespace geargraph::inline crash
+
+#include "moc_action_recorder.cpp"

@@ -34,11 +34,11 @@ constexpr unsigned kLongestReport = 10;  ///< s
 constexpr int kMostFrames = 100;
 
 // What the handler needs, all of it there before the first crash.
-std::array<Signal, 5> signals{{{SIGSEGV, "SIGSEGV (invalid memory access)", {}},
-                               {SIGBUS, "SIGBUS (invalid memory access)", {}},
-                               {SIGILL, "SIGILL (invalid instruction)", {}},
-                               {SIGFPE, "SIGFPE (arithmetic error)", {}},
-                               {SIGABRT, "SIGABRT (the program stopped itself)", {}}}};
+std::array<Signal, 5> crashSignals{{{SIGSEGV, "SIGSEGV (invalid memory access)", {}},
+                                    {SIGBUS, "SIGBUS (invalid memory access)", {}},
+                                    {SIGILL, "SIGILL (invalid instruction)", {}},
+                                    {SIGFPE, "SIGFPE (arithmetic error)", {}},
+                                    {SIGABRT, "SIGABRT (the program stopped itself)", {}}}};
 std::array<char, 4096> reportPath{};
 std::array<char, 4096> details{};
 std::array<char, 256> exceptionType{};
@@ -188,8 +188,8 @@ void writeReport(const Signal& signal, pid_t thread) {
 
 void onCrash(int number) {
   const int errorBefore = errno;
-  Signal* signal = &signals.back();
-  for (Signal& each : signals) {
+  Signal* signal = &crashSignals.back();
+  for (Signal& each : crashSignals) {
     if (each.number == number) signal = &each;
   }
   const pid_t thread = ::gettid();
@@ -243,7 +243,7 @@ void installCrashHandler(const std::filesystem::path& folder, const std::string&
   action.sa_handler = onCrash;
   action.sa_flags = SA_ONSTACK;
   sigemptyset(&action.sa_mask);
-  for (Signal& each : signals) ::sigaction(each.number, &action, &each.before);
+  for (Signal& each : crashSignals) ::sigaction(each.number, &action, &each.before);
 }
 
 }  // namespace geargraph::inline crash

@@ -132,3 +132,5 @@ void DerivationPanel::fillSections() {
 }
 
 }  // namespace geargraph::inline ui_derivation
+
+#include "moc_derivation_panel.cpp"

@@ -351,3 +351,5 @@ void DerivationView::scrollContentsBy(int dx, int dy) {
 }
 
 }  // namespace geargraph::inline ui_derivation
+
+#include "moc_derivation_view.cpp"

@@ -48,3 +48,5 @@ void FormulaLabel::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_derivation
+
+#include "moc_formula_label.cpp"

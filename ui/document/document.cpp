@@ -251,3 +251,5 @@ void Document::publish(const PlacedMechanism& placed) {
 }
 
 }  // namespace geargraph::inline document
+
+#include "moc_document.cpp"

@@ -213,3 +213,5 @@ std::optional<std::pair<QString, std::string>> DynamicsPanel::csv(char separator
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_dynamics_panel.cpp"

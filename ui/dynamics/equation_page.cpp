@@ -62,3 +62,5 @@ const std::string& EquationPage::tex() const {
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_equation_page.cpp"

@@ -198,3 +198,5 @@ void InertiaBars::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_inertia_bars.cpp"

@@ -200,3 +200,5 @@ bool MassPage::setMass(int row, const std::optional<Number>& mass, quint64 gestu
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_mass_page.cpp"

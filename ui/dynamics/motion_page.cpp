@@ -237,3 +237,5 @@ std::optional<std::string> MotionPage::csv(char separator) const {
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_motion_page.cpp"

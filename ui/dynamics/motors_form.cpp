@@ -155,3 +155,5 @@ SimulationOptions MotorsForm::options() const {
 }
 
 }  // namespace geargraph::inline ui_dynamics
+
+#include "moc_motors_form.cpp"

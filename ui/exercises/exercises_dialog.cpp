@@ -263,3 +263,5 @@ void ExercisesDialog::renewButtons() {
 }
 
 }  // namespace geargraph::inline ui_exercises
+
+#include "moc_exercises_dialog.cpp"

@@ -296,3 +296,5 @@ void DualityLine::tell(const ElementId& mesh, const ElementId& joint) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_duality_line.cpp"

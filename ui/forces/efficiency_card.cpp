@@ -332,3 +332,5 @@ QString EfficiencyCard::locking() const {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_efficiency_card.cpp"

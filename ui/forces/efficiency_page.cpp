@@ -189,3 +189,5 @@ std::optional<ValueTable> EfficiencyPage::table() const {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_efficiency_page.cpp"

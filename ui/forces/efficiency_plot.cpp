@@ -191,3 +191,5 @@ void EfficiencyPlot::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_efficiency_plot.cpp"

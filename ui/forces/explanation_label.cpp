@@ -74,3 +74,5 @@ QString ExplanationLabel::words(std::set<ElementId>& highlighted) const {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_explanation_label.cpp"

@@ -11,3 +11,5 @@ void ForceTableModel::show(const ForcesPtr& forces, ForceTableKind kind) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_force_table_model.cpp"

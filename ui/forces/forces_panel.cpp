@@ -416,3 +416,5 @@ void ForcesPanel::copy() {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_forces_panel.cpp"

@@ -49,3 +49,5 @@ bool LinkedTable::viewportEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_linked_table.cpp"

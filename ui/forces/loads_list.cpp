@@ -326,3 +326,5 @@ bool LoadsList::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_loads_list.cpp"

@@ -345,3 +345,5 @@ bool TorqueRows::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_torque_rows.cpp"

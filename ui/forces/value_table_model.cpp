@@ -84,3 +84,5 @@ QVariant ValueTableModel::headerData(int section, Qt::Orientation orientation, i
 }
 
 }  // namespace geargraph::inline forces
+
+#include "moc_value_table_model.cpp"

@@ -180,3 +180,5 @@ void HelpBrowser::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_help
+
+#include "moc_help_browser.cpp"

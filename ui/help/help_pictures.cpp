@@ -97,3 +97,5 @@ QImage HelpPictures::ofWindow(const QString& name, Theme theme, int width, doubl
 }
 
 }  // namespace geargraph::inline ui_help
+
+#include "moc_help_pictures.cpp"

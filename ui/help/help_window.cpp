@@ -202,3 +202,5 @@ void HelpWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_help
+
+#include "moc_help_window.cpp"

@@ -218,3 +218,5 @@ void Tour::paintEvent(QPaintEvent* /*event*/) {
 }
 
 }  // namespace geargraph::inline ui_help
+
+#include "moc_tour.cpp"

@@ -69,3 +69,5 @@ bool WhatsThis::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_help
+
+#include "moc_whats_this.cpp"

@@ -306,3 +306,5 @@ bool AnswerForm::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_lessons
+
+#include "moc_answer_form.cpp"

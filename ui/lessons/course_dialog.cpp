@@ -183,3 +183,5 @@ void CourseDialog::choose(int lesson) {
 }
 
 }  // namespace geargraph::inline ui_lessons
+
+#include "moc_course_dialog.cpp"

@@ -429,3 +429,5 @@ void LessonPanel::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_lessons
+
+#include "moc_lesson_panel.cpp"

@@ -72,3 +72,5 @@ void CsvDialog::remember() const {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_csv_dialog.cpp"

@@ -91,3 +91,5 @@ bool DockDrag::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_dock_drag.cpp"

@@ -68,3 +68,5 @@ void DockTitles::renewButtons() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_dock_titles.cpp"

@@ -107,3 +107,5 @@ void DocumentCard::paint(QPainter* painter, const QStyleOptionViewItem& option,
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_document_card.cpp"

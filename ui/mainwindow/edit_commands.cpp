@@ -193,3 +193,5 @@ void EditCommands::insertSet(const Mechanism& set) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_edit_commands.cpp"

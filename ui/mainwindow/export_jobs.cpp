@@ -81,3 +81,5 @@ void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_export_jobs.cpp"

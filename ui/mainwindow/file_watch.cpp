@@ -53,3 +53,5 @@ void FileWatch::check() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_file_watch.cpp"

@@ -39,3 +39,5 @@ void FittingToolBar::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_fitting_tool_bar.cpp"

@@ -48,3 +48,5 @@ void HistoryDialog::showStep() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_history_dialog.cpp"

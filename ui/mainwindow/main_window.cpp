@@ -478,3 +478,5 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_main_window.cpp"

@@ -120,3 +120,5 @@ void NoticeBar::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_notice_bar.cpp"

@@ -137,3 +137,5 @@ void PictureClipboard::put(const Picture& picture) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_picture_clipboard.cpp"

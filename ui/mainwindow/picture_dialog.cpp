@@ -159,3 +159,5 @@ PictureOptions PictureDialog::options() const {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_picture_dialog.cpp"

@@ -102,3 +102,5 @@ void PlayControls::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_play_controls.cpp"

@@ -73,3 +73,5 @@ void PowerArrows::show(StagePowerPtr power) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_power_arrows.cpp"

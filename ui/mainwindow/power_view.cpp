@@ -113,3 +113,5 @@ void PowerView::fillObservers(QMenu& menu) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_power_view.cpp"

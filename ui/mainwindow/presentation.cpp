@@ -129,3 +129,5 @@ void Presentation::showHint() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_presentation.cpp"

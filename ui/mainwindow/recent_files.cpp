@@ -53,3 +53,5 @@ void RecentFiles::fill() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_recent_files.cpp"

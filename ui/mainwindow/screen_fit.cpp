@@ -68,3 +68,5 @@ bool ScreenFit::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_screen_fit.cpp"

@@ -152,3 +152,5 @@ void ShapesDialog::removeChosen() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_shapes_dialog.cpp"

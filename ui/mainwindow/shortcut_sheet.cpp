@@ -166,3 +166,5 @@ void ShortcutSheet::fillNext() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_shortcut_sheet.cpp"

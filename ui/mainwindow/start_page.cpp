@@ -204,3 +204,5 @@ void StartPage::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_start_page.cpp"

@@ -183,3 +183,5 @@ void StatusLine::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_status_line.cpp"

@@ -54,3 +54,5 @@ void Thumbnails::draw(const QString& path, Theme theme) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_thumbnails.cpp"

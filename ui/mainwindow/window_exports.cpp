@@ -154,3 +154,5 @@ bool WindowExports::saveSpeeds(const QString& path) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_window_exports.cpp"

@@ -303,3 +303,5 @@ void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_window_files.cpp"

@@ -180,3 +180,5 @@ void WindowHelp::offerTour() {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_window_help.cpp"

@@ -315,3 +315,5 @@ void WindowSet::setRestoresSession(bool restores) {
 }
 
 }  // namespace geargraph::inline mainwindow
+
+#include "moc_window_set.cpp"

@@ -81,3 +81,5 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
 }
 
 }  // namespace geargraph::inline models
+
+#include "moc_diagnostic_model.cpp"

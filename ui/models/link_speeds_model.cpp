@@ -164,3 +164,5 @@ QVariant LinkSpeedsModel::headerData(int section, Qt::Orientation orientation, i
 }
 
 }  // namespace geargraph::inline models
+
+#include "moc_link_speeds_model.cpp"

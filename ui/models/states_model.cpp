@@ -348,3 +348,5 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 }  // namespace geargraph::inline models
+
+#include "moc_states_model.cpp"

@@ -432,3 +432,5 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_element_forms.cpp"

@@ -49,3 +49,5 @@ void FixRow::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_fix_row.cpp"

@@ -455,3 +455,5 @@ void GearboxPanel::hoverCoupling(int coupling) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_gearbox_panel.cpp"

@@ -375,3 +375,5 @@ bool InputsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_inputs_panel.cpp"

@@ -145,3 +145,5 @@ void InsertSetDialog::renew() {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_insert_set_dialog.cpp"

@@ -90,3 +90,5 @@ void LongEdit::end(const QString& why) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_long_edit.cpp"

@@ -379,3 +379,5 @@ void MatricesPanel::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_matrices_panel.cpp"

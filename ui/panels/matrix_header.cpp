@@ -87,3 +87,5 @@ void MatrixHeader::leaveEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_matrix_header.cpp"

@@ -387,3 +387,5 @@ void MatrixView::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_matrix_view.cpp"

@@ -62,3 +62,5 @@ void NoteForm::refresh() {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_note_form.cpp"

@@ -264,3 +264,5 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_number_field.cpp"

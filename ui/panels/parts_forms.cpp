@@ -49,3 +49,5 @@ void CouplingForm::refresh() {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_parts_forms.cpp"

@@ -274,3 +274,5 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_problems_panel.cpp"

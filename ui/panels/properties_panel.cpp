@@ -34,3 +34,5 @@ void PropertiesPanel::refresh() {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_properties_panel.cpp"

@@ -238,3 +238,5 @@ std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& tri
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_property_forms.cpp"

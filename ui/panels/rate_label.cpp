@@ -74,3 +74,5 @@ void RateLabel::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_rate_label.cpp"

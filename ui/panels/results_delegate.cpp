@@ -198,3 +198,5 @@ void ResultsHeader::paintSection(QPainter* painter, const QRect& rect, int secti
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_results_delegate.cpp"

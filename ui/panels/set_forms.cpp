@@ -209,3 +209,5 @@ std::vector<ChoiceForm::Choice> RevertedForm::choices(const Rational& ratio) con
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_set_forms.cpp"

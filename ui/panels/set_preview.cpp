@@ -126,3 +126,5 @@ void SetPreview::paintEvent(QPaintEvent* /*event*/) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_set_preview.cpp"

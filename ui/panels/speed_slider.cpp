@@ -69,3 +69,5 @@ void SpeedSlider::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_speed_slider.cpp"

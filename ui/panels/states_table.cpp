@@ -249,3 +249,5 @@ void StatesTable::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_states_table.cpp"

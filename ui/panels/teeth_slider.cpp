@@ -74,3 +74,5 @@ void TeethSlider::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace geargraph::inline panels
+
+#include "moc_teeth_slider.cpp"

@@ -378,3 +378,5 @@ void PaperCheckDialog::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline ui_paper_check
+
+#include "moc_paper_check_dialog.cpp"

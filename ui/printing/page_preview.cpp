@@ -91,3 +91,5 @@ void PagePreview::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace geargraph::inline printing
+
+#include "moc_page_preview.cpp"

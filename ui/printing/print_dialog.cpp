@@ -236,3 +236,5 @@ QString PrintDialog::print(const PrintedPages& pages, QPrinter& printer, const s
 }
 
 }  // namespace geargraph::inline printing
+
+#include "moc_print_dialog.cpp"

@@ -124,3 +124,5 @@ void Autosave::finished(const Job& job, const QString& path, const QString& erro
 }
 
 }  // namespace geargraph::inline recovery
+
+#include "moc_autosave.cpp"

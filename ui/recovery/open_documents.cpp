@@ -185,3 +185,5 @@ void OpenDocuments::write() const {
 }
 
 }  // namespace geargraph::inline recovery
+
+#include "moc_open_documents.cpp"

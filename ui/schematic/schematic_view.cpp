@@ -335,3 +335,5 @@ std::optional<Mark> SchematicView::axisPreview(SheetPoint moved) const {
 }
 
 }  // namespace geargraph::inline ui_schematic
+
+#include "moc_schematic_view.cpp"

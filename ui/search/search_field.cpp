@@ -213,3 +213,5 @@ void SearchField::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace geargraph::inline search
+
+#include "moc_search_field.cpp"

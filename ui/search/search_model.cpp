@@ -86,3 +86,5 @@ QVariant SearchModel::data(const QModelIndex& index, int role) const {
 }
 
 }  // namespace geargraph::inline search
+
+#include "moc_search_model.cpp"

@@ -158,3 +158,5 @@ void SearchPopup::renewDetail() {
 }
 
 }  // namespace geargraph::inline search
+
+#include "moc_search_popup.cpp"

@@ -30,3 +30,5 @@ void Selection::setFallbackHighlight(std::set<ElementId> elements) {
 }
 
 }  // namespace geargraph::inline selection
+
+#include "moc_selection.cpp"

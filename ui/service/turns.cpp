@@ -64,3 +64,5 @@ void Turns::runNext() {
 }
 
 }  // namespace geargraph::inline ui_service
+
+#include "moc_turns.cpp"

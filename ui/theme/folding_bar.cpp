@@ -47,3 +47,5 @@ bool FoldingBar::event(QEvent* event) {
 }
 
 }  // namespace geargraph::inline theme
+
+#include "moc_folding_bar.cpp"

@@ -127,3 +127,5 @@ void PaintingInParts::goOn() {
 }
 
 }  // namespace geargraph::inline theme
+
+#include "moc_painting_in_parts.cpp"

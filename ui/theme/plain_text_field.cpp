@@ -16,3 +16,5 @@ void PlainTextField::mousePressEvent(QMouseEvent* event) {
 }
 
 }  // namespace geargraph::inline theme
+
+#include "moc_plain_text_field.cpp"

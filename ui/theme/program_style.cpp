@@ -399,3 +399,5 @@ void ProgramStyle::drawComplexControl(ComplexControl control, const QStyleOption
 }
 
 }  // namespace geargraph::inline theme
+
+#include "moc_program_style.cpp"

@@ -82,3 +82,5 @@ QSize SidewaysScroll::minimumSizeHint() const {
 }
 
 }  // namespace geargraph::inline theme
+
+#include "moc_sideways_scroll.cpp"

@@ -123,3 +123,5 @@ void AxisHandle::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_axis_handle.cpp"

@@ -83,3 +83,5 @@ bool AxisHold::takeFocus() {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_axis_hold.cpp"

@@ -80,3 +80,5 @@ void CanvasHost::useImage(const QString& why) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_canvas_host.cpp"

@@ -105,3 +105,5 @@ std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_gl_canvas.cpp"

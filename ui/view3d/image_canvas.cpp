@@ -276,3 +276,5 @@ void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor u
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_image_canvas.cpp"

@@ -143,3 +143,5 @@ CurveSheet MotionPanel::withNames(CurveSheet sheet) const {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_motion_panel.cpp"

@@ -366,3 +366,5 @@ void MotionPlot::leaveEvent(QEvent*) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_motion_plot.cpp"

@@ -43,3 +43,5 @@ void paintLayer(Image& image, const LabelGround& ground, const StageView& view, 
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_overlay_layer.cpp"

@@ -52,3 +52,5 @@ bool PicturePace::takeMap() {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_picture_pace.cpp"

@@ -86,3 +86,5 @@ void Playback::setSpeed(double speed) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_playback.cpp"

@@ -189,3 +189,5 @@ void PlaybackBar::changeEvent(QEvent* event) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_playback_bar.cpp"

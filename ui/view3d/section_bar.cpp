@@ -118,3 +118,5 @@ void SectionBar::refresh() {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_section_bar.cpp"

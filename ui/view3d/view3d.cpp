@@ -538,3 +538,5 @@ void View3D::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_view3d.cpp"

@@ -63,3 +63,5 @@ void ViewButtons::addMore() {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_view_buttons.cpp"

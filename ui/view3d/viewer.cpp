@@ -443,3 +443,5 @@ void Viewer::renewVisibility() {
 }
 
 }  // namespace geargraph::inline view3d
+
+#include "moc_viewer.cpp"

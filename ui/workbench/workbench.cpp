@@ -57,3 +57,5 @@ bool Workbench::isUpToDate() const {
 }
 
 }  // namespace geargraph::inline workbench
+
+#include "moc_workbench.cpp"

@@ -183,7 +183,7 @@ class DotReader {
   bool expected(const std::string& what) {
     const bool isEnd = m_token.kind == DotToken::Kind::end;
     return fail(m_token, isEnd ? translated("Expected %1, found the end.", {what})
-                               : translated("Expected %1, found %2.", {what, quoted(m_token.text)}));
+                               : translated("Expected %1, found %2.", {what, inQuotes(m_token.text)}));
   }
 
   void next() { m_token = m_scanner.next(); }
@@ -354,7 +354,7 @@ class DotReader {
             makeDiagnostics(Code::schema,
                             translated("The graph is strict, and a second edge leads from %1 to %2: it would "
                                        "be one with the first. Leave out \"strict\".",
-                                       {quoted(ids[i]), quoted(ids[i + 1])}),
+                                       {inQuotes(ids[i]), inQuotes(ids[i + 1])}),
                             offset);
         return false;
       }

@@ -69,7 +69,7 @@ Diagnostics GraphDiagnostics::inOrder() const {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   constexpr std::size_t kMostBytes = 60;
   std::string shown = "\"";
   std::size_t at = 0;

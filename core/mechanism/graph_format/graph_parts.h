@@ -80,7 +80,7 @@ class GraphDiagnostics {
 };
 
 /// A text of the file, quoted for a sentence; a long one is truncated.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string inQuotes(std::string_view text);
 
 // The readers of the formats. A failure has one diagnostic. Undirected graphs are rejected: without tail and
 // head of an edge, the signs and the assignment of the tooth counts are unknown.

@@ -107,7 +107,7 @@ class MechanismGraphReader {
         Code::version,
         translated(
             "The graph has version %1, but this program reads version %2: read it with a newer GearGraph.",
-            {quoted(version->text), std::to_string(kGraphVersion)}),
+            {inQuotes(version->text), std::to_string(kGraphVersion)}),
         m_parts.offset);
     return false;
   }
@@ -130,7 +130,7 @@ class MechanismGraphReader {
       for (const auto& [number, at] : order) sorted.push_back(std::move(m_parts.nodes[at]));
       m_parts.nodes = std::move(sorted);
     } else if (!m_parts.nodes.empty()) {
-      m_notes.push_back(translated("The ground is the first node, %1.", {quoted(m_parts.nodes.front().key)}));
+      m_notes.push_back(translated("The ground is the first node, %1.", {inQuotes(m_parts.nodes.front().key)}));
     }
   }
 
@@ -156,10 +156,10 @@ class MechanismGraphReader {
   }
 
   static std::string nameOf(const ReadEdge& edge) {
-    const std::string ends = quoted(edge.source) + " -> " + quoted(edge.target);
+    const std::string ends = inQuotes(edge.source) + " -> " + inQuotes(edge.target);
     for (const std::string_view attribute : {kLabel, kEdgeId}) {
       if (const AttributeText* const value = edge.attributes.find(attribute))
-        return translated("The edge %1 (%2)", {quoted(value->text), ends});
+        return translated("The edge %1 (%2)", {inQuotes(value->text), ends});
     }
     return translated("The edge %1", {ends});
   }
@@ -179,9 +179,9 @@ class MechanismGraphReader {
     m_diagnostics.add(Code::schema,
                       isTtGraph ? translated("%1: its \"kind\" is %2, so this is a T-T graph; the digraph "
                                              "(--view digraph) is read back.",
-                                             {nameOf(edge), quoted(kind->text)})
+                                             {nameOf(edge), inQuotes(kind->text)})
                                 : translated("%1: its \"kind\" is %2; expected \"turning\" or \"mesh\".",
-                                             {nameOf(edge), quoted(kind->text)}),
+                                             {nameOf(edge), inQuotes(kind->text)}),
                       edge.offset);
     return std::nullopt;
   }
@@ -213,7 +213,7 @@ class MechanismGraphReader {
       if (!written) {
         m_diagnostics.add(Code::schema,
                           translated("%1, %2: expected a list or an object as JSON, found %3.",
-                                     {origin.name, name, quoted(value->text)}),
+                                     {origin.name, name, inQuotes(value->text)}),
                           origin.offset, origin.elements);
         continue;
       }
@@ -237,7 +237,7 @@ class MechanismGraphReader {
       const AttributeText* const given = node.attributes.find(kLinkId);
       const std::string id = given != nullptr ? given->text : node.key;
       const Origin& origin = m_origins["links"].emplace_back(
-          Origin{translated("The node %1", {quoted(node.key)}), node.offset, GraphPart::node, {LinkId(id)}});
+          Origin{translated("The node %1", {inQuotes(node.key)}), node.offset, GraphPart::node, {LinkId(id)}});
       if (!m_links.emplace(node.key, id).second) {
         m_diagnostics.add(Code::duplicateId, translated("%1 is in the graph twice.", {origin.name}),
                           node.offset);
@@ -323,7 +323,7 @@ class MechanismGraphReader {
     for (const std::string* const end : {&edge.source, &edge.target}) {
       if (m_links.contains(*end)) continue;
       isComplete = false;
-      m_diagnostics.add(Code::unknownId, translated("%1: there is no node %2.", {origin.name, quoted(*end)}),
+      m_diagnostics.add(Code::unknownId, translated("%1: there is no node %2.", {origin.name, inQuotes(*end)}),
                         edge.offset, origin.elements);
     }
     return isComplete;
