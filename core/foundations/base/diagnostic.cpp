@@ -70,6 +70,8 @@ constexpr std::array kDetails = {
     DetailEntry{Detail::redundantBearing, Code::turningLoop, "turning-loop/redundant-bearing"},
     DetailEntry{Detail::turningCycle, Code::turningLoop, "turning-loop/cycle"},
     DetailEntry{Detail::couplingLinkage, Code::turningLoop, "turning-loop/coupling-linkage"},
+    DetailEntry{Detail::clutchAxes, Code::turningLoop, "turning-loop/clutch-axes"},
+    DetailEntry{Detail::equalPlanets, Code::redundantMesh, "redundant-mesh/equal-planets"},
     DetailEntry{Detail::skewAxes, Code::pitchGeometry, "pitch-geometry/skew-axes"},
     DetailEntry{Detail::coincidentAxes, Code::pitchGeometry, "pitch-geometry/coincident-axes"},
     DetailEntry{Detail::pitchPointOffPlane, Code::pitchGeometry, "pitch-geometry/off-plane"},
@@ -81,6 +83,7 @@ constexpr std::array kDetails = {
     DetailEntry{Detail::pinnedWheel, Code::teethGeometry, "teeth-geometry/pinned-wheel"},
     DetailEntry{Detail::pinnedModule, Code::teethGeometry, "teeth-geometry/pinned-module"},
     DetailEntry{Detail::pinnedAxis, Code::teethGeometry, "teeth-geometry/pinned-axis"},
+    DetailEntry{Detail::unequalPlanets, Code::assembly, "assembly/unequal-planets"},
     DetailEntry{Detail::noToothForm, Code::interference, "interference/no-tooth-form"},
     DetailEntry{Detail::pointedTeeth, Code::interference, "interference/pointed-teeth"},
     DetailEntry{Detail::contactRatio, Code::interference, "interference/contact-ratio"},
@@ -154,9 +157,19 @@ const std::vector<Detail>& allDetails() {
   return details;
 }
 
+Severity severityOf(Detail detail) {
+  return detail == Detail::equalPlanets ? Severity::info : severityOf(codeOf(detail));
+}
+
 bool hasErrors(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& d) { return d.severity() == Severity::error; });
+}
+
+void sortBySeverity(Diagnostics& diagnostics) {
+  std::stable_sort(
+      diagnostics.begin(), diagnostics.end(),
+      [](const Diagnostic& one, const Diagnostic& other) { return one.severity() < other.severity(); });
 }
 
 }  // namespace geargraph::inline base

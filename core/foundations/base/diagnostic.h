@@ -75,6 +75,9 @@ enum class Detail {
   redundantBearing,  ///< all joints of the loop turn about one axis
   turningCycle,      ///< the loop leads over several axes
   couplingLinkage,   ///< an engaged coupling closes a loop over axes of four directions or more
+  clutchAxes,        ///< a clutch between links that do not turn about one line against each other
+  // redundant-mesh
+  equalPlanets,  ///< meshes of equal planets, which share the load: a note
   // pitch-geometry
   skewAxes,
   coincidentAxes,      ///< the two axes of a mesh are one line in the reference pose
@@ -88,6 +91,8 @@ enum class Detail {
   pinnedWheel,  ///< an edit that would have to change pinned gears or axes
   pinnedModule,
   pinnedAxis,
+  // assembly
+  unequalPlanets,  ///< planets that are drawn equal have to differ
   // interference
   noToothForm,      ///< no solid can be made of the gear
   pointedTeeth,     ///< tips lowered to keep a top land
@@ -105,6 +110,9 @@ enum class Detail {
 [[nodiscard]] std::string_view detailName(Detail detail);
 /// The code of a detail. @pre it is not none
 [[nodiscard]] Code codeOf(Detail detail);
+/// The severity of a diagnostic with this detail, that of its code unless the table says otherwise. @pre it
+/// is not none
+[[nodiscard]] Severity severityOf(Detail detail);
 /// Every detail but none, in the order of the enumeration.
 [[nodiscard]] const std::vector<Detail>& allDetails();
 
@@ -119,7 +127,9 @@ struct Diagnostic {
   Detail detail = Detail::none;     ///< one of `code`
   std::optional<double> time = {};  ///< time in the motion at which it occurs, s (collisions in motion)
 
-  [[nodiscard]] Severity severity() const { return severityOf(code); }
+  [[nodiscard]] Severity severity() const {
+    return detail == Detail::none ? severityOf(code) : severityOf(detail);
+  }
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
@@ -131,5 +141,8 @@ inline void append(Diagnostics& all, const Diagnostics& more) {
 }
 
 [[nodiscard]] bool hasErrors(const Diagnostics& diagnostics);
+
+/// Errors, then warnings, then notes, each in their order.
+void sortBySeverity(Diagnostics& diagnostics);
 
 }  // namespace geargraph::inline base

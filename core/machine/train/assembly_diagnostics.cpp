@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "core/foundations/base/words.h"
@@ -119,13 +118,9 @@ std::string countAdvice(const TrainGear& sun, const TrainGear& ring, const Train
   const double orbit = (planet.pose.translation() - sun.pose.translation())
                            .cross(Eigen::Vector3d(sun.pose.linear().col(2)))
                            .norm();
-  for (int step = 1; step < 2 * n; ++step) {
-    const int other = n + (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2);
-    if (other < 2 || (sun.spec.teeth + ring.spec.teeth) % other != 0) continue;
-    if (orbit * std::sin(std::numbers::pi / other) <= nominalTipRadius(planet.spec)) continue;
-    text += translated(", or use %1 planets at equal distances", {std::to_string(other)});
-    break;
-  }
+  const int other =
+      nearestPlanetCount(n, sun.spec.teeth + ring.spec.teeth, orbit, nominalTipRadius(planet.spec));
+  if (other > 0) text += translated(", or use %1 planets at equal distances", {std::to_string(other)});
   return text;
 }
 

@@ -70,6 +70,7 @@ Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placem
   if (stop.stop_requested()) return found;
   append(found, neighbourDiagnostics(mechanism, placement, train));
   append(found, assemblyDiagnostics(mechanism, train, stop));
+  append(found, planetDiagnostics(mechanism, placement, train, stop));
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stop_token>
 
 #include "core/machine/teeth/phase.h"
@@ -22,6 +23,18 @@ namespace geargraph::inline train {
 /// that fit. Incomplete if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train,
                                               const std::stop_token& stop = {});
+
+/// `assembly/unequal-planets` for planets that are drawn equal (equalPlanets()) and whose gears on one body
+/// would have to be turned against each other differently, with positions and numbers of planets that fit.
+/// Sets with a loop that cannot be assembled at all are left out. Incomplete if `stop` was requested
+/// meanwhile.
+[[nodiscard]] Diagnostics planetDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                            const GearTrain& train, const std::stop_token& stop = {});
+
+/// The number of equally spaced planets nearest to `count` that divides the number of places at which a
+/// planet fits and leaves their tips clear of each other; 0: none near. `orbit`: distance of their axes from
+/// the central one.
+[[nodiscard]] int nearestPlanetCount(int count, std::int64_t places, double orbit, double tip);
 
 /// A number for a sentence, with `digits` decimals.
 [[nodiscard]] std::string fixedText(double value, int digits);

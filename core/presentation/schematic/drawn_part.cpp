@@ -3,7 +3,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/presentation/schematic/planet_groups.h"
+#include "core/mechanism/placement/planet_groups.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -121,7 +121,7 @@ void omitIdentical(DrawnPart& part, const PlacedMechanism& placed) {
   if (!placement.tree) return;
   std::vector<bool> links(m.links.size(), true);
   std::vector<bool> joints(m.turningJoints.size(), true);
-  for (const auto& set : equalPlanets(m, placement)) {
+  for (const auto& set : equalPlanets(m, placement, PlanetScope::drawn)) {
     DrawnPart::Planets planets;
     planets.count = static_cast<int>(set.size());
     for (std::size_t g = 0; g < set.size(); ++g) {

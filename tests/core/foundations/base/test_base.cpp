@@ -135,6 +135,22 @@ class BaseTest : public QObject {
     QCOMPARE(severityOf(Code::redundantMesh), Severity::warning);
     QCOMPARE(severityOf(Code::idleJoint), Severity::info);
   }
+
+  void aDetailMayBeANote() {
+    for (const Detail detail : allDetails()) {
+      const bool isNote = detail == Detail::equalPlanets;
+      QCOMPARE(severityOf(detail), isNote ? Severity::info : severityOf(codeOf(detail)));
+    }
+    Diagnostics all(3);
+    all[0].code = Code::redundantMesh;
+    all[0].detail = Detail::equalPlanets;
+    all[1].code = Code::assembly;
+    all[2].code = Code::schema;
+    sortBySeverity(all);
+    QCOMPARE(all[0].code, Code::schema);
+    QCOMPARE(all[1].code, Code::assembly);
+    QCOMPARE(all[2].severity(), Severity::info);
+  }
 };
 
 }  // namespace geargraph

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/machine/bodies/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
@@ -90,6 +91,68 @@ Mechanism triangle(int a, int b, int c, double turn) {
   return ring({a, b, c}, {{0, 0},
                           {ab * std::cos(turn), ab * std::sin(turn)},
                           {ca * std::cos(turn + angle), ca * std::sin(turn + angle)}});
+}
+
+/// The teeth of a stepped planet and of what it meshes with.
+struct Stepped {
+  int sun = 20;
+  int planet = 26;       ///< with the sun
+  int otherPlanet = 15;  ///< with the ring, or a second sun
+  int other = 61;
+};
+
+/// Sun 1, ring or second sun 2, carrier 3, stepped planets 4.. at equal distances; axes left open.
+Mechanism steppedSet(const Stepped& teeth, int planets, MeshKind kind = MeshKind::internal) {
+  test::TrainSketch sketch(3 + planets);
+  sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a");
+  for (int i = 0; i < planets; ++i) sketch.joint(3, 4 + i, "b" + std::to_string(i));
+  for (int i = 0; i < planets; ++i) {
+    sketch.mesh(1, 4 + i, teeth.sun, teeth.planet, MeshKind::external);
+    sketch.mesh(4 + i, 2, teeth.otherPlanet, teeth.other, kind);
+  }
+  return sketch.build();
+}
+
+/// The same with the planets' axes on the ground, and `turn` (rad) added to the place of the last.
+Mechanism steppedStar(const Stepped& teeth, int planets, double turn = 0) {
+  test::TrainSketch sketch(2 + planets);
+  sketch.axis("a", {"0", "0", "0"});
+  sketch.joint(0, 1, "a").joint(0, 2, "a");
+  const double distance = teeth.sun + teeth.planet;  // module 2
+  for (int i = 0; i < planets; ++i) {
+    const double angle = 2 * pi * i / planets + (i == planets - 1 ? turn : 0);
+    const std::string axis = "b" + std::to_string(i);
+    sketch.axis(axis, {text(distance * std::cos(angle)), text(distance * std::sin(angle)), "0"});
+    sketch.joint(0, 3 + i, axis);
+  }
+  for (int i = 0; i < planets; ++i) {
+    sketch.mesh(1, 3 + i, teeth.sun, teeth.planet, MeshKind::external);
+    sketch.mesh(3 + i, 2, teeth.otherPlanet, teeth.other, MeshKind::internal);
+  }
+  return sketch.build();
+}
+
+/// Sun 1 meshes with a stepped planet, whose other gear meshes with a second planet in ring 2; both planets
+/// are on carrier 3, on one line with the centre: 20 + 30 teeth, 18 + 16, ring 100.
+Mechanism meshingSteppedPlanets(int groups) {
+  test::TrainSketch sketch(3 + 2 * groups);
+  sketch.axis("a", {"0", "0", "0"});
+  sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a");
+  for (int i = 0; i < groups; ++i) {
+    const double angle = 2 * pi * i / groups;
+    const auto at = [&](double radius) -> std::vector<std::string> {
+      return {text(radius * std::cos(angle)), text(radius * std::sin(angle)), "0"};
+    };
+    const std::string inner = "p" + std::to_string(i), outer = "q" + std::to_string(i);
+    sketch.axis(inner, at(50)).axis(outer, at(84));
+    sketch.joint(3, 4 + 2 * i, inner).joint(3, 5 + 2 * i, outer);
+  }
+  for (int i = 0; i < groups; ++i) {
+    sketch.mesh(1, 4 + 2 * i, 20, 30, MeshKind::external);
+    sketch.mesh(4 + 2 * i, 5 + 2 * i, 18, 16, MeshKind::external);
+    sketch.mesh(5 + 2 * i, 2, 16, 100, MeshKind::internal);
+  }
+  return sketch.build();
 }
 
 }  // namespace
@@ -273,6 +336,62 @@ class TestTrainDiagnostics : public QObject {
     QCOMPARE(count(found, Code::assembly, "use 4 planets"), 2);
     QCOMPARE(count(diagnosticsFor(test::planetary(20, 20, 4)), Code::assembly), 0);
     QCOMPARE(count(diagnosticsFor(test::planetary(20, 19, 3)), Code::assembly), 0);
+  }
+
+  /// 46 * 41 / 3 is no whole number: the planets' gears have to be turned against each other by a third of
+  /// 360 / lcm(26, 15) degrees.
+  void steppedPlanetsThatHaveToDifferSayByHowMuch() {
+    const Diagnostics found = diagnosticsFor(steppedSet({}, 3));
+    QVERIFY2(count(found, Detail::unequalPlanets) == 1, listed(found));
+    QCOMPARE(blamed(found, Detail::unequalPlanets), QStringList("links:4 links:5 links:6"));
+    for (const char* part :
+         {"gear with 15 teeth", "that with 26 teeth", "compared with link 4", "0.308 degrees on link 5",
+          "0.308 degrees on link 6", "360/1886 = 0.191 degrees", "use 2 planets at equal distances"})
+      QVERIFY2(count(found, Detail::unequalPlanets, part) == 1, listed(found));
+    QCOMPARE(count(diagnosticsFor(steppedSet({}, 2)), Code::assembly), 0);
+    const Diagnostics star = diagnosticsFor(steppedStar({}, 3));
+    QVERIFY2(count(star, Detail::unequalPlanets, "0.308 degrees on link 4") == 1, listed(star));
+    // At a multiple of 360/1886 degrees an equal planet fits.
+    QCOMPARE(count(diagnosticsFor(steppedStar({}, 2, 2 * pi * 100 / 1886)), Detail::unequalPlanets), 0);
+    QCOMPARE(count(diagnosticsFor(steppedStar({}, 2, 2 * pi * 100.5 / 1886)), Detail::unequalPlanets), 1);
+  }
+
+  /// The closed form, (P1 Nr + P2 Ns) / (n gcd(P1, P2)), and |P1 N2 - P2 N1| / (n gcd(P1, P2)) for two suns.
+  void steppedPlanetsAreEqualByTheClosedForm() {
+    int fitting = 0, misfits = 0;
+    for (int planets = 2; planets <= 5; ++planets) {
+      for (int sun = 17; sun <= 22; ++sun) {
+        for (int planet = 18; planet <= 30; planet += 3) {
+          for (const int other : {14, 15, 17}) {
+            const auto isEqual = [&](int places) { return places % planets == 0; };
+            const auto judge = [&](const Mechanism& set, int places) {
+              const Diagnostics found = diagnosticsFor(set);
+              const bool fits = isEqual(places / std::gcd(planet, other));
+              QVERIFY2(count(found, Detail::unequalPlanets) == (fits ? 0 : 1),
+                       listed(found) + QByteArray::number(places));
+              ++(fits ? fitting : misfits);
+            };
+            const int ring = sun + planet + other;  // one module
+            judge(steppedSet({sun, planet, other, ring}, planets), planet * ring + other * sun);
+            const int second = sun + planet - other;
+            judge(steppedSet({sun, planet, other, second}, planets, MeshKind::external),
+                  std::abs(planet * second - other * sun));
+          }
+        }
+      }
+    }
+    QVERIFY2(fitting > 100 && misfits > 100, qPrintable(QString("%1 %2").arg(fitting).arg(misfits)));
+  }
+
+  /// A group of two planets that mesh: (30 * 100 - 18 * 20) / gcd(30, 18) = 440 places.
+  void meshingSteppedPlanetsAreChecked() {
+    for (const int groups : {2, 4, 5}) {
+      const Diagnostics found = diagnosticsFor(meshingSteppedPlanets(groups));
+      QVERIFY2(count(found, Detail::unequalPlanets) == 0, listed(found));
+    }
+    const Diagnostics found = diagnosticsFor(meshingSteppedPlanets(3));
+    QVERIFY2(count(found, Detail::unequalPlanets, "360/440") == 1, listed(found));
+    QCOMPARE(blamed(found, Detail::unequalPlanets), QStringList("links:4 links:6 links:8"));
   }
 
   /// A rectangle of wheels (core/machine/teeth/README.md, section 4): 15 teeth close the loop, 16 miss by a

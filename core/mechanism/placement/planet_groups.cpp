@@ -1,4 +1,4 @@
-#include "core/presentation/schematic/planet_groups.h"
+#include "core/mechanism/placement/planet_groups.h"
 
 #include <algorithm>
 #include <map>
@@ -6,16 +6,18 @@
 #include <set>
 #include <string>
 
-namespace geargraph::inline schematic {
+namespace geargraph::inline placement {
 namespace {
 
 class PlanetFinder {
  public:
-  PlanetFinder(const Mechanism& mechanism, const Placement& placement)
+  PlanetFinder(const Mechanism& mechanism, const Placement& placement, PlanetScope scope)
       : m_mechanism(mechanism),
+        m_scope(scope),
         m_tree(*placement.tree),
         m_classes(*placement.classes),
         m_groupOf(m_classes.classes.size()),
+        m_members(m_classes.classes.size()),
         m_meshesOf(mechanism.links.size()) {
     std::iota(m_groupOf.begin(), m_groupOf.end(), 0);
     for (std::size_t m = 0; m < m_tree.meshes.size(); ++m) {
@@ -27,10 +29,15 @@ class PlanetFinder {
   std::vector<std::vector<PlanetGroup>> find() {
     markPlanets();
     joinByMeshes();
+    for (const int link : m_tree.order) {
+      const int c = classOf(link);
+      if (c >= 0 && m_isPlanet[c]) m_members[root(c)].insert(link);
+    }
     std::map<std::string, std::size_t> setOf;
     std::vector<std::vector<PlanetGroup>> sets;
     for (std::size_t c = 0; c < m_isPlanet.size(); ++c) {
       if (!m_isPlanet[c] || root(static_cast<int>(c)) != static_cast<int>(c)) continue;
+      if (m_classes.classes[c].rootLink == 0 && !isRoundOneAxis(static_cast<int>(c))) continue;
       const auto [group, signature] = described(static_cast<int>(c));
       const auto [found, isNew] = setOf.try_emplace(signature, sets.size());
       if (isNew) sets.emplace_back();
@@ -48,13 +55,16 @@ class PlanetFinder {
 
   [[nodiscard]] int classOf(int link) const { return m_classes.classOfLink(link); }
 
-  /// Axes on a moving link that carry nothing and are not driven.
+  /// Axes that carry nothing; of those that one may stand for in a drawing, only passive ones.
   void markPlanets() {
+    const bool isDrawn = m_scope == PlanetScope::drawn;
     m_isPlanet.assign(m_classes.classes.size(), false);
-    for (std::size_t c = 0; c < m_isPlanet.size(); ++c) m_isPlanet[c] = m_classes.classes[c].rootLink != 0;
+    for (std::size_t c = 0; c < m_isPlanet.size(); ++c)
+      m_isPlanet[c] = !isDrawn || m_classes.classes[c].rootLink != 0;
     for (const auto& other : m_classes.classes) {
       if (other.rootLink != 0) m_isPlanet[classOf(other.rootLink)] = false;
     }
+    if (!isDrawn) return;
     std::set<JointId> driven;
     for (const Input& input : m_mechanism.inputs.value_or(std::vector<Input>{})) driven.insert(input.joint);
     for (std::size_t j = 0; j < m_tree.joints.size(); ++j) {
@@ -62,14 +72,28 @@ class PlanetFinder {
     }
   }
 
+  /// On the ground, planets mesh with wheels whose axes are on the ground too: these are no group with them.
   void joinByMeshes() {
     for (const auto [tail, head] : m_tree.meshes) {
       const int a = classOf(tail);
       const int b = classOf(head);
       if (a < 0 || b < 0 || a == b || !m_isPlanet[a] || !m_isPlanet[b]) continue;
-      if (m_classes.classes[a].rootLink != m_classes.classes[b].rootLink) continue;
+      const LinkOrdinal carrier = m_classes.classes[a].rootLink;
+      if (carrier == 0 || carrier != m_classes.classes[b].rootLink) continue;
       m_groupOf[std::max(root(a), root(b))] = std::min(root(a), root(b));
     }
+  }
+
+  /// Wheels on the ground are planets of a train whose carrier is held if all that they mesh with is coaxial.
+  bool isRoundOneAxis(int first) {
+    std::set<int> axes;
+    for (const int link : m_members[first]) {
+      for (const MeshOrdinal mesh : m_meshesOf[link]) {
+        const auto [tail, head] = m_tree.meshes[mesh];
+        axes.insert(classOf(tail == link ? head : tail));
+      }
+    }
+    return axes.size() == 1;
   }
 
   /// A mesh as a link of the group sees it; partners outside of the group by position.
@@ -95,11 +119,7 @@ class PlanetFinder {
   }
 
   std::pair<PlanetGroup, std::string> described(int first) {
-    std::set<int> members;
-    for (const int link : m_tree.order) {
-      const int c = classOf(link);
-      if (c >= 0 && m_isPlanet[c] && root(c) == first) members.insert(link);
-    }
+    const std::set<int>& members = m_members[first];
     std::vector<std::pair<std::string, int>> links;
     for (const int link : members) links.emplace_back(wordsOf(link, members), link);
     std::sort(links.begin(), links.end());
@@ -122,17 +142,20 @@ class PlanetFinder {
   }
 
   const Mechanism& m_mechanism;
+  PlanetScope m_scope;
   const JointTree& m_tree;
   const AxisClasses& m_classes;
   ByClass<bool> m_isPlanet;
-  ByClass<ClassOrdinal> m_groupOf;  ///< union-find
+  ByClass<ClassOrdinal> m_groupOf;   ///< union-find
+  ByClass<std::set<int>> m_members;  ///< links, by the group's root
   ByLink<std::vector<MeshOrdinal>> m_meshesOf;
 };
 
 }  // namespace
 
-std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism, const Placement& placement) {
-  return PlanetFinder(mechanism, placement).find();
+std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism, const Placement& placement,
+                                                   PlanetScope scope) {
+  return PlanetFinder(mechanism, placement, scope).find();
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph::inline placement
