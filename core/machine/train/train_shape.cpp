@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/involute.h"
@@ -66,51 +70,130 @@ void setModules(TrainWheels& train) {
   }
 }
 
-/// What is left of the shifts' sum that a pair's distance asks for; 0 where it has what it needs.
-double missingShift(const TrainPair& pair, const TrainWheels& train, double wanted) {
-  const GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
-  const GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
-  if (pair.kind == MeshKind::external) return wanted - tail.profileShift - head.profileShift;
-  const bool tailIsRing = tail.kind == GearKind::internal;
-  const double difference = head.profileShift - tail.profileShift;
-  return wanted - (tailIsRing ? -difference : difference);
+/// Wheels in equal circumstances: same teeth and kind, same stated shift, and meshes that want the same sum
+/// of shifts with partners in equal circumstances. How often counts nothing, so that the shifts of a sun and
+/// its planets do not depend on the number of planets. Beyond some rounds of comparison, which only long
+/// chains take, each wheel is its own class.
+std::vector<std::size_t> equalWheels(const TrainWheels& train, const std::vector<double>& wanted,
+                                     const std::vector<bool>& fixed) {
+  const std::size_t count = train.wheels.size();
+  std::vector<std::size_t> classOf(count);
+  const auto classify = [&](const auto& keyOf) {
+    std::map<decltype(keyOf(std::size_t{0})), std::size_t> classes;
+    for (std::size_t w = 0; w < count; ++w)
+      classOf[w] = classes.try_emplace(keyOf(w), classes.size()).first->second;
+    return classes.size();
+  };
+  std::size_t classes = classify([&](std::size_t w) {
+    const GearSpec& spec = train.wheels[w].spec;
+    return std::tuple(spec.kind, spec.teeth, spec.module, bool{fixed[w]}, fixed[w] ? spec.profileShift : 0.0);
+  });
+  constexpr int kMostRounds = 50;
+  std::size_t before = 0;
+  for (int round = 0; classes != before && round < kMostRounds; ++round) {
+    before = classes;
+    std::vector<std::set<std::pair<std::size_t, double>>> partners(count);
+    for (std::size_t p = 0; p < train.pairs.size(); ++p) {
+      const auto tail = static_cast<std::size_t>(train.pairs[p].tail);
+      const auto head = static_cast<std::size_t>(train.pairs[p].head);
+      partners[tail].emplace(classOf[head], wanted[p]);
+      partners[head].emplace(classOf[tail], wanted[p]);
+    }
+    const std::vector<std::size_t> last = classOf;
+    classes = classify([&](std::size_t w) { return std::pair(last[w], partners[w]); });
+  }
+  if (classes != before) std::iota(classOf.begin(), classOf.end(), std::size_t{0});
+  return classOf;
 }
+
+/// A mesh between wheels in certain circumstances, all of which share one shift.
+struct ShiftEquation {
+  std::size_t tail = 0;
+  std::size_t head = 0;  ///< classes of wheels
+  double tailSign = 1;
+  double headSign = 1;
+  double wanted = 0;
+  friend auto operator<=>(const ShiftEquation&, const ShiftEquation&) = default;
+};
 
 /// Hands what is missing to the wheels whose shift is not the document's, half each, until nothing is: the
 /// smallest shifts that fit, because every step is the shortest one.
-void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::stop_token& stop) {
-  std::vector<double> wanted;
-  for (const TrainPair& pair : train.pairs) {
-    const GearSpec& spec = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
-    wanted.push_back(
-        pair.kind == MeshKind::bevel
-            ? 0
-            : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
-                      kShiftStep));
-  }
-  for (int sweep = 0; sweep < 500 && !stop.stop_requested(); ++sweep) {
-    double worst = 0;
-    for (std::size_t p = 0; p < train.pairs.size(); ++p) {
-      const TrainPair& pair = train.pairs[p];
-      if (pair.kind == MeshKind::bevel) continue;
-      const double missing = missingShift(pair, train, wanted[p]);
-      const auto a = static_cast<std::size_t>(pair.tail);
-      const auto b = static_cast<std::size_t>(pair.head);
-      const int free = (fixed[a] ? 0 : 1) + (fixed[b] ? 0 : 1);
-      if (free == 0) continue;
-      worst = std::max(worst, std::abs(missing));
-      const auto give = [&](GearOrdinal w) {
-        if (fixed[static_cast<std::size_t>(w)]) return;
-        const bool against =
-            pair.kind == MeshKind::internal && train.wheels[w].spec.kind == GearKind::external;
-        train.wheels[w].spec.profileShift += (against ? -missing : missing) / free;
-      };
-      give(a);
-      give(b);
+class ShiftSolver {
+ public:
+  ShiftSolver(const TrainWheels& train, const std::vector<bool>& fixed) {
+    std::vector<double> wanted;
+    for (const TrainPair& pair : train.pairs) {
+      const GearSpec& spec = train.wheels[pair.tail].spec;
+      wanted.push_back(
+          pair.kind == MeshKind::bevel
+              ? 0
+              : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
+                        kShiftStep));
     }
-    if (worst < 1e-13) break;
+    m_classOf = equalWheels(train, wanted, fixed);
+    m_shifts.resize(train.wheels.size(), 0);
+    m_isFixed.resize(train.wheels.size(), false);
+    for (std::size_t w = 0; w < m_classOf.size(); ++w) {
+      m_isFixed[m_classOf[w]] = fixed[w];
+      m_shifts[m_classOf[w]] = train.wheels[w].spec.profileShift;
+    }
+    std::set<ShiftEquation> known;
+    for (std::size_t p = 0; p < train.pairs.size(); ++p) {
+      if (train.pairs[p].kind == MeshKind::bevel) continue;
+      const ShiftEquation equation = equationOf(train, train.pairs[p], wanted[p]);
+      if (known.insert(equation).second) m_equations.push_back(equation);
+    }
   }
-  for (TrainWheel& wheel : train.wheels) wheel.spec.profileShift = rounded(wheel.spec.profileShift, 1e-9);
+
+  void solve(const std::stop_token& stop) {
+    for (int sweep = 0; sweep < 500 && !stop.stop_requested(); ++sweep) {
+      double worst = 0;
+      for (const ShiftEquation& equation : m_equations) worst = std::max(worst, correct(equation));
+      if (worst < 1e-13) break;
+    }
+  }
+
+  [[nodiscard]] double shiftOf(GearOrdinal wheel) const {
+    return rounded(m_shifts[m_classOf[static_cast<std::size_t>(wheel)]], 1e-9);
+  }
+
+ private:
+  /// The sum of the shifts of an external pair; ring less pinion of an internal one.
+  [[nodiscard]] ShiftEquation equationOf(const TrainWheels& train, const TrainPair& pair,
+                                         double wanted) const {
+    const auto sign = [&](GearOrdinal wheel) -> double {
+      return pair.kind == MeshKind::internal && train.wheels[wheel].spec.kind == GearKind::external ? -1 : 1;
+    };
+    return {m_classOf[static_cast<std::size_t>(pair.tail)], m_classOf[static_cast<std::size_t>(pair.head)],
+            sign(pair.tail), sign(pair.head), wanted};
+  }
+
+  /// Takes the shortest step that satisfies the equation; returns how much was missing.
+  double correct(const ShiftEquation& equation) {
+    const auto [tail, head, tailSign, headSign, wanted] = equation;
+    const double missing = wanted - tailSign * m_shifts[tail] - headSign * m_shifts[head];
+    const int free = (m_isFixed[tail] ? 0 : 1) + (m_isFixed[head] ? 0 : 1);
+    if (free == 0) return 0;
+    if (tail == head) {  // the sum is twice the one shift
+      m_shifts[tail] += missing / 2;
+      return std::abs(missing);
+    }
+    if (!m_isFixed[tail]) m_shifts[tail] += tailSign * missing / free;
+    if (!m_isFixed[head]) m_shifts[head] += headSign * missing / free;
+    return std::abs(missing);
+  }
+
+  std::vector<std::size_t> m_classOf;  ///< by wheel
+  std::vector<double> m_shifts;        ///< by class
+  std::vector<bool> m_isFixed;         ///< by class: stated in the document
+  std::vector<ShiftEquation> m_equations;
+};
+
+void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::stop_token& stop) {
+  ShiftSolver solver(train, fixed);
+  solver.solve(stop);
+  for (const GearOrdinal wheel : train.wheels.ordinals())
+    train.wheels[wheel].spec.profileShift = solver.shiftOf(wheel);
 }
 
 /// A bevel pair's shifts cancel out, so that the pitch cones stay the working cones.

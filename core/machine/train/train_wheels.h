@@ -48,7 +48,8 @@ struct TrainWheels {
 
 /// Modules, profile shifts, face widths, backlash and tips of all wheels. A wheel whose meshes are in several
 /// planes (the long planet of a Ravigneaux set) spans all of them, with its origin in the middle. Incomplete
-/// if `stop` was requested meanwhile. Cost: O(wheels + sweeps * meshes), at most 500 sweeps.
+/// if `stop` was requested meanwhile. Wheels in equal circumstances get equal shifts, whatever their number.
+/// Cost: O(wheels + sweeps * meshes), at most 500 sweeps.
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop = {});
 
 /// Moves movable groups of wheels along their axes until no two wheels overlap that do not mesh; in compound

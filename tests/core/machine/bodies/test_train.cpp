@@ -1,5 +1,6 @@
 #include <QtTest>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "core/machine/bodies/body_recipe.h"
@@ -178,6 +179,49 @@ class TestTrain : public QObject {
     QVERIFY(std::abs(inv - 2 * std::tan(alpha) * sum / 30) < 5e-6);  // shifts in steps of 0.0001
     QVERIFY(std::abs(train.gears[2].spec.profileShift - train.gears[1].spec.profileShift) < 1e-9);
     QVERIFY(worstPhase(train) < 1e-9);
+  }
+
+  /// How the shift is divided between sun, planets and ring does not depend on the number of planets.
+  void shiftsDoNotDependOnTheNumberOfPlanets() {
+    const auto shifts = [](int planets) {
+      test::TrainSketch sketch(3 + planets);
+      sketch.axis("a", {"0", "0", "0"});
+      sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a");
+      for (int i = 0; i < planets; ++i) {
+        const double angle = 2 * std::numbers::pi * i / planets;
+        const auto text = [](double v) { return Number::fromDouble(v).text(); };
+        sketch.axis("p" + std::to_string(i), {text(31 * std::cos(angle)), text(31 * std::sin(angle)), "0"});
+        sketch.joint(3, 4 + i, "p" + std::to_string(i));
+      }
+      for (int i = 0; i < planets; ++i)
+        sketch.mesh(1, 4 + i, 12, 18, MeshKind::external).mesh(4 + i, 2, 18, 49, MeshKind::internal);
+      std::map<int, double> byTeeth;
+      for (const TrainGear& gear : trainOf(sketch.build()).gears) {
+        const auto known = byTeeth.try_emplace(gear.spec.teeth, gear.spec.profileShift).first;
+        if (known->second != gear.spec.profileShift) return std::map<int, double>();
+      }
+      return byTeeth;
+    };
+    const std::map<int, double> one = shifts(1);
+    QCOMPARE(one.size(), std::size_t(3));
+    QVERIFY(std::abs(one.at(12)) > 0.05);
+    for (int planets = 2; planets <= 5; ++planets) QVERIFY(shifts(planets) == one);
+  }
+
+  /// Two equal wheels at 41 instead of 40 mm between two others at their standard distance: half the shift
+  /// each.
+  void equalWheelsThatMeshShareAShift() {
+    test::TrainSketch sketch(4);
+    sketch.axis("a", {"0", "0", "0"}).axis("b", {"50", "0", "0"}).axis("c", {"91", "0", "0"});
+    sketch.axis("d", {"141", "0", "0"});
+    sketch.joint(0, 1, "a").joint(0, 2, "b").joint(0, 3, "c").joint(0, 4, "d");
+    sketch.mesh(1, 2, 30, 20, MeshKind::external).mesh(2, 3, 20, 20, MeshKind::external);
+    sketch.mesh(3, 4, 20, 30, MeshKind::external);
+    std::vector<double> shifts;
+    for (const TrainGear& gear : trainOf(sketch.build()).gears) shifts.push_back(gear.spec.profileShift);
+    QCOMPARE(shifts.size(), std::size_t(4));
+    QVERIFY(shifts[1] > 0.2 && shifts[1] == shifts[2] && shifts[0] == shifts[3]);
+    QVERIFY(std::abs(shifts[0] + shifts[1]) < 1e-8);
   }
 
   /// A stepped planet: two wheels of one link that would stand in one place are stacked.
