@@ -20,6 +20,12 @@ namespace geargraph::inline fixes {
 /// assembly, undercut, locked, dead-joint.
 [[nodiscard]] std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 
+/// assembly: the nearest number of equally spaced planets that fits; `planet` is one of them. Empty for
+/// planets of several links.
+[[nodiscard]] std::vector<Fix> planetCountFixes(const Mechanism& mechanism, LinkId planet);
+/// assembly/unequal-planets: tooth counts and numbers of planets with which they are equal parts.
+[[nodiscard]] std::vector<Fix> unequalPlanetFixes(const Diagnostic& diagnostic, const Mechanism& mechanism);
+
 /// The fix that deletes an element. `why`: appended to its text.
 [[nodiscard]] Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element,
                             const std::string& why = {});

@@ -44,7 +44,7 @@ std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& 
 }  // namespace
 
 bool triesBodies(const Diagnostic& diagnostic) {
-  return diagnostic.code == Code::interference;
+  return diagnostic.code == Code::interference || diagnostic.detail == Detail::unequalPlanets;
 }
 
 std::string wordFor(const Mechanism& mechanism, const ElementId& element) {

@@ -117,8 +117,12 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
     }
   }
   if (fixes.size() > 2 * kMostFixes) fixes.resize(2 * kMostFixes);
-  return tried(std::move(fixes), mechanism,
-               [](const Mechanism& repaired) { return trainSays(repaired, Code::assembly); });
+  fixes = tried(std::move(fixes), mechanism,
+                [](const Mechanism& repaired) { return trainSays(repaired, Code::assembly); });
+  const std::vector<Fix> ofCount = planetCountFixes(mechanism, *set->planets.begin());
+  if (fixes.size() + ofCount.size() > kMostFixes) fixes.resize(kMostFixes - ofCount.size());
+  fixes.insert(fixes.end(), ofCount.begin(), ofCount.end());
+  return fixes;
 }
 
 /// All teeth multiplied: every ratio, and every condition on sums of teeth, stays as it was.
@@ -201,7 +205,8 @@ std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot
   if (mechanism.n() > kMostTriedLinks) return {};
   switch (diagnostic.code) {
     case Code::assembly:
-      return assemblyFixes(diagnostic, mechanism);
+      return diagnostic.detail == Detail::unequalPlanets ? unequalPlanetFixes(diagnostic, mechanism)
+                                                         : assemblyFixes(diagnostic, mechanism);
     case Code::undercut:
       return undercutFixes(mechanism);
     default:
