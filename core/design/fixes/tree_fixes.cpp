@@ -86,7 +86,7 @@ std::vector<Fix> loopFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   return fixes;
 }
 
-/// The coupling that closes a linkage in a state: no turning joint is to blame.
+/// The coupling that closes a linkage or ties links on different axes: no turning joint is to blame.
 std::vector<Fix> linkageFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   std::vector<Fix> fixes;
   for (const ElementId& element : diagnostic.elements) {
@@ -99,7 +99,8 @@ std::vector<Fix> linkageFixes(const Diagnostic& diagnostic, const AnalysisSnapsh
 
 std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   if (diagnostic.code == Code::disconnected) return connectionFixes(diagnostic, snapshot);
-  if (diagnostic.detail == Detail::couplingLinkage) return linkageFixes(diagnostic, snapshot);
+  if (diagnostic.detail == Detail::couplingLinkage || diagnostic.detail == Detail::clutchAxes)
+    return linkageFixes(diagnostic, snapshot);
   return loopFixes(diagnostic, snapshot);
 }
 

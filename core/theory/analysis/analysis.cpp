@@ -5,6 +5,7 @@
 
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/model/validate.h"
+#include "core/theory/states/engagement.h"
 
 namespace geargraph::inline analysis {
 namespace {
@@ -23,6 +24,16 @@ Diagnostics placementDiagnostics(const Diagnostics& ttGraph, const Diagnostics& 
     if (!known) all.push_back(diagnostic);
   }
   return all;
+}
+
+/// A clutch between links on different axes is reported once, also where it closes a linkage.
+Diagnostics couplingDiagnostics(Diagnostics clutches, const Diagnostics& engagement) {
+  std::set<ElementId> said;
+  for (const Diagnostic& each : clutches) said.insert(each.elements.front());
+  for (const Diagnostic& each : engagement) {
+    if (!said.contains(each.elements.front())) clutches.push_back(each);
+  }
+  return clutches;
 }
 
 }  // namespace
@@ -51,7 +62,8 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
   if (!snapshot->kinematics) return nullptr;
   append(snapshot->diagnostics,
          placementDiagnostics(snapshot->kinematics->ttGraph->diagnostics(), placed.placement().diagnostics));
-  append(snapshot->diagnostics, snapshot->kinematics->engagement);
+  append(snapshot->diagnostics, couplingDiagnostics(clutchDiagnostics(placed, placed.placement()),
+                                                    snapshot->kinematics->engagement));
   if (const MatroidAnalysis* matroid = snapshot->matroid()) {
     append(snapshot->diagnostics, matroid->diagnostics);
   }
@@ -92,6 +104,7 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   append(snapshot->diagnostics, geometryDiagnostics(*live, stop));
   if (stop.stop_requested()) return nullptr;
   if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);
+  sortBySeverity(snapshot->diagnostics);
   return snapshot;
 }
 

@@ -1,6 +1,7 @@
 #include "core/theory/states/engagement.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/foundations/base/position_index.h"
@@ -50,6 +51,20 @@ std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const 
     }
   }
   return rows;
+}
+
+Diagnostics clutchDiagnostics(const Mechanism& mechanism, const Placement& placement) {
+  Diagnostics diagnostics;
+  for (std::size_t position = 0; position < mechanism.couplings.size(); ++position) {
+    const Coupling& coupling = mechanism.couplings[position];
+    if (coupling.kind != CouplingKind::clutch) continue;
+    const auto [from, to] = endsOf(mechanism, static_cast<int>(position));
+    std::set<int> lines;
+    for (const PathStep& step : treePath(*placement.tree->tree, from, to))
+      lines.insert(placement.classes->classOf[step.joint]);
+    if (lines.size() > 1) diagnostics.push_back(clutchAxes(mechanism, coupling));
+  }
+  return diagnostics;
 }
 
 bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, CouplingOrdinal coupling) {

@@ -22,6 +22,10 @@ namespace geargraph::inline states {
                                                             const Placement& placement,
                                                             CouplingOrdinal coupling);
 
+/// `turning-loop/clutch-axes` for each clutch, engaged or not, between links that turn about more than one
+/// line against each other. @pre as heldRows()
+[[nodiscard]] Diagnostics clutchDiagnostics(const Mechanism& mechanism, const Placement& placement);
+
 /// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
 [[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement,
                                         CouplingOrdinal coupling);

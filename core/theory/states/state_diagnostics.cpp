@@ -125,6 +125,21 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
   return result;
 }
 
+Diagnostic clutchAxes(const Mechanism& mechanism, const Coupling& clutch) {
+  Diagnostic result;
+  result.code = Code::turningLoop;
+  result.detail = Detail::clutchAxes;
+  result.message = translated(
+      "Clutch %1 couples links %2 and %3, which do not turn about one axis against each other: their axes "
+      "are "
+      "not one line. Couple links on one axis, or a planet and its carrier.",
+      {clutch.id.text(), linkLabel(mechanism, clutch.links.front()),
+       linkLabel(mechanism, clutch.links.back())});
+  result.elements.emplace_back(clutch.id);
+  for (const LinkId tied : clutch.links) result.elements.emplace_back(tied);
+  return result;
+}
+
 Diagnostic ratioBeyondRange(const ShiftState& state) {
   Diagnostic result = makeDiagnostic(state, Code::schema);
   result.message = translated(

@@ -21,6 +21,9 @@ namespace geargraph::inline states {
 [[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
                                          const ShiftState* state);
 
+/// turning-loop: the links of the clutch do not turn about one line against each other.
+[[nodiscard]] Diagnostic clutchAxes(const Mechanism& mechanism, const Coupling& clutch);
+
 /// The ratio of the state is beyond the largest double.
 [[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);
 

@@ -1,6 +1,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "core/mechanism/model/edits.h"
@@ -214,6 +215,34 @@ class EngagementTest : public QObject {
         QVERIFY(has(*snapshot, Code::locked));
       }
     }
+  }
+
+  /// A clutch ties links that turn about one line against each other: on one axis, or a planet and its
+  /// carrier.
+  void aClutchBetweenDifferentAxesIsAnError() {
+    const Mechanism set = test::planetary(18, 27);  // sun 1, ring 2, carrier 3, planet 4
+    const auto errorOf = [&](int one, int other) -> std::optional<Diagnostic> {
+      const Mechanism coupled = withClutch(set, set.links[one].id, set.links[other].id).value();
+      for (const Diagnostic& each : analysed(coupled)->diagnostics)
+        if (each.detail == Detail::clutchAxes) return each;
+      return std::nullopt;
+    };
+    QVERIFY(!errorOf(1, 2) && !errorOf(1, 3) && !errorOf(3, 4));
+    for (const int central : {0, 1, 2}) {
+      const auto error = errorOf(4, central);
+      QVERIFY(error && error->severity() == Severity::error && error->code == Code::turningLoop);
+      QVERIFY(error->elements.front() == ElementId(CouplingId("A")));
+      QVERIFY(error->message.find("their axes are not one line") != std::string::npos);
+    }
+  }
+
+  /// One that closes a linkage as well is reported once.
+  void aClutchBetweenDifferentAxesIsReportedOnce() {
+    Mechanism robot = withClutch(test::example("robot"), LinkId("1"), LinkId("7")).value();
+    robot.engaged = {robot.couplings.back().id};
+    const auto& diagnostics = analysed(robot)->diagnostics;
+    const auto isOfClutch = [](const Diagnostic& each) { return each.code == Code::turningLoop; };
+    QCOMPARE(std::count_if(diagnostics.begin(), diagnostics.end(), isOfClutch), std::ptrdiff_t{1});
   }
 
   /// The ring is held while teeth change: what turned it before was a speed that went with the old teeth.
