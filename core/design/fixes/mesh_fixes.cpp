@@ -156,6 +156,7 @@ std::vector<Fix> meshFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
     case Code::coaxialMesh:
     case Code::noTransferVertex:
     case Code::redundantMesh:
+      if (diagnostic.detail == Detail::equalPlanets) return {};  // it is drawn on purpose
       for (const ElementId& element : diagnostic.elements) {
         if (element.kind == ElementKind::gearMesh) return {removalOf(snapshot, element)};
       }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <optional>
 
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
+#include "core/mechanism/placement/planet_groups.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"
 
@@ -25,7 +28,10 @@ std::string couplingName(const Coupling& coupling) {
 /// Speaks of elements by their labels and collects them as culprits.
 class Speaker {
  public:
-  Speaker(const Mechanism& mechanism, Code code) : m_mechanism(mechanism) { m_diagnostic.code = code; }
+  Speaker(const Mechanism& mechanism, Code code, Detail detail = Detail::none) : m_mechanism(mechanism) {
+    m_diagnostic.code = code;
+    m_diagnostic.detail = detail;
+  }
 
   std::string meshes(std::span<const int> positions) {
     return names(
@@ -105,6 +111,74 @@ Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundanc
       "Mesh %1 follows from %2: it constrains nothing more. Harmless for the motion; the load is shared.",
       {name, countedMeshes(redundancy.dependsOn.size(), others)}));
 }
+
+/// Redundant meshes that follow from equal planets: wanted, because the planets share the load.
+class SharedLoads {
+ public:
+  SharedLoads(const Mechanism& mechanism, const Placement& placement)
+      : m_mechanism(mechanism), m_sets(equalPlanets(mechanism, placement, PlanetScope::all)) {
+    for (std::size_t set = 0; set < m_sets.size(); ++set) {
+      for (std::size_t group = 0; group < m_sets[set].size(); ++group) {
+        for (const MeshOrdinal mesh : m_sets[set][group].meshes) m_placeOf[mesh] = {set, group};
+      }
+    }
+    m_redundant.resize(m_sets.size());
+    m_others.resize(m_sets.size());
+  }
+
+  /// True where the mesh and those that it follows from belong to several planets of one set.
+  bool take(const Redundancy& redundancy) {
+    const auto own = m_placeOf.find(redundancy.equation);
+    if (own == m_placeOf.end()) return false;
+    const auto [set, group] = own->second;
+    bool isOfOthers = false;
+    for (const int mesh : redundancy.dependsOn) {
+      const auto place = m_placeOf.find(mesh);
+      if (place == m_placeOf.end() || place->second.first != set) return false;
+      isOfOthers = isOfOthers || place->second.second != group;
+    }
+    if (!isOfOthers) return false;
+    m_redundant[set].push_back(redundancy.equation);
+    m_others[set].insert(m_others[set].end(), redundancy.dependsOn.begin(), redundancy.dependsOn.end());
+    return true;
+  }
+
+  /// One note per set.
+  [[nodiscard]] Diagnostics notes() const {
+    Diagnostics notes;
+    for (std::size_t set = 0; set < m_sets.size(); ++set) {
+      if (m_redundant[set].empty()) continue;
+      std::vector<int> others = m_others[set];
+      std::sort(others.begin(), others.end());
+      others.erase(std::unique(others.begin(), others.end()), others.end());
+      std::erase_if(others, [&](int mesh) {
+        return std::find(m_redundant[set].begin(), m_redundant[set].end(), mesh) != m_redundant[set].end();
+      });
+      Speaker speaker(m_mechanism, Code::redundantMesh, Detail::equalPlanets);
+      const std::string meshes = countedMeshes(m_redundant[set].size(), speaker.meshes(m_redundant[set]));
+      speaker.meshes(others);
+      notes.push_back(speaker.say(translated(
+          "Links %1 are equal planets, which share the load: the motion would be the same without %2.",
+          {planets(m_sets[set]), meshes})));
+    }
+    return notes;
+  }
+
+ private:
+  [[nodiscard]] std::string planets(const std::vector<PlanetGroup>& groups) const {
+    std::vector<std::string> names;
+    for (const PlanetGroup& group : groups) {
+      for (const LinkOrdinal link : group.links) names.push_back(std::to_string(m_mechanism.linkLabel(link)));
+    }
+    return listed(names, kMostNames);
+  }
+
+  const Mechanism& m_mechanism;
+  std::vector<std::vector<PlanetGroup>> m_sets;
+  std::map<int, std::pair<std::size_t, std::size_t>> m_placeOf;  ///< by mesh: set and group
+  std::vector<std::vector<int>> m_redundant;                     ///< meshes, by set
+  std::vector<std::vector<int>> m_others;                        ///< from which they follow
+};
 
 /// The engaged couplings that add nothing, and from which equations they follow. A coupling over axes of
 /// several directions has several rows, of which one that counts is enough.
@@ -328,8 +402,11 @@ Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel&
                                const Placement& placement, const MatroidAnalysis& analysis,
                                std::span<const int> wanted, const std::stop_token& stop) {
   Diagnostics diagnostics;
+  std::optional<SharedLoads> shared;
   for (const Redundancy& redundancy : analysis.redundancies) {
-    if (redundancy.equation < model.c()) diagnostics.push_back(redundantMesh(mechanism, redundancy));
+    if (redundancy.equation >= model.c()) continue;
+    if (!shared) shared.emplace(mechanism, placement);
+    if (!shared->take(redundancy)) diagnostics.push_back(redundantMesh(mechanism, redundancy));
   }
   for (const IdleCoupling& idle : idleCouplings(mechanism, model, analysis))
     diagnostics.push_back(redundantCoupling(mechanism, model, idle));
@@ -347,6 +424,7 @@ Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel&
   if (analysis.inputsGiven && !valid) {
     diagnostics.push_back(invalidInputs(mechanism, model, placement, analysis, wanted, stop));
   }
+  if (shared) append(diagnostics, shared->notes());
   return diagnostics;
 }
 

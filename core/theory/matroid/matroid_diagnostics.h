@@ -8,7 +8,8 @@
 namespace geargraph::inline matroid {
 
 /// The diagnostics of the kinematics: redundant-mesh, redundant-coupling, locked, dead-joint, idle-joint,
-/// no-meshes and invalid-inputs. `wanted`: the document's inputs, as joint ordinals.
+/// no-meshes and invalid-inputs. Redundancy that follows from equal planets is one note per set of planets,
+/// after the others. `wanted`: the document's inputs, as joint ordinals.
 [[nodiscard]] Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel& model,
                                              const Placement& placement, const MatroidAnalysis& analysis,
                                              std::span<const int> wanted, const std::stop_token& stop);

@@ -9,6 +9,7 @@
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
 
 namespace geargraph {
 namespace {
@@ -20,6 +21,16 @@ NumberTriple triple(int x, int y, int z) {
 GearMesh& meshOf(Mechanism& mechanism, const char* id) {
   return *std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
                        [id](const GearMesh& mesh) { return mesh.id == MeshId(id); });
+}
+
+/// Four wheels on the corners of a square, each meshing with the next: one mesh is redundant.
+Mechanism squareOfWheels() {
+  test::TrainSketch sketch(4);
+  sketch.axis("a", {"0", "0", "0"}).axis("b", {"40", "0", "0"}).axis("c", {"40", "40", "0"});
+  sketch.axis("d", {"0", "40", "0"});
+  sketch.joint(0, 1, "a").joint(0, 2, "b").joint(0, 3, "c").joint(0, 4, "d");
+  sketch.mesh(1, 2, 20, 20).mesh(2, 3, 20, 20).mesh(3, 4, 20, 20).mesh(4, 1, 20, 20);
+  return sketch.build();
 }
 
 /// What the editor lists: the snapshot's diagnostics and those of the teeth.
@@ -158,8 +169,16 @@ class FixesTest : public QObject {
     eachFixRepairs(Code::noTransferVertex);
   }
 
+  void equalPlanetsAreNotDeleted() {
+    for (const char* example : {"redundant-planetary", "three-planets", "cannot-be-assembled"}) {
+      provoke(test::example(example));
+      QVERIFY(diagnosticWith(Code::redundantMesh));
+      QVERIFY(offered(Code::redundantMesh).empty());
+    }
+  }
+
   void aRedundantMeshMayGo() {
-    provoke(test::example("redundant-planetary"));
+    provoke(squareOfWheels());
     const int rank = snapshot->matroid()->rank;
     const auto redundant = snapshot->matroid()->redundancies.size();
     QVERIFY(offered(Code::redundantMesh).first().startsWith("Delete mesh "));
@@ -216,6 +235,43 @@ class FixesTest : public QObject {
       QVERIFY2(!diagnosticWith(Code::assembly), fix.text.c_str());
       QVERIFY2(!hasErrors(snapshot->diagnostics), fix.text.c_str());
     }
+  }
+
+  /// Sun 20, planets 26 and 15 on one body, ring 61: other teeth, or another number of planets.
+  void steppedPlanetsBecomeEqual() {
+    test::TrainSketch sketch(6);
+    sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a");
+    for (const int planet : {4, 5, 6}) {
+      sketch.joint(3, planet, "b" + std::to_string(planet));
+      sketch.mesh(1, planet, 20, 26, MeshKind::external).mesh(planet, 2, 15, 61, MeshKind::internal);
+    }
+    provoke(sketch.build());
+    const QStringList texts = offered(Code::assembly);
+    QVERIFY2(texts.contains(QStringLiteral("Use 2 equally spaced planets")), qPrintable(texts.join(" | ")));
+    QVERIFY2(texts.size() == 3 && texts.first().contains("teeth"), qPrintable(texts.join(" | ")));
+    const auto found = diagnosticWith(Code::assembly);
+    const SnapshotPtr broken = snapshot;
+    for (const Fix& fix : fixesFor(*found, *broken)) {
+      provoke(*fix.edit(*broken->mechanism));
+      QVERIFY2(!diagnosticWith(Code::assembly), fix.text.c_str());
+      QVERIFY2(!hasErrors(snapshot->diagnostics), fix.text.c_str());
+      QCOMPARE(snapshot->matroid()->dof, broken->matroid()->dof);
+    }
+  }
+
+  void theNumberOfPlanetsIsAFixToo() {
+    provoke(test::planetary(20, 20, 3));  // 80 / 3
+    const QStringList texts = offered(Code::assembly);
+    QVERIFY2(texts.contains(QStringLiteral("Use 4 equally spaced planets")), qPrintable(texts.join(" | ")));
+    eachFixRepairs(Code::assembly);
+  }
+
+  void aClutchBetweenDifferentAxesIsDropped() {
+    const Mechanism set = test::planetary(18, 27);
+    provoke(withClutch(set, set.links[2].id, set.links[4].id).value());
+    QCOMPARE(offered(Code::turningLoop), QStringList(QStringLiteral("Delete clutch A")));
+    eachFixRepairs(Code::turningLoop);
+    QVERIFY(*snapshot->mechanism == set);
   }
 
   void undercutGoesWithMoreTeethOfTheSameRatio() {

@@ -104,6 +104,25 @@ class TestMatroidDiagnostics : public QObject {
     QCOMPARE(blamed(diagnostic), (QStringList{"14", "11", "12", "13"}));
   }
 
+  /// What follows from equal planets is one note per set, after the others.
+  void redundancyOfEqualPlanetsIsOneNote() {
+    for (int planets = 2; planets <= 5; ++planets) {
+      const Worked worked(planetary(24, 18, planets));
+      QVERIFY(codes(worked.analysis) == std::vector<Code>{Code::redundantMesh});
+      const Diagnostic note = find(worked.analysis, Code::redundantMesh);
+      QCOMPARE(note.detail, Detail::equalPlanets);
+      QCOMPARE(note.severity(), Severity::info);
+      QCOMPARE(note.elements.size(), std::size_t(2 * planets));  // all meshes, the redundant ones first
+    }
+    const Worked three(planetary(24, 18, 3));
+    QCOMPARE(
+        find(three.analysis, Code::redundantMesh).message,
+        std::string("Links 4, 5 and 6 are equal planets, which share the load: the motion would be the same "
+                    "without meshes 16 and 18."));
+    const Worked square(ringOfWheels({20, 30, 40, 25}));
+    QCOMPARE(find(square.analysis, Code::redundantMesh).severity(), Severity::warning);
+  }
+
   void aTriangleOfWheelsIsLocked() {
     const Worked worked(ringOfWheels({20, 30, 40}));
     QCOMPARE(worked.analysis.dof, 0);
