@@ -343,12 +343,21 @@ Diagnostic blockedDiagnostic(const Mechanism& mechanism, const std::vector<LinkO
     labels.push_back(std::to_string(link));
     elements.emplace_back(mechanism.links[link].id);
   }
+  const auto statesPoint = [&](const GearMesh& mesh) {
+    const auto isOne = [&](const ElementId& link) { return link == mesh.tail || link == mesh.head; };
+    return mesh.pitchPoint && std::any_of(elements.begin(), elements.end(), isOne);
+  };
+  const bool any = std::any_of(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(), statesPoint);
+  const std::string names = listed(labels, kAllNames);
   return makeDiagnostic(
       Detail::bodiesOverlap,
-      translated(
-          "Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or change the "
-          "tooth counts.",
-          {listed(labels, kAllNames)}),
+      any ? translated(
+                "Links %1 overlap in 3D: move their joints along the axes, leave pitch points open, or "
+                "change the tooth counts.",
+                {names})
+          : translated(
+                "Links %1 overlap in 3D: move their joints along the axes, or change the tooth counts.",
+                {names}),
       std::move(elements));
 }
 

@@ -51,9 +51,25 @@ void checkBody(const GearSpec& s, Diagnostics& found) {
   }
 }
 
+Diagnostic tooFew(const GearSpec& spec, int fewest) {
+  const std::string teeth = std::to_string(spec.teeth);
+  const std::string least = std::to_string(fewest);
+  if (spec.kind == GearKind::internal)
+    return rejected(translated("%1 teeth are too few for a ring that a rack can generate; use at least %2.",
+                               {teeth, least}));
+  if (spec.teeth == 1)
+    return rejected(
+        translated("One tooth is too few for a gear that a rack can generate; use at least %1.", {least}));
+  return rejected(translated("%1 teeth are too few for a gear that a rack can generate; use at least %2.",
+                             {teeth, least}));
+}
+
 }  // namespace
 
 Diagnostics specDiagnostics(const GearSpec& spec) {
+  const bool ring = spec.kind == GearKind::internal;
+  const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
+  if (spec.teeth < fewest) return {tooFew(spec, fewest)};  // whatever its other numbers are
   if (!numbersAreSane(spec)) {
     return {rejected(
         translated("A gear of %1 teeth has a measure that no tooth can have; module and face width must be "
@@ -62,15 +78,7 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
                    {std::to_string(spec.teeth)}))};
   }
   Diagnostics found;
-  const bool ring = spec.kind == GearKind::internal;
-  const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
-  if (spec.teeth < fewest) {
-    found.push_back(rejected(
-        ring ? translated("%1 teeth are too few for a ring that a rack can generate; use at least %2.",
-                          {std::to_string(spec.teeth), std::to_string(fewest)})
-             : translated("%1 teeth are too few for a gear that a rack can generate; use at least %2.",
-                          {std::to_string(spec.teeth), std::to_string(fewest)})));
-  } else if (spec.kind == GearKind::bevel) {
+  if (spec.kind == GearKind::bevel) {
     if (!(spec.coneAngle > 0.01 && spec.coneAngle < pi - 0.3)) {
       found.push_back(rejected(translated(
           "The pitch cone of a bevel gear must be between %1 and 163 degrees.", {oneDecimal(0.6)})));

@@ -35,6 +35,26 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
   return solvePhases(wheels, meshes);
 }
 
+/// What would separate the two, of what the document has not left open already.
+std::string overlapAdvice(const Mechanism& mechanism, const TrainGear& one, const TrainGear& other) {
+  bool statesPoint = false;
+  bool statesFace = mechanism.gearDefaults && mechanism.gearDefaults->faceWidth;
+  for (const TrainGear* gear : {&one, &other}) {
+    for (const MeshOrdinal mesh : gear->meshes) {
+      statesPoint = statesPoint || mechanism.gearMeshes[mesh].pitchPoint.has_value();
+      statesFace = statesFace || mechanism.gearMeshes[mesh].faceWidth.has_value();
+    }
+  }
+  const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
+  if (bevels && statesFace)
+    return translated("Use smaller face widths, or leave them or a pitch point open.");
+  if (bevels && statesPoint) return translated("Move a pitch point on its axes, or leave it open.");
+  if (statesPoint) return translated("Move the pitch point of one along its axis, or leave it open.");
+  return translated(
+      "No free places along their axes clear them: move an axis, change tooth counts, or state pitch "
+      "points.");
+}
+
 }  // namespace
 
 TrainWheels shapedWheels(const Mechanism& mechanism, const Placement& placement,
@@ -80,16 +100,11 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
   for (const auto& [a, b] : overlappingWheels(wheels, placement, stop)) {
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
-    const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
-    found.push_back(makeDiagnostic(
-        Detail::wheelsOverlap,
-        bevels ? translated("Gears %1 and %2 overlap and do not mesh. Use smaller face widths, "
-                            "or leave them or a pitch point open.",
-                            {one.name, other.name})
-               : translated("Gears %1 and %2 overlap and do not mesh. Move the pitch point of "
-                            "one along its axis, or leave it open.",
-                            {one.name, other.name}),
-        {mechanism.links[one.link].id, mechanism.links[other.link].id}));
+    found.push_back(
+        makeDiagnostic(Detail::wheelsOverlap,
+                       translated("Gears %1 and %2 overlap and do not mesh.", {one.name, other.name}) + ' ' +
+                           overlapAdvice(mechanism, one, other),
+                       {mechanism.links[one.link].id, mechanism.links[other.link].id}));
   }
   return found;
 }

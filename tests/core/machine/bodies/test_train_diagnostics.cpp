@@ -471,6 +471,19 @@ class TestTrainDiagnostics : public QObject {
     QVERIFY(trainDiagnostics(mechanism, placementOf(mechanism), stop.get_token()).empty());
   }
 
+  /// Advice is only what the document does not do already.
+  void overlapsOfOpenPlacesAreNotAdvisedToBeLeftOpen() {
+    const Diagnostics found = diagnosticsFor(meshingSteppedPlanets(5));
+    QVERIFY2(count(found, Detail::wheelsOverlap) + count(found, Detail::bodiesOverlap) > 0, listed(found));
+    QVERIFY2(count(found, Code::interference, "leave") == 0, listed(found));
+  }
+
+  void oneToothIsTooFew() {
+    const Diagnostics found = diagnosticsFor(pair(1, 40));
+    QVERIFY2(count(found, Detail::noToothForm, "One tooth is too few") == 1, listed(found));
+    QCOMPARE(count(found, Detail::noToothForm, "module"), 0);
+  }
+
   /// A shaft with wheels at both ends lies across another wheel.
   void bodiesWithoutARouteAreReported() {
     test::TrainSketch sketch(4);
