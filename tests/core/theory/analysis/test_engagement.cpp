@@ -223,7 +223,8 @@ class EngagementTest : public QObject {
     const Mechanism set = test::planetary(18, 27);  // sun 1, ring 2, carrier 3, planet 4
     const auto errorOf = [&](int one, int other) -> std::optional<Diagnostic> {
       const Mechanism coupled = withClutch(set, set.links[one].id, set.links[other].id).value();
-      for (const Diagnostic& each : analysed(coupled)->diagnostics)
+      const SnapshotPtr snapshot = analysed(coupled);
+      for (const Diagnostic& each : snapshot->diagnostics)
         if (each.detail == Detail::clutchAxes) return each;
       return std::nullopt;
     };
@@ -240,7 +241,8 @@ class EngagementTest : public QObject {
   void aClutchBetweenDifferentAxesIsReportedOnce() {
     Mechanism robot = withClutch(test::example("robot"), LinkId("1"), LinkId("7")).value();
     robot.engaged = {robot.couplings.back().id};
-    const auto& diagnostics = analysed(robot)->diagnostics;
+    const SnapshotPtr snapshot = analysed(robot);
+    const Diagnostics& diagnostics = snapshot->diagnostics;
     const auto isOfClutch = [](const Diagnostic& each) { return each.code == Code::turningLoop; };
     QCOMPARE(std::count_if(diagnostics.begin(), diagnostics.end(), isOfClutch), std::ptrdiff_t{1});
   }
