@@ -7,6 +7,19 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
+/// Which part of the motion a complete check covers.
+std::string extentOf(const MotionCheck& check) {
+  if (check.from == 0 && check.to == 0)
+    return translated("motion checked: the distance of no two parts changes, so that nothing can collide");
+  const std::string from = secondsText(check.from);
+  const std::string to = secondsText(check.to);
+  if (!check.coversAll)
+    return translated("motion checked from %1 to %2; it does not repeat sooner", {from, to});
+  return check.isLimited
+             ? translated("motion checked from %1 to %2, between the limits of the joints", {from, to})
+             : translated("motion checked for %1, until the motion of every two links repeats", {to});
+}
+
 }  // namespace
 
 std::string diagnosticLines(std::string_view file, const Diagnostics& diagnostics) {
@@ -58,13 +71,7 @@ std::string motionCheckLine(std::string_view file, const std::optional<MotionRep
   if (!check.isComplete)
     return text + ": " + translated("motion checked in part only: too many parts come close to each other") +
            '\n';
-  const std::string from = secondsText(check.from);
-  const std::string to = secondsText(check.to);
-  return text + ": " +
-         (check.coversAll
-              ? translated("motion checked from %1 to %2, all of it", {from, to})
-              : translated("motion checked from %1 to %2; it does not repeat sooner", {from, to})) +
-         '\n';
+  return text + ": " + extentOf(check) + '\n';
 }
 
 }  // namespace geargraph::cli

@@ -47,6 +47,7 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::option
     if (stop.stop_requested()) return std::nullopt;
     if (*motion) append(diagnostics, (*motion)->diagnostics);
   }
+  sortBySeverity(diagnostics);
   return diagnostics;
 }
 

@@ -87,7 +87,8 @@ class MotionSearch {
     }
     m_check.isComplete = !m_stop.stop_requested() && budget >= 0;
     m_check.to = std::min(m_uncovered, std::isfinite(m_range.to) ? m_range.to : m_longest);
-    if (m_range.isLimited())
+    m_check.isLimited = m_range.isLimited();
+    if (m_check.isLimited)
       m_check.from = 0 - std::min(m_uncovered, std::isfinite(m_range.from) ? -m_range.from : m_longest);
     for (const auto& [links, time] : m_first) m_check.collisions.push_back({links.first, links.second, time});
     const auto key = [](const MotionCollision& c) {

@@ -23,11 +23,13 @@ struct MotionCheck {
   std::vector<MotionCollision>
       collisions;  ///< by time, those of the forward motion first; one per pair of links
   /// s: all pairs of parts were followed from `from` to `to`, each until it repeats; `from` is below 0 where
-  /// limits let the motion run backwards.
+  /// limits let the motion run backwards. Both are 0 where nothing bounds the motion and the distance of no
+  /// two parts changes, so that nothing can collide.
   double from = 0;
   double to = 0;
   /// Was all of the motion examined: up to the limits of the joints, or until each pair of parts repeats?
   bool coversAll = true;
+  bool isLimited = false;  ///< the limits of joints bound the motion
   bool isComplete = true;  ///< false: cancelled, or the budget was spent; pairs may be missing
 };
 
