@@ -9,6 +9,7 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
+#include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
@@ -141,6 +142,18 @@ int failure(const Arguments& arguments, const MeshFileError& why) {
   return why.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
 
+/// Of a film of a motion that the limits of joints bound: between which it goes there and back.
+std::string limitsNote(const Stage& stage, const StageRendering& rendering) {
+  if (!rendering.animation || rendering.animation->kind != AnimationKind::motion || !stage.range) return {};
+  const StageRange range = stage.range(std::vector<double>(stage.inputSpeeds.size(), 0));
+  std::vector<std::string> ends;
+  for (const StageLimit* end : {&range.from, &range.to})
+    if (!end->text.empty()) ends.push_back(end->text);
+  if (ends.empty()) return {};
+  return translated("The motion in the file goes there and back within the limits of joints: %1.",
+                    {listed(ends, kAllNames)});
+}
+
 }  // namespace
 
 std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most) {
@@ -178,6 +191,8 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   const auto parsed = renderingFrom(arguments, stage, *snapshot);
   if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(kExport, error->message);
   auto rendering = std::get<StageRendering>(parsed);
+  if (const std::string note = limitsNote(*stage, rendering); !note.empty())
+    std::cerr << "geargraph-cli: " << note << '\n';
   ShownForces shown;
   if (rendering.view.marks.forces) {
     auto forces = forcesOf(snapshot, arguments);

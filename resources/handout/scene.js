@@ -212,6 +212,7 @@ const showScene = async place => {
     scrub.title = text;
   };
   let last = null;  // when the last frame of a playback was painted; null: it rests
+  let direction = 1;  // of a playback, which turns round at the limits of joints
   const goTo = time => {
     const joint = motion.goTo(time);
     if (joint >= 0) {
@@ -219,8 +220,8 @@ const showScene = async place => {
       const angle = ratesOf(gains, motion.inputTurns())[joint].toNumber() * 360;
       const limit = [low, high].filter(each => each !== undefined).map(each => each * 180 / Math.PI)
                         .sort((a, b) => Math.abs(a - angle) - Math.abs(b - angle))[0];
-      status.textContent = say('atLimit', name, limit.toFixed(0));
-    } else {
+      status.textContent = say(last === null ? 'atLimit' : 'turnsRound', name, limit.toFixed(0));
+    } else if (last === null) {
       status.textContent = '';
     }
     pose();
@@ -235,12 +236,14 @@ const showScene = async place => {
     if (last === null) return;
     const step = Math.min(100, now - last) / 1000;
     last = now;
-    if (goTo(motion.time.toNumber() + step / (2 * Math.PI))) requestAnimationFrame(frame);
-    else rest();
+    const isFree = goTo(motion.time.toNumber() + direction * step / (2 * Math.PI));
+    if (!isFree) direction = -direction;
+    requestAnimationFrame(frame);
   };
   const toggle = () => {
     if (last !== null) return rest();
     last = performance.now();
+    direction = 1;
     play.textContent = '\u23f8 ' + say('pause');
     requestAnimationFrame(frame);
   };

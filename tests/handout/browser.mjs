@@ -289,6 +289,13 @@ test('a joint stops at its limit and says so', async () => {
     range.dispatchEvent(new Event('input', {bubbles: true}));
   });
   assert.match(await page.$eval('.time', text => text.textContent), /^Joint \d+ is at its limit of .*°\.$/);
+  await page.focus('#scene canvas');
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => /the motion turns round\.$/.test(document.querySelector('.time').textContent));
+  const time = () => page.$eval('[aria-label=Time]', range => Number(range.value));
+  const atLimit = await time();
+  await page.waitForFunction(from => Number(document.querySelector('[aria-label=Time]').value) < from, {}, atLimit);
+  await page.keyboard.press('Space');
   await left(each);
 });
 

@@ -43,6 +43,7 @@ constexpr ScriptText kTexts[] = {
     {"secondsOf", toTranslate("%1 s of %2 s")},
     {"toReference", toTranslate("To the reference pose")},
     {"atLimit", toTranslate("%1 is at its limit of %2°.")},
+    {"turnsRound", toTranslate("%1 has reached its limit of %2°: the motion turns round.")},
     {"view3d", toTranslate("3D")},
     {"wholeTrain", toTranslate("Whole train, from the corner")},
     {"alongAxis", toTranslate("Along %1")},

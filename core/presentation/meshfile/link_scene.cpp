@@ -21,11 +21,12 @@ Eigen::Vector3d originOf(const LinkSceneSource& source, LinkOrdinal link) {
   return source.kinematics.line(source.tree.jointToParent(link)).point;
 }
 
-/// Whole quarter turns of each joint in one period, by joint; of a stretch, their rates instead.
+/// Whole quarter turns of each joint in one period, by joint; of a stretch or a range, their rates instead.
 struct Period {
   std::vector<long long> quarters;
   double seconds = 0;
   std::vector<double> rates = {};
+  std::optional<std::pair<double, double>> range = {};
 };
 
 MeshFileError tooLong(const Rational& turns) {
@@ -36,13 +37,16 @@ MeshFileError tooLong(const Rational& turns) {
                  {turns.toString()})};
 }
 
-std::variant<Period, MeshFileError> stretchOf(const UniformMotion& motion) {
+/// A stretch, or there and back in a range.
+std::variant<Period, MeshFileError> boundedOf(const UniformMotion& motion) {
   Period period;
-  period.seconds = *motion.stretch;
+  period.range = motion.range;
+  const double ofMotion = motion.range ? 2 * (motion.range->second - motion.range->first) : *motion.stretch;
+  period.seconds = motion.range ? motion.seconds.value_or(ofMotion) : ofMotion;
   double keys = 0;
   for (const Rational& rate : motion.rates) {
     period.rates.push_back(rate.toDouble());
-    keys += std::abs(period.rates.back()) * period.seconds * 2 / std::numbers::pi + 2;
+    keys += std::abs(period.rates.back()) * ofMotion * 2 / std::numbers::pi + 4;
   }
   if (keys <= static_cast<double>(kMostKeys)) return period;
   return MeshFileError{MeshFileError::Kind::limit,
@@ -54,7 +58,14 @@ std::vector<RotationKey> keysOf(const LinkSceneSource& source, const Period& per
   const auto place = static_cast<std::size_t>(joint);
   const Eigen::Vector3d axis = source.kinematics.line(joint).direction;
   const int sense = -source.tree.directionToGround(joint);
-  if (place < period.rates.size() && period.rates[place] != 0)
+  const bool turns = place < period.rates.size() && period.rates[place] != 0;
+  if (turns && period.range) {
+    const auto [from, to] = *period.range;
+    auto keys = thereAndBack(axis, Eigen::Quaterniond::Identity(), sense * period.rates[place], from, to);
+    for (RotationKey& key : keys) key.seconds *= period.seconds / (2 * (to - from));
+    return keys;
+  }
+  if (turns)
     return turnFor(axis, Eigen::Quaterniond::Identity(), sense * period.rates[place], period.seconds);
   if (place < period.quarters.size() && period.quarters[place] != 0)
     return uniformTurn(axis, Eigen::Quaterniond::Identity(), sense * period.quarters[place], period.seconds);
@@ -103,7 +114,7 @@ std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
   Period period;
   if (motion) {
     GEARGRAPH_REQUIRE(static_cast<int>(motion->rates.size()) == source.kinematics.jointCount());
-    auto found = motion->stretch ? stretchOf(*motion) : periodOf(*motion);
+    auto found = motion->stretch || motion->range ? boundedOf(*motion) : periodOf(*motion);
     if (const auto* error = std::get_if<MeshFileError>(&found)) return *error;
     period = std::get<Period>(std::move(found));
   }

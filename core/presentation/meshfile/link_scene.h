@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct UniformMotion {
   std::optional<double> seconds;  ///< none: in real time
   /// Instead of one period, this many seconds of the motion in real time.
   std::optional<double> stretch = {};
+  /// Instead of one period: there and back between these times of the motion, s, below and above 0, with
+  /// which the limits of joints leave it. Exactly one may be 0.
+  std::optional<std::pair<double, double>> range = {};
 };
 
 /// The most rotation keys of an animation. Tooth counts without common factors have long periods.
@@ -40,8 +44,8 @@ constexpr std::size_t kMostKeys = 1'000'000;
 ///
 /// Nodes and materials have the names of the links, "link 3" for a link without a name; parts have their own.
 /// Identity: worldPosesAt() of a part is the pose of its link by ForwardKinematics times the part's own.
-/// Fails with `limit` where a period, or the stretch, takes more than kMostKeys keys; the message says how
-/// many turns a period has. Cost: O(links + parts + keys).
+/// Fails with `limit` where a period, the stretch or the range takes more than kMostKeys keys; the message
+/// says how many turns a period has. Cost: O(links + parts + keys).
 [[nodiscard]] std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
                                                                const std::optional<UniformMotion>& motion);
 

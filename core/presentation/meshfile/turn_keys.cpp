@@ -38,4 +38,19 @@ std::vector<RotationKey> turnFor(const Eigen::Vector3d& axis, const Eigen::Quate
   return keys;
 }
 
+std::vector<RotationKey> thereAndBack(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
+                                      double rate, double from, double to) {
+  std::vector<RotationKey> keys{{0, rest}};
+  for (const double stretch : {to, from - to, -from}) {  // s of the motion, backwards below 0
+    if (stretch == 0) continue;
+    const RotationKey start = keys.back();
+    const std::vector<RotationKey> more =
+        turnFor(axis, start.rotation, stretch < 0 ? -rate : rate, std::abs(stretch));
+    for (std::size_t i = 1; i < more.size(); ++i)
+      keys.push_back({start.seconds + more[i].seconds, more[i].rotation});
+  }
+  keys.back().rotation = rest;
+  return keys;
+}
+
 }  // namespace geargraph::inline meshfile

@@ -20,4 +20,10 @@ namespace geargraph::inline meshfile {
 [[nodiscard]] std::vector<RotationKey> turnFor(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
                                                double rate, double seconds);
 
+/// The keys of a motion at `rate` rad/s, not 0, from time 0 to `to`, back to `from` and on to 0: it starts
+/// and ends at `rest` and takes 2 (to - from). @pre from <= 0 <= to, not both 0
+[[nodiscard]] std::vector<RotationKey> thereAndBack(const Eigen::Vector3d& axis,
+                                                    const Eigen::Quaterniond& rest, double rate, double from,
+                                                    double to);
+
 }  // namespace geargraph::inline meshfile

@@ -1,12 +1,16 @@
 #include "core/presentation/results/train_export.h"
 
+#include <cmath>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
 #include "core/foundations/base/spoken.h"
+#include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/drawing/palette.h"
+#include "core/theory/pose/joint_limits.h"
 
 namespace geargraph::inline results {
 namespace {
@@ -81,6 +85,43 @@ std::variant<MeshScene, MeshFileError> stretchScene(const LinkSceneSource& sourc
   return scene;
 }
 
+/// The motion there and back between the limits of joints, if they bound it. `shows`: between which.
+bool boundByLimits(const Mechanism& mechanism, UniformMotion& motion, std::string& shows) {
+  std::vector<double> rates;
+  for (const Rational& rate : motion.rates) rates.push_back(rate.toDouble());
+  const std::vector<double> reference(rates.size(), 0);
+  const MotionRange range = motionRange(angleLimits(mechanism), reference, rates);
+  if (!range.isLimited()) return false;
+  std::vector<std::string> ends;
+  const auto boundary = [&](double time, JointOrdinal joint) -> double {
+    if (joint < 0) return 0;  // open at this end: the motion turns round in the reference pose
+    const double degrees = rates[static_cast<std::size_t>(joint)] * time * 180 / std::numbers::pi;
+    ends.push_back(translated("joint %1 at %2°", {std::to_string(mechanism.jointLabel(joint)),
+                                                  std::to_string(std::lround(degrees))}));
+    return time;
+  };
+  const double from = boundary(range.from, range.fromJoint);
+  const double to = boundary(range.to, range.toJoint);
+  motion.range = {std::min(from, 0.0), std::max(to, 0.0)};
+  shows = translated("The motion in the file goes there and back within the limits of joints: %1.",
+                     {listed(ends, kAllNames)});
+  return true;
+}
+
+/// The same between nearer times where it has too many keys.
+std::variant<MeshScene, MeshFileError> narrowedScene(const LinkSceneSource& source, UniformMotion motion) {
+  auto& [from, to] = *motion.range;
+  from = std::max(from, -kStretch / 2);
+  to = std::min(to, kStretch / 2);
+  auto scene = linkScene(source, motion);
+  while (std::holds_alternative<MeshFileError>(scene) && to - from > kShortestAnimation) {
+    from /= 10;
+    to /= 10;
+    scene = linkScene(source, motion);
+  }
+  return scene;
+}
+
 }  // namespace
 
 std::variant<ExportTrain, ExportFailure> exportTrain(SnapshotPtr snapshot, const std::stop_token& stop) {
@@ -131,8 +172,12 @@ std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, co
     if (choice.seconds > 0) motion->seconds = choice.seconds;
   }
   TrainSolids solids{{}, tolerance, std::move(made.diagnostics), {}};
+  const bool isBound = motion && boundByLimits(from.mechanism(), *motion, solids.shows);
+  if (isBound && motion->range->first == motion->range->second) motion.reset();
   auto scene = linkScene(source, motion);
-  if (const auto* error = std::get_if<MeshFileError>(&scene)) {
+  if (const auto* error = std::get_if<MeshFileError>(&scene); error != nullptr && isBound) {
+    if (choice.seconds == 0) scene = narrowedScene(source, *std::move(motion));
+  } else if (error != nullptr) {
     solids.shows = error->message;
     scene = stretchScene(source, *std::move(motion), choice.seconds, solids.shows);
   }

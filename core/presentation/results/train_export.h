@@ -55,7 +55,8 @@ struct SolidsChoice {
   std::optional<double> tolerance = {};
   std::optional<std::string> link = {};  ///< only the link with this label
   bool moves = false;                    ///< with the motion at the document's speeds
-  /// The duration of one period in the file, s; 0: real time. If the period is too long for a file: this many
+  /// The duration of one period in the file, or of the way there and back between the limits of joints, s; 0:
+  /// real time. If the period is too long for a file: this many
   /// seconds of the motion in real time; 0: kStretch, less of what is faster, and of what is faster still the
   /// train at rest.
   double seconds = 0;
@@ -65,7 +66,7 @@ struct TrainSolids {
   MeshScene scene;
   double tolerance = 0;  ///< the one taken, in modules
   Diagnostics left;  ///< about gears of a large train that cannot be made and are left out, as in the 3D view
-  std::string shows;  ///< what the file shows instead of one period, and why; empty otherwise
+  std::string shows;  ///< what the file shows instead of one period, as between limits; empty otherwise
 };
 
 /// The whole train, or one link of it, as a scene for a 3D file. Fails if a gear of a small train cannot be

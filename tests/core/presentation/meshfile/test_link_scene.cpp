@@ -170,6 +170,28 @@ class TestLinkScene : public QObject {
     QVERIFY(std::get<MeshFileError>(tooFast).kind == MeshFileError::Kind::limit);
   }
 
+  /// Between limits the motion goes there and back: to 0.7 s, back to -1.2 s and on to 0.
+  void aRangeIsShownThereAndBack() {
+    const Robot robot = paperRobot();
+    for (const std::optional<double> seconds : {std::optional<double>(), std::optional(10.0)}) {
+      UniformMotion motion{robot.rates, seconds};
+      motion.range = {-1.2, 0.7};
+      const auto made = linkScene(robot.source(), motion);
+      QVERIFY(std::holds_alternative<MeshScene>(made));
+      const auto& scene = std::get<MeshScene>(made);
+      const double scale = seconds.value_or(3.8) / 3.8;
+      QVERIFY(std::abs(durationOf(scene) - 3.8 * scale) < 1e-12);
+      for (const auto& [time, motionTime] :
+           {std::pair{0.0, 0.0}, {0.4, 0.4}, {0.7, 0.7}, {1.0, 0.4}, {2.6, -1.2}, {3.0, -0.8}, {3.8, 0.0}}) {
+        const auto poses = worldPosesAt(scene, time * scale);
+        const auto wanted = robot.expected(motionTime);
+        for (std::size_t part = 0; part < wanted.size(); ++part)
+          QVERIFY((poses[poses.size() - wanted.size() + part].matrix() - wanted[part].matrix()).norm() <
+                  1e-9);
+      }
+    }
+  }
+
   void aPeriodBeyondTheLimitIsRejectedWithItsLength() {
     Robot robot = paperRobot();
     robot.rates[0] = Rational(1, 1'000'003);

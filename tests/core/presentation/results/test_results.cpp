@@ -75,6 +75,38 @@ class TestResults : public QObject {
     QVERIFY(durationOf(solids.scene) > 0 && solids.shows.empty() && solids.left.empty());
   }
 
+  /// The file moves within the limits of joints, there and back.
+  void aMotionInAFileStaysWithinLimits() {
+    Mechanism limited = robot();
+    limited.turningJoints[0].limits = {Number(-170), Number(100)};
+    const ExportTrain train = trainOf(limited);
+    const auto solids = std::get<TrainSolids>(trainSolids(train, {.tolerance = 0.2, .moves = true}));
+    QVERIFY2(solids.shows.find("joint 8 at -170° and joint 8 at 100°") != std::string::npos,
+             solids.shows.c_str());
+    const double rate = std::abs(train.motions.front().front().toDouble());
+    QVERIFY(std::abs(durationOf(solids.scene) - 2 * 270 * std::numbers::pi / 180 / rate) < 1e-9);
+    const auto timed =
+        std::get<TrainSolids>(trainSolids(train, {.tolerance = 0.2, .moves = true, .seconds = 5}));
+    QVERIFY(std::abs(durationOf(timed.scene) - 5) < 1e-12);
+    // A joint that is open at one end turns back in the reference pose; one that cannot turn stays at rest.
+    limited.turningJoints[0].limits = {{}, Number(100)};
+    const auto open = std::get<TrainSolids>(trainSolids(trainOf(limited), {.tolerance = 0.2, .moves = true}));
+    QVERIFY(std::abs(durationOf(open.scene) - 2 * 100 * std::numbers::pi / 180 / rate) < 1e-9);
+    limited.turningJoints[0].limits = {Number(0), Number(0)};
+    const auto still =
+        std::get<TrainSolids>(trainSolids(trainOf(limited), {.tolerance = 0.2, .moves = true}));
+    QCOMPARE(durationOf(still.scene), 0.0);
+  }
+
+  /// Limits so wide that all turns between them have too many keys: nearer ones, not the motion beyond.
+  void wideLimitsAreNarrowedForAFile() {
+    Mechanism limited = robot();
+    limited.turningJoints[0].limits = {Number(-1000000000), Number(1000000000)};
+    const auto solids =
+        std::get<TrainSolids>(trainSolids(trainOf(limited), {.tolerance = 0.2, .moves = true}));
+    QVERIFY(durationOf(solids.scene) > 0 && durationOf(solids.scene) <= 2 * kStretch + 1e-9);
+  }
+
   /// As in a long train, whose gears make each other faster and faster.
   void aMotionTooFastForAFileLeavesTheTrainAtRest() {
     ExportTrain train = trainOf(robot());
