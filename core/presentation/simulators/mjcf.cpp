@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"
@@ -6,14 +7,18 @@
 namespace geargraph::inline simulators {
 namespace {
 
-constexpr double kRotor = 100;      // times the inertia that the input feels
+constexpr double kRotor = 100;  // times the inertia that the input feels
+constexpr const char* kHardConstraint = "0.9999 0.9999 0.001 0.5 2";
 constexpr double kServoGain = 0.1;  // of what would turn the whole inertia in one step: stable, and stiff
 
 class MjcfWriter {
  public:
   MjcfWriter(const SimulatorModel& model, const SimulatorOptions& options)
       : m_model(model), m_options(options), m_children(model.links.size()) {
-    for (const LinkOrdinal link : model.order) m_children[at(link).parent].push_back(link);
+    for (const LinkOrdinal link : model.order) {
+      m_children[at(link).parent].push_back(link);
+      m_hasLimits = m_hasLimits || isLimited(at(link));
+    }
     for (const SimulatedInput& input : model.inputs) {
       if (options.motor != SimulatorMotor::speed) continue;
       m_rotors.emplace_back(input.joint, options.armature.value_or(kRotor * input.inertia));
@@ -33,9 +38,13 @@ class MjcfWriter {
     line(R"(  <flag contact="disable" eulerdamp="disable"/>)");
     line("</option>");
     line("<default>");
+    if (m_hasLimits) {
+      line("  <joint" + xmlAttribute("solreflimit", stiffness()) +
+           xmlAttribute("solimplimit", kHardConstraint) + "/>");
+    }
     line(R"(  <geom type="mesh" contype="0" conaffinity="0" group="1"/>)");
-    line("  <equality" + xmlAttribute("solref", xmlNumber(2 * m_options.timestep) + " 1") +
-         xmlAttribute("solimp", "0.9999 0.9999 0.001 0.5 2") + "/>");
+    line("  <equality" + xmlAttribute("solref", stiffness()) + xmlAttribute("solimp", kHardConstraint) +
+         "/>");
     line("</default>");
     assets();
     line("<worldbody>");
@@ -54,6 +63,17 @@ class MjcfWriter {
   }
 
  private:
+  static bool isLimited(const SimulatedLink& link) {
+    return std::isfinite(link.limits.low) || std::isfinite(link.limits.high);
+  }
+  /// As hard as the time step allows.
+  [[nodiscard]] std::string stiffness() const { return xmlNumber(2 * m_options.timestep) + " 1"; }
+  /// MuJoCo wants both ends: an open one is some hundred thousand turns away.
+  static std::string rangeOf(const AngleLimits& limits) {
+    constexpr double kOpen = 1e6;  // rad
+    return xmlNumber(std::isfinite(limits.low) ? limits.low : -kOpen) + ' ' +
+           xmlNumber(std::isfinite(limits.high) ? limits.high : kOpen);
+  }
   [[nodiscard]] const SimulatedLink& at(LinkOrdinal link) const {
     return m_model.links[static_cast<std::size_t>(link)];
   }
@@ -73,10 +93,14 @@ class MjcfWriter {
     comment(
         "Every gear mesh is a fixed tendon that an equality holds at 0: its length is the slip along the "
         "pitch circles in m, its force the tangential tooth force in N.");
-    comment(
-        "Masses follow from the solids at " + xmlNumber(m_model.density) +
-        " kg/m3 where the document states none. There is no contact, no friction and no clearance. Limits "
-        "of joints are not written.");
+    comment("Masses follow from the solids at " + xmlNumber(m_model.density) +
+            " kg/m3 where the document states none. There is no contact, no friction and no clearance.");
+    if (m_hasLimits && m_options.motor == SimulatorMotor::speed) {
+      comment(
+          "Joints stop at their limits, with the servos still pushing: the key frame \"back\" drives them "
+          "the "
+          "other way.");
+    }
     if (m_options.motor == SimulatorMotor::speed && !m_model.inputs.empty()) {
       comment(
           "The rotors (armature) of the inputs are an assumption, so that servos hold their speeds under "
@@ -123,6 +147,7 @@ class MjcfWriter {
     for (const auto& [rotorJoint, armature] : m_rotors) {
       if (rotorJoint == link.joint) hinge += xmlAttribute("armature", xmlNumber(armature));
     }
+    if (isLimited(link)) hinge += xmlAttribute("range", rangeOf(link.limits));
     line(hinge + "/>");
     const Eigen::Matrix3d& inertia = link.body.inertia;
     line("<inertial" + xmlAttribute("pos", xmlVector(link.body.center - link.origin)) +
@@ -192,11 +217,15 @@ class MjcfWriter {
 
   void keyframe() {
     if (m_model.inputs.empty() || m_options.motor != SimulatorMotor::speed) return;
-    std::string speeds;
-    for (const SimulatedInput& input : m_model.inputs)
-      speeds += (speeds.empty() ? "" : " ") + xmlNumber(input.speed);
+    std::string forth;
+    std::string back;
+    for (const SimulatedInput& input : m_model.inputs) {
+      forth += (forth.empty() ? "" : " ") + xmlNumber(input.speed);
+      back += (back.empty() ? "" : " ") + xmlNumber(-input.speed);
+    }
     line("<keyframe>");
-    line("  <key" + xmlAttribute("name", "drive") + xmlAttribute("ctrl", speeds) + "/>");
+    line("  <key" + xmlAttribute("name", "drive") + xmlAttribute("ctrl", forth) + "/>");
+    if (m_hasLimits) line("  <key" + xmlAttribute("name", "back") + xmlAttribute("ctrl", back) + "/>");
     line("</keyframe>");
   }
 
@@ -204,6 +233,7 @@ class MjcfWriter {
   const SimulatorOptions& m_options;
   ByLink<std::vector<int>> m_children;
   std::vector<std::pair<int, double>> m_rotors;  ///< joint, armature
+  bool m_hasLimits = false;
   std::string m_text;
   int m_depth = 0;
 };

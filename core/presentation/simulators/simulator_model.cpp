@@ -63,6 +63,7 @@ class ModelMaker {
 
   void addLinks() {
     const std::vector<TurningLine> lines = turningLines(m_placement);
+    const std::vector<AngleLimits> limits = angleLimits(m_mechanism);
     for (LinkOrdinal link = 0; link <= m_mechanism.n(); ++link) {
       SimulatedLink& made = m_model.links.emplace_back();
       made.link = link;
@@ -73,6 +74,7 @@ class ModelMaker {
         made.parent = m_tree.parent(link);
         made.joint = m_tree.jointToParent(link);
         made.jointName = m_model.joints[static_cast<std::size_t>(made.joint)];
+        made.limits = limits[static_cast<std::size_t>(made.joint)];
         const TurningLine& line = lines[static_cast<std::size_t>(made.joint)];
         const double offset = m_mechanism.turningJoints[made.joint].offset.value();
         made.axis = -m_tree.directionToGround(made.joint) * line.direction;

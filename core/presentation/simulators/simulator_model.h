@@ -14,6 +14,7 @@
 #include "core/machine/solids/mass_properties.h"
 #include "core/machine/train/train.h"
 #include "core/theory/analysis/analysis.h"
+#include "core/theory/pose/joint_limits.h"
 
 namespace geargraph::inline simulators {
 
@@ -42,6 +43,7 @@ struct SimulatedLink {
   /// The axis of the joint's rotation: its direction if the joint's arrow points away from the ground, else
   /// the opposite, so that the angle is that of the document.
   Eigen::Vector3d axis{0, 0, 1};
+  AngleLimits limits;               ///< of the joint, rad
   Eigen::Vector3d origin{0, 0, 0};  ///< of its frame, on the axis at the bearing, in the base frame
   MassProperties body;              ///< base frame
   bool isBall = false;  ///< it has neither a solid nor a stated mass: a ball of a bearing's size is used

@@ -104,6 +104,25 @@ class TestSimulators : public QObject {
     QCOMPARE(elements(mjcfText(model, {}), "key").size(), std::size_t{1});
   }
 
+  void limitsOfJointsAreWritten() {
+    Mechanism robot = test::robot();
+    QVERIFY(mjcfText(modelOf(robot), {}).find("range") == std::string::npos);
+    robot.turningJoints[0].limits = {Number(-180), Number(90)};
+    robot.turningJoints[1].limits = {{}, Number(360)};
+    const std::string text = mjcfText(modelOf(robot), {});
+    QStringList ranges;
+    for (const QXmlStreamAttributes& joint : elements(text, "joint"))
+      if (joint.hasAttribute("range")) ranges << joint.value("range").toString();
+    QCOMPARE(ranges.size(), qsizetype{2});
+    QVERIFY2(ranges.contains("-3.141592653589793 1.5707963267948966"), qPrintable(ranges.join(" | ")));
+    QVERIFY2(ranges.contains("-1000000 6.283185307179586") || ranges.contains("-1e+06 6.283185307179586"),
+             qPrintable(ranges.join(" | ")));
+    const auto keys = elements(text, "key");
+    QCOMPARE(keys.size(), std::size_t{2});
+    QCOMPARE(keys[1].value("name").toString(), QString("back"));
+    QVERIFY(keys[0].value("ctrl") != keys[1].value("ctrl"));
+  }
+
   void motorsAreAsAskedFor() {
     const SimulatorModel model = modelOf(test::robot());
     SimulatorOptions options;
