@@ -2,6 +2,7 @@
 #include <set>
 
 #include "core/foundations/base/words.h"
+#include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/view_reader.h"
@@ -385,6 +386,30 @@ class MechanismReader {
   std::set<ElementKind> m_unread;  ///< lists with an id that could not be read
 };
 
+/// False for pictures, archives and programs, and for texts in UTF-16: their first bytes are no characters in
+/// UTF-8, or control characters.
+bool beginsAsText(std::string_view bytes) {
+  constexpr std::size_t kSignature = 4;
+  for (std::size_t at = 0; at < std::min(bytes.size(), kSignature);) {
+    const std::size_t length = utf8Length(bytes, at);
+    const bool isBlank = std::string_view("\t\n\r").find(bytes[at]) != std::string_view::npos;
+    if (length == 0 || (static_cast<unsigned char>(bytes[at]) < 0x20 && !isBlank)) return false;
+    at += length;
+  }
+  return true;
+}
+
+Diagnostic noText() {
+  Diagnostic diagnostic;
+  diagnostic.code = Code::syntax;
+  diagnostic.line = diagnostic.column = 1;
+  diagnostic.message = translated(
+      "This is no GearGraph document: the file is not text in UTF-8, but a picture, an archive or the like, "
+      "or "
+      "damaged.");
+  return diagnostic;
+}
+
 }  // namespace
 
 Expected<Mechanism> readMechanism(std::string_view bytes) {
@@ -398,7 +423,7 @@ Expected<Mechanism> readMechanism(std::string_view bytes) {
         0};
   }
   const auto document = JsonDocument::parse(bytes);
-  if (!document) return document.error();
+  if (!document) return beginsAsText(bytes) ? document.error() : Diagnostics{noText()};
   return MechanismReader(*document).run();
 }
 
