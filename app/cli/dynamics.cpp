@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/dynamics_output.h"
+#include "app/cli/element_words.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/mass_options.h"
@@ -56,8 +57,9 @@ std::optional<UsageError> setByInput(const DynamicsResult& result, std::string_v
     return UsageError{
         translated("%1 names an input and its number, like %2, not \"%3\".", {option, example, word})};
   }
+  const auto joint = jointNamed(*result.snapshot->mechanism, label);
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
-    if (std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[i])) != label) continue;
+    if (joint != result.dynamics.inputs[i]) continue;
     set(i, *number);
     return std::nullopt;
   }

@@ -5,6 +5,7 @@
 #include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/element_words.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -28,12 +29,11 @@ std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& argumen
   return picture;
 }
 
-/// `--power ground` or the label of a link: its ordinal.
+/// `--power ground` or a link: its ordinal.
 std::optional<int> observerOf(const Mechanism& mechanism, const std::string& word) {
   if (word == "ground") return 0;
-  for (int link = 0; link <= mechanism.n(); ++link)
-    if (std::to_string(mechanism.linkLabel(link)) == word) return link;
-  return std::nullopt;
+  const auto link = linkNamed(mechanism, word);
+  return link ? std::optional(int{*link}) : std::nullopt;
 }
 
 /// Why no power can be drawn: what was found about the torques, and a sentence.

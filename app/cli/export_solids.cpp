@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/element_words.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load_train.h"
 #include "app/cli/number_options.h"
@@ -29,6 +30,8 @@ std::variant<MeshScene, int> trainScene(const ExportTrain& train, const Argument
   SolidsChoice choice;
   if (arguments.has("--tolerance")) choice.tolerance = tolerance;
   choice.link = arguments.value("--link");
+  if (const auto link = choice.link ? linkNamed(train.mechanism(), *choice.link) : std::nullopt)
+    choice.link = std::to_string(train.mechanism().linkLabel(*link));
   choice.moves = carriesAnimation(format);
   choice.seconds = seconds;
   auto made = trainSolids(train, choice, arguments.stop);

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/element_words.h"
 #include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {
 
-/// The position of the joint that a word labels.
+/// The position of the joint that a word names.
 std::variant<int, UsageError> jointOf(const Mechanism& mechanism, std::string_view word) {
-  if (const auto label = numberFrom<int>(word)) {
-    const int position = *label - mechanism.jointLabel(0);
-    if (position >= 0 && position < mechanism.t()) return position;
-  }
+  if (const auto position = jointNamed(mechanism, word)) return int{*position};
   if (mechanism.t() == 0) return UsageError{translated("There is no turning joint \"%1\".", {word})};
   return UsageError{translated("There is no turning joint \"%1\"; they are labelled %2 to %3.",
                                {word, std::to_string(mechanism.jointLabel(0)),

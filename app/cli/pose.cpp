@@ -13,6 +13,7 @@
 #include "app/cli/analyze_document.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/element_words.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/time_limit.h"
@@ -43,8 +44,9 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
                    {word})};
   }
   const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
+  const auto joint = jointNamed(*snapshot.mechanism, label);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (std::to_string(snapshot.graph->edgeLabel(inputs[i])) != label) continue;
+    if (joint != inputs[i]) continue;
     (isDegrees ? angles.degrees : angles.radians)[i] = *angle;
     return std::nullopt;
   }

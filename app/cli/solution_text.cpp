@@ -57,13 +57,14 @@ std::string carriers(const TtGraph& graph) {
 /// Rows of the solution: a label, a cell for each input, the rate now.
 using Table = std::vector<std::vector<std::string>>;
 
+/// In the gear ratios and as a number: "-i15 = -1/2".
 std::string cell(const SolvedKinematics& solved, std::size_t row, std::size_t column) {
   const std::size_t at = row * solved.exact->inputs.size() + column;
-  if (solved.symbolic && solved.symbolic->matrix[at]) {
-    std::string symbols = solved.symbolic->matrix[at]->toText();
-    if (symbols.size() <= kLongestCell) return symbols;
-  }
-  return readableNumber(solved.exact->matrix[at]);
+  const std::string number = readableNumber(solved.exact->matrix[at]);
+  if (!solved.symbolic || !solved.symbolic->matrix[at]) return number;
+  const std::string symbols = solved.symbolic->matrix[at]->toText();
+  if (symbols == number || symbols.size() > kLongestCell) return number;
+  return symbols + " = " + number;
 }
 
 Table tableOf(const AnalysisSnapshot& snapshot) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/cli/element_words.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/model/torque_text.h"
 
@@ -21,20 +22,18 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
   constexpr std::string_view kJoint = "joint:";
   constexpr std::string_view kLink = "link:";
   if (word.starts_with(kJoint)) {
-    const auto label = numberFrom<int>(word.substr(kJoint.size()));
-    const int position = label ? *label - mechanism.jointLabel(0) : -1;
-    if (position < 0 || position >= mechanism.t())
+    const auto position = jointNamed(mechanism, word.substr(kJoint.size()));
+    if (!position)
       return UsageError{translated("There is no turning joint \"%1\".", {word.substr(kJoint.size())})};
-    return Place(mechanism.turningJoints[static_cast<std::size_t>(position)].id);
+    return Place(mechanism.turningJoints[*position].id);
   }
   if (!word.starts_with(kLink)) return noPlace(option, word);
   word.remove_prefix(kLink.size());
   const std::size_t at = std::min(word.find('@'), word.size());
-  const auto label = numberFrom<int>(word.substr(0, at));
-  if (!label || *label < 0 || *label > mechanism.n())
-    return UsageError{translated("There is no link \"%1\".", {word.substr(0, at)})};
-  if (*label == 0) return UsageError{translated("The ground takes any load: name a moving link.")};
-  Balance::OnLink place{mechanism.links[static_cast<std::size_t>(*label)].id, {}};
+  const auto position = linkNamed(mechanism, word.substr(0, at));
+  if (!position) return UsageError{translated("There is no link \"%1\".", {word.substr(0, at)})};
+  if (*position == 0) return UsageError{translated("The ground takes any load: name a moving link.")};
+  Balance::OnLink place{mechanism.links[*position].id, {}};
   if (at < word.size()) {
     place.axis = AxisId(word.substr(at + 1));
     if (mechanism.find(*place.axis) == nullptr)

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/cli/element_words.h"
 #include "app/cli/export_forms.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/results/rendering_names.h"
@@ -149,12 +150,9 @@ class RenderingReader {
   std::optional<UsageError> m_error;
 };
 
-/// The link of a label, "3".
-std::optional<ElementId> linkLabelled(const Mechanism& mechanism, const std::string& label) {
-  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    if (std::to_string(mechanism.linkLabel(static_cast<int>(i))) == label) return mechanism.links[i].id;
-  }
-  return std::nullopt;
+std::optional<ElementId> idOfLink(const Mechanism& mechanism, std::string_view word) {
+  const auto link = linkNamed(mechanism, word);
+  return link ? std::optional<ElementId>(mechanism.links[*link].id) : std::nullopt;
 }
 
 }  // namespace
@@ -183,12 +181,12 @@ std::variant<StageRendering, UsageError> renderingFrom(const Arguments& argument
     return UsageError{translated("There is no link \"%1\".", {label})};
   };
   if (const auto label = arguments.value("--ride")) {
-    rendering->view.referenceLink = linkLabelled(mechanism, *label);
+    rendering->view.referenceLink = idOfLink(mechanism, *label);
     if (!rendering->view.referenceLink) return unknown(*label);
   }
   if (const auto labels = arguments.value("--hide")) {
     for (const std::string& label : parts(*labels, ',')) {
-      const auto link = linkLabelled(mechanism, label);
+      const auto link = idOfLink(mechanism, label);
       if (!link) return unknown(label);
       rendering->view.hidden.insert(*link);
     }

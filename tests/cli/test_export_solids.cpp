@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/presentation/meshfile/mesh_reader.h"
 #include "tests/cli/cli_run.h"
@@ -67,7 +68,8 @@ class TestExportSolids : public QObject {
     const QTemporaryDir folder;
     const QString path = folder.filePath("mechanism." + form);
     const Run toFile = exported(form, path, {"--tolerance", "0.01"});
-    QCOMPARE(toFile.errors, std::string());
+    QCOMPARE(toFile.errors.find("within the limits of joints") != std::string::npos, form == "glb");
+    QCOMPARE(toFile.errors.empty(), form != "glb");
     QCOMPARE(toFile.status, 0);
     const Run toOutput = exported(form, "-", {"--tolerance", "0.01"});
     QCOMPARE(toOutput.status, 0);
@@ -98,6 +100,34 @@ class TestExportSolids : public QObject {
     QVERIFY(moved);
     QVERIFY(durationOf(sceneIn(exported("glb", "-").output, MeshFormat::glb)) >
             1);  // as long as it really takes
+  }
+
+  /// The limited joints of the robot, followed from key to key, stay within their limits and come back.
+  void theMotionStaysWithinTheLimitsOfJoints() {
+    const Mechanism robot = example("robot");
+    const MeshScene scene = sceneIn(exported("glb", "-").output, MeshFormat::glb);
+    double nearest = 1;  // of the limits of all joints: the part that is left
+    int limited = 0;
+    for (const TurningJoint& joint : robot.turningJoints) {
+      if (!joint.limits.any()) continue;
+      const Link& link = *robot.find(joint.head);
+      const std::string name = link.name.empty() ? "link " + link.id.text() : link.name;
+      const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                     [&](const MeshNode& each) { return each.name == name; });
+      QVERIFY(node != scene.nodes.end() && node->keys.size() > 2);
+      const Eigen::AngleAxisd first(node->keys[1].rotation * node->keys[0].rotation.conjugate());
+      double turned = 0;
+      for (std::size_t i = 1; i < node->keys.size(); ++i) {
+        const Eigen::AngleAxisd step(node->keys[i].rotation * node->keys[i - 1].rotation.conjugate());
+        turned += step.angle() * (step.axis().dot(first.axis()) < 0 ? -1 : 1);
+        const double limit = joint.limits.high->value() * std::numbers::pi / 180;  // as far as the low one
+        nearest = std::min(nearest, 1 - std::abs(turned) / limit);
+      }
+      QVERIFY(std::abs(turned) < 1e-3);
+      ++limited;
+    }
+    QCOMPARE(limited, 3);
+    QVERIFY2(std::abs(nearest) < 1e-4, qPrintable(QString::number(nearest)));  // one of them is reached
   }
 
   void oneGearStandsInItsOwnFrame() {
