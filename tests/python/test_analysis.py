@@ -85,6 +85,21 @@ def test_statics_of_both_methods(robot):
     assert s.json["format"] == "geargraph-statics"
 
 
+def test_a_shift_table_is_a_frame():
+    states = gg.sets.ravigneaux().analyze().states
+    assert isinstance(states, tuple) and states[0].name
+    frame = states.to_pandas()
+    assert list(frame.index) == [state.name for state in states]
+    assert list(frame["ratio"]) == [state.ratio for state in states]
+    first = states[0]
+    assert {label: frame.loc[first.name, label] for label in first.joint_speeds} == first.joint_speeds
+
+
+def test_unknown_matrices_list_the_known_ones(robot):
+    with pytest.raises(ValueError, match="no matrix 'gamma'; these are incidence, .*cutset"):
+        robot.analyze().matrix("gamma")
+
+
 def test_statics_in_a_state():
     m = gg.sets.ravigneaux()
     m.add_torque(100, link=3)
@@ -186,7 +201,7 @@ def test_derivation(robot):
     assert derivation.markdown.startswith("#")
     kinds = {block.kind for block in derivation.blocks}
     assert {"heading", "paragraph", "equation", "figure"} <= kinds
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match="no equation 99; these are .*17, "):
         derivation.equation(99)
 
 

@@ -39,6 +39,32 @@ def test_it_works_without_the_optional_libraries():
     assert python(code).strip().endswith("no numpy")
 
 
+def test_the_lines_of_the_readme_give_results(tmp_path):
+    """Every expression of README's example has a value, and motions do not end at once."""
+    block = re.search(r"## Python\n\n```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)[1]
+    block = block.replace('"resources/', f'"{SOURCE}/resources/')
+    block = block.replace('"robot.', f'"{tmp_path}/robot.')
+    names = {}
+    shown = 0
+    for line in (each for part in block.splitlines() for each in part.split("; ")):
+        code = line.split("  #")[0].strip()
+        try:
+            compiled = compile(code, "README", "eval")
+        except SyntaxError:
+            exec(code, names)
+            continue
+        value = eval(compiled, names)
+        writes = ".save(" in code or ".export(" in code
+        assert writes or value is not None, code
+        if isinstance(value, tuple):
+            assert all(part is not None for part in value), code
+        shown += not writes
+    assert shown >= 6
+    motion = names["a"].dynamics.simulate(0.1, {8: 0.1}).to_pandas()
+    assert motion.index[-1] == pytest.approx(0.1)
+    assert (tmp_path / "robot.png").exists() and (tmp_path / "robot.glb").exists()
+
+
 def public_objects():
     for module in (gg, gg.exercises, gg.sets):
         for name in module.__all__:

@@ -28,7 +28,7 @@ from ._methods import (
     Formula, MatroidMethod, MatroidStep, Term, TransferVertex, TtGraphMethod, TtStep,
 )
 from ._pictures import Drawing, Picture
-from ._results import InputSets, MotionCheck, State
+from ._results import InputSets, MotionCheck, State, States
 from ._statics import Balance, Bearing, Efficiency, MeshForce, Statics
 
 __version__: str = _geargraph.version
@@ -38,8 +38,9 @@ __all__ = [
     "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion", "Error",
     "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link", "LinkMass", "Load", "Matrix",
     "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce", "Motion", "MotionCheck",
-    "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "Statics", "Term",
-    "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "exercises", "loads", "open", "sets",
+    "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "States", "Statics",
+    "Term", "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "exercises", "loads", "open",
+    "sets",
 ]
 
 

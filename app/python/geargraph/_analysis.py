@@ -14,7 +14,7 @@ from ._exports import Exports
 from ._matrix import Entry, Matrix, Quantity, headings_of
 from ._methods import MatroidMethod, TtGraphMethod
 from ._numbers import Number, array, doubles, integers, text_of
-from ._results import InputSets, MotionCheck, State, state_of
+from ._results import InputSets, MotionCheck, States, state_of
 from ._statics import Statics
 
 if TYPE_CHECKING:
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._mechanism import Mechanism
+
+
+_MATRICES = ("incidence", "reduced-incidence", "path", "spanning-tree", "cycle-basis", "cutset")
 
 
 class Pose:
@@ -140,8 +143,10 @@ class Analysis(Exports):
         Error
             "disconnected" or "turning-loop" if the matrix needs a spanning tree.
         ValueError
-            If there is no such matrix.
+            If there is no such matrix; the names are listed.
         """
+        if name not in _MATRICES:
+            raise ValueError(f"There is no matrix {name!r}; these are {', '.join(_MATRICES)}.")
         if name not in self._kept:
             symbol, title, equation, rows, columns, partition, *packed = self._snapshot.matrix(name)
             row_of, column_of, values = packed
@@ -361,12 +366,12 @@ class Analysis(Exports):
         return values
 
     @property
-    def states(self) -> Tuple[State, ...]:
+    def states(self) -> States:
         """The shift table: what each state of the document does, whatever is engaged now."""
         if "states" not in self._kept:
             rows = json.loads(self._snapshot.states_json())["states"]
-            self._kept["states"] = tuple(state_of(row) for row in rows or ())
-        states: Tuple[State, ...] = self._kept["states"]
+            self._kept["states"] = States(state_of(row) for row in rows or ())
+        states: States = self._kept["states"]
         return states
 
     def statics(

@@ -96,12 +96,13 @@ class Derivation:
         Raises
         ------
         KeyError
-            If no equation of this mechanism has the number.
+            If no equation of this mechanism has the number; the numbers are listed.
         """
         for equation in self.equations:
             if equation.number == str(number):
                 return equation
-        raise KeyError(number)
+        known = ", ".join(each.number for each in self.equations if each.number)
+        raise KeyError(f"There is no equation {number!r}; these are {known}.")
 
     @property
     def html(self) -> str:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any, Dict, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, NamedTuple, Optional, Tuple
 
 from ._errors import Diagnostic
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 class InputSets(NamedTuple):
@@ -51,6 +54,31 @@ class State(NamedTuple):
     symbol: Optional[str]
     joint_speeds: Optional[Dict[int, Fraction]]
     diagnostics: Tuple[Diagnostic, ...]
+
+
+class States(Tuple[State, ...]):
+    """The shift table, a tuple of its states."""
+
+    __slots__ = ()
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Give the shift table; imports pandas.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for each state, by name: ``engaged`` (ids), ``dof``, ``ratio`` (Fraction or None),
+            ``symbol``, and the speed of each joint in rad/s by its label, for the drive at 1 rad/s.
+        """
+        import pandas as pd
+
+        rows = [
+            {"engaged": state.engaged, "dof": state.dof, "ratio": state.ratio,
+             "symbol": state.symbol, **(state.joint_speeds or {})}
+            for state in self
+        ]
+        names = pd.Index([state.name for state in self], name="state")
+        return pd.DataFrame(rows, index=names, dtype=object)
 
 
 class MotionCheck(NamedTuple):
