@@ -7357,6 +7357,10 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Eingriff %1 ist redundant gegenüber %2: Er bindet nichts weiter. Für die Bewegung unschädlich; die Last teilt sich auf.</translation>
     </message>
     <message>
+        <source>Links %1 are equal planets, which share the load: the motion would be the same without %2.</source>
+        <translation>Glieder %1 sind gleiche Planeten, die sich die Last teilen: Ohne %2 wäre die Bewegung dieselbe.</translation>
+    </message>
+    <message>
         <source>Brake %1 is engaged and holds nothing that could move.</source>
         <translation>Bremse %1 ist geschlossen und hält nichts, was sich bewegen könnte.</translation>
     </message>
@@ -7503,6 +7507,10 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
         <translation>Das ist ein Gelenkgetriebe, dessen Drehzahlen von der Stellung abhängen: Es gibt keine Übersetzung anzugeben. Kuppeln Sie Glieder, die näher beieinander liegen.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 couples links %2 and %3, which do not turn about one axis against each other: their axes are not one line. Couple links on one axis, or a planet and its carrier.</source>
+        <translation>Kupplung %1 verbindet die Glieder %2 und %3, die sich nicht um eine gemeinsame Achse gegeneinander drehen: Ihre Achsen sind nicht eine Linie. Verbinden Sie Glieder auf einer Achse oder einen Planeten mit seinem Steg.</translation>
     </message>
     <message>
         <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
@@ -7901,6 +7909,10 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Nicht in der Tabelle: %1.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is a table or a graph, not a document. Convert it first: geargraph-cli convert %1 --to geargraph -o %2</source>
+        <translation>„%1“ ist eine Tabelle oder ein Graph, kein Dokument. Wandeln Sie die Datei zuerst um: geargraph-cli convert %1 --to geargraph -o %2</translation>
+    </message>
+    <message>
         <source>Not in the graph: %1.</source>
         <translation>Nicht im Graphen: %1.</translation>
     </message>
@@ -7949,12 +7961,20 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Bewegung nur zum Teil geprüft: Zu viele Teile kommen einander nahe</translation>
     </message>
     <message>
-        <source>motion checked from %1 to %2, all of it</source>
-        <translation>Bewegung von %1 bis %2 geprüft, vollständig</translation>
+        <source>motion checked: the distance of no two parts changes, so that nothing can collide</source>
+        <translation>Bewegung geprüft: Der Abstand keiner zwei Teile ändert sich, sodass nichts zusammenstoßen kann</translation>
     </message>
     <message>
         <source>motion checked from %1 to %2; it does not repeat sooner</source>
         <translation>Bewegung von %1 bis %2 geprüft; sie wiederholt sich nicht früher</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, between the limits of the joints</source>
+        <translation>Bewegung geprüft von %1 bis %2, zwischen den Grenzen der Gelenke</translation>
+    </message>
+    <message>
+        <source>motion checked for %1, until the motion of every two links repeats</source>
+        <translation>Bewegung geprüft für %1, bis sich die Bewegung je zweier Glieder wiederholt</translation>
     </message>
     <message>
         <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
@@ -9363,6 +9383,14 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>%1 Zähne an Rad %2 von %3 verwenden</translation>
     </message>
     <message>
+        <source>Use %1 teeth on gear %2 and %3 on gear %4</source>
+        <translation>%1 Zähne an Rad %2 und %3 an Rad %4 verwenden</translation>
+    </message>
+    <message>
+        <source>Use %1 equally spaced planets</source>
+        <translation>%1 gleichmäßig verteilte Planeten verwenden</translation>
+    </message>
+    <message>
         <source>Tie link %1 to the ground</source>
         <translation>Glied %1 mit dem Gestell verbinden</translation>
     </message>
@@ -9571,6 +9599,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Glieder %1 überschneiden sich in 3D: Verschieben Sie ihre Gelenke entlang der Achsen, lassen Sie Wälzpunkte offen oder ändern Sie die Zähnezahlen.</translation>
     </message>
     <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, or change the tooth counts.</source>
+        <translation>Glieder %1 überschneiden sich in 3D: Verschieben Sie ihre Gelenke entlang der Achsen, oder ändern Sie die Zähnezahlen.</translation>
+    </message>
+    <message>
         <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
         <translation>Der Kranz von %1 reicht nicht über die Zahnfüße der %2 Zähne des Hohlrads hinaus: Machen Sie ihn größer als %3.</translation>
     </message>
@@ -9591,6 +9623,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>%1 Zähne sind zu wenige für ein Rad, das eine Zahnstange erzeugen kann; verwenden Sie mindestens %2.</translation>
     </message>
     <message>
+        <source>One tooth is too few for a gear that a rack can generate; use at least %1.</source>
+        <translation>Ein Zahn ist zu wenig für ein Rad, das eine Zahnstange erzeugen kann; verwenden Sie mindestens %1.</translation>
+    </message>
+    <message>
         <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
         <translation>Der Teilkegelwinkel eines Kegelrads muss zwischen %1 und 163 Grad liegen.</translation>
     </message>
@@ -9609,6 +9645,22 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>, or use %1 planets at equal distances</source>
         <translation>, oder verwenden Sie %1 Planeten in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>link %1 by %2 degrees</source>
+        <translation>Glied %1 um %2 Grad</translation>
+    </message>
+    <message>
+        <source>Equal planets fit at multiples of 360/%1 = %2 degrees: move the axis of %3 round the central axis</source>
+        <translation>Gleiche Planeten passen bei Vielfachen von 360/%1 = %2 Grad: Drehen Sie die Achse von %3 um die Mittelachse</translation>
+    </message>
+    <message>
+        <source>%1 degrees on link %2</source>
+        <translation>%1 Grad an Glied %2</translation>
+    </message>
+    <message>
+        <source>Links %1 are drawn as equal planets and cannot be equal parts: with all teeth in mesh, their gear with %2 teeth is turned against that with %3 teeth, compared with link %4, by %5.</source>
+        <translation>Glieder %1 sind als gleiche Planeten gezeichnet und können keine gleichen Teile sein: Wenn alle Zähne kämmen, ist ihr Rad mit %2 Zähnen gegen das mit %3 Zähnen, verglichen mit Glied %4, verdreht um %5.</translation>
     </message>
     <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
@@ -9679,12 +9731,24 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>%1 Zähne in einem Hohlrad mit %2: Die Köpfe des Hohlrads würden in die Fußrundungen des Ritzels eindringen und wurden um %3 Moduln gekürzt. Verwenden Sie ein Ritzel mit mehr Zähnen oder größerer Profilverschiebung.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
-        <translation>Räder %1 und %2 überschneiden sich und kämmen nicht. Verwenden Sie kleinere Zahnbreiten, oder lassen Sie diese oder einen Wälzpunkt offen.</translation>
+        <source>Gears %1 and %2 overlap and do not mesh.</source>
+        <translation>Räder %1 und %2 überschneiden sich und kämmen nicht.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
-        <translation>Räder %1 und %2 überschneiden sich und kämmen nicht. Verschieben Sie den Wälzpunkt von einem entlang seiner Achse, oder lassen Sie ihn offen.</translation>
+        <source>Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>Verwenden Sie kleinere Zahnbreiten, oder lassen Sie diese oder einen Wälzpunkt offen.</translation>
+    </message>
+    <message>
+        <source>Move a pitch point on its axes, or leave it open.</source>
+        <translation>Verschieben Sie einen Wälzpunkt auf seinen Achsen, oder lassen Sie ihn offen.</translation>
+    </message>
+    <message>
+        <source>Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>Verschieben Sie den Wälzpunkt von einem entlang seiner Achse, oder lassen Sie ihn offen.</translation>
+    </message>
+    <message>
+        <source>No free places along their axes clear them: move an axis, change tooth counts, or state pitch points.</source>
+        <translation>Keine freien Plätze entlang ihrer Achsen trennen sie: Verschieben Sie eine Achse, ändern Sie Zähnezahlen, oder geben Sie Wälzpunkte an.</translation>
     </message>
     <message>
         <source>The number is too large; its double would be infinite.</source>
@@ -9841,6 +9905,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>The file has %1 bytes; at most 64 MiB are read.</source>
         <translation>Die Datei hat %1 Bytes; gelesen werden höchstens 64 MiB.</translation>
+    </message>
+    <message>
+        <source>This is no GearGraph document: the file is not text in UTF-8, but a picture, an archive or the like, or damaged.</source>
+        <translation>Dies ist kein GearGraph-Dokument: Die Datei ist kein Text in UTF-8, sondern ein Bild, ein Archiv oder dergleichen, oder beschädigt.</translation>
     </message>
     <message>
         <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
@@ -11353,6 +11421,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
         <translation>Die Datei zeigt die ersten %1 s davon, mit ihrer Geschwindigkeit; sie endet nicht, wo sie begann.</translation>
+    </message>
+    <message>
+        <source>The motion in the file goes there and back within the limits of joints: %1.</source>
+        <translation>Die Bewegung in der Datei geht innerhalb der Grenzen von Gelenken hin und zurück: %1.</translation>
     </message>
     <message>
         <source>Nothing in the file moves.</source>
@@ -14465,6 +14537,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>%1 is at its limit of %2°.</source>
         <translation>%1 ist an der Grenze von %2°.</translation>
+    </message>
+    <message>
+        <source>%1 has reached its limit of %2°: the motion turns round.</source>
+        <translation>%1 hat seine Grenze von %2° erreicht: Die Bewegung kehrt um.</translation>
     </message>
     <message>
         <source>Whole train, from the corner</source>

@@ -7357,6 +7357,10 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>El engrane %1 se deduce de %2: no restringe nada más. Es inofensivo para el movimiento; la carga se reparte.</translation>
     </message>
     <message>
+        <source>Links %1 are equal planets, which share the load: the motion would be the same without %2.</source>
+        <translation>Los eslabones %1 son satélites iguales, que se reparten la carga: el movimiento sería el mismo sin %2.</translation>
+    </message>
+    <message>
         <source>Brake %1 is engaged and holds nothing that could move.</source>
         <translation>El freno %1 está activado y no retiene nada que pudiera moverse.</translation>
     </message>
@@ -7503,6 +7507,10 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
         <translation>Es un mecanismo articulado cuyas velocidades dependen de la posición: no hay relación que indicar. Acople eslabones más próximos entre sí.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 couples links %2 and %3, which do not turn about one axis against each other: their axes are not one line. Couple links on one axis, or a planet and its carrier.</source>
+        <translation>El embrague %1 une los eslabones %2 y %3, que no giran uno respecto a otro alrededor de un mismo eje: sus ejes no son una sola recta. Una eslabones de un mismo eje, o un satélite y su portasatélites.</translation>
     </message>
     <message>
         <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
@@ -7901,6 +7909,10 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>No está en la tabla: %1.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is a table or a graph, not a document. Convert it first: geargraph-cli convert %1 --to geargraph -o %2</source>
+        <translation>&quot;%1&quot; es una tabla o un grafo, no un documento. Conviértalo primero: geargraph-cli convert %1 --to geargraph -o %2</translation>
+    </message>
+    <message>
         <source>Not in the graph: %1.</source>
         <translation>No está en el grafo: %1.</translation>
     </message>
@@ -7949,12 +7961,20 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>movimiento comprobado solo en parte: demasiadas piezas se acercan entre sí</translation>
     </message>
     <message>
-        <source>motion checked from %1 to %2, all of it</source>
-        <translation>movimiento comprobado de %1 a %2, completo</translation>
+        <source>motion checked: the distance of no two parts changes, so that nothing can collide</source>
+        <translation>movimiento comprobado: la distancia entre dos piezas no cambia en ningún caso, de modo que nada puede chocar</translation>
     </message>
     <message>
         <source>motion checked from %1 to %2; it does not repeat sooner</source>
         <translation>movimiento comprobado de %1 a %2; no se repite antes</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, between the limits of the joints</source>
+        <translation>movimiento comprobado de %1 a %2, entre los límites de los pares</translation>
+    </message>
+    <message>
+        <source>motion checked for %1, until the motion of every two links repeats</source>
+        <translation>movimiento comprobado durante %1, hasta que se repite el movimiento de cada dos eslabones</translation>
     </message>
     <message>
         <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
@@ -9363,6 +9383,14 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Usar %1 dientes en la rueda %2 de: %3</translation>
     </message>
     <message>
+        <source>Use %1 teeth on gear %2 and %3 on gear %4</source>
+        <translation>Usar %1 dientes en la rueda %2 y %3 en la rueda %4</translation>
+    </message>
+    <message>
+        <source>Use %1 equally spaced planets</source>
+        <translation>Usar %1 satélites equidistantes</translation>
+    </message>
+    <message>
         <source>Tie link %1 to the ground</source>
         <translation>Unir el eslabón %1 al bastidor</translation>
     </message>
@@ -9571,6 +9599,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Los eslabones %1 se solapan en 3D: mueva sus pares a lo largo de los ejes, deje puntos primitivos abiertos o cambie los números de dientes.</translation>
     </message>
     <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, or change the tooth counts.</source>
+        <translation>Los eslabones %1 se solapan en 3D: mueva sus pares a lo largo de los ejes, o cambie los números de dientes.</translation>
+    </message>
+    <message>
         <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
         <translation>La llanta de %1 no llega más allá del pie de los %2 dientes de la corona: hágala mayor que %3.</translation>
     </message>
@@ -9591,6 +9623,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>%1 dientes son muy pocos para una rueda que una cremallera pueda generar; use al menos %2.</translation>
     </message>
     <message>
+        <source>One tooth is too few for a gear that a rack can generate; use at least %1.</source>
+        <translation>Un diente es muy poco para una rueda que pueda generar una cremallera; use al menos %1.</translation>
+    </message>
+    <message>
         <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
         <translation>El cono primitivo de una rueda cónica tiene que estar entre %1 y 163 grados.</translation>
     </message>
@@ -9609,6 +9645,22 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>, or use %1 planets at equal distances</source>
         <translation>, o use %1 satélites a distancias iguales</translation>
+    </message>
+    <message>
+        <source>link %1 by %2 degrees</source>
+        <translation>eslabón %1 en %2 grados</translation>
+    </message>
+    <message>
+        <source>Equal planets fit at multiples of 360/%1 = %2 degrees: move the axis of %3 round the central axis</source>
+        <translation>Los satélites iguales encajan en múltiplos de 360/%1 = %2 grados: gire alrededor del eje central el eje de: %3</translation>
+    </message>
+    <message>
+        <source>%1 degrees on link %2</source>
+        <translation>%1 grados en el eslabón %2</translation>
+    </message>
+    <message>
+        <source>Links %1 are drawn as equal planets and cannot be equal parts: with all teeth in mesh, their gear with %2 teeth is turned against that with %3 teeth, compared with link %4, by %5.</source>
+        <translation>Los eslabones %1 están dibujados como satélites iguales y no pueden ser piezas iguales: con todos los dientes engranados, su rueda de %2 dientes queda girada respecto a la de %3 dientes, comparada con el eslabón %4, en %5.</translation>
     </message>
     <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
@@ -9679,12 +9731,24 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>%1 dientes en una corona de %2: las cabezas de la corona interferirían con los acuerdos del piñón y se rebajaron %3 módulos. Use un piñón de más dientes o con mayor desplazamiento de perfil.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
-        <translation>Las ruedas %1 y %2 se solapan y no engranan. Use anchos de cara menores, o déjelos abiertos, o un punto primitivo.</translation>
+        <source>Gears %1 and %2 overlap and do not mesh.</source>
+        <translation>Las ruedas %1 y %2 se solapan y no engranan.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
-        <translation>Las ruedas %1 y %2 se solapan y no engranan. Mueva el punto primitivo de una a lo largo de su eje, o déjelo abierto.</translation>
+        <source>Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>Use anchos de diente menores, o deje sin fijar estos o un punto primitivo.</translation>
+    </message>
+    <message>
+        <source>Move a pitch point on its axes, or leave it open.</source>
+        <translation>Mueva un punto primitivo sobre sus ejes, o déjelo sin fijar.</translation>
+    </message>
+    <message>
+        <source>Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>Mueva el punto primitivo de una a lo largo de su eje, o déjelo sin fijar.</translation>
+    </message>
+    <message>
+        <source>No free places along their axes clear them: move an axis, change tooth counts, or state pitch points.</source>
+        <translation>Ningún lugar libre a lo largo de sus ejes las separa: mueva un eje, cambie los números de dientes o indique puntos primitivos.</translation>
     </message>
     <message>
         <source>The number is too large; its double would be infinite.</source>
@@ -9841,6 +9905,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>The file has %1 bytes; at most 64 MiB are read.</source>
         <translation>El archivo tiene %1 bytes; se leen como mucho 64 MiB.</translation>
+    </message>
+    <message>
+        <source>This is no GearGraph document: the file is not text in UTF-8, but a picture, an archive or the like, or damaged.</source>
+        <translation>Esto no es un documento de GearGraph: el archivo no es texto en UTF-8, sino una imagen, un archivo comprimido o algo así, o está dañado.</translation>
     </message>
     <message>
         <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
@@ -11353,6 +11421,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
         <translation>El archivo muestra los primeros %1 s, a su velocidad; no termina donde empezó.</translation>
+    </message>
+    <message>
+        <source>The motion in the file goes there and back within the limits of joints: %1.</source>
+        <translation>El movimiento del archivo va y vuelve dentro de los límites de los pares: %1.</translation>
     </message>
     <message>
         <source>Nothing in the file moves.</source>
@@ -14465,6 +14537,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>%1 is at its limit of %2°.</source>
         <translation>%1 está en su límite de %2°.</translation>
+    </message>
+    <message>
+        <source>%1 has reached its limit of %2°: the motion turns round.</source>
+        <translation>%1 ha llegado a su límite de %2°: el movimiento da la vuelta.</translation>
     </message>
     <message>
         <source>Whole train, from the corner</source>

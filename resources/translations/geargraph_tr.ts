@@ -7356,6 +7356,10 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>%1 dişli çifti şunlardan çıkar: %2; başka bir şeyi kısıtlamaz. Hareket için zararsızdır; yük paylaşılır.</translation>
     </message>
     <message>
+        <source>Links %1 are equal planets, which share the load: the motion would be the same without %2.</source>
+        <translation>%1 uzuvları yükü paylaşan eş gezegenlerdir: %2 olmadan da hareket aynı olurdu.</translation>
+    </message>
+    <message>
         <source>Brake %1 is engaged and holds nothing that could move.</source>
         <translation>%1 freni devrede ve hareket edebilecek hiçbir şeyi tutmuyor.</translation>
     </message>
@@ -7502,6 +7506,10 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>That is a linkage whose speeds depend on the pose: there is no ratio to state. Couple links that lie nearer to each other.</source>
         <translation>Bu, hızları konuma bağlı bir çubuk mekanizmasıdır: verilecek bir oran yoktur. Birbirine daha yakın uzuvları bağlayın.</translation>
+    </message>
+    <message>
+        <source>Clutch %1 couples links %2 and %3, which do not turn about one axis against each other: their axes are not one line. Couple links on one axis, or a planet and its carrier.</source>
+        <translation>%1 kavraması, birbirine göre tek bir eksen etrafında dönmeyen %2 ve %3 uzuvlarını bağlıyor: eksenleri tek bir doğru değil. Aynı eksendeki uzuvları ya da bir gezegeni taşıyıcısıyla bağlayın.</translation>
     </message>
     <message>
         <source>State %1 has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to each other, or fewer meshes in a row, give one that it can.</source>
@@ -7900,6 +7908,10 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>Tabloda yok: %1.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is a table or a graph, not a document. Convert it first: geargraph-cli convert %1 --to geargraph -o %2</source>
+        <translation>&quot;%1&quot; bir tablo ya da graf, belge değil. Önce dönüştürün: geargraph-cli convert %1 --to geargraph -o %2</translation>
+    </message>
+    <message>
         <source>Not in the graph: %1.</source>
         <translation>Grafta yok: %1.</translation>
     </message>
@@ -7948,12 +7960,20 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>hareket yalnız kısmen denetlendi: çok fazla parça birbirine yaklaşıyor</translation>
     </message>
     <message>
-        <source>motion checked from %1 to %2, all of it</source>
-        <translation>hareket %1 ile %2 arasında denetlendi, tümü</translation>
+        <source>motion checked: the distance of no two parts changes, so that nothing can collide</source>
+        <translation>hareket denetlendi: hiçbir iki parçanın arasındaki uzaklık değişmiyor, yani hiçbir şey çarpışamaz</translation>
     </message>
     <message>
         <source>motion checked from %1 to %2; it does not repeat sooner</source>
         <translation>hareket %1 ile %2 arasında denetlendi; daha önce yinelenmiyor</translation>
+    </message>
+    <message>
+        <source>motion checked from %1 to %2, between the limits of the joints</source>
+        <translation>hareket %1 ile %2 arasında, mafsalların sınırları içinde denetlendi</translation>
+    </message>
+    <message>
+        <source>motion checked for %1, until the motion of every two links repeats</source>
+        <translation>hareket %1 boyunca, her iki uzvun hareketi yinelenene kadar denetlendi</translation>
     </message>
     <message>
         <source>%1 names an input and its number, like %2, not &quot;%3&quot;.</source>
@@ -9362,6 +9382,14 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%3 üzerindeki %2 dişlisinde %1 diş kullan</translation>
     </message>
     <message>
+        <source>Use %1 teeth on gear %2 and %3 on gear %4</source>
+        <translation>%2 dişlisinde %1, %4 dişlisinde %3 diş kullan</translation>
+    </message>
+    <message>
+        <source>Use %1 equally spaced planets</source>
+        <translation>Eşit aralıklı %1 gezegen kullan</translation>
+    </message>
+    <message>
         <source>Tie link %1 to the ground</source>
         <translation>%1 uzvunu sabit uzva bağla</translation>
     </message>
@@ -9570,6 +9598,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%1 uzuvları 3B&apos;de iç içe: mafsallarını eksenler boyunca kaydırın, hatve noktalarını boş bırakın ya da diş sayılarını değiştirin.</translation>
     </message>
     <message>
+        <source>Links %1 overlap in 3D: move their joints along the axes, or change the tooth counts.</source>
+        <translation>%1 uzuvları 3B&apos;de üst üste biniyor: mafsallarını eksenler boyunca kaydırın ya da diş sayılarını değiştirin.</translation>
+    </message>
+    <message>
         <source>The rim of %1 does not reach past the roots of the ring&apos;s %2 teeth: make it larger than %3.</source>
         <translation>%1 çaplı jant, çemberin %2 dişinin dibini aşmıyor: %3 değerinden büyük yapın.</translation>
     </message>
@@ -9590,6 +9622,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%1 diş, kremayerle üretilebilen bir dişli için çok az; en az %2 kullanın.</translation>
     </message>
     <message>
+        <source>One tooth is too few for a gear that a rack can generate; use at least %1.</source>
+        <translation>Tek diş, kremayerle üretilebilecek bir dişli için çok azdır; en az %1 kullanın.</translation>
+    </message>
+    <message>
         <source>The pitch cone of a bevel gear must be between %1 and 163 degrees.</source>
         <translation>Konik dişlinin taksimat konisi %1 ile 163 derece arasında olmalıdır.</translation>
     </message>
@@ -9608,6 +9644,22 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>, or use %1 planets at equal distances</source>
         <translation>, ya da eşit aralıklı %1 gezegen kullanın</translation>
+    </message>
+    <message>
+        <source>link %1 by %2 degrees</source>
+        <translation>%1 uzvunu %2 derece</translation>
+    </message>
+    <message>
+        <source>Equal planets fit at multiples of 360/%1 = %2 degrees: move the axis of %3 round the central axis</source>
+        <translation>Eş gezegenler 360/%1 = %2 derecenin katlarında takılabilir: şu eksenleri merkez eksen etrafında kaydırın: %3</translation>
+    </message>
+    <message>
+        <source>%1 degrees on link %2</source>
+        <translation>%2 uzvunda %1 derece</translation>
+    </message>
+    <message>
+        <source>Links %1 are drawn as equal planets and cannot be equal parts: with all teeth in mesh, their gear with %2 teeth is turned against that with %3 teeth, compared with link %4, by %5.</source>
+        <translation>%1 uzuvları eş gezegenler olarak çizilmiş, ama eş parçalar olamazlar: bütün dişler eşleştiğinde %2 dişli çarkları, %3 dişli olana göre, %4 uzvuyla karşılaştırıldığında şu kadar dönüktür: %5.</translation>
     </message>
     <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
@@ -9678,12 +9730,24 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%2 dişli çember içinde %1 diş: çemberin diş başları pinyonun dip kavislerine girerdi ve %3 modül alçaltıldı. Daha çok dişli ya da daha büyük profil kaydırmalı bir pinyon kullanın.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Use smaller face widths, or leave them or a pitch point open.</source>
-        <translation>%1 ve %2 dişlileri iç içe ve birlikte çalışmıyor. Daha küçük diş genişlikleri kullanın ya da onları veya bir hatve noktasını boş bırakın.</translation>
+        <source>Gears %1 and %2 overlap and do not mesh.</source>
+        <translation>%1 ve %2 dişlileri üst üste biniyor ve eşleşmiyor.</translation>
     </message>
     <message>
-        <source>Gears %1 and %2 overlap and do not mesh. Move the pitch point of one along its axis, or leave it open.</source>
-        <translation>%1 ve %2 dişlileri iç içe ve birlikte çalışmıyor. Birinin hatve noktasını ekseni boyunca kaydırın ya da boş bırakın.</translation>
+        <source>Use smaller face widths, or leave them or a pitch point open.</source>
+        <translation>Daha küçük diş genişlikleri kullanın ya da bunları veya bir hatve noktasını açık bırakın.</translation>
+    </message>
+    <message>
+        <source>Move a pitch point on its axes, or leave it open.</source>
+        <translation>Bir hatve noktasını eksenleri üzerinde kaydırın ya da açık bırakın.</translation>
+    </message>
+    <message>
+        <source>Move the pitch point of one along its axis, or leave it open.</source>
+        <translation>Birinin hatve noktasını ekseni boyunca kaydırın ya da açık bırakın.</translation>
+    </message>
+    <message>
+        <source>No free places along their axes clear them: move an axis, change tooth counts, or state pitch points.</source>
+        <translation>Eksenleri boyunca onları ayıran boş yer yok: bir ekseni taşıyın, diş sayılarını değiştirin ya da hatve noktalarını belirtin.</translation>
     </message>
     <message>
         <source>The number is too large; its double would be infinite.</source>
@@ -9840,6 +9904,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>The file has %1 bytes; at most 64 MiB are read.</source>
         <translation>Dosya %1 bayt; en çok 64 MiB okunur.</translation>
+    </message>
+    <message>
+        <source>This is no GearGraph document: the file is not text in UTF-8, but a picture, an archive or the like, or damaged.</source>
+        <translation>Bu bir GearGraph belgesi değil: dosya UTF-8 metin değil; bir resim, arşiv ya da benzeri bir dosya veya bozuk.</translation>
     </message>
     <message>
         <source>A centre of mass and an inertia need a &quot;mass&quot; beside them.</source>
@@ -11352,6 +11420,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>The file shows the first %1 s of it, at its speed; it does not end where it began.</source>
         <translation>Dosya bunun ilk %1 s&apos;sini, kendi hızında gösterir; başladığı yerde bitmez.</translation>
+    </message>
+    <message>
+        <source>The motion in the file goes there and back within the limits of joints: %1.</source>
+        <translation>Dosyadaki hareket, mafsal sınırları içinde gidip gelir: %1.</translation>
     </message>
     <message>
         <source>Nothing in the file moves.</source>
@@ -14464,6 +14536,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>%1 is at its limit of %2°.</source>
         <translation>%1 sınırında: %2°.</translation>
+    </message>
+    <message>
+        <source>%1 has reached its limit of %2°: the motion turns round.</source>
+        <translation>%1, %2° olan sınırına ulaştı: hareket geri döner.</translation>
     </message>
     <message>
         <source>Whole train, from the corner</source>
