@@ -248,7 +248,7 @@ std::int64_t PlanetSet::places() const {
 }
 
 /// What has to differ between the same link of equal planets.
-struct Difference {
+struct TurnDifference {
   int teeth = 0;       ///< of the two gears
   int otherTeeth = 0;  //
   std::vector<double>
@@ -258,10 +258,11 @@ struct Difference {
   }
 };
 
-Difference differenceOf(const PlanetSet& set, TiedGears& tied, const EqualLinks& same, std::size_t one,
-                        std::size_t other) {
-  Difference difference{set.gear(same.gears[0][one]).spec.teeth, set.gear(same.gears[0][other]).spec.teeth,
-                        std::vector<double>(same.links.size(), 0)};
+TurnDifference differenceOf(const PlanetSet& set, TiedGears& tied, const EqualLinks& same, std::size_t one,
+                            std::size_t other) {
+  TurnDifference difference{set.gear(same.gears[0][one]).spec.teeth,
+                            set.gear(same.gears[0][other]).spec.teeth,
+                            std::vector<double>(same.links.size(), 0)};
   const double most = std::max(difference.teeth, difference.otherTeeth);
   const double step = kTurn / static_cast<double>(std::lcm(std::int64_t{difference.teeth},
                                                            std::int64_t{difference.otherTeeth}));
@@ -306,7 +307,7 @@ std::string adviceFor(const Mechanism& mechanism, const PlanetSet& set, const Eq
 }
 
 Diagnostic unequalPlanets(const Mechanism& mechanism, const PlanetSet& set, const EqualLinks& same,
-                          const Difference& difference) {
+                          const TurnDifference& difference) {
   std::vector<std::string> planets;
   std::vector<std::string> turns;
   std::vector<ElementId> elements;
@@ -352,7 +353,7 @@ Diagnostics planetDiagnostics(const Mechanism& mechanism, const Placement& place
     if (!set.isSound()) continue;
     for (const EqualLinks& same : set.links()) {
       for (std::size_t other = 1; other < same.gears.front().size(); ++other) {
-        const Difference difference = differenceOf(set, tied, same, 0, other);
+        const TurnDifference difference = differenceOf(set, tied, same, 0, other);
         if (difference.any()) found.push_back(unequalPlanets(mechanism, set, same, difference));
       }
     }
