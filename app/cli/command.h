@@ -27,6 +27,7 @@ struct Command {
   int (*run)(const Arguments& arguments);
   bool limitsItself = false;  ///< --limit-seconds does not apply to the whole command
   bool isServed = true;       ///< also a method of `serve`, which needs a command that reads one document
+  std::string (*more)() = nullptr;  ///< what the help says after the options, with an empty line before it
 };
 
 extern const Command kAnalyze;

@@ -54,6 +54,7 @@ std::string commandHelp(const Command& command) {
       if (option.group == group) text += optionLine(option);
     }
   }
+  if (command.more != nullptr) text += command.more();
   return text + '\n' + translated(kExitStatus) + '\n';
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/serve_edits.h"
+#include "app/cli/serve_members.h"
 #include "app/cli/served_command.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -63,10 +64,45 @@ bool isUtf8(const std::string& bytes) {
   return JsonDocument::parse(json).has_value() && JsonDocument::parse(json)->root().string() == bytes;
 }
 
+constexpr std::array kRequestMembers = {
+    ServedMember{"id", "any value, given back in the answer"}, ServedMember{"method", "text", true},
+    ServedMember{"params", "object", true}, ServedMember{"jsonrpc", "text, not used"}};
+constexpr std::string_view kDocument = "number of a document, from open";
+constexpr std::array kOpenMembers = {
+    ServedMember{"text", "document as a text or an object; or a table or a graph as a text", true}};
+constexpr std::array kEditMembers = {ServedMember{"document", kDocument, true},
+                                     ServedMember{"edits", "list of edits", true}};
+constexpr std::array kDocumentMembers = {ServedMember{"document", kDocument, true}};
+constexpr std::array kCommandMembers = {ServedMember{"document", kDocument, true},
+                                        ServedMember{"arguments", "list of options of the command line"}};
+
+/// The commands that are methods, too.
+std::vector<const Command*> servedCommands() {
+  std::vector<const Command*> served;
+  std::copy_if(commands().begin(), commands().end(), std::back_inserter(served),
+               [](const Command* command) { return command->isServed; });
+  return served;
+}
+
 /// Holds documents and answers requests about them.
 class Server {
  public:
+  /// A method that is no command: its name, its parameters and the function that answers it.
+  struct Method {
+    std::string_view name;
+    std::span<const ServedMember> members;
+    Answer (Server::*answer)(const JsonValue& params);
+  };
+
   explicit Server(const ServedLimits& limits) : m_limits(limits) {}
+
+  static std::span<const Method> ownMethods() {
+    static constexpr std::array kMethods = {
+        Method{"help", {}, &Server::help}, Method{"open", kOpenMembers, &Server::open},
+        Method{"edit", kEditMembers, &Server::edit}, Method{"text", kDocumentMembers, &Server::text},
+        Method{"close", kDocumentMembers, &Server::close}};
+    return kMethods;
+  }
 
   /// The line of the answer, without its end.
   std::string answerTo(const std::string& line) {
@@ -81,27 +117,85 @@ class Server {
 
  private:
   Answer answerTo(const JsonValue& request) {
-    const auto method = request.member("method");
+    const auto named = request.member("method");
     const auto params = request.member("params");
-    if (!method || !method->is(JsonKind::string) || (params && !params->is(JsonKind::object)))
+    if (!named || !named->is(JsonKind::string) || (params && !params->is(JsonKind::object)))
       return Rejection{"request", "A request has a \"method\", a text, and \"params\", an object."};
-    if (!params) return Rejection{"request", "The member \"params\" is missing."};
-    const std::string name = method->string();
-    if (name == "open") return open(*params);
-    const auto document = documentOf(*params);
-    if (!document) {
-      return Rejection{"unknown-document", "The member \"document\" is the number that \"open\" has given."};
+    if (auto sentence = unknownMember("A request", request, kRequestMembers))
+      return Rejection{"request", *std::move(sentence)};
+    const std::string name = named->string();
+    if (const Method* const method = methodNamed(name)) {
+      if (!params && !method->members.empty())
+        return Rejection{"request", "The member \"params\" is missing."};
+      if (!params) return (this->*method->answer)(request);
+      if (auto sentence = unknownMember(name, *params, method->members))
+        return Rejection{"request", *std::move(sentence)};
+      return (this->*method->answer)(*params);
     }
-    if (name == "edit") return edit(*document, *params);
-    if (name == "text") return text(*document);
-    if (name == "close") {
-      m_documents.erase(*document);
-      return std::string("{}");
+    for (const Command* const command : servedCommands()) {
+      if (command->name != name) continue;
+      if (!params) return Rejection{"request", "The member \"params\" is missing."};
+      if (auto sentence = unknownMember(name, *params, kCommandMembers))
+        return Rejection{"request", *std::move(sentence)};
+      const auto document = documentOf(*params);
+      return document ? run(*command, *document, *params) : Answer(unknownDocument());
     }
-    for (const Command* command : commands()) {
-      if (command->name == name && command->isServed) return run(*command, *document, *params);
+    return Rejection{"request", "There is no method \"" + name + "\"; \"help\" lists them."};
+  }
+
+  static Rejection unknownDocument() {
+    return {"unknown-document", "The member \"document\" is the number that \"open\" has given."};
+  }
+
+  static const Method* methodNamed(std::string_view name) {
+    const std::span<const Method> methods = ownMethods();
+    const auto found =
+        std::find_if(methods.begin(), methods.end(), [&](const Method& each) { return each.name == name; });
+    return found == methods.end() ? nullptr : &*found;
+  }
+
+  /// Lists methods and edits with their members.
+  Answer help(const JsonValue& /*params*/) {
+    return objectOf([](JsonWriter& json) {
+      json.member("format", "geargraph-serve");
+      json.member("version", 1);
+      json.key("methods");
+      json.beginArray();
+      for (const Method& method : ownMethods()) writeMethod(json, method.name, method.members, {});
+      for (const Command* const command : servedCommands())
+        writeMethod(json, command->name, kCommandMembers, optionsOf(*command));
+      json.endArray();
+      json.key("edits");
+      json.beginArray();
+      for (const ServedEdit& edit : servedEdits()) {
+        json.beginObject();
+        json.member("edit", edit.name);
+        json.key("members");
+        writeMembers(json, edit.members);
+        json.endObject();
+      }
+      json.endArray();
+    });
+  }
+
+  static void writeMethod(JsonWriter& json, std::string_view name, std::span<const ServedMember> members,
+                          const std::vector<Option>& options) {
+    json.beginObject();
+    json.member("method", name);
+    json.key("params");
+    writeMembers(json, members);
+    if (!options.empty()) {
+      json.key("options");
+      json.beginArray();
+      for (const Option& option : options) {
+        json.beginObject(Layout::row);
+        json.member("name", option.name);
+        json.member("value", option.value);
+        json.endObject();
+      }
+      json.endArray();
     }
-    return Rejection{"request", "There is no method \"" + name + "\"."};
+    json.endObject();
   }
 
   [[nodiscard]] std::optional<std::string> documentOf(const JsonValue& params) const {
@@ -135,15 +229,17 @@ class Server {
     });
   }
 
-  Answer edit(const std::string& name, const JsonValue& params) {
+  Answer edit(const JsonValue& params) {
+    const auto name = documentOf(params);
+    if (!name) return unknownDocument();
     const auto edits = params.member("edits");
     if (!edits || !edits->is(JsonKind::array))
       return Rejection{"request", "\"edit\" takes \"edits\", a list of objects."};
-    const MechanismPtr before = m_documents.at(name);
+    const MechanismPtr before = m_documents.at(*name);
     auto next = withServedEdits(*before, *edits);
     if (!next) return rejected(next.error());
     const auto after = std::make_shared<const Mechanism>(std::move(next).value());
-    m_documents[name] = after;
+    m_documents[*name] = after;
     return objectOf([&](JsonWriter& json) {
       json.key("added");
       json.beginObject(Layout::row);
@@ -151,6 +247,10 @@ class Server {
       writeAdded(json, ElementKind::axis, before->axes, after->axes);
       writeAdded(json, ElementKind::turningJoint, before->turningJoints, after->turningJoints);
       writeAdded(json, ElementKind::gearMesh, before->gearMeshes, after->gearMeshes);
+      writeAdded(json, ElementKind::wheel, before->wheels, after->wheels);
+      writeAdded(json, ElementKind::coupling, before->couplings, after->couplings);
+      writeAdded(json, ElementKind::state, before->states, after->states);
+      writeAdded(json, ElementKind::load, before->loads, after->loads);
       json.endObject();
     });
   }
@@ -160,9 +260,9 @@ class Server {
                          const std::vector<Element>& after) {
     std::vector<std::string> added;
     for (const Element& element : after) {
-      const bool wasThere =
-          std::any_of(before.begin(), before.end(), [&](const Element& old) { return old.id == element.id; });
-      if (!wasThere) added.push_back(element.id.text());
+      const bool wasThere = std::any_of(before.begin(), before.end(),
+                                        [&](const Element& old) { return idOf(old) == idOf(element); });
+      if (!wasThere) added.push_back(idOf(element));
     }
     if (added.empty()) return;
     json.key(listName(kind));
@@ -171,8 +271,27 @@ class Server {
     json.endArray();
   }
 
-  Answer text(const std::string& name) {
-    return objectOf([&](JsonWriter& json) { json.member("text", writeMechanism(*m_documents.at(name))); });
+  /// States are named, the others have ids.
+  template <class Element>
+  static std::string idOf(const Element& element) {
+    if constexpr (requires { element.id; }) {
+      return element.id.text();
+    } else {
+      return element.name;
+    }
+  }
+
+  Answer text(const JsonValue& params) {
+    const auto name = documentOf(params);
+    if (!name) return unknownDocument();
+    return objectOf([&](JsonWriter& json) { json.member("text", writeMechanism(*m_documents.at(*name))); });
+  }
+
+  Answer close(const JsonValue& params) {
+    const auto name = documentOf(params);
+    if (!name) return unknownDocument();
+    m_documents.erase(*name);
+    return std::string("{}");
   }
 
   /// Words of a command that would reach beyond standard input and output are rejected.
@@ -285,6 +404,28 @@ int run(const Arguments& arguments) {
   return kFine;
 }
 
+/// "  addLink         [id], [name], ..."
+std::string helpLine(std::string_view name, std::span<const ServedMember> members) {
+  constexpr std::size_t kIndent = 18;
+  std::string line = "  " + std::string(name);
+  if (!members.empty()) {
+    line.resize(std::max(line.size() + 1, kIndent), ' ');
+    line += membersText(members);
+  }
+  return line + '\n';
+}
+
+/// Methods and edits with their members, for the help of the command.
+std::string methodsHelp() {
+  std::string text = '\n' + translated("Methods and their params; those in [ ] may be left out:") + '\n';
+  for (const Server::Method& method : Server::ownMethods()) text += helpLine(method.name, method.members);
+  for (const Command* const command : servedCommands()) text += helpLine(command->name, kCommandMembers);
+  text +=
+      '\n' + translated("Edits and their members beside \"edit\"; null removes what may be left out:") + '\n';
+  for (const ServedEdit& edit : servedEdits()) text += helpLine(edit.name, edit.members);
+  return text;
+}
+
 constexpr std::array kOptions = {
     Option{"--stdio", "", toTranslate("requests on standard input, answers on standard output")},
     Option{"--limit-memory", "MB", toTranslate("of address space, for each command")},
@@ -299,6 +440,7 @@ const Command kServe = {
     kOptions,
     run,
     true,
-    false};
+    false,
+    methodsHelp};
 
 }  // namespace geargraph::cli

@@ -8911,6 +8911,14 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>(Kutzbach zählt %1)</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Methoden und ihre params; die in [ ] dürfen fehlen:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Änderungen und ihre Mitglieder neben „edit“; null entfernt, was fehlen darf:</translation>
+    </message>
+    <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
         <translation>Stege der Räderpaare, nach ihren Transferknoten</translation>
     </message>

@@ -8911,6 +8911,14 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>(Kutzbach cuenta %1)</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Métodos y sus params; los que están en [ ] pueden faltar:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Ediciones y sus miembros junto a «edit»; null quita lo que puede faltar:</translation>
+    </message>
+    <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
         <translation>Portasatélites de las parejas de ruedas, por sus vértices de transferencia</translation>
     </message>

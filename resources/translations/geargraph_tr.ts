@@ -8910,6 +8910,14 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>(Kutzbach %1 sayar)</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Yöntemler ve params üyeleri; [ ] içindekiler olmayabilir:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Düzenlemeler ve &quot;edit&quot; yanındaki üyeleri; null, olmayabilecek olanı kaldırır:</translation>
+    </message>
+    <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
         <translation>Dişli çiftlerinin taşıyıcıları, aktarma düğümleriyle</translation>
     </message>

@@ -190,6 +190,13 @@ class TestResultSchema : public QObject {
     };
     ask("edit", {{"edits", {{{"edit", "addLink"}, {"name", "new"}}}}});
     ask("edit", {{"edits", {{{"edit", "setTeeth"}, {"mesh", "none"}, {"tailTeeth", 9}, {"headTeeth", 18}}}}});
+    ask("edit", {{"edits",
+                  {{{"edit", "setGearMesh"}, {"mesh", "15"}, {"friction", "1/20"}, {"pitchPoint", nullptr}},
+                   {{"edit", "addCoupling"}, {"kind", "brake"}, {"link", "4"}},
+                   {{"edit", "addState"}, {"engaged", {"A"}}, {"drive", "4"}},
+                   {{"edit", "addLoad"}, {"link", "3"}, {"force", {0, 0, "-20"}}, {"point", {0, 40, 132}}},
+                   {{"edit", "setLink"}, {"link", "3"}, {"mass", 0.2}, {"inertia", {1, 1, 1, 0, 0, 0}}}}}});
+    requests.push_back({{"id", nullptr}, {"method", "help"}});
     ask("text", json::object());
     ask("validate", {{"arguments", {"--json"}}});
     ask("export", {{"arguments", {"--to", "png", "--view", "digraph", "-o", "-"}}});

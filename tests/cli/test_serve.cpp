@@ -2,7 +2,10 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cctype>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 using nlohmann::json;
 
@@ -42,10 +45,39 @@ class Served {
   int m_asked = 0;
 };
 
-json robot() {
-  QFile file(QString(SOURCE) + "/resources/examples/robot.geargraph");
+json example(const char* name) {
+  QFile file(QString(SOURCE) + "/resources/examples/" + name + ".geargraph");
   if (!file.open(QIODevice::ReadOnly)) return {};
   return json::parse(file.readAll().constData());
+}
+
+json robot() {
+  return example("robot");
+}
+
+/// The edits that make a document of an empty one.
+json editsMaking(const json& document) {
+  json edits = json::array();
+  const auto edit = [&](const char* name, json members) {
+    members["edit"] = name;
+    edits.push_back(std::move(members));
+  };
+  json whole = json::object();
+  for (const char* const member : {"name", "notes", "unit", "gearDefaults", "density", "gravity"})
+    if (document.contains(member)) whole[member] = document.at(member);
+  edit("setDocument", whole);
+  for (std::size_t i = 1; i < document.at("links").size(); ++i) edit("addLink", document.at("links").at(i));
+  const std::pair<const char*, const char*> lists[] = {
+      {"axes", "addAxis"},           {"turningJoints", "addTurningJoint"}, {"wheels", "addWheel"},
+      {"gearMeshes", "addGearMesh"}, {"couplings", "addCoupling"},         {"states", "addState"},
+      {"loads", "addLoad"}};
+  for (const auto& [list, name] : lists) {
+    for (const json& element : document.value(list, json::array())) edit(name, element);
+  }
+  if (document.contains("inputs")) edit("setInputs", {{"inputs", document.at("inputs")}});
+  if (document.contains("balances")) edit("setDocument", {{"balances", document.at("balances")}});
+  if (document.contains("engaged")) edit("engage", {{"couplings", document.at("engaged")}});
+  return edits;
 }
 
 QByteArray printed(const QStringList& words) {
@@ -165,6 +197,42 @@ class TestServe : public QObject {
     row("engage", R"({"edit": "engage", "couplings": []})");
     row("engage none", R"({"edit": "engage", "couplings": ["Z"]})", "unknown-id");
     row("rename", R"({"edit": "rename", "link": "3", "name": "hand"})");
+    row("addAxis", R"({"edit": "addAxis", "point": [0, 0, 1], "direction": [1, 0, 0], "pinned": true})");
+    row("addAxis of a point", R"({"edit": "addAxis", "point": 7})", "schema");
+    row("addGearMesh of a kind",
+        R"({"edit": "addGearMesh", "tail": "1", "head": "2", "tailTeeth": 9, "headTeeth": 18, "kind": "worm"})",
+        "schema");
+    row("addWheel", R"({"edit": "addWheel", "id": "7'", "link": "7", "bore": 8})");
+    row("addWheel on none", R"({"edit": "addWheel", "link": "99"})", "unknown-id");
+    row("addCoupling", R"({"edit": "addCoupling", "kind": "clutch", "links": ["1", "4"]})");
+    row("addCoupling of the ground", R"({"edit": "addCoupling", "kind": "brake", "link": "0"})", "schema");
+    row("addCoupling with links of a clutch",
+        R"({"edit": "addCoupling", "kind": "brake", "link": "1", "links": ["1", "4"]})", "schema");
+    row("addCoupling of one", R"({"edit": "addCoupling", "kind": "clutch", "links": ["1"]})", "schema");
+    row("addState", R"({"edit": "addState", "drive": "1", "driven": "7"})");
+    row("addState of none", R"({"edit": "addState", "engaged": ["Z"]})", "unknown-id");
+    row("addLoad", R"({"edit": "addLoad", "joint": "14", "torque": "-5/2"})");
+    row("addLoad of a force",
+        R"({"edit": "addLoad", "link": "3", "force": [0, 0, -20], "point": [0, 40, 132]})");
+    row("addLoad without", R"({"edit": "addLoad", "joint": "14"})", "schema");
+    row("addLoad on the ground", R"({"edit": "addLoad", "link": "0", "torque": 1})", "schema");
+    row("setLink", R"({"edit": "setLink", "link": "3", "mass": 0.2, "centerOfMass": [0, 0, 1]})");
+    row("setLink of a mass below 0", R"({"edit": "setLink", "link": "3", "mass": -1})", "schema");
+    row("setLink of none", R"({"edit": "setLink", "link": "99", "mass": 1})", "unknown-id");
+    row("setTurningJoint",
+        R"({"edit": "setTurningJoint", "joint": "8", "limits": [-170, null], "offset": "1/3"})");
+    row("setTurningJoint beyond", R"({"edit": "setTurningJoint", "joint": "8", "limits": [10, 20]})",
+        "schema");
+    row("setGearMesh", R"({"edit": "setGearMesh", "mesh": "15", "efficiency": 0.9, "kind": null})");
+    row("setGearMesh without teeth", R"({"edit": "setGearMesh", "mesh": "15", "tailTeeth": null})", "schema");
+    row("setGearMesh of two losses",
+        R"({"edit": "setGearMesh", "mesh": "15", "efficiency": 0.9, "friction": 0.1})", "schema");
+    row("setDocument",
+        R"({"edit": "setDocument", "density": 2700, "gravity": [0, 0, "-981/100"], "unit": null})");
+    row("setDocument of a density", R"({"edit": "setDocument", "density": "heavy"})", "schema");
+    row("setState of none", R"({"edit": "setState", "state": "9", "engaged": []})", "unknown-id");
+    row("engageState of none", R"({"edit": "engageState", "state": "9"})", "unknown-id");
+    row("remove a state of none", R"({"edit": "remove", "states": ["9"]})", "unknown-id");
     row("no edit", R"({"edit": "paint"})", "schema");
     row("a number", "7", "schema");
   }
@@ -178,6 +246,184 @@ class TestServe : public QObject {
     QCOMPARE(answer.contains("result"), code.isEmpty());
     if (!code.isEmpty())
       QCOMPARE(QString::fromStdString(answer.at("error").at("code").get<std::string>()), code);
+  }
+
+  void membersThatAreNotKnownAreRejectedByName_data() {
+    QTest::addColumn<QString>("edit");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* edit, const char* message) {
+      QTest::newRow(edit) << QString(edit) << QString(message);
+    };
+    row(R"({"edit": "addGearMesh", "tail": "1", "head": "2", "tailTeeth": 9, "headTeeth": 18, "knid": "internal"})",
+        R"("addGearMesh" has no member "knid". Is "kind" meant?)");
+    row(R"({"edit": "setGearMesh", "mesh": "15", "efficency": 0.9})",
+        R"("setGearMesh" has no member "efficency". Is "efficiency" meant?)");
+    row(R"({"edit": "setTurningJoint", "joint": "8", "limit": [-1, 1]})",
+        R"("setTurningJoint" has no member "limit". Is "limits" meant?)");
+    row(R"({"edit": "setTeeth", "mesh": "15", "tail_teeth": 9, "headTeeth": 18})",
+        R"("setTeeth" has no member "tail_teeth". Is "tailTeeth" meant?)");
+    row(R"({"edit": "rename", "link": "3", "name": "hand", "colour": "red"})",
+        R"("rename" has no member "colour".)");
+    row(R"({"edit": "remove", "gearMesh": ["15"]})",
+        R"("remove" has no member "gearMesh". Is "gearMeshes" meant?)");
+    row(R"({"edit": "addLoad", "joint": "14", "torque": 1, "axis": "a"})",
+        R"(/params/edits/0/axis: the member "axis" has no meaning here.)");
+  }
+  void membersThatAreNotKnownAreRejectedByName() {
+    QFETCH(QString, edit);
+    QFETCH(QString, message);
+    Served served;
+    const std::string document = served.open(robot());
+    const json before = served.ask("text", {{"document", document}});
+    const json answer = served.ask(
+        "edit", {{"document", document}, {"edits", json::array({json::parse(edit.toStdString())})}});
+    QCOMPARE(QString::fromStdString(answer.at("error").at("message").get<std::string>()), message);
+    QVERIFY(answer.at("error")
+                .at("diagnostics")
+                .at(0)
+                .at("pointer")
+                .get<std::string>()
+                .starts_with("/params/edits/0"));
+    QVERIFY(served.ask("text", {{"document", document}}).at("result") == before.at("result"));
+  }
+
+  void membersOfRequestsThatAreNotKnownAreRejectedByName() {
+    Served served;
+    const std::string document = served.open(robot());
+    const auto messageOf = [](const json& answer) {
+      return answer.at("error").at("message").get<std::string>();
+    };
+    QCOMPARE(messageOf(served.ask("analyze", {{"document", document}, {"argument", {"--json"}}})),
+             std::string(R"("analyze" has no member "argument". Is "arguments" meant?)"));
+    QCOMPARE(messageOf(served.ask("open", {{"txt", "{}"}})),
+             std::string(R"("open" has no member "txt". Is "text" meant?)"));
+    QCOMPARE(
+        messageOf(served.ask(json{
+            {"id", 1}, {"method", "analyze"}, {"params", {{"document", document}}}, {"arguments", {"--json"}}}
+                                 .dump())),
+        std::string(R"("A request" has no member "arguments".)"));
+    QVERIFY(served.ask(json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", "help"}}.dump()).contains("result"));
+  }
+
+  void gearboxesAreBuiltByRequests_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* const name :
+         {"simpson", "ravigneaux", "eight-speed-gearbox", "robot", "bevel-differential", "three-planets"})
+      QTest::newRow(name) << QString(name);
+  }
+  /// Edit for edit the same document, but for the places of nodes; and the same analysis.
+  void gearboxesAreBuiltByRequests() {
+    QFETCH(QString, name);
+    json original = example(name.toUtf8().constData());
+    original.erase("view");
+    original["loads"] = {{{"id", "L1"}, {"link", original.at("links").at(1).at("id")}, {"torque", "10/3"}}};
+    original["links"][1]["mass"] = 0.25;
+    original["gravity"] = {0, 0, -9.81};
+    Served served;
+    const std::string built =
+        served.open({{"format", "geargraph"}, {"version", 1}, {"links", {original.at("links").at(0)}}});
+    const json made = served.ask("edit", {{"document", built}, {"edits", editsMaking(original)}});
+    QVERIFY2(made.contains("result"), made.dump().c_str());
+    QCOMPARE(made.at("result").at("added").at("gearMeshes").size(), original.at("gearMeshes").size());
+    QCOMPARE(made.at("result").at("added").value("states", json::array()).size(),
+             original.value("states", json::array()).size());
+    const json text = served.ask("text", {{"document", built}}).at("result").at("text");
+    QCOMPARE(json::parse(text.get<std::string>()), original);
+    const std::string drawn = served.open(original);
+    for (const char* const command : {"analyze", "states", "statics", "dynamics"}) {
+      const auto answer = [&](const std::string& document) {
+        return served.ask(command, {{"document", document}, {"arguments", {"--json"}}}).at("result");
+      };
+      const json expected = answer(drawn);
+      QVERIFY(expected.at("output").is_object());
+      QVERIFY2(answer(built) == expected, command);
+    }
+  }
+
+  void kindsOfNewMeshesCount() {
+    Served served;
+    for (const auto& [kind, expected] : {std::pair{"external", "-1/3"}, std::pair{"internal", "1/3"}}) {
+      const std::string document =
+          served.open({{"format", "geargraph"}, {"version", 1}, {"links", {{{"id", "0"}}}}});
+      const json made = served.ask("edit", {{"document", document},
+                                            {"edits",
+                                             {{{"edit", "addLink"}},
+                                              {{"edit", "addLink"}},
+                                              {{"edit", "addTurningJoint"}, {"tail", "0"}, {"head", "1"}},
+                                              {{"edit", "addTurningJoint"}, {"tail", "0"}, {"head", "2"}},
+                                              {{"edit", "addGearMesh"},
+                                               {"tail", "1"},
+                                               {"head", "2"},
+                                               {"tailTeeth", 20},
+                                               {"headTeeth", 60},
+                                               {"kind", kind}}}}});
+      QVERIFY2(made.contains("result"), made.dump().c_str());
+      const json speeds = served.ask("analyze", {{"document", document}, {"arguments", {"--json"}}});
+      QCOMPARE(speeds.at("result").at("output").at("solution").at("exact").at(0).at(0).get<std::string>(),
+               std::string(expected));
+    }
+  }
+
+  void membersAreReplacedAndRemoved() {
+    Served served;
+    json original = robot();
+    original["gearMeshes"][0]["finish"] = "ground";  // of another program
+    const std::string document = served.open(original);
+    const auto meshAfter = [&](const json& edit) {
+      const json answer = served.ask("edit", {{"document", document}, {"edits", {edit}}});
+      if (!answer.contains("result")) return answer;
+      const json text = served.ask("text", {{"document", document}}).at("result").at("text");
+      return json(json::parse(text.get<std::string>()).at("gearMeshes").at(0));
+    };
+    json expected = original.at("gearMeshes").at(0);
+    expected["friction"] = "1/20";
+    expected.erase("faceWidth");
+    QCOMPARE(
+        meshAfter({{"edit", "setGearMesh"}, {"mesh", "15"}, {"friction", "1/20"}, {"faceWidth", nullptr}}),
+        expected);
+    expected.erase("friction");
+    QCOMPARE(meshAfter({{"edit", "setGearMesh"}, {"mesh", "15"}, {"friction", nullptr}}), expected);
+  }
+
+  /// What `help` lists is what the document's schema has, and what the manual of the command line shows.
+  void everyMethodAndEditIsListed() {
+    Served served;
+    const json help = served.ask(R"({"method": "help"})").at("result");
+    const std::string printedHelp = printed({"--language", "en", "serve", "--help"}).toStdString();
+    QFile page(QString(SOURCE) + "/resources/schema/README.md");
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    const std::string readme = page.readAll().toStdString();
+    std::set<std::string> methods;
+    for (const json& method : help.at("methods")) {
+      methods.insert(method.at("method").get<std::string>());
+      QVERIFY2(printedHelp.find("\n  " + method.at("method").get<std::string>()) != std::string::npos,
+               method.dump().c_str());
+    }
+    QCOMPARE(methods,
+             (std::set<std::string>{"analyze", "close", "dynamics", "edit", "export", "help", "inputs",
+                                    "open", "pose", "states", "statics", "text", "validate"}));
+    QFile file(QString(SOURCE) + "/resources/schema/geargraph.schema.json");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const json definitions = json::parse(file.readAll().constData()).at("$defs");
+    QVERIFY(help.at("edits").size() >= 20);
+    for (const json& edit : help.at("edits")) {
+      const std::string name = edit.at("edit").get<std::string>();
+      QVERIFY2(printedHelp.find("\n  " + name + ' ') != std::string::npos, name.c_str());
+      QVERIFY2(readme.find('`' + name + '`') != std::string::npos, name.c_str());
+      if (!name.starts_with("add")) continue;
+      std::string kind = name.substr(3);
+      kind.front() = static_cast<char>(std::tolower(kind.front()));
+      std::set<std::string> expected;
+      const auto collect = [&](const json& part) {
+        for (const auto& [member, type] : part.value("properties", json::object()).items())
+          expected.insert(member);
+      };
+      collect(definitions.at(kind));
+      for (const json& part : definitions.at(kind).value("oneOf", json::array())) collect(part);
+      std::set<std::string> listed;
+      for (const json& member : edit.at("members")) listed.insert(member.at("name").get<std::string>());
+      QVERIFY2(listed == expected, name.c_str());
+    }
   }
 
   void whatIsNoRequestIsRejectedAndTheNextOneAnswered() {

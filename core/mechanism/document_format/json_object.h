@@ -25,6 +25,7 @@ class JsonObject {
   /// From here on, diagnostics name this element.
   void blame(const ElementId& element) { m_blamed = {element}; }
   [[nodiscard]] const std::string& pointer() const { return m_pointer; }
+  [[nodiscard]] JsonDiagnostics& diagnostics() { return m_diagnostics; }
 
   [[nodiscard]] std::optional<JsonValue> member(std::string_view name);
   /// As member(), with a diagnostic if it is missing. `expected` is marked by toTranslate().

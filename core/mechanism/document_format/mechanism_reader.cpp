@@ -4,6 +4,7 @@
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/json_object.h"
+#include "core/mechanism/document_format/element_reader.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/view_reader.h"
 #include "core/mechanism/model/validate.h"
@@ -122,95 +123,28 @@ class MechanismReader {
 
   void readStructure(JsonObject& root) {
     readList(root.required("links", toTranslate("a list of links, the ground first")), ElementKind::link,
-             m_mechanism.links, [this](JsonObject& from, Link& link) { readLink(from, link); });
+             m_mechanism.links);
     const auto joints =
         m_mechanism.links.size() > 1
             ? root.required("turningJoints", toTranslate("a list of turning joints that tie the links"))
             : root.member("turningJoints");
-    readList(joints, ElementKind::turningJoint, m_mechanism.turningJoints,
-             [](JsonObject& from, TurningJoint& joint) {
-               joint.tail = LinkId(from.requiredId("tail"));
-               joint.head = LinkId(from.requiredId("head"));
-               joint.axis = AxisId(from.requiredId("axis"));
-               joint.offset = from.number("offset").value_or(Number());
-               if (const auto ends = from.ends("limits")) joint.limits = {(*ends)[0], (*ends)[1]};
-             });
+    readList(joints, ElementKind::turningJoint, m_mechanism.turningJoints);
     const auto axes =
         m_mechanism.turningJoints.empty()
             ? root.member("axes")
             : root.required("axes", toTranslate("a list of the axes that the turning joints name"));
-    readList(axes, ElementKind::axis, m_mechanism.axes, [](JsonObject& from, Axis& axis) {
-      axis.point = from.triple("point");
-      axis.direction = from.triple("direction");
-      axis.pinned = from.flag("pinned").value_or(false);
-    });
-  }
-
-  void readLink(JsonObject& from, Link& link) {
-    link.name = from.shortText("name").value_or("");
-    link.pinned = from.flag("pinned").value_or(false);
-    readMass(from, link);
-    const auto shapes = from.member("shapes");
-    const std::string pointer = from.pointer() + "/shapes";
-    if (!shapes || m_diagnostics.covers(pointer)) return;
-    if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, toTranslate("a list of 3D files"));
-    link.shapes = readShapes(m_diagnostics, *shapes, pointer, link.id);
-  }
-
-  static void readMass(JsonObject& from, Link& link) {
-    const auto mass = from.number("mass");
-    const auto center = from.triple("centerOfMass");
-    const auto inertia = from.inertia("inertia");
-    if (mass) link.mass = LinkMass{*mass, center, inertia};
-    if (from.member("mass")) return;
-    for (const char* const name : {"centerOfMass", "inertia"}) {
-      if (const auto value = from.member(name)) from.wrong(name, *value, toTranslate("a \"mass\" beside it"));
-    }
+    readList(axes, ElementKind::axis, m_mechanism.axes);
   }
 
   void readGears(JsonObject& root) {
-    readList(root.member("gearMeshes"), ElementKind::gearMesh, m_mechanism.gearMeshes,
-             [](JsonObject& from, GearMesh& mesh) {
-               mesh.tail = LinkId(from.requiredId("tail"));
-               mesh.head = LinkId(from.requiredId("head"));
-               mesh.tailTeeth = from.requiredWhole("tailTeeth", kFewestTeeth, kMostTeeth);
-               mesh.headTeeth = from.requiredWhole("headTeeth", kFewestTeeth, kMostTeeth);
-               mesh.pitchPoint = from.triple("pitchPoint");
-               mesh.kind = kindOf(from);
-               mesh.faceWidth = from.number("faceWidth");
-               if (const auto wheel = from.id("tailWheel")) mesh.tailWheel = WheelId(*wheel);
-               if (const auto wheel = from.id("headWheel")) mesh.headWheel = WheelId(*wheel);
-               mesh.pinned = from.flag("pinned").value_or(false);
-               mesh.efficiency = from.number("efficiency");
-               mesh.friction = from.number("friction");
-             });
-    readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels,
-             [](JsonObject& from, Wheel& wheel) {
-               wheel.link = LinkId(from.requiredId("link"));
-               wheel.profileShift = from.number("profileShift");
-               wheel.bore = from.number("bore");
-               wheel.backlash = from.number("backlash");
-             });
+    readList(root.member("gearMeshes"), ElementKind::gearMesh, m_mechanism.gearMeshes);
+    readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels);
     if (const auto value = root.member("gearDefaults")) {
       JsonObject from(m_diagnostics, *value, "/gearDefaults");
       GearDefaults& defaults = m_mechanism.gearDefaults.emplace();
-      defaults.pressureAngle = from.number("pressureAngle");
-      defaults.backlash = from.number("backlash");
-      defaults.faceWidth = from.number("faceWidth");
-      defaults.efficiency = from.number("efficiency");
-      defaults.friction = from.number("friction");
+      readMembers(from, defaults);
       defaults.unknown = from.unknown();
     }
-  }
-
-  static std::optional<MeshKind> kindOf(JsonObject& from) {
-    const auto value = from.member("kind");
-    if (!value) return std::nullopt;
-    for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
-      if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
-    }
-    from.wrong("kind", *value, toTranslate("\"external\", \"internal\" or \"bevel\""));
-    return std::nullopt;
   }
 
   void readInputs(JsonObject& root) {
@@ -228,40 +162,21 @@ class MechanismReader {
   }
 
   void readShifting(JsonObject& root) {
-    readList(root.member("couplings"), ElementKind::coupling, m_mechanism.couplings,
-             [this](JsonObject& from, Coupling& coupling) { readCoupling(from, coupling); });
+    readList(root.member("couplings"), ElementKind::coupling, m_mechanism.couplings);
+    for (Coupling& coupling : m_mechanism.couplings) {
+      const bool isUnread = coupling.links.empty() && coupling.kind == CouplingKind::brake;
+      if (isUnread && !m_mechanism.links.empty())
+        coupling.links = {m_mechanism.links.front().id};  // no more diagnostics
+    }
     for (const Atom id : root.ids("engaged").value_or(std::vector<Atom>{}))
       m_mechanism.engaged.emplace_back(id);
     const auto states = root.member("states");
     if (!states) return;
     forEachObject(*states, "/states", [&](JsonObject& from) {
       ShiftState& state = m_mechanism.states.emplace_back();
-      (void)from.required("name", toTranslate("the name of the state"));
-      state.name = from.shortText("name").value_or("");
-      (void)from.required("engaged", toTranslate("a list of ids of couplings"));
-      for (const Atom id : from.ids("engaged").value_or(std::vector<Atom>{})) state.engaged.emplace_back(id);
-      if (const auto link = from.id("drive")) state.drive = LinkId(*link);
-      if (const auto link = from.id("driven")) state.driven = LinkId(*link);
+      readMembers(from, state);
       state.unknown = from.unknown();
     });
-  }
-
-  void readCoupling(JsonObject& from, Coupling& coupling) {
-    const auto kind = from.required("kind", toTranslate("\"brake\" or \"clutch\""));
-    const auto is = [&](std::string_view name) {
-      return kind && kind->is(JsonKind::string) && kind->equals(name);
-    };
-    if (is("brake")) {
-      coupling.kind = CouplingKind::brake;
-      coupling.links = {LinkId(from.requiredId("link"))};
-    } else if (is("clutch")) {
-      coupling.kind = CouplingKind::clutch;
-      (void)from.required("links", toTranslate("a list of two ids of links"));
-      for (const Atom id : from.ids("links").value_or(std::vector<Atom>{})) coupling.links.emplace_back(id);
-    } else {
-      if (kind) from.wrong("kind", *kind, toTranslate("\"brake\" or \"clutch\""));
-      if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more diagnostics
-    }
   }
 
   void readLoads(JsonObject& root) {
@@ -269,7 +184,7 @@ class MechanismReader {
       forEachObject(*loads, "/loads", [&](JsonObject& from) {
         Load& load = m_mechanism.loads.emplace_back();
         if (const auto id = from.id("id")) load.id = LoadId(*id);
-        readAction(from, load);
+        readMembers(from, load);
         load.unknown = from.unknown();
       });
     }
@@ -278,50 +193,9 @@ class MechanismReader {
     std::vector<Balance>& balances = m_mechanism.balances.emplace();
     forEachObject(*value, "/balances", [&](JsonObject& from) {
       Balance& balance = balances.emplace_back();
-      if (const auto link = oneOfJointAndLink(from)) {
-        balance.at = Balance::OnLink{*link, optionalAxis(from)};
-      } else {
-        balance.at = JointId(from.requiredId("joint"));
-      }
+      readMembers(from, balance);
       balance.unknown = from.unknown();
     });
-  }
-
-  void readAction(JsonObject& from, Load& load) {
-    const auto torque = [&] {
-      (void)from.required("torque", toTranslate("a torque in N m"));
-      return from.number("torque").value_or(Number());
-    };
-    const auto link = oneOfJointAndLink(from);
-    if (!link) {
-      const JointId joint(from.requiredId("joint"));
-      load.action = JointTorque{joint, torque()};
-      return;
-    }
-    const auto force = from.member("force");
-    if (!force) {
-      load.action = LinkTorque{*link, optionalAxis(from), torque()};
-      return;
-    }
-    if (const auto both = from.member("torque"))
-      from.wrong("torque", *both, toTranslate("a torque or a force, not both in one load"));
-    (void)from.required("point", toTranslate("the point of the link that the force acts at"));
-    LinkForce action{*link, {}, {}};
-    if (const auto components = from.triple("force")) action.force = *components;
-    if (const auto point = from.triple("point")) action.point = *point;
-    load.action = action;
-  }
-
-  /// The link where the object names one; else it has to name a joint.
-  static std::optional<LinkId> oneOfJointAndLink(JsonObject& from) {
-    const auto link = from.member("link");
-    if (!link) return std::nullopt;
-    if (from.member("joint")) from.wrong("link", *link, toTranslate("a joint or a link, not both"));
-    return LinkId(from.requiredId("link"));
-  }
-  static std::optional<AxisId> optionalAxis(JsonObject& from) {
-    const auto axis = from.id("axis");
-    return axis ? std::optional(AxisId(*axis)) : std::nullopt;
   }
 
   /// Calls read(object) for each element of a list; a value that is no list is a diagnostic.
@@ -341,8 +215,8 @@ class MechanismReader {
 
   /// Reads a list of elements with ids. Each element of the file gives one here, however broken, so that
   /// positions in diagnostics stay those of the file.
-  template <class Element, class Read>
-  void readList(std::optional<JsonValue> list, ElementKind kind, std::vector<Element>& elements, Read read) {
+  template <class Element>
+  void readList(std::optional<JsonValue> list, ElementKind kind, std::vector<Element>& elements) {
     const std::string pointer = pointerStep(listName(kind));
     if (!list) {
       if (m_diagnostics.covers(pointer)) m_unread.insert(kind);
@@ -357,7 +231,7 @@ class MechanismReader {
         element.id = decltype(element.id)(id);
         from.blame(element.id);
       }
-      read(from, element);
+      readMembers(from, element);
       element.unknown = from.unknown();
       elements.push_back(std::move(element));
     });

@@ -2,6 +2,7 @@
 
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/mechanism/document_format/element_members.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::inline document_format {
@@ -40,6 +41,14 @@ class MechanismWriter {
     m_json.endObject();
   }
 
+  template <class Element>
+  void object(const Element& element) {
+    m_json.beginObject(Layout::row);
+    members(element);
+    unknown(element.unknown);
+    m_json.endObject();
+  }
+
  private:
   template <class Element>
   void list(std::string_view name, const std::vector<Element>& elements) {
@@ -53,14 +62,6 @@ class MechanismWriter {
   void element(std::string_view name, const Element& element) {
     m_json.key(name);
     object(element);
-  }
-
-  template <class Element>
-  void object(const Element& element) {
-    m_json.beginObject(Layout::row);
-    members(element);
-    unknown(element.unknown);
-    m_json.endObject();
   }
 
   void members(const Link& link) {
@@ -320,5 +321,21 @@ std::string writeMechanism(const Mechanism& mechanism) {
   MechanismWriter(sink).document(mechanism);  // the temporary flushes when it goes
   return sink.take();
 }
+
+template <class Element>
+std::string elementJson(const Element& element) {
+  TextSink sink;
+  MechanismWriter(sink).object(element);  // the temporary flushes when it goes
+  return sink.take();
+}
+
+template std::string elementJson(const Link&);
+template std::string elementJson(const Axis&);
+template std::string elementJson(const TurningJoint&);
+template std::string elementJson(const GearMesh&);
+template std::string elementJson(const Wheel&);
+template std::string elementJson(const Coupling&);
+template std::string elementJson(const ShiftState&);
+template std::string elementJson(const Load&);
 
 }  // namespace geargraph::inline document_format
