@@ -70,7 +70,7 @@ std::string warningsBeyondLimits(const std::string& file, const AnalysisSnapshot
     const auto j = static_cast<std::size_t>(joint);
     text += file + ": warning: " +
             translated("joint %1 at %2 is beyond its limits (%3, %4)",
-                       {std::to_string(snapshot.graph->edgeLabel(joint)), limitText(pose.wholeAngles[j]),
+                       {std::to_string(snapshot.graph->edgeLabel(joint)), limitText(pose.angles[j]),
                         limitText(limits[j].low), limitText(limits[j].high)}) +
             '\n';
   }
@@ -84,7 +84,7 @@ void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
 }
 
 std::string asJson(const AnalysisSnapshot& snapshot, const InputPose& pose) {
-  const auto& [angles, whole, links, beyond] = pose;
+  const auto& [angles, links, beyond] = pose;
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -94,7 +94,8 @@ std::string asJson(const AnalysisSnapshot& snapshot, const InputPose& pose) {
     json.key("jointAngles");
     json.beginObject(JsonWriter::Layout::row);
     for (std::size_t joint = 0; joint < angles.size(); ++joint) {
-      json.member(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))), angles[joint]);
+      json.key(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))));
+      json.numberOrNull(angles[joint]);
     }
     json.endObject();
     if (!beyond.empty()) {
@@ -120,6 +121,16 @@ std::string asJson(const AnalysisSnapshot& snapshot, const InputPose& pose) {
     json.endObject();
   }
   return sink.take();
+/// With all turns; where four decimals are beyond a double, eight digits.
+std::string degreesText(double angle) {
+  constexpr double kMostWithDecimals = 1e11;
+  const double degrees = angle / kDegree;
+  if (std::abs(degrees) < kMostWithDecimals) return rounded(degrees);
+  std::ostringstream text;
+  text << std::setprecision(8) << degrees;
+  return text.str();
+}
+
 }
 
 /// With four decimals and no -0.
@@ -138,7 +149,7 @@ std::string asText(const AnalysisSnapshot& snapshot, const InputPose& pose) {
     text +=
         "  " +
         translated("%1 turned by %2 deg", {std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))),
-                                           rounded(pose.angles[joint] / kDegree)}) +
+                                           degreesText(pose.angles[joint])}) +
         '\n';
   }
   text += '\n' +

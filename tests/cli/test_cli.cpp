@@ -278,10 +278,10 @@ class TestCli : public QObject {
       QVERIFY2(isNear(where["rotation"][0][0], 1), link.c_str());
     // 1e300 = 280 (mod 360), and joint 10 turns by half of it the other way: 1e300/2 = 320 (mod 360).
     const json huge = json::parse(run({"pose", kRobot, "--json", "--angle=8=1e300deg"}).output);
-    QVERIFY(isNear(huge["jointAngles"]["8"], -80 * M_PI / 180));
-    QVERIFY(isNear(huge["jointAngles"]["10"], 40 * M_PI / 180));
+    QVERIFY(isNear(huge["links"]["4"]["rotation"][1][0], std::sin(-80 * M_PI / 180)));
+    QVERIFY(isNear(huge["links"]["1"]["rotation"][1][0], std::sin(40 * M_PI / 180)));
     const json radians = json::parse(run({"pose", kRobot, "--json", "--angle=8=1e22rad"}).output);
-    QVERIFY(isNear(std::sin(radians["jointAngles"]["8"].get<double>()), -0.8522008497671888));
+    QVERIFY(isNear(radians["links"]["4"]["rotation"][1][0], -0.8522008497671888));
     for (const char* angle : {"--angle=8=1e400rad", "--angle=8=-1e400deg"}) {
       const auto rejected = run({"pose", kRobot, "--json", angle});
       QCOMPARE(rejected.status, 2);
@@ -289,6 +289,21 @@ class TestCli : public QObject {
       QVERIFY(rejected.errors.find("too large") != std::string::npos);
     }
     QCOMPARE(run({"pose", kRobot, "--json", "--angle=8=0.5rad", "--inputs=8,9"}).status, 1);
+  }
+
+  /// Joints keep their turns, also those that follow; links are turned by what is left of them.
+  void pose_keepsTheTurnsOfJoints() {
+    const QString pair = QString::fromStdString(test::examplePath("spur-pair"));
+    const json pose = json::parse(run({"pose", pair, "--json", "--angle", "3=3600deg"}).output);
+    QCOMPARE(pose["jointAngles"]["3"].get<double>(), 20 * M_PI);
+    QVERIFY(std::abs(pose["jointAngles"]["4"].get<double>() + 20 * M_PI * 20 / 30) < 1e-12);
+    QVERIFY(std::abs(pose["links"]["1"]["rotation"][0][0].get<double>() - 1) < 1e-15);
+    const std::string text = run({"pose", pair, "--angle", "3=3600deg"}).output;
+    QVERIFY2(text.find("  3 turned by 3600.0000 deg\n") != std::string::npos, text.c_str());
+    // Turned and reported as what its limits are compared with.
+    const auto beyond = run({"pose", kRobot, "--angle", "8=400deg"});
+    QVERIFY(beyond.output.find("  10 turned by -200.0000 deg\n") != std::string::npos);
+    QVERIFY(beyond.errors.find("joint 10 at -200 deg is beyond its limits") != std::string::npos);
   }
 
   /// A second of work or more each, of which far less is allowed.

@@ -134,6 +134,9 @@ def test_poses_follow_the_rates(robot):
     assert (placed[0] == np.eye(4)).all()
     assert np.allclose(placed[:, :3, :3] @ placed[:, :3, :3].transpose(0, 2, 1), np.eye(3))
     assert a.pose({8: 400}, degrees=True).beyond_limits == (10, 12)
+    turned = a.pose({8: 3630}, degrees=True)
+    assert turned.joint_angles[8] == pytest.approx(np.radians(3630))
+    assert turned.joint_angles[10] == pytest.approx(np.radians(-1815))
     assert np.allclose(a.pose().to_numpy(), np.eye(4))
 
 

@@ -175,8 +175,7 @@ py::tuple pose(const Snapshot& self, const std::vector<NumberText>& degrees,
       for (int column = 0; column < 4; ++column) matrices.push_back(link.matrix()(row, column));
     }
   }
-  return py::make_tuple(packed(found->angles), packed(found->wholeAngles), packed(matrices),
-                        found->beyondLimits);
+  return py::make_tuple(packed(found->angles), packed(matrices), found->beyondLimits);
 }
 
 py::object motion(const Snapshot& self) {

@@ -33,20 +33,20 @@ class Pose:
     Attributes
     ----------
     joint_angles : dict of int to float
-        By label, rad, above -pi, to pi.
+        By label, rad, with all turns; ``inf`` beyond the range of doubles.
     whole_angles : dict of int to float
-        The same with all turns.
+        The same.
     beyond_limits : tuple of int
         Labels of joints that are beyond their limits.
     """
 
     __slots__ = ("joint_angles", "whole_angles", "beyond_limits", "_links", "_matrices")
 
-    def __init__(self, analysis: Analysis, row: Tuple[bytes, bytes, bytes, List[int]]) -> None:
-        angles, whole, self._matrices, beyond = row
+    def __init__(self, analysis: Analysis, row: Tuple[bytes, bytes, List[int]]) -> None:
+        angles, self._matrices, beyond = row
         first = analysis.mechanism.n + 1
         self.joint_angles = {first + i: angle for i, angle in enumerate(doubles(angles))}
-        self.whole_angles = {first + i: angle for i, angle in enumerate(doubles(whole))}
+        self.whole_angles = self.joint_angles
         self.beyond_limits = tuple(first + joint for joint in beyond)
         self._links = analysis.mechanism.n + 1
 

@@ -8,12 +8,6 @@
 #include "core/theory/pose/turning_lines.h"
 
 namespace geargraph::inline results {
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-}  // namespace
-
 InputAngles restingInputs(const AnalysisSnapshot& snapshot) {
   const std::vector<Rational> zeros(snapshot.matroid()->choice.joints.size());
   return {zeros, zeros};
@@ -28,16 +22,17 @@ std::optional<InputPose> poseOfInputs(const AnalysisSnapshot& snapshot, const In
   if (!inDegrees || !inRadians) return std::nullopt;
   InputPose pose;
   pose.angles.resize(static_cast<std::size_t>(model.t()));
-  pose.wholeAngles.resize(pose.angles.size());
+  ByJoint<double> reduced;  // only where links are does not depend on whole turns
+  reduced.resize(pose.angles.size());
   for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
-    const Rational& degrees = inDegrees->rates[joint];
+    const Rational turns = inDegrees->rates[joint] / 360;
     const Rational& radians = inRadians->rates[joint];
-    pose.angles[joint] = reducedAngle(degrees / 360, radians);
-    pose.wholeAngles[joint] = degrees.toDouble() * kDegree + radians.toDouble();
+    reduced[joint] = reducedAngle(turns, radians);
+    pose.angles[joint] = turns.toDouble() * 2 * std::numbers::pi + radians.toDouble();
   }
   pose.links =
-      ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(pose.angles);
-  pose.beyondLimits = jointsBeyondLimits(angleLimits(*snapshot.mechanism), pose.wholeAngles);
+      ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(reduced);
+  pose.beyondLimits = jointsBeyondLimits(angleLimits(*snapshot.mechanism), pose.angles);
   return pose;
 }
 

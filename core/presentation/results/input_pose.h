@@ -18,10 +18,9 @@ struct InputAngles {
 
 /// The pose of a mechanism for given angles of its inputs.
 struct InputPose {
-  ByJoint<double> angles;           ///< rad, above -pi, to pi
-  ByJoint<double> wholeAngles;      ///< rad, with all turns, for comparison with limits
+  ByJoint<double> angles;           ///< rad, with all turns; infinite beyond the range of doubles
   ByLink<Eigen::Isometry3d> links;  ///< displacement from the reference pose, base frame
-  std::vector<int> beyondLimits;    ///< joints whose whole angles are beyond their limits
+  std::vector<int> beyondLimits;    ///< joints whose angles are beyond their limits
 };
 
 /// All angles 0. @pre the snapshot has a matroid analysis
