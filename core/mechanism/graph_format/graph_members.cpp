@@ -79,7 +79,7 @@ std::optional<std::string_view> knownAttribute(AttributeOwner owner, std::string
           found([&](const GraphMember& each) { return isOf(each.part) && each.attribute == name; }))
     return known->attribute;
   if (owner == AttributeOwner::graph && name == kVersionAttribute) return kVersionAttribute;
-  if (owner == AttributeOwner::edge && name == kLabel) return kLabel;
+  if (name == kLabel) return kLabel;
   if (owner == AttributeOwner::edge && name == kEdgeKind) return kEdgeKind;
   return std::nullopt;
 }

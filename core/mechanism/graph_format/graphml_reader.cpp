@@ -2,6 +2,7 @@
 
 #include <expat.h>
 
+#include <algorithm>
 #include <cstring>
 #include <initializer_list>
 #include <map>
@@ -44,7 +45,7 @@ class GraphMlReader {
     std::string name{};
     std::string owner{};  ///< "node", "edge", "graph", "all"
   };
-  enum class Inside { nothing, graphMl, key, keyDefault, graph, node, edge, data, other };
+  enum class Inside { nothing, graphMl, key, keyDefault, graph, node, edge, data, label, other };
 
   /// No exception leaves through the parser, which is C.
   template <auto handle, class... Arguments>
@@ -116,6 +117,9 @@ class GraphMlReader {
       m_inside.back() = Inside::data;
       m_key = std::move(*key);
       m_value.clear();
+    } else if (around == Inside::other && (element == "NodeLabel" || element == "EdgeLabel")) {
+      m_inside.back() = Inside::label;  // of yEd, inside the data that draw a node or an edge
+      m_label.clear();
     }
   }
 
@@ -171,6 +175,7 @@ class GraphMlReader {
     if (m_inside.empty()) return;
     if (m_inside.back() == Inside::data || m_inside.back() == Inside::keyDefault)
       m_value.append(text, static_cast<std::size_t>(length));
+    if (m_inside.back() == Inside::label) m_label.append(text, static_cast<std::size_t>(length));
   }
 
   void end(const char*) {
@@ -180,7 +185,22 @@ class GraphMlReader {
       addDefault(m_keys[m_key]);
     } else if (left == Inside::data) {
       addData();
+    } else if (left == Inside::label) {
+      addLabel();
     }
+  }
+
+  /// The first label of the node or edge that is being read.
+  void addLabel() {
+    const auto value = std::make_shared<const AttributeText>(AttributeText{std::move(m_label)});
+    m_label.clear();
+    const auto isIn = [&](Inside part) {
+      return std::find(m_inside.begin(), m_inside.end(), part) != m_inside.end();
+    };
+    GraphAttributes* const owner = isIn(Inside::node)   ? &m_parts.nodes.back().attributes
+                                   : isIn(Inside::edge) ? &m_parts.edges.back().attributes
+                                                        : nullptr;
+    if (owner != nullptr && owner->find(kLabel) == nullptr) owner->set(kLabel, value);
   }
 
   /// A value counts for what it is in, whatever its key is declared for.
@@ -230,6 +250,7 @@ class GraphMlReader {
   std::vector<Inside> m_inside;
   std::string m_key;    ///< of the data or declaration at hand
   std::string m_value;  ///< gathered so far
+  std::string m_label;
   bool m_hasGraph = false;
   bool m_isDirected = true;
   Diagnostics m_failure;

@@ -9,6 +9,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/json.h"
+#include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "core/mechanism/graph_format/graph_members.h"
@@ -222,11 +223,43 @@ class MechanismGraphReader {
     }
   }
 
+  /// The name that a label shows, for what has no attribute "name"; std::nullopt where it shows no more than
+  /// `key`. One that cannot be a name is not read.
+  std::optional<std::string> nameInLabel(const GraphAttributes& attributes, std::string_view key) {
+    const AttributeText* const label = attributes.find(kLabel);
+    if (label == nullptr) return std::nullopt;
+    const std::string text = lineOf(label->text);
+    if (text.empty() || text == key || text == "\\N" || text == "\\G") return std::nullopt;
+    const AttributeText* const name = attributes.find(kNameAttribute);
+    if (name == nullptr && utf8Count(text) <= kLongestName) return text;
+    if (name == nullptr || name->text != text) m_parts.addUnread(kLabel);
+    return std::nullopt;
+  }
+
+  /// A label in one line: its ends of lines and DOT's escapes for them are blanks.
+  static std::string lineOf(std::string_view label) {
+    std::string line;
+    for (std::size_t i = 0; i < label.size(); ++i) {
+      const bool isEscaped = label[i] == '\\' && i + 1 < label.size() &&
+                             (label[i + 1] == 'n' || label[i + 1] == 'l' || label[i + 1] == 'r');
+      const bool isBreak = isEscaped || static_cast<unsigned char>(label[i]) <= ' ';
+      if (isEscaped) ++i;
+      if (!isBreak) {
+        line += label[i];
+      } else if (!line.empty() && line.back() != ' ') {
+        line += ' ';
+      }
+    }
+    if (!line.empty() && line.back() == ' ') line.pop_back();
+    return line;
+  }
+
   void writeHead() {
     (void)append("{\"format\":\"geargraph\",\"version\":" + std::to_string(kFileVersion));
     m_graph = {translated("The graph"), m_parts.offset, GraphPart::graph};
+    const auto label = nameInLabel(m_parts.attributes, m_parts.name);
     if (m_parts.attributes.find(kNameAttribute) == nullptr)
-      (void)append(",\"name\":" + jsonString(m_parts.name));
+      (void)append(",\"name\":" + jsonString(label.value_or(m_parts.name)));
     writeMembers(m_parts.attributes, m_graph, true, {});
   }
 
@@ -244,6 +277,8 @@ class MechanismGraphReader {
         continue;
       }
       if (!append((m_json.back() == '[' ? "{\"id\":" : ",{\"id\":") + jsonString(id))) return;
+      if (const auto name = nameInLabel(node.attributes, node.key))
+        (void)append(",\"name\":" + jsonString(*name));
       writeMembers(node.attributes, origin, true, kLinkId);
       (void)append("}");
     }
@@ -292,6 +327,9 @@ class MechanismGraphReader {
                   jsonString(m_links.at(edge->source)) + ",\"head\":" + jsonString(m_links.at(edge->target))))
         return;
       writeMembers(edge->attributes, origin, true, kEdgeId);
+      if (const AttributeText* const shown = edge->attributes.find(kLabel);
+          shown != nullptr && !lineOf(shown->text).empty() && !wholeNumber(shown->text))
+        m_parts.addUnread(kLabel);  // joints and meshes have no names
       (void)append("}");
     }
     (void)append("]");

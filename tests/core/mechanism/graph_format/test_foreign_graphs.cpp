@@ -102,6 +102,50 @@ class TestForeignGraphs : public QObject {
              std::string("Attributes without a meaning for the mechanism were not read: colour."));
   }
 
+  void namesInLabelsAreKept() {
+    const GraphReading dot = readingOf(R"(digraph g {
+      label = "Two-stage\nreducer";
+      node [label="\N"] edge [kind=turning, label=""]
+      frame [label="Housing"]
+      pinion [label="input\nshaft"]
+      wheel [name=gear, label="other"]
+      frame -> pinion [axis=a]; frame -> wheel [axis=b, label="bearing"];
+      pinion -> wheel [kind=mesh, tailTeeth=20, headTeeth=30, meshKind=external];
+      frame -> idler [axis=c, label=7]
+      subgraph cluster_x { label="a group"; idler }
+    })");
+    QCOMPARE(dot.mechanism.name, std::string("Two-stage reducer"));
+    const auto nameOf = [&](std::size_t link) { return dot.mechanism.links[link].name; };
+    QCOMPARE(nameOf(0), std::string("Housing"));
+    QCOMPARE(nameOf(1), std::string("input shaft"));
+    QCOMPARE(nameOf(2), std::string("gear"));
+    QCOMPARE(nameOf(3), std::string());
+    QCOMPARE(dot.notes.back(),
+             std::string("Attributes without a meaning for the mechanism were not read: label."));
+    const std::string yEd =
+        "<graphml><key id='d0' for='edge' attr.name='kind'/><key id='d1' for='edge' attr.name='axis'/>"
+        "<key for='node' id='d6' yfiles.type='nodegraphics'/><key for='node' id='d7' attr.name='label'/>"
+        "<graph id='G' edgedefault='directed'>"
+        "<node id='n0'><data key='d6'><y:ShapeNode><y:Fill color='red'/><y:NodeLabel a='b'>ground<y:M/>\n"
+        "</y:NodeLabel><y:NodeLabel>second</y:NodeLabel></y:ShapeNode></data></node>"
+        "<node id='n1'><data key='d7'>sun</data></node>"
+        "<edge source='n0' target='n1'><data key='d0'>turning</data><data key='d1'>a</data></edge>"
+        "</graph></graphml>";
+    const GraphReading graphMl = readingOf(yEd);
+    QCOMPARE(graphMl.mechanism.links[0].name, std::string("ground"));
+    QCOMPARE(graphMl.mechanism.links[1].name, std::string("sun"));
+    QCOMPARE(graphMl.mechanism.name, std::string("G"));
+  }
+
+  void namesThatAreNoneAreListed() {
+    const std::string text =
+        "digraph { a [label=\"" + repeated("x", 1001) + "\"] a -> b [kind=turning, axis=c] }";
+    const GraphReading reading = readingOf(text);
+    QCOMPARE(reading.mechanism.links[0].name, std::string());
+    QCOMPARE(reading.notes.back(),
+             std::string("Attributes without a meaning for the mechanism were not read: label."));
+  }
+
   void whatIsMissingIsNamedWithItsPlace_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("expected");
