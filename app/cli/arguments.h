@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/foundations/base/decimal.h"
+#include "core/mechanism/model/quantity.h"
 
 namespace geargraph::cli {
 
@@ -36,11 +36,13 @@ struct Arguments {
   [[nodiscard]] std::vector<std::string> values(std::string_view option) const;
 };
 
-/// The number that the whole text represents; std::nullopt if it represents none.
+/// The number that the whole text represents; std::nullopt if it represents none. Numbers with decimals may
+/// be expressions (typedNumber()).
 template <class Number>
 [[nodiscard]] std::optional<Number> numberFrom(std::string_view text) {
   if constexpr (std::is_floating_point_v<Number>) {
-    return decimalFrom(text);
+    const auto number = typedNumber(text);
+    return number ? std::optional(number->value()) : std::nullopt;
   } else {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -19,7 +19,7 @@
 #include "core/foundations/files/file.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
-#include "core/mechanism/model/torque_text.h"
+#include "core/mechanism/model/quantity.h"
 
 namespace geargraph::cli {
 namespace {
@@ -29,21 +29,23 @@ constexpr double kLeastInterval = 1e-6;
 
 using ReadNumber = std::optional<double> (*)(std::string_view text);
 
-std::optional<double> plainNumber(std::string_view text) {
-  const auto number = Number::fromText(text);
+std::optional<double> valueOf(const std::optional<Number>& number) {
   return number ? std::optional(number->value()) : std::nullopt;
 }
-std::optional<double> torqueNumber(std::string_view text) {
-  const auto torque = torqueFromText(text);
-  return torque ? std::optional(torque->value()) : std::nullopt;
+std::optional<double> plainNumber(std::string_view text) {
+  return valueOf(typedNumber(text));
 }
-/// "30deg", "1/2rad", "1/2", in rad.
+std::optional<double> speedNumber(std::string_view text) {
+  return valueOf(quantityFromText(text, Quantity::speed));
+}
+std::optional<double> torqueNumber(std::string_view text) {
+  return valueOf(withUnitFromText(text, Quantity::torque));
+}
+/// In rad.
 std::optional<double> angleNumber(std::string_view text) {
-  const bool isDegrees = text.ends_with("deg");
-  if (isDegrees || text.ends_with("rad")) text.remove_suffix(3);
-  const auto number = plainNumber(text);
-  if (!number) return std::nullopt;
-  return isDegrees ? *number * std::numbers::pi / 180 : *number;
+  const auto angle = angleFromText(text);
+  if (!angle) return std::nullopt;
+  return angle->degrees.toDouble() * std::numbers::pi / 180 + angle->radians.toDouble();
 }
 
 /// Sets a number of one input by a word like `example`, "8=1.5Nm".
@@ -90,12 +92,14 @@ std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arg
   }
   if (isNegative) return UsageError{translated("--damping is at least 0, in N m s.")};
   for (const std::string& word : arguments.values("--angle")) {
+    const auto read = angleOption("--angle", word);
+    if (const auto* error = std::get_if<UsageError>(&read)) return *error;
     if (const auto error = setByInput(result, "--angle", word, "8=30deg", angleNumber,
                                       [&](std::size_t i, double angle) { start.angles[at(i)] = angle; }))
       return error;
   }
   for (const std::string& word : arguments.values("--start-speed")) {
-    if (const auto error = setByInput(result, "--start-speed", word, "8=1", plainNumber,
+    if (const auto error = setByInput(result, "--start-speed", word, "8=1", speedNumber,
                                       [&](std::size_t i, double speed) { start.speeds[at(i)] = speed; }))
       return error;
   }
@@ -209,7 +213,7 @@ constexpr std::array kOptions = {
     Option{"--damping", "8=0.01", toTranslate("less this for each rad/s, N m s; may be given again")},
     Option{"--angle", "8=30deg", toTranslate("the angle of an input at the start; may be given again")},
     Option{"--start-speed", "8=1",
-           toTranslate("its speed at the start, rad/s (without it 0); may be given again")},
+           toTranslate("its speed at the start, rad/s or with a unit (without it 0); may be given again")},
     Option{"--seconds", "10", toTranslate("follow the motion for so long")},
     Option{"--interval", "0.01",
            toTranslate("seconds between samples (without it a hundredth of the motion)")},

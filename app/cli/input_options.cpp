@@ -62,8 +62,11 @@ std::optional<UsageError> setSpeed(Mechanism& mechanism, std::string_view word) 
     return UsageError{translated("--speed is like 8=1/2: a joint's label and rad/s.")};
   const auto position = jointOf(mechanism, word.substr(0, equals));
   if (const auto* error = std::get_if<UsageError>(&position)) return *error;
-  const auto speed = Number::fromText(word.substr(equals + 1));
-  if (!speed) return UsageError{translated("\"%1\" is no speed; 1/2 or 0.5 is.", {word.substr(equals + 1)})};
+  const auto speed = quantityFromText(word.substr(equals + 1), Quantity::speed);
+  if (!speed) {
+    return UsageError{translated("\"%1\" is no speed; 1/2, 2*3 (rad/s), 1500rpm and 90deg/s are.",
+                                 {word.substr(equals + 1)})};
+  }
   const JointId joint = mechanism.turningJoints[static_cast<std::size_t>(std::get<int>(position))].id;
   for (Input& input : *mechanism.inputs) {
     if (input.joint != joint) continue;

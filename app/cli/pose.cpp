@@ -16,6 +16,7 @@
 #include "app/cli/element_words.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
+#include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/results/input_pose.h"
@@ -29,25 +30,15 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string_view word,
                                    InputAngles& angles) {
-  const std::size_t equals = std::min(word.find('='), word.size());
-  const std::string label(word.substr(0, equals));
-  std::string_view value = word.substr(std::min(equals + 1, word.size()));
-  const bool isDegrees = value.ends_with("deg");
-  if (isDegrees || value.ends_with("rad")) value.remove_suffix(3);
-  const auto angle = Rational::fromText(value);
-  if (!angle)
-    return UsageError{translated("--angle is like 8=30deg or 8=1/2rad: an input's label and its angle.")};
-  if (!std::isfinite(angle->toDouble())) {
-    return UsageError{
-        translated("The angle %1 is too large: no program could represent it, the largest number is "
-                   "1.79e308. Leave out whole turns.",
-                   {word})};
-  }
+  const std::string label(word.substr(0, std::min(word.find('='), word.size())));
+  const auto read = angleOption("--angle", word);
+  if (const auto* error = std::get_if<UsageError>(&read)) return *error;
   const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
   const auto joint = jointNamed(*snapshot.mechanism, label);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (joint != inputs[i]) continue;
-    (isDegrees ? angles.degrees : angles.radians)[i] = *angle;
+    angles.degrees[i] = std::get<TypedAngle>(read).degrees;
+    angles.radians[i] = std::get<TypedAngle>(read).radians;
     return std::nullopt;
   }
   return UsageError{translated("Joint %1 is not an input; see --inputs.", {'"' + label + '"'})};
@@ -121,6 +112,15 @@ std::string asJson(const AnalysisSnapshot& snapshot, const InputPose& pose) {
     json.endObject();
   }
   return sink.take();
+}
+
+/// With four decimals and no -0.
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(4) << std::round(value * 1e4) / 1e4 + 0.0;
+  return text.str();
+}
+
 /// With all turns; where four decimals are beyond a double, eight digits.
 std::string degreesText(double angle) {
   constexpr double kMostWithDecimals = 1e11;
@@ -128,15 +128,6 @@ std::string degreesText(double angle) {
   if (std::abs(degrees) < kMostWithDecimals) return rounded(degrees);
   std::ostringstream text;
   text << std::setprecision(8) << degrees;
-  return text.str();
-}
-
-}
-
-/// With four decimals and no -0.
-std::string rounded(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(4) << std::round(value * 1e4) / 1e4 + 0.0;
   return text.str();
 }
 
@@ -192,7 +183,7 @@ int run(const Arguments& arguments) {
 
 constexpr std::array kOptions = {
     Option{"--angle", "8=30deg",
-           toTranslate("the angle of an input (deg or rad; without it 0); may be repeated")},
+           toTranslate("the angle of an input (deg, rad or turns; without it 0); may be repeated")},
     Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
     kStateOption,
     kEngageOption,

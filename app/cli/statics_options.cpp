@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "app/cli/element_words.h"
+#include "app/cli/number_options.h"
 #include "core/foundations/base/words.h"
-#include "core/mechanism/model/torque_text.h"
+#include "core/mechanism/model/length.h"
+#include "core/mechanism/model/quantity.h"
 
 namespace geargraph::cli {
 namespace {
@@ -42,27 +44,23 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
   return Place(place);
 }
 
-std::optional<NumberTriple> tripleFrom(std::string_view text) {
-  NumberTriple triple;
-  for (std::size_t i = 0; i < triple.size(); ++i) {
-    const std::size_t comma = i + 1 < triple.size() ? text.find(',') : text.size();
-    if (comma == std::string_view::npos) return std::nullopt;
-    const auto number = Number::fromText(text.substr(0, comma));
-    if (!number) return std::nullopt;
-    triple[i] = *number;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return triple;
-}
-
-/// "10,-20,-50N@30,-60,130" on a link.
-std::optional<LinkForce> forceFrom(LinkId link, std::string_view text) {
-  const std::size_t at = text.find("N@");
+/// "10,-20,-50N@30,-60,130" on a link: components in the unit behind the last one, a point in the document's
+/// unit or with one.
+std::optional<LinkForce> forceFrom(const Mechanism& mechanism, LinkId link, std::string_view text) {
+  const std::size_t at = text.find('@');
   if (at == std::string_view::npos) return std::nullopt;
-  const auto force = tripleFrom(text.substr(0, at));
-  const auto point = tripleFrom(text.substr(at + 2));
-  if (!force || !point) return std::nullopt;
-  return LinkForce{link, *force, *point};
+  const std::string_view components = text.substr(0, at);
+  const auto point = tripleFrom(text.substr(at + 1),
+                                [&](std::string_view each) { return lengthFromText(each, mechanism.unit); });
+  for (const std::string_view unit : {"kN", "mN", "N", "lbf", "kgf"}) {
+    if (!components.ends_with(unit)) continue;
+    const auto force =
+        tripleFrom(components.substr(0, components.size() - unit.size()), [&](std::string_view each) {
+          return withUnitFromText(std::string(each) + std::string(unit), Quantity::force);
+        });
+    if (force && point) return LinkForce{link, *force, *point};
+  }
+  return std::nullopt;
 }
 
 std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_view word) {
@@ -72,16 +70,16 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
   const std::string_view size = word.substr(std::min(equals + 1, word.size()));
   const auto& where = std::get<Place>(place);
   const auto* link = std::get_if<Balance::OnLink>(&where);
-  if (const auto torque = torqueFromText(size)) {
+  if (const auto torque = withUnitFromText(size, Quantity::torque)) {
     if (link == nullptr) return Load{{}, JointTorque{std::get<JointId>(where), *torque}};
     return Load{{}, LinkTorque{link->link, link->axis, *torque}};
   }
   if (link != nullptr && !link->axis) {
-    if (const auto force = forceFrom(link->link, size)) return Load{{}, *force};
+    if (const auto force = forceFrom(mechanism, link->link, size)) return Load{{}, *force};
   }
   return UsageError{translated(
-      "\"%1\" is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on "
-      "a link at a point.",
+      "\"%1\" is no load: 10Nm, 1/2kNm, 3lbf ft and 2kW@1500rpm are torques, and 10,-20,-50N@30,-60,130 is a "
+      "force on a link at a point.",
       {size})};
 }
 
@@ -107,10 +105,12 @@ std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechani
   }
   options.losses = arguments.has("--efficiency") || arguments.has("--eta");
   if (const auto word = arguments.value("--eta")) {
-    const auto efficiency = Rational::fromText(*word);
-    if (!efficiency || efficiency->sign() <= 0 || *efficiency > Rational(1))
+    const bool isPercent = word->ends_with('%');
+    const auto number = typedNumber(isPercent ? word->substr(0, word->size() - 1) : *word);
+    const Rational efficiency = number ? number->exact() / (isPercent ? 100 : 1) : Rational();
+    if (efficiency.sign() <= 0 || efficiency > Rational(1))
       return UsageError{translated("--eta is an efficiency, above 0 and at most 1.")};
-    options.efficiency = *efficiency;
+    options.efficiency = efficiency;
   }
   const std::string share = arguments.value("--share").value_or("none");
   if (share != "none" && share != "stiffness")

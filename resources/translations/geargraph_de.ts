@@ -3879,8 +3879,24 @@
         <translation>Geben Sie eine Zahl wie 12, 0,5 oder 22/7 oder eine Länge wie 1/2 in ein.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7.</source>
-        <translation>Geben Sie eine Zahl wie 12, 0,5 oder 22/7 ein.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>
+        <translation>Geben Sie eine Zahl wie 12, 0,5, 22/7 oder 2*3 ein.</translation>
+    </message>
+    <message>
+        <source>Type an angle such as 30, 2*15, 0.5 rad or 1/4 turns.</source>
+        <translation>Geben Sie einen Winkel wie 30, 2*15, 0.5 rad oder 1/4 turns ein.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 90 deg/s or 1500 rpm.</source>
+        <translation>Geben Sie eine Drehgeschwindigkeit wie 12, 2*3, 90 deg/s oder 1500 rpm ein.</translation>
+    </message>
+    <message>
+        <source>Type a torque such as 12, 2*3, 5 N cm, 3 lbf ft or 2 kW @ 1500 rpm.</source>
+        <translation>Geben Sie ein Moment wie 12, 2*3, 5 N cm, 3 lbf ft oder 2 kW @ 1500 rpm ein.</translation>
+    </message>
+    <message>
+        <source>Type a force such as 12, 2*3 or 5 kN.</source>
+        <translation>Geben Sie eine Kraft wie 12, 2*3 oder 5 kN ein.</translation>
     </message>
     <message>
         <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
@@ -8025,8 +8041,8 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>der Winkel eines Antriebs am Anfang; darf mehrmals stehen</translation>
     </message>
     <message>
-        <source>its speed at the start, rad/s (without it 0); may be given again</source>
-        <translation>seine Drehgeschwindigkeit am Anfang, rad/s (sonst 0); darf mehrmals stehen</translation>
+        <source>its speed at the start, rad/s or with a unit (without it 0); may be given again</source>
+        <translation>seine Drehgeschwindigkeit am Anfang, rad/s oder mit Einheit (sonst 0); darf mehrmals stehen</translation>
     </message>
     <message>
         <source>follow the motion for so long</source>
@@ -8677,8 +8693,8 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>--speed ist wie 8=1/2: Bezeichnung eines Gelenks und rad/s.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
-        <translation>„%1“ ist keine Drehgeschwindigkeit; 1/2 oder 0.5 ist eine.</translation>
+        <source>&quot;%1&quot; is no speed; 1/2, 2*3 (rad/s), 1500rpm and 90deg/s are.</source>
+        <translation>„%1“ ist keine Drehgeschwindigkeit; 1/2, 2*3 (rad/s), 1500rpm und 90deg/s sind welche.</translation>
     </message>
     <message>
         <source>Too many to count</source>
@@ -8847,8 +8863,12 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>%1 nimmt eine Zahl von %2 bis %3, nicht „%4“.</translation>
     </message>
     <message>
-        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
-        <translation>--angle ist wie 8=30deg oder 8=1/2rad: Bezeichnung eines Antriebs und sein Winkel.</translation>
+        <source>%1 is like 8=30deg, 8=1/2rad or 8=2turns: an input&apos;s label and its angle.</source>
+        <translation>%1 ist wie 8=30deg, 8=1/2rad oder 8=2turns: Bezeichnung eines Antriebs und sein Winkel.</translation>
+    </message>
+    <message>
+        <source>%1 needs the unit of its angle: %2deg or %2rad.</source>
+        <translation>%1 braucht die Einheit des Winkels: %2deg oder %2rad.</translation>
     </message>
     <message>
         <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
@@ -8879,8 +8899,8 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>die Lage</translation>
     </message>
     <message>
-        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
-        <translation>der Winkel eines Antriebs (deg oder rad; sonst 0); darf wiederholt werden</translation>
+        <source>the angle of an input (deg, rad or turns; without it 0); may be repeated</source>
+        <translation>der Winkel eines Antriebs (deg, rad oder turns; sonst 0); darf wiederholt werden</translation>
     </message>
     <message>
         <source>Says where every link is for given angles of the inputs.</source>
@@ -9059,8 +9079,8 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Eine Achse „%1“ gibt es nicht.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
-        <translation>„%1“ ist keine Last: 10Nm, 1/2kNm und 500Nmm sind Momente, und 10,-20,-50N@30,-60,130 ist eine Kraft auf ein Glied in einem Punkt.</translation>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm, 3lbf ft and 2kW@1500rpm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>„%1“ ist keine Last: 10Nm, 1/2kNm, 3lbf ft und 2kW@1500rpm sind Momente, und 10,-20,-50N@30,-60,130 ist eine Kraft auf ein Glied in einem Punkt.</translation>
     </message>
     <message>
         <source>--balance names &quot;%1&quot; twice.</source>

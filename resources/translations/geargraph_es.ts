@@ -3879,8 +3879,24 @@
         <translation>Escriba un número como 12, 0,5 o 22/7, o una longitud como 1/2 in.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7.</source>
-        <translation>Escriba un número como 12, 0,5 o 22/7.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>
+        <translation>Escriba un número como 12, 0,5, 22/7 o 2*3.</translation>
+    </message>
+    <message>
+        <source>Type an angle such as 30, 2*15, 0.5 rad or 1/4 turns.</source>
+        <translation>Escriba un ángulo como 30, 2*15, 0.5 rad o 1/4 turns.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 90 deg/s or 1500 rpm.</source>
+        <translation>Escriba una velocidad como 12, 2*3, 90 deg/s o 1500 rpm.</translation>
+    </message>
+    <message>
+        <source>Type a torque such as 12, 2*3, 5 N cm, 3 lbf ft or 2 kW @ 1500 rpm.</source>
+        <translation>Escriba un momento como 12, 2*3, 5 N cm, 3 lbf ft o 2 kW @ 1500 rpm.</translation>
+    </message>
+    <message>
+        <source>Type a force such as 12, 2*3 or 5 kN.</source>
+        <translation>Escriba una fuerza como 12, 2*3 o 5 kN.</translation>
     </message>
     <message>
         <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
@@ -8025,8 +8041,8 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>el ángulo de una entrada al comienzo; se puede repetir</translation>
     </message>
     <message>
-        <source>its speed at the start, rad/s (without it 0); may be given again</source>
-        <translation>su velocidad al comienzo, rad/s (si no, 0); se puede repetir</translation>
+        <source>its speed at the start, rad/s or with a unit (without it 0); may be given again</source>
+        <translation>su velocidad al comienzo, rad/s o con su unidad (si no, 0); se puede repetir</translation>
     </message>
     <message>
         <source>follow the motion for so long</source>
@@ -8677,8 +8693,8 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>--speed es como 8=1/2: la etiqueta de un par y rad/s.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
-        <translation>«%1» no es una velocidad; 1/2 o 0.5 sí.</translation>
+        <source>&quot;%1&quot; is no speed; 1/2, 2*3 (rad/s), 1500rpm and 90deg/s are.</source>
+        <translation>«%1» no es una velocidad; 1/2, 2*3 (rad/s), 1500rpm y 90deg/s sí.</translation>
     </message>
     <message>
         <source>Too many to count</source>
@@ -8847,8 +8863,12 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>%1 toma un número de %2 a %3, no «%4».</translation>
     </message>
     <message>
-        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
-        <translation>--angle es como 8=30deg u 8=1/2rad: la etiqueta de una entrada y su ángulo.</translation>
+        <source>%1 is like 8=30deg, 8=1/2rad or 8=2turns: an input&apos;s label and its angle.</source>
+        <translation>%1 es como 8=30deg, 8=1/2rad u 8=2turns: la etiqueta de una entrada y su ángulo.</translation>
+    </message>
+    <message>
+        <source>%1 needs the unit of its angle: %2deg or %2rad.</source>
+        <translation>%1 necesita la unidad del ángulo: %2deg o %2rad.</translation>
     </message>
     <message>
         <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
@@ -8879,8 +8899,8 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>la posición</translation>
     </message>
     <message>
-        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
-        <translation>el ángulo de una entrada (deg o rad; si no, 0); se puede repetir</translation>
+        <source>the angle of an input (deg, rad or turns; without it 0); may be repeated</source>
+        <translation>el ángulo de una entrada (deg, rad o turns; si no, 0); se puede repetir</translation>
     </message>
     <message>
         <source>Says where every link is for given angles of the inputs.</source>
@@ -9059,8 +9079,8 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>No hay ningún eje «%1».</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
-        <translation>«%1» no es una carga: 10Nm, 1/2kNm y 500Nmm son momentos, y 10,-20,-50N@30,-60,130 es una fuerza sobre un eslabón en un punto.</translation>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm, 3lbf ft and 2kW@1500rpm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>«%1» no es una carga: 10Nm, 1/2kNm, 3lbf ft y 2kW@1500rpm son momentos, y 10,-20,-50N@30,-60,130 es una fuerza sobre un eslabón en un punto.</translation>
     </message>
     <message>
         <source>--balance names &quot;%1&quot; twice.</source>

@@ -3878,8 +3878,24 @@
         <translation>12, 0,5 veya 22/7 gibi bir sayı ya da 1/2 in gibi bir uzunluk yazın.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7.</source>
-        <translation>12, 0,5 veya 22/7 gibi bir sayı yazın.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>
+        <translation>12, 0,5, 22/7 veya 2*3 gibi bir sayı yazın.</translation>
+    </message>
+    <message>
+        <source>Type an angle such as 30, 2*15, 0.5 rad or 1/4 turns.</source>
+        <translation>30, 2*15, 0.5 rad veya 1/4 turns gibi bir açı yazın.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 90 deg/s or 1500 rpm.</source>
+        <translation>12, 2*3, 90 deg/s veya 1500 rpm gibi bir hız yazın.</translation>
+    </message>
+    <message>
+        <source>Type a torque such as 12, 2*3, 5 N cm, 3 lbf ft or 2 kW @ 1500 rpm.</source>
+        <translation>12, 2*3, 5 N cm, 3 lbf ft veya 2 kW @ 1500 rpm gibi bir tork yazın.</translation>
+    </message>
+    <message>
+        <source>Type a force such as 12, 2*3 or 5 kN.</source>
+        <translation>12, 2*3 veya 5 kN gibi bir kuvvet yazın.</translation>
     </message>
     <message>
         <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
@@ -8024,8 +8040,8 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>başlangıçta bir girişin açısı; yeniden verilebilir</translation>
     </message>
     <message>
-        <source>its speed at the start, rad/s (without it 0); may be given again</source>
-        <translation>başlangıçtaki hızı, rad/s (yoksa 0); yeniden verilebilir</translation>
+        <source>its speed at the start, rad/s or with a unit (without it 0); may be given again</source>
+        <translation>başlangıçtaki hızı, rad/s veya birimiyle (yoksa 0); yeniden verilebilir</translation>
     </message>
     <message>
         <source>follow the motion for so long</source>
@@ -8676,8 +8692,8 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>--speed 8=1/2 gibidir: mafsalın etiketi ve rad/s.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no speed; 1/2 or 0.5 is.</source>
-        <translation>&quot;%1&quot; hız değil; 1/2 veya 0.5 olur.</translation>
+        <source>&quot;%1&quot; is no speed; 1/2, 2*3 (rad/s), 1500rpm and 90deg/s are.</source>
+        <translation>&quot;%1&quot; hız değil; 1/2, 2*3 (rad/s), 1500rpm ve 90deg/s olur.</translation>
     </message>
     <message>
         <source>Too many to count</source>
@@ -8846,8 +8862,12 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%1, %2 ile %3 arasında bir sayı alır, &quot;%4&quot; değil.</translation>
     </message>
     <message>
-        <source>--angle is like 8=30deg or 8=1/2rad: an input&apos;s label and its angle.</source>
-        <translation>--angle 8=30deg veya 8=1/2rad gibidir: girişin etiketi ve açısı.</translation>
+        <source>%1 is like 8=30deg, 8=1/2rad or 8=2turns: an input&apos;s label and its angle.</source>
+        <translation>%1 8=30deg, 8=1/2rad veya 8=2turns gibidir: girişin etiketi ve açısı.</translation>
+    </message>
+    <message>
+        <source>%1 needs the unit of its angle: %2deg or %2rad.</source>
+        <translation>%1 için açının birimi gerekir: %2deg veya %2rad.</translation>
     </message>
     <message>
         <source>The angle %1 is too large: no program could represent it, the largest number is 1.79e308. Leave out whole turns.</source>
@@ -8878,8 +8898,8 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>konum</translation>
     </message>
     <message>
-        <source>the angle of an input (deg or rad; without it 0); may be repeated</source>
-        <translation>bir girişin açısı (deg veya rad; yoksa 0); yinelenebilir</translation>
+        <source>the angle of an input (deg, rad or turns; without it 0); may be repeated</source>
+        <translation>bir girişin açısı (deg, rad veya turns; yoksa 0); yinelenebilir</translation>
     </message>
     <message>
         <source>Says where every link is for given angles of the inputs.</source>
@@ -9058,8 +9078,8 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>&quot;%1&quot; ekseni yok.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
-        <translation>&quot;%1&quot; yük değil: 10Nm, 1/2kNm ve 500Nmm torktur, 10,-20,-50N@30,-60,130 bir uzva bir noktada etkiyen kuvvettir.</translation>
+        <source>&quot;%1&quot; is no load: 10Nm, 1/2kNm, 3lbf ft and 2kW@1500rpm are torques, and 10,-20,-50N@30,-60,130 is a force on a link at a point.</source>
+        <translation>&quot;%1&quot; yük değil: 10Nm, 1/2kNm, 3lbf ft ve 2kW@1500rpm torktur, 10,-20,-50N@30,-60,130 bir uzva bir noktada etkiyen kuvvettir.</translation>
     </message>
     <message>
         <source>--balance names &quot;%1&quot; twice.</source>

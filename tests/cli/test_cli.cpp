@@ -306,6 +306,48 @@ class TestCli : public QObject {
     QVERIFY(beyond.errors.find("joint 10 at -200 deg is beyond its limits") != std::string::npos);
   }
 
+  void pose_needsTheUnitOfAnAngle() {
+    const auto rejected = run({"pose", kRobot, "--angle", "8=30"});
+    QCOMPARE(rejected.status, 2);
+    QVERIFY2(
+        rejected.errors.find("--angle needs the unit of its angle: 8=30deg or 8=30rad.") != std::string::npos,
+        rejected.errors.c_str());
+    QCOMPARE(run({"dynamics", kRobot, "--angle", "8=30"}).status, 2);
+    const auto angle = [](const char* text) {
+      const Run posed = run({"pose", kRobot, "--json", "--angle", QString("8=") + text});
+      return posed.status == 0 ? json::parse(posed.output)["jointAngles"]["8"].get<double>() : -1;
+    };
+    QCOMPARE(angle("0"), 0.0);
+    QCOMPARE(angle("2*15deg"), M_PI / 6);
+    QCOMPARE(angle("1/12 turns"), M_PI / 6);
+    QCOMPARE(angle("1/4+1/4 rad"), 0.5);
+  }
+
+  void quantities_haveTheUnitsOfPeople() {
+    const auto speeds = [](const QStringList& words) {
+      return json::parse(run(QStringList{"analyze", kRobot, "--json"} + words).output)["jointSpeeds"];
+    };
+    QCOMPARE(speeds({"--speed", "8=1/3+1/5"})["8"].get<std::string>(), std::string("8/15"));
+    QCOMPARE(speeds({"--speed", "8=100/22"})["8"].get<std::string>(), std::string("50/11"));
+    QCOMPARE(speeds({"--speed", "8=600deg/s"}), speeds({"--speed", "8=100rpm"}));
+    // 10 = -8/2 and 11 added to what it drives: zero stays zero with angles of pi.
+    const json balanced = speeds({"--speed", "8=300rpm", "--speed", "9=0", "--speed", "11=0 1/min"});
+    QCOMPARE(Rational::fromText(balanced["10"].get<std::string>())->toDouble(), -5 * M_PI);
+    const auto torque = [](const char* load) {
+      const Run solved = run({"statics", kRobot, "--json", "--load", QString("joint:14=") + load});
+      return json::parse(solved.output)["loads"][0]["torque"].get<std::string>();
+    };
+    QCOMPARE(torque("1000 N cm"), std::string("10"));
+    QCOMPARE(torque("1lbf ft"), std::string("3389544870828501/2500000000000000"));
+    QCOMPARE(torque("100W@50rad/s"), std::string("2"));
+    const Run force = run({"statics", kRobot, "--json", "--load", "link:3=0,0,-2*10N@30,-60,1in"});
+    const Run same = run({"statics", kRobot, "--json", "--load", "link:3=0,0,-20N@30,-60,25.4"});
+    QCOMPARE(force.status, 0);
+    QCOMPARE(force.output, same.output);
+    QCOMPARE(run({"statics", kRobot, "--json", "--load", "joint:14=10Nm", "--eta", "98%"}).output,
+             run({"statics", kRobot, "--json", "--load", "joint:14=10Nm", "--eta", "0.98"}).output);
+  }
+
   /// A second of work or more each, of which far less is allowed.
   void everyCommand_endsAtItsTimeLimit_andLeavesNothing() {
     save(test::deepTrain(1, 4000));

@@ -10,7 +10,7 @@
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/mechanism/model/torque_text.h"
+#include "core/mechanism/model/quantity.h"
 #include "core/theory/states/state_edits.h"
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
@@ -102,8 +102,7 @@ QString ElementCommands::setTorque(const ElementId& element, const QString& text
       apply(tr("Remove load"), [load](const Mechanism& before) { return withoutLoad(before, load); });
     return {};
   }
-  const bool hasUnit = plain.contains(QLatin1Char('m'));
-  const auto torque = torqueFromText((hasUnit ? plain : plain + QStringLiteral("Nm")).toStdString());
+  const auto torque = quantityFromText(plain.toStdString(), Quantity::torque);
   if (!torque) return tr("A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm");
   apply(load >= 0 ? tr("Set load") : tr("Add load"),
         [element, torque](const Mechanism& before) { return withTorque(before, element, *torque); });

@@ -108,20 +108,21 @@ void MotorsForm::showRows(const Mechanism& mechanism, const std::vector<int>& jo
     m_grid->addWidget(title, row + 1, 0);
     m_widgets.push_back(title);
     addField(QStringLiteral("torque.") + label, tr("Torque of the motor of joint %1, N m").arg(label), row, 1,
-             &Row::torque);
+             &Row::torque, Quantity::torque);
     addField(QStringLiteral("damping.") + label,
              tr("Torque that the motor of joint %1 loses for each rad/s, N m s").arg(label), row, 2,
-             &Row::damping);
+             &Row::damping, Quantity::number);
     addField(QStringLiteral("angle.") + label, tr("Angle of joint %1 at the start, degrees").arg(label), row,
-             3, &Row::degrees);
+             3, &Row::degrees, Quantity::angle);
     addField(QStringLiteral("startSpeed.") + label, tr("Speed of joint %1 at the start, rad/s").arg(label),
-             row, 4, &Row::speed);
+             row, 4, &Row::speed, Quantity::speed);
   }
 }
 
 void MotorsForm::addField(const QString& name, const QString& meaning, int row, int column,
-                          Number Row::*number) {
+                          Number Row::*number, Quantity quantity) {
   NumberField* field = makeField(name, meaning);
+  field->setQuantity(quantity);
   field->setNumber(m_rows[static_cast<std::size_t>(row)].*number);
   const bool isDamping = number == &Row::damping;
   field->setFixedWidth(scaledPixels(kFieldWidths[column - 1]));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/model/quantity.h"
 #include "core/theory/dynamics/simulation.h"
 
 class QGridLayout;
@@ -34,7 +35,8 @@ class MotorsForm : public QWidget {
     Number torque, damping, degrees, speed;
   };
   void showRows(const Mechanism& mechanism, const std::vector<int>& joints);
-  void addField(const QString& name, const QString& meaning, int row, int column, Number Row::*number);
+  void addField(const QString& name, const QString& meaning, int row, int column, Number Row::*number,
+                Quantity quantity);
   NumberField* makeField(const QString& name, const QString& meaning);
 
   QGridLayout* m_grid;

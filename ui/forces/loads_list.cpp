@@ -211,6 +211,11 @@ void LoadsList::showNumbers() {
     for (std::size_t component = 0; component < m_rows[row].fields.size(); ++component) {
       const Number& size = sizeOf(loads[row], component);
       const bool asWritten = isForce(loads[row]) || m_unit->currentIndex() == 0;
+      if (isForce(loads[row])) {
+        m_rows[row].fields[component]->setQuantity(Quantity::force);
+      } else {
+        m_rows[row].fields[component]->setQuantity(Quantity::torque, newtonMetres());
+      }
       m_rows[row].fields[component]->setNumber(asWritten ? size : Number(size.exact() / newtonMetres()));
     }
   }

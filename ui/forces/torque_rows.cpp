@@ -306,6 +306,7 @@ QWidget* TorqueRows::makeField(const Content& content) {
   field->setAccessibleName(content.name);
   field->setFixedWidth(96);
   field->setAlignment(Qt::AlignCenter);
+  field->setQuantity(Quantity::torque);
   connect(field, &panels::NumberField::editingStarted, this,
           [this] { m_gesture = m_document->newGesture(); });
   connect(field, &panels::NumberField::edited, this,

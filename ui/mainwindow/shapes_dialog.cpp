@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "core/mechanism/model/quantity.h"
 #include "core/mechanism/model/shapes.h"
 
 namespace geargraph::inline mainwindow {
@@ -110,7 +111,7 @@ void ShapesDialog::onCell(int row, int column) {
   std::vector<LinkShape> changed = shapes();
   LinkShape& shape = changed[static_cast<std::size_t>(row)];
   const std::string text = m_table->item(row, column)->text().trimmed().toStdString();
-  const auto number = Number::fromText(text);
+  const auto number = typedNumber(text);
   if (column == kFile) {
     shape.file = text;
   } else if (!number) {

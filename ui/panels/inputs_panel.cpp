@@ -204,6 +204,7 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   }
 
   row.range = rangeFor(input.speed);
+  row.field->setQuantity(Quantity::speed);
   connect(row.slider, &SpeedSlider::sliderPressed, this, [this] { m_gesture = m_document->newGesture(); });
   connect(row.field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
   connect(row.slider, &SpeedSlider::valueChanged, this, [this, id = row.joint, range = row.range](int steps) {

@@ -40,6 +40,7 @@ void JointForm::addLimits() {
   for (NumberField* field : {m_low, m_high}) {
     const bool isLow = field == m_low;
     field->setOptional(true);
+    field->setQuantity(Quantity::angle);
     field->setStep(Rational(5));
     field->setToolTip(isLow ? tr("The joint turns back no farther than this from the reference pose, in "
                                  "degrees: 0 or less. Empty: no limit.")

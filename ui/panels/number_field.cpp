@@ -45,6 +45,11 @@ void NumberField::setLengthUnit(const std::string& unit) {
   if (!property("wrong").toBool()) setToolTip(hint());
 }
 
+void NumberField::setQuantity(Quantity quantity, const Rational& shownIn) {
+  m_quantity = quantity;
+  m_shownIn = shownIn;
+}
+
 void NumberField::setEmptyText(const QString& text) {
   lineEdit()->setPlaceholderText(text);
 }
@@ -62,7 +67,10 @@ std::optional<Number> NumberField::read(const QString& text) const {
   const bool isDecimal = QLocale().decimalPoint() == QLatin1String(",") || !kGrouped.match(point).hasMatch();
   if (isDecimal && !point.contains(QLatin1Char('.'))) point.replace(QLatin1Char(','), QLatin1Char('.'));
   const std::string typed = point.toStdString();
-  return m_unit ? lengthFromText(typed, *m_unit) : Number::fromText(typed);
+  if (m_unit) return lengthFromText(typed, *m_unit);
+  if (auto number = typedNumber(typed)) return number;
+  const auto quantity = withUnitFromText(typed, m_quantity);
+  return quantity && m_shownIn != Rational(1) ? Number(quantity->exact() / m_shownIn) : quantity;
 }
 
 void NumberField::setNumber(const std::optional<Number>& number) {
@@ -97,8 +105,20 @@ QString NumberField::objectionTo(const std::optional<Number>& number) const {
     return fits ? QString() : tr("Type a whole number from %1 to %2.").arg(*m_least).arg(*m_most);
   }
   if (number) return {};
-  return m_unit ? tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.")
-                : tr("Type a number such as 12, 0.5 or 22/7.");
+  if (m_unit) return tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.");
+  switch (m_quantity) {
+    case Quantity::number:
+      break;
+    case Quantity::angle:
+      return tr("Type an angle such as 30, 2*15, 0.5 rad or 1/4 turns.");
+    case Quantity::speed:
+      return tr("Type a speed such as 12, 2*3, 90 deg/s or 1500 rpm.");
+    case Quantity::torque:
+      return tr("Type a torque such as 12, 2*3, 5 N cm, 3 lbf ft or 2 kW @ 1500 rpm.");
+    case Quantity::force:
+      return tr("Type a force such as 12, 2*3 or 5 kN.");
+  }
+  return tr("Type a number such as 12, 0.5, 22/7 or 2*3.");
 }
 
 /// What is being typed need not be a number yet: only what is right again changes the field's style.

@@ -7,12 +7,13 @@
 #include <string>
 
 #include "core/mechanism/model/number.h"
+#include "core/mechanism/model/quantity.h"
 
 namespace geargraph::inline panels {
 
-/// A spin box for exact numbers (12, 0.5, 22/7), stepped by the arrow keys, the wheel or its arrow buttons.
-/// Typed text is committed by Return, by leaving the field or after kPause, so that typing 1000 does not
-/// produce trains of 1, 10 and 100 teeth; Esc discards it. Invalid text turns red and changes nothing. A
+/// A spin box for exact numbers (12, 0.5, 22/7, 2*3), stepped by the arrow keys, the wheel or its arrow
+/// buttons. Typed text is committed by Return, by leaving the field or after kPause, so that typing 1000 does
+/// not produce trains of 1, 10 and 100 teeth; Esc discards it. Invalid text turns red and changes nothing. A
 /// decimal comma is accepted, except where the locale uses a decimal point and the comma could group
 /// thousands (1,000). Undo and redo act on the document unless typed text is not committed yet.
 class NumberField : public QAbstractSpinBox {
@@ -33,6 +34,9 @@ class NumberField : public QAbstractSpinBox {
   /// Makes the field a length in this unit; lengths in other units may be typed and are converted
   /// (lengthFromText()).
   void setLengthUnit(const std::string& unit);
+  /// Makes the field a quantity; one that is typed with a unit is converted (quantityFromText()). `shownIn`:
+  /// the unit of the field's numbers, in that of the quantity.
+  void setQuantity(Quantity quantity, const Rational& shownIn = 1);
   void setStep(const Rational& step) { m_step = step; }
   /// The text shown without a number: "auto", "several".
   void setEmptyText(const QString& text);
@@ -100,6 +104,8 @@ class NumberField : public QAbstractSpinBox {
   std::optional<int> m_least;
   std::optional<int> m_most;
   std::optional<std::string> m_unit;  ///< of a length
+  Quantity m_quantity = Quantity::number;
+  Rational m_shownIn = 1;
   bool m_optional = false;
   bool m_selectOnRelease = false;
 };

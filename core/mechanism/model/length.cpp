@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/mechanism/model/quantity.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -40,15 +42,15 @@ std::optional<Rational> nanometres(std::string_view name) {
 
 std::optional<Number> lengthFromText(std::string_view text, std::string_view unit) {
   text = trimmed(text);
-  if (auto number = Number::fromText(text)) return number;
+  if (auto number = typedNumber(text)) return number;
   if (const auto rest = withoutEnding(text, unit)) {
-    if (auto number = Number::fromText(*rest)) return number;
+    if (auto number = typedNumber(*rest)) return number;
   }
   const auto own = nanometres(unit);
   for (const Unit& typed : kUnits) {
     const auto rest = withoutEnding(text, typed.name);
     if (!rest || !own) continue;
-    const auto number = Number::fromText(*rest);
+    const auto number = typedNumber(*rest);
     if (number) return Number(number->exact() * Rational(typed.nanometres) / *own);
   }
   return std::nullopt;

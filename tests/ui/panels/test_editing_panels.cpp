@@ -184,7 +184,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     type(numberOf("axisDirection.z"), QStringLiteral("2"));
     QVERIFY(!wrong()->isVisible());
     type(numberOf("offset"), QStringLiteral("1/0"));
-    QVERIFY2(wrong()->text().contains("such as 12, 0.5 or 22/7"), qPrintable(wrong()->text()));
+    QVERIFY2(wrong()->text().contains("such as 12, 0.5, 22/7 or 2*3"), qPrintable(wrong()->text()));
     type(numberOf("offset"), QStringLiteral("22/7"));
     QVERIFY(!wrong()->isVisible());
     QCOMPARE(document->mechanism()->find(JointId("8"))->offset.text(), std::string("22/7"));

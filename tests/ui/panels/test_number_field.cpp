@@ -5,6 +5,7 @@
 #include <QScopeGuard>
 #include <QTest>
 #include <QWheelEvent>
+#include <numbers>
 
 #include "core/foundations/base/spoken.h"
 #include "core/mechanism/fitting/fitted_edits.h"
@@ -108,6 +109,60 @@ class NumberFieldTest : public QObject, private EditingPanels {
     QCOMPARE(value(), Rational(25));
     type(numberOf("axisDirection.x"), QStringLiteral("1 in"));
     QVERIFY(numberOf("axisDirection.x")->property("wrong").toBool());  // is no length
+  }
+
+  void expressionsMayBeTyped() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = numberOf("tailTeeth");
+    type(teeth, QStringLiteral("2*12"));
+    QCOMPARE(mesh("15").tailTeeth, 24);
+    QCOMPARE(teeth->text(), QStringLiteral("2*12"));  // what is typed stays until the field is left
+    teeth->clearFocus();
+    QCOMPARE(teeth->text(), QStringLiteral("24"));
+    type(teeth, QStringLiteral("5/2"));
+    QVERIFY(teeth->property("wrong").toBool());
+    selection.select({ElementId(JointId("8"))});
+    type(numberOf("offset"), QStringLiteral("(1 + 1/2) in"));
+    QCOMPARE(document->mechanism()->find(JointId("8"))->offset.exact(), Rational(381, 10));
+    type(numberOf("axisDirection.x"), QStringLiteral("1/3+1/5"));
+    const AxisId axis = document->mechanism()->find(JointId("8"))->axis;
+    QCOMPARE((*document->mechanism()->find(axis)->direction)[0].exact(), Rational(8, 15));
+  }
+
+  void anglesMayBeTypedInOtherUnits() {
+    selection.select({ElementId(JointId("8"))});
+    const auto high = [this] { return document->mechanism()->find(JointId("8"))->limits.high; };
+    NumberField* field = numberOf("highLimit");
+    type(field, QStringLiteral("3/4 turns"));
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(270));
+    type(field, QStringLiteral("90 deg"));
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(90));
+    type(field, QStringLiteral("90 rpm"));
+    QVERIFY(field->property("wrong").toBool());
+    QVERIFY2(field->toolTip().contains(QStringLiteral("turns")), qPrintable(field->toolTip()));
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(90));
+  }
+
+  /// A number with a unit is converted to the one that the field shows, a bare one is in it.
+  void quantitiesHaveTheUnitOfTheirField() {
+    NumberField torque;
+    torque.show();
+    torque.setQuantity(Quantity::torque, Rational(1, 1000));  // shown in N mm
+    type(&torque, QStringLiteral("2*3"));
+    torque.commit();
+    QCOMPARE(torque.number().value_or(Number(0)).exact(), Rational(6));
+    type(&torque, QStringLiteral("0.5 Nm"));
+    torque.commit();
+    QCOMPARE(torque.number().value_or(Number(0)).exact(), Rational(500));
+    NumberField speed;
+    speed.show();
+    speed.setQuantity(Quantity::speed);
+    type(&speed, QStringLiteral("60 rpm"));
+    speed.commit();
+    QCOMPARE(speed.number().value_or(Number(0)).value(), 2 * std::numbers::pi);
+    type(&speed, QStringLiteral("5 Nm"));
+    speed.commit();
+    QVERIFY(speed.property("wrong").toBool());
   }
 
   void decimalCommasMayBeTypedWhereTheyAreUnambiguous() {

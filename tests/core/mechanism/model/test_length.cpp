@@ -30,6 +30,9 @@ class LengthTest : public QObject {
     row("4 mm", "furlong", "");
     row("mm", "mm", "");
     row("1 in in", "mm", "");
+    row("2*3", "mm", "6");
+    row("(1+1/2) in", "mm", "38.1");
+    row("100/22", "mm", "50/11");
     row("", "mm", "");
   }
   void whatIsTypedIsConvertedExactly() {
