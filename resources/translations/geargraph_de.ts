@@ -8911,6 +8911,14 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Anfragen auf der Standardeingabe, Antworten auf der Standardausgabe</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Methoden und ihre params; die in [ ] dürfen fehlen:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Änderungen und ihre Mitglieder neben „edit“; null entfernt, was fehlen darf:</translation>
+    </message>
+    <message>
         <source>of address space, for each command</source>
         <translation>Adressraum, für jeden Befehl</translation>
     </message>
@@ -8929,14 +8937,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>(Kutzbach counts %1)</source>
         <translation>(Kutzbach zählt %1)</translation>
-    </message>
-    <message>
-        <source>Methods and their params; those in [ ] may be left out:</source>
-        <translation>Methoden und ihre params; die in [ ] dürfen fehlen:</translation>
-    </message>
-    <message>
-        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
-        <translation>Änderungen und ihre Mitglieder neben „edit“; null entfernt, was fehlen darf:</translation>
     </message>
     <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
@@ -9833,6 +9833,42 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>expected at most 1,000 characters, found %1.</source>
         <translation>Erwartet: höchstens 1.000 Zeichen; gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>there is no member &quot;%1&quot;; &quot;%2&quot; is meant.</source>
+        <translation>es gibt kein Mitglied „%1“; gemeint ist „%2“.</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; has no meaning here.</source>
+        <translation>das Mitglied „%1“ hat hier keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 has no meaning beside the others of its object: it is kept and changes nothing.</source>
+        <translation>Das Mitglied „%1“ in %2 hat neben den anderen seines Objekts keine Bedeutung: Es bleibt erhalten und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; of the document is not known here: it is kept and changes nothing.</source>
+        <translation>Das Mitglied „%1“ des Dokuments ist hier nicht bekannt: Es bleibt erhalten und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 is not known here: it is kept and changes nothing.</source>
+        <translation>Das Mitglied „%1“ in %2 ist hier nicht bekannt: Es bleibt erhalten und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Is &quot;%1&quot; meant?</source>
+        <translation>Ist „%1“ gemeint?</translation>
+    </message>
+    <message>
+        <source>3D files of links are shown only: they have no mass, and overlaps and collisions with them are not looked for.</source>
+        <translation>3D-Dateien von Gliedern werden nur gezeigt: Sie haben keine Masse, und nach Überschneidungen und Kollisionen mit ihnen wird nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which cannot be read.</source>
+        <translation>Glied „%1“ nennt die 3D-Datei „%2“, die nicht gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which is not there: the path begins at the folder of the document.</source>
+        <translation>Glied „%1“ nennt die 3D-Datei „%2“, die es nicht gibt: Der Pfad beginnt beim Ordner des Dokuments.</translation>
     </message>
     <message>
         <source>a list of three numbers</source>

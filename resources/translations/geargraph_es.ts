@@ -8911,6 +8911,14 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>peticiones en la entrada estándar, respuestas en la salida estándar</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Métodos y sus params; los que están en [ ] pueden faltar:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Ediciones y sus miembros junto a «edit»; null quita lo que puede faltar:</translation>
+    </message>
+    <message>
         <source>of address space, for each command</source>
         <translation>de espacio de direcciones, para cada comando</translation>
     </message>
@@ -8929,14 +8937,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>(Kutzbach counts %1)</source>
         <translation>(Kutzbach cuenta %1)</translation>
-    </message>
-    <message>
-        <source>Methods and their params; those in [ ] may be left out:</source>
-        <translation>Métodos y sus params; los que están en [ ] pueden faltar:</translation>
-    </message>
-    <message>
-        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
-        <translation>Ediciones y sus miembros junto a «edit»; null quita lo que puede faltar:</translation>
     </message>
     <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
@@ -9833,6 +9833,42 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>expected at most 1,000 characters, found %1.</source>
         <translation>se esperaban como mucho 1.000 caracteres, se encontraron %1.</translation>
+    </message>
+    <message>
+        <source>there is no member &quot;%1&quot;; &quot;%2&quot; is meant.</source>
+        <translation>no hay ningún miembro «%1»; se trata de «%2».</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; has no meaning here.</source>
+        <translation>el miembro «%1» no tiene significado aquí.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 has no meaning beside the others of its object: it is kept and changes nothing.</source>
+        <translation>El miembro «%1» en %2 no tiene significado junto a los demás de su objeto: se conserva y no cambia nada.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; of the document is not known here: it is kept and changes nothing.</source>
+        <translation>El miembro «%1» del documento no se conoce aquí: se conserva y no cambia nada.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 is not known here: it is kept and changes nothing.</source>
+        <translation>El miembro «%1» en %2 no se conoce aquí: se conserva y no cambia nada.</translation>
+    </message>
+    <message>
+        <source>Is &quot;%1&quot; meant?</source>
+        <translation>¿Se trata de «%1»?</translation>
+    </message>
+    <message>
+        <source>3D files of links are shown only: they have no mass, and overlaps and collisions with them are not looked for.</source>
+        <translation>Los archivos 3D de los eslabones solo se muestran: no tienen masa y no se buscan solapamientos ni colisiones con ellos.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which cannot be read.</source>
+        <translation>El eslabón «%1» nombra el archivo 3D «%2», que no se puede leer.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which is not there: the path begins at the folder of the document.</source>
+        <translation>El eslabón «%1» nombra el archivo 3D «%2», que no existe: la ruta empieza en la carpeta del documento.</translation>
     </message>
     <message>
         <source>a list of three numbers</source>

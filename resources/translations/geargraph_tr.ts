@@ -8910,6 +8910,14 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>istekler standart girdide, yanıtlar standart çıktıda</translation>
     </message>
     <message>
+        <source>Methods and their params; those in [ ] may be left out:</source>
+        <translation>Yöntemler ve params üyeleri; [ ] içindekiler olmayabilir:</translation>
+    </message>
+    <message>
+        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
+        <translation>Düzenlemeler ve &quot;edit&quot; yanındaki üyeleri; null, olmayabilecek olanı kaldırır:</translation>
+    </message>
+    <message>
         <source>of address space, for each command</source>
         <translation>adres alanı, her komut için</translation>
     </message>
@@ -8928,14 +8936,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>(Kutzbach counts %1)</source>
         <translation>(Kutzbach %1 sayar)</translation>
-    </message>
-    <message>
-        <source>Methods and their params; those in [ ] may be left out:</source>
-        <translation>Yöntemler ve params üyeleri; [ ] içindekiler olmayabilir:</translation>
-    </message>
-    <message>
-        <source>Edits and their members beside &quot;edit&quot;; null removes what may be left out:</source>
-        <translation>Düzenlemeler ve &quot;edit&quot; yanındaki üyeleri; null, olmayabilecek olanı kaldırır:</translation>
     </message>
     <message>
         <source>Carriers of the gear pairs, by their transfer vertices</source>
@@ -9832,6 +9832,42 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>expected at most 1,000 characters, found %1.</source>
         <translation>beklenen: en çok 1.000 karakter; bulunan: %1.</translation>
+    </message>
+    <message>
+        <source>there is no member &quot;%1&quot;; &quot;%2&quot; is meant.</source>
+        <translation>&quot;%1&quot; diye bir üye yok; kastedilen &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; has no meaning here.</source>
+        <translation>&quot;%1&quot; üyesinin burada anlamı yok.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 has no meaning beside the others of its object: it is kept and changes nothing.</source>
+        <translation>%2 içindeki &quot;%1&quot; üyesinin nesnesinin öteki üyeleri yanında anlamı yok: korunur ve hiçbir şeyi değiştirmez.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; of the document is not known here: it is kept and changes nothing.</source>
+        <translation>Belgenin &quot;%1&quot; üyesi burada bilinmiyor: korunur ve hiçbir şeyi değiştirmez.</translation>
+    </message>
+    <message>
+        <source>The member &quot;%1&quot; in %2 is not known here: it is kept and changes nothing.</source>
+        <translation>%2 içindeki &quot;%1&quot; üyesi burada bilinmiyor: korunur ve hiçbir şeyi değiştirmez.</translation>
+    </message>
+    <message>
+        <source>Is &quot;%1&quot; meant?</source>
+        <translation>&quot;%1&quot; mi kastedildi?</translation>
+    </message>
+    <message>
+        <source>3D files of links are shown only: they have no mass, and overlaps and collisions with them are not looked for.</source>
+        <translation>Uzuvların 3B dosyaları yalnızca gösterilir: kütleleri yoktur, onlarla örtüşme ve çarpışma aranmaz.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which cannot be read.</source>
+        <translation>&quot;%1&quot; uzvu, okunamayan &quot;%2&quot; 3B dosyasını adlandırıyor.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; names the 3D file &quot;%2&quot;, which is not there: the path begins at the folder of the document.</source>
+        <translation>&quot;%1&quot; uzvu, bulunmayan &quot;%2&quot; 3B dosyasını adlandırıyor: yol belgenin klasöründen başlar.</translation>
     </message>
     <message>
         <source>a list of three numbers</source>

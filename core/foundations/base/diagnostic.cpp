@@ -57,6 +57,9 @@ constexpr std::array kCodes = {
     CodeEntry{Code::unknownUnit, "unknown-unit", Severity::info},
     CodeEntry{Code::patternLimit, "pattern-limit", Severity::warning},
     CodeEntry{Code::graphics, "graphics", Severity::error},
+    CodeEntry{Code::unknownMember, "unknown-member", Severity::info},
+    CodeEntry{Code::missingFile, "missing-file", Severity::warning},
+    CodeEntry{Code::shownOnly, "shown-only", Severity::info},
 };
 
 struct DetailEntry {

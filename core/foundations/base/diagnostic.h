@@ -56,6 +56,10 @@ enum class Code {
   unknownUnit,
   patternLimit,
   graphics,  ///< of the computer, not of a file: no OpenGL 3.3, or a failing driver
+  // of what a document has beside the mechanism
+  unknownMember,
+  missingFile,
+  shownOnly,
 };
 
 /// The stable spelling of a code, e.g. "turning-loop".

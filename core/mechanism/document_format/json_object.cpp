@@ -4,6 +4,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
+#include "core/mechanism/model/unknown_members.h"
 
 namespace geargraph::inline document_format {
 namespace {
@@ -216,12 +217,21 @@ int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
   return lowest;
 }
 
-UnknownMembers JsonObject::unknown() const {
+void JsonObject::rejectMisspelling(const std::string& name, JsonValue key) {
+  const std::string_view meant = misspelledMember(name);
+  const bool isAsked = std::find(m_known.begin(), m_known.end(), meant) != m_known.end();
+  if (!isAsked || m_value.member(meant) || m_diagnostics.covers(pointerTo(meant))) return;
+  m_diagnostics.add(Code::schema, translated("there is no member \"%1\"; \"%2\" is meant.", {name, meant}),
+                    m_blamed, pointerTo(name), key);
+}
+
+UnknownMembers JsonObject::unknown() {
   UnknownMembers result;
   if (!m_isObject) return result;
   m_value.forEachMember([&](JsonValue key, JsonValue value) {
     std::string name = key.string();
     if (std::find(m_known.begin(), m_known.end(), name) == m_known.end()) {
+      rejectMisspelling(name, key);
       result.emplace_back(std::move(name), value.compact());
     }
   });

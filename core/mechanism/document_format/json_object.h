@@ -51,8 +51,9 @@ class JsonObject {
 
   /// Adds a diagnostic at a member of this object. `expected` is marked by toTranslate(), or translated.
   void wrong(std::string_view name, JsonValue found, std::string_view expected);
-  /// The members that were not read, in the order of the file.
-  [[nodiscard]] UnknownMembers unknown() const;
+  /// The members that were not read, in the order of the file. Adds a diagnostic for a common misspelling of
+  /// one that was asked for and is missing (misspelledMember()).
+  [[nodiscard]] UnknownMembers unknown();
 
  private:
   [[nodiscard]] std::optional<Atom> idOf(JsonValue value, const std::string& pointer);
@@ -60,6 +61,7 @@ class JsonObject {
   [[nodiscard]] std::optional<std::array<Number, count>> numbers(std::string_view name,
                                                                  std::string_view expected);
   [[nodiscard]] std::optional<Number> numberOf(JsonValue value, const std::string& pointer);
+  void rejectMisspelling(const std::string& name, JsonValue key);
   void wrongAt(const std::string& pointer, JsonValue found, std::string_view expected);
   [[nodiscard]] std::string pointerTo(std::string_view name) const { return m_pointer + pointerStep(name); }
 

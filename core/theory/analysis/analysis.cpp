@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/machine/bodies/derived_geometry.h"
+#include "core/mechanism/model/unknown_members.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/engagement.h"
 
@@ -56,7 +57,11 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
     snapshot->matrices.push_back(matrixOf(kind, snapshot->graph, snapshot->tree));
   }
   if (stop.stop_requested()) return nullptr;
-  if (!snapshot->tree) return snapshot;
+  Diagnostics ofDocument = unknownMemberDiagnostics(placed);
+  if (!snapshot->tree) {
+    append(snapshot->diagnostics, ofDocument);
+    return snapshot;
+  }
 
   snapshot->kinematics = liveKinematics(placed, stop);
   if (!snapshot->kinematics) return nullptr;
@@ -67,6 +72,7 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
   if (const MatroidAnalysis* matroid = snapshot->matroid()) {
     append(snapshot->diagnostics, matroid->diagnostics);
   }
+  append(snapshot->diagnostics, ofDocument);
   return snapshot;
 }
 

@@ -7,6 +7,7 @@
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shapes.h"
+#include "core/mechanism/model/unknown_members.h"
 #include "tests/core/mechanism/document_format/broken_documents.h"
 #include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"
@@ -55,6 +56,42 @@ class TestSchema : public QObject {
   }
 
   void everyMemberOfTheFormatFits() { QCOMPARE(schema().complaint(kEverything), std::string()); }
+
+  /// The members that the reader knows by name are those of the schema.
+  void memberNamesAreThoseOfTheSchema() {
+    const nlohmann::json published =
+        nlohmann::json::parse(contentsOf(sourcePath("resources/schema/geargraph.schema.json")));
+    const nlohmann::json& definitions = published.at("$defs");
+    const std::vector<std::pair<DocumentPart, const nlohmann::json*>> parts = {
+        {DocumentPart::document, &published},
+        {DocumentPart::link, &definitions.at("link")},
+        {DocumentPart::shape, &definitions.at("shape")},
+        {DocumentPart::axis, &definitions.at("axis")},
+        {DocumentPart::turningJoint, &definitions.at("turningJoint")},
+        {DocumentPart::gearMesh, &definitions.at("gearMesh")},
+        {DocumentPart::wheel, &definitions.at("wheel")},
+        {DocumentPart::gearDefaults, &definitions.at("gearDefaults")},
+        {DocumentPart::input, &definitions.at("input")},
+        {DocumentPart::coupling, &definitions.at("coupling")},
+        {DocumentPart::state, &definitions.at("state")},
+        {DocumentPart::load, &definitions.at("load")},
+        {DocumentPart::balance, &definitions.at("balance")},
+        {DocumentPart::view, &definitions.at("view")},
+        {DocumentPart::note, &definitions.at("note")},
+        {DocumentPart::camera, &definitions.at("camera")}};
+    for (const auto& [part, definition] : parts) {
+      std::set<std::string> expected;
+      const auto collect = [&](const nlohmann::json& from) {
+        for (const auto& member : from.value("properties", nlohmann::json::object()).items())
+          expected.insert(member.key());
+      };
+      collect(*definition);
+      for (const nlohmann::json& kind : definition->value("oneOf", nlohmann::json::array())) collect(kind);
+      const std::span<const std::string_view> names = memberNames(part);
+      const std::string where(partName(part));
+      QVERIFY2(std::set<std::string>(names.begin(), names.end()) == expected, where.c_str());
+    }
+  }
 
   void whatTheProgramWritesFits() {
     std::vector<Mechanism> mechanisms{emptyMechanism(), readMechanism(kEverything).value(),
