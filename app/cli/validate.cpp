@@ -1,6 +1,7 @@
 // `validate FILE [--motion] [--json]`: only the diagnostics.
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "app/cli/time_limit.h"
 #include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/words.h"
+#include "core/mechanism/document_format/shape_files.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
@@ -64,6 +66,10 @@ int run(const Arguments& arguments) {
     const auto engaged = withEngagementOptions(*document, arguments);
     if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(kValidate, error->message);
     found = diagnosticsOf(std::get<Mechanism>(engaged), motion, arguments.stop);
+    if (found && file != "-") {
+      const std::filesystem::path path = std::filesystem::absolute(file);
+      append(*found, missingFileDiagnostics(*document, path.parent_path()));
+    }
   }
   if (!found) return outOfTime(arguments, translated("the validation"));
   const Diagnostics& diagnostics = *found;

@@ -348,6 +348,26 @@ class TestCli : public QObject {
              run({"statics", kRobot, "--json", "--load", "joint:14=10Nm", "--eta", "0.98"}).output);
   }
 
+  void validate_warnsOfMissing3dFiles() {
+    Mechanism dressed = test::example("robot");
+    dressed.links[2].shapes = {LinkShape{"arm.stl"}, LinkShape{"parts/none.stl"}};
+    save(dressed);
+    const auto problems = [&] {
+      const Run checked = run({"validate", path("m"), "--json"});
+      std::string text = std::to_string(checked.status);
+      for (const json& each : json::parse(checked.output)["diagnostics"]) {
+        const std::string code = each["code"];
+        if (code == "missing-file") text += ' ' + each["pointer"].get<std::string>();
+        if (code == "shown-only") text += ' ' + code + each["elements"]["links"].dump();
+      }
+      return text;
+    };
+    QCOMPARE(problems(), std::string("0 shown-only[\"2\"] /links/2/shapes/0/file /links/2/shapes/1/file"));
+    QFile arm(QFileInfo(path("m")).dir().filePath("arm.stl"));
+    QVERIFY(arm.open(QIODevice::WriteOnly));
+    QCOMPARE(problems(), std::string("0 shown-only[\"2\"] /links/2/shapes/1/file"));
+  }
+
   /// A second of work or more each, of which far less is allowed.
   void everyCommand_endsAtItsTimeLimit_andLeavesNothing() {
     save(test::deepTrain(1, 4000));

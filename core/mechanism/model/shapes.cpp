@@ -36,6 +36,19 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<Lin
   return mechanism;
 }
 
+Diagnostics shapeDiagnostics(const Mechanism& mechanism) {
+  std::vector<ElementId> dressed;
+  for (const Link& link : mechanism.links) {
+    if (!link.shapes.empty()) dressed.emplace_back(link.id);
+  }
+  if (dressed.empty()) return {};
+  return {{Code::shownOnly,
+           translated("3D files of links are shown only: they have no mass, and overlaps and collisions with "
+                      "them are not looked for."),
+           std::move(dressed),
+           {}}};
+}
+
 bool staysInFolder(std::string_view path) {
   if (path.empty() || path.front() == '/' || path.front() == '\\') return false;
   if (path.size() >= 2 && path[1] == ':' && std::isalpha(static_cast<unsigned char>(path[0])) != 0)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/machine/bodies/derived_geometry.h"
+#include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/unknown_members.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/engagement.h"
@@ -58,6 +59,7 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
   }
   if (stop.stop_requested()) return nullptr;
   Diagnostics ofDocument = unknownMemberDiagnostics(placed);
+  append(ofDocument, shapeDiagnostics(placed));
   if (!snapshot->tree) {
     append(snapshot->diagnostics, ofDocument);
     return snapshot;
