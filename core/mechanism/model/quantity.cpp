@@ -14,7 +14,7 @@ constexpr std::string_view kDegree = "0.017453292519943295";
 
 struct QuantityUnit {
   Quantity quantity;
-  std::string_view name;    ///< parts with a blank between them, which may be left out or be · * or -
+  std::string_view name;    ///< with a point between its parts, where blanks, · * - or nothing may be typed
   std::string_view factor;  ///< in the unit of the quantity
   bool isByDegree = false;  ///< the factor is in degrees, the quantity in radians
 };
@@ -45,24 +45,24 @@ constexpr std::array kQuantityUnits = {
     QuantityUnit{Quantity::speed, "turns/s", "360", true},
     QuantityUnit{Quantity::speed, "turn/s", "360", true},
     QuantityUnit{Quantity::speed, "rps", "360", true},
-    QuantityUnit{Quantity::torque, "kN m", "1000"},
-    QuantityUnit{Quantity::torque, "mN m", "0.001"},
-    QuantityUnit{Quantity::torque, "N mm", "0.001"},
-    QuantityUnit{Quantity::torque, "N cm", "0.01"},
-    QuantityUnit{Quantity::torque, "N m", "1"},
-    QuantityUnit{Quantity::torque, "lbf ft", "1.3558179483314004"},
-    QuantityUnit{Quantity::torque, "lb ft", "1.3558179483314004"},
-    QuantityUnit{Quantity::torque, "ft lbf", "1.3558179483314004"},
-    QuantityUnit{Quantity::torque, "ft lb", "1.3558179483314004"},
-    QuantityUnit{Quantity::torque, "lbf in", "0.1129848290276167"},
-    QuantityUnit{Quantity::torque, "lb in", "0.1129848290276167"},
-    QuantityUnit{Quantity::torque, "in lbf", "0.1129848290276167"},
-    QuantityUnit{Quantity::torque, "in lb", "0.1129848290276167"},
-    QuantityUnit{Quantity::torque, "ozf in", "0.00706155181422604375"},
-    QuantityUnit{Quantity::torque, "oz in", "0.00706155181422604375"},
-    QuantityUnit{Quantity::torque, "kgf cm", "0.0980665"},
-    QuantityUnit{Quantity::torque, "kg cm", "0.0980665"},
-    QuantityUnit{Quantity::torque, "kgf m", "9.80665"},
+    QuantityUnit{Quantity::torque, "kN.m", "1000"},
+    QuantityUnit{Quantity::torque, "mN.m", "0.001"},
+    QuantityUnit{Quantity::torque, "N.mm", "0.001"},
+    QuantityUnit{Quantity::torque, "N.cm", "0.01"},
+    QuantityUnit{Quantity::torque, "N.m", "1"},
+    QuantityUnit{Quantity::torque, "lbf.ft", "1.3558179483314004"},
+    QuantityUnit{Quantity::torque, "lb.ft", "1.3558179483314004"},
+    QuantityUnit{Quantity::torque, "ft.lbf", "1.3558179483314004"},
+    QuantityUnit{Quantity::torque, "ft.lb", "1.3558179483314004"},
+    QuantityUnit{Quantity::torque, "lbf.in", "0.1129848290276167"},
+    QuantityUnit{Quantity::torque, "lb.in", "0.1129848290276167"},
+    QuantityUnit{Quantity::torque, "in.lbf", "0.1129848290276167"},
+    QuantityUnit{Quantity::torque, "in.lb", "0.1129848290276167"},
+    QuantityUnit{Quantity::torque, "ozf.in", "0.00706155181422604375"},
+    QuantityUnit{Quantity::torque, "oz.in", "0.00706155181422604375"},
+    QuantityUnit{Quantity::torque, "kgf.cm", "0.0980665"},
+    QuantityUnit{Quantity::torque, "kg.cm", "0.0980665"},
+    QuantityUnit{Quantity::torque, "kgf.m", "9.80665"},
     QuantityUnit{Quantity::force, "kN", "1000"},
     QuantityUnit{Quantity::force, "mN", "0.001"},
     QuantityUnit{Quantity::force, "N", "1"},
@@ -109,13 +109,13 @@ std::string_view withoutSeparators(std::string_view text) {
 /// The text before a unit at its end; std::nullopt if it does not end with the unit.
 std::optional<std::string_view> beforeUnit(std::string_view text, std::string_view unit) {
   while (true) {
-    const std::size_t blank = unit.rfind(' ');
-    const std::string_view part = blank == std::string_view::npos ? unit : unit.substr(blank + 1);
+    const std::size_t point = unit.rfind('.');
+    const std::string_view part = point == std::string_view::npos ? unit : unit.substr(point + 1);
     if (!text.ends_with(part)) return std::nullopt;
     text.remove_suffix(part.size());
-    if (blank == std::string_view::npos) return withoutBlanks(text);
+    if (point == std::string_view::npos) return withoutBlanks(text);
     text = withoutSeparators(text);
-    unit = unit.substr(0, blank);
+    unit = unit.substr(0, point);
   }
 }
 
