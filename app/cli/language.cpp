@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "app/cli/catalogues.h"
+#include "core/foundations/base/spoken.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
@@ -40,6 +41,7 @@ void useCatalogue(const CompiledCatalogue& catalogue) {
     const auto found = texts->find(text);
     return found == texts->end() ? std::string() : std::string(found->second);
   });
+  setDecimalSign(',');  // in each of the languages that there are catalogues for
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ class Exercise {
     const isOpen = Boolean(this.state.isHinted) && !this.ask.hidden;
     this.hint.hidden = !isOpen;
     this.ask.setAttribute('aria-expanded', String(isOpen));
-    const names = this.asked().map(key => elements.get(key)?.mention).filter(Boolean);
+    const names = [...new Set(this.asked().map(key => elements.get(key)?.mention).filter(Boolean))];
     this.place.hidden = !names.length;
     this.place.textContent = say('lookAt', listed(names));
     if (isOpen && !this.verdict && this.node.classList.contains('here')) this.light(this.asked(), 'asked');
@@ -196,12 +196,12 @@ class Exercise {
   grade() {
     const {question, state} = this;
     const verdict = this.verdict = grade(question, this.texts());
-    state.isChecked = true;
+    state.isChecked = !verdict.isBlank && !verdict.isUnreadable;  // what cannot be read is not wrong
     state.points = Math.max(state.points, verdict.points);  // it never falls
     this.mark(verdict.wrongFields);
     const names = verdict.wrongFields.map(i => labelOf(question, i));
     const title = verdict.isRight ? say(question.points === 1 ? 'rightOfOne' : 'rightOf', verdict.points, question.points)
-                : names.length ? say('wrongAt', names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : ''))
+                : verdict.isBlank ? '' : names.length ? say(verdict.isUnreadable ? 'unreadableAt' : 'wrongAt', names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : ''))
                                : say('wrong');
     const reasons = verdict.mistakes.length ? verdict.mistakes.map(mistake => mistake.reason) : [verdict.isRight ? verdict.reason : ''];
     const rest = question.fields.length - names.length;
@@ -209,15 +209,15 @@ class Exercise {
       reasons.push(rest === 1 ? say('otherField') : say('otherFields', rest));
     if (!verdict.isRight && !verdict.mistakes.length) reasons.push(say('unknownMistake'));
     this.told.className = 'verdict ' + (verdict.isRight ? 'right' : 'wrong');
-    this.told.replaceChildren(make('h4', {}, title), ...reasons.filter(Boolean).map(reason => make('p', {}, reason)));
+    this.told.replaceChildren(...(title ? [make('h4', {}, title)] : []), ...reasons.filter(Boolean).map(reason => make('p', {}, reason)));
     this.light(verdict.isRight ? [] : (verdict.mistakes[0]?.elements || []), 'wrong');
     this.arrange();
     this.changed();
   }
-  // Empties what is wrong, and nothing else.
+  // Empties what is wrong, and nothing else; what cannot be read stays to be corrected.
   retry() {
-    const wrong = this.verdict.wrongFields;
-    for (const i of wrong) this.fields[i].set('');
+    const {wrongFields: wrong, isUnreadable} = this.verdict;
+    if (!isUnreadable) for (const i of wrong) this.fields[i].set('');
     this.write();
     this.fields[wrong.length ? wrong[0] : 0].focus();
   }

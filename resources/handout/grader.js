@@ -1,7 +1,9 @@
 // Grades an answer by the key of its question, as core/teaching/grading does (question.h, grade.h): both know the same tests
 // and give the same verdicts, which the test handout.grader holds against each other.
 
-const FEWEST_FOR_HALF = 4;
+const LONGEST_QUOTE = 40;  // characters of an answer that a sentence repeats
+const MOST_NAMED = 6;      // empty fields
+const FEWEST_OF_MULTIPLE = 2;  // cells that fix the factor of a row
 
 const isNumeric = fields =>
     fields.every(field => !field.fault && !field.isEmpty && (field.kind === 'integer' || field.kind === 'number'));
@@ -105,44 +107,128 @@ const holds = ({test, fields: at, values}, answer) => {
 };
 const allHold = (conditions, answer) => conditions.every(condition => holds(condition, answer));
 
-// The name of the mistake, and what is said of it: of the text and the field.
+// The text, cut after some characters.
+const quoted = text => {
+  const letters = [...text];
+  return letters.length > LONGEST_QUOTE ? letters.slice(0, LONGEST_QUOTE).join('') + '\u2026' : text;
+};
+// The name of the mistake, and what is said of it: of the text, the place where reading stopped and the field.
 const UNREADABLE = {
-  empty: ['unanswered', (text, name) => say('empty', name)],
   ambiguous: ['ambiguous-number', text => say('ambiguous', text)],
-  number: ['not-a-number', text => say('notANumber', text)],
-  choice: ['not-a-choice', (text, name) => say('notAChoice', text, name)],
+  number: ['not-a-number', (text, place) =>
+      (place && place !== text ? say('stopsAtNumber', text, place) : say('notANumber', text))],
+  symbol: ['unknown-symbol', (text, place) => say('stopsAtSymbol', text, place)],
+  unit: ['other-unit', (text, place, {unit}) =>
+      (unit ? say('otherUnit', text, place, unit) : say('noUnit', text, place))],
+  choice: ['not-a-choice', (text, place, field) => say('notAChoice', text, shownName(field))],
 };
 // The field's name in the page's language; where there is none, that of files of answers.
 const shownName = ({title, name}) => title ?? name;
 
 const hasOneAnswer = ({accepted}) => accepted.length === 1 && accepted[0].test === 'values' && accepted[0].values.length === 1;
-// Where an answer differs from the only right one; nothing where several are right.
-const differingFields = (question, read) =>
-    (hasOneAnswer(question) ? read.flatMap((field, i) => (readsLike(field, question.solution[i]) ? [] : [i])) : []);
 
-// `answer`: a text for each field. {isRight, points, mistakes: [{name, fields, elements, reason}], wrongFields, reason}: the
-// first of the mistakes is the one to be told; `wrongFields` are marked, none of them means the answer as a whole.
-const grade = (question, answer) => {
-  const read = question.fields.map((field, i) => readField(field, answer[i]));
-  if (allHold(question.accepted, read))
-    return {isRight: true, points: question.points, mistakes: [], wrongFields: [], reason: question.rule};
-  const found = [];
-  read.forEach(({fault}, i) => {
-    if (!fault) return;
-    const [name, reason] = UNREADABLE[fault];
-    const {elements = []} = question.fields[i];
-    found.push({name, fields: [i], elements, reason: reason(answer[i], shownName(question.fields[i]))});
+// With the multiple of the row that most cells agree with; null if no two of them do.
+const agreementWithMultiple = (fields, row) => {
+  const expected = row.map(keyNumber);
+  const isRead = field => !field.fault && !field.isEmpty;
+  let best = null, most = FEWEST_OF_MULTIPLE - 1;
+  fields.forEach((pivot, at) => {
+    if (!isRead(pivot) || expected[at].isZero() || pivot.number.value.isZero()) return;
+    const factor = pivot.number.value.over(expected[at]);
+    const isAgreed = fields.map((field, i) => isRead(field) && agrees(field.number, factor.times(expected[i])));
+    const count = isAgreed.filter((each, i) => each && !expected[i].isZero()).length;
+    if (count <= most) return;
+    most = count;
+    best = isAgreed;
   });
+  return best;
+};
+// An answer, cell by cell, against the accepted one that most of its cells agree with (nearest_answer.h): the fields that
+// differ, and how many of the cells that earn points are right.
+const compareCells = (question, answer) => {
+  const wrong = new Set();
+  let right = 0, counted = 0;
+  for (const condition of question.accepted) {
+    const {test, values} = condition;
+    const at = condition.fields && condition.fields.length ? condition.fields : answer.map((_, i) => i);
+    const fields = at.map(i => answer[i]);
+    let row = values[0], isAgreed = null;
+    if (test === 'values') {
+      let most = -1;
+      for (const other of values) {
+        const agreed = fields.map((field, i) => readsLike(field, other[i]));
+        const count = agreed.filter(Boolean).length;
+        if (count <= most) continue;
+        most = count;
+        isAgreed = agreed;
+        row = other;
+      }
+    } else if (test === 'multiple') {
+      isAgreed = agreementWithMultiple(fields, row);
+    } else if (holds(condition, answer)) {
+      isAgreed = fields.map(() => true);
+    } else if (fields.length === 1) {
+      isAgreed = [false];
+    }
+    const isFiller = i => question.table && (test === 'values' || test === 'multiple') && (row[i] === '0' || row[i] === '');
+    fields.forEach((_, i) => {
+      const isRight = Boolean(isAgreed && isAgreed[i]);
+      if (isRight && isFiller(i)) return;
+      ++counted;
+      if (isRight) ++right;
+      else if (isAgreed) wrong.add(at[i]);
+    });
+  }
+  return {wrong, right, counted};
+};
+
+// All empty fields in one sentence.
+const unanswered = (question, fields) => {
+  const names = fields.map(i => shownName(question.fields[i]));
+  const {elements = []} = question.fields[fields[0]];
+  if (fields.length === 1) return {name: 'unanswered', fields, elements, reason: say('empty', names[0])};
+  const list = names.slice(0, MOST_NAMED).join('; ') + (names.length > MOST_NAMED ? '; \u2026' : '');
+  return {name: 'unanswered', fields, elements: [], reason: say('emptyFields', fields.length, list)};
+};
+// What was found in an answer that is not accepted; a mistake marks those of its fields that differ.
+const mistakesIn = (question, answer, read, wrong) => {
+  const found = [];
+  const blank = [...read.keys()].filter(i => read[i].fault === 'empty');
+  const marked = new Set([...read.keys()].filter(i => read[i].fault));
+  read.forEach(({fault, place}, i) => {
+    if (!fault || fault === 'empty') return;
+    const [name, reason] = UNREADABLE[fault];
+    const field = question.fields[i];
+    found.push({name, fields: [i], elements: field.elements || [], reason: reason(quoted(answer[i]), quoted(place), field)});
+  });
+  if (blank.length) found.push(unanswered(question, blank));
   for (const {name, when, fields = [], elements = [], reason} of question.mistakes) {
-    const isMarked = found.some(mistake => mistake.fields.some(field => fields.includes(field)));
-    if (found.length && (!fields.length || isMarked)) continue;
+    if (found.length && (!fields.length || fields.some(field => marked.has(field)))) continue;
     if (!allHold(when, read)) continue;
-    found.push({name, fields, elements, reason});
+    const differing = fields.filter(field => wrong.has(field));
+    found.push({name, fields: differing.length ? differing : fields, elements, reason});
+    for (const field of fields) marked.add(field);
     if (!fields.length) break;
   }
-  const marked = new Set(differingFields(question, read).concat(found.flatMap(mistake => mistake.fields)));
-  const wrongFields = [...marked].sort((a, b) => a - b);
-  const isNearlyRight = wrongFields.length === 1 && answer.length >= FEWEST_FOR_HALF;
-  return {isRight: false, points: isNearlyRight ? Math.floor(question.points / 2) : 0, mistakes: found, wrongFields,
-          reason: found.length ? found[0].reason : question.rule};
+  return found;
+};
+
+// `answer`: a text for each field. {isRight, isBlank, isUnreadable, points, mistakes: [{name, fields, elements, reason}],
+// wrongFields, reason}: the first of the mistakes is the one to be told; `wrongFields` are marked, none of them means the
+// answer as a whole.
+const grade = (question, answer) => {
+  const read = readAnswer(question, answer);
+  const verdict = {isRight: false, isBlank: false, isUnreadable: false, points: 0, mistakes: [], wrongFields: [],
+                   reason: question.rule};
+  if (allHold(question.accepted, read)) return {...verdict, isRight: true, points: question.points};
+  if (read.every(field => field.isEmpty) && read.some(({fault}) => fault)) {
+    const reason = say('notAnswered');
+    return {...verdict, isBlank: true, mistakes: [{name: 'unanswered', fields: [], elements: [], reason}], reason};
+  }
+  const {wrong, right, counted} = compareCells(question, read);
+  const mistakes = mistakesIn(question, answer, read, wrong);
+  for (const {fields} of mistakes) for (const field of fields) wrong.add(field);
+  return {...verdict, isUnreadable: read.some(({fault}) => fault && fault !== 'empty'),
+          points: Math.floor(question.points * right / Math.max(counted, 1)), mistakes,
+          wrongFields: [...wrong].sort((a, b) => a - b), reason: mistakes.length ? mistakes[0].reason : question.rule};
 };

@@ -8173,10 +8173,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Fragearten, durch Kommas getrennt; eine darf wiederkehren (alle)</translation>
     </message>
     <message>
-        <source>the same number makes the same sheets everywhere (1)</source>
-        <translation>dieselbe Zahl ergibt überall dieselben Blätter (1)</translation>
-    </message>
-    <message>
         <source>how many different sheets, at most 1,000 (1)</source>
         <translation>wie viele verschiedene Blätter, höchstens 1.000 (1)</translation>
     </message>
@@ -14849,6 +14845,82 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
         <translation>Keine Zähnezahlen in diesen Grenzen kommen dieser Übersetzung mit diesem Vorzeichen nahe. Was hilft: weitere Grenzen oder andere Glieder.</translation>
+    </message>
+    <message>
+        <source>%1 is no regular file.</source>
+        <translation>%1 ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than %2 MB, which no answers are.</source>
+        <translation>%1 ist größer als %2 MB, was keine Antworten sind.</translation>
+    </message>
+    <message>
+        <source>Answers that cannot be read: %1.</source>
+        <translation>Nicht lesbare Antworten: %1.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>„%1“ ist ab „%2“ nicht lesbar: Schreiben Sie eine ganze Zahl, einen Bruch wie −3/4 oder eine Dezimalzahl.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: this question knows no such symbol.</source>
+        <translation>„%1“ ist ab „%2“ nicht lesbar: Diese Frage kennt kein solches Zeichen.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write the number in %3.</source>
+        <translation>„%1“ hat die Einheit %2: Schreiben Sie die Zahl in %3.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write a number without a unit.</source>
+        <translation>„%1“ hat die Einheit %2: Schreiben Sie eine Zahl ohne Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 fields are empty: %2.</source>
+        <translation>%1 Felder sind leer: %2.</translation>
+    </message>
+    <message>
+        <source>symbol that the question does not know</source>
+        <translation>Zeichen, das die Frage nicht kennt</translation>
+    </message>
+    <message>
+        <source>number in another unit</source>
+        <translation>Zahl in einer anderen Einheit</translation>
+    </message>
+    <message>
+        <source>A number is needed here.</source>
+        <translation>Hier wird eine Zahl gebraucht.</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (random)</source>
+        <translation>dieselbe Zahl macht überall dieselben Blätter (zufällig)</translation>
+    </message>
+    <message>
+        <source>--seed %1 makes these sheets again.</source>
+        <translation>--seed %1 macht diese Blätter wieder.</translation>
+    </message>
+    <message>
+        <source>--seed %1 asks these questions again.</source>
+        <translation>--seed %1 stellt diese Fragen wieder.</translation>
+    </message>
+    <message>
+        <source>Cannot be read: %1</source>
+        <translation>Nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>Easy</source>
+        <translation>Leicht</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Schwer</translation>
+    </message>
+    <message>
+        <source>The document has no link &quot;%1&quot;.</source>
+        <translation>Das Dokument hat kein Glied „%1“.</translation>
     </message>
 </context>
 <context>

@@ -8173,10 +8173,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>tipos de preguntas, con comas; un tipo puede repetirse (todos)</translation>
     </message>
     <message>
-        <source>the same number makes the same sheets everywhere (1)</source>
-        <translation>el mismo número da en todas partes las mismas hojas (1)</translation>
-    </message>
-    <message>
         <source>how many different sheets, at most 1,000 (1)</source>
         <translation>cuántas hojas distintas, como mucho 1.000 (1)</translation>
     </message>
@@ -14849,6 +14845,82 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
         <translation>Ningún número de dientes dentro de estos límites se acerca a esta relación con este signo. Sirven límites más amplios u otros miembros.</translation>
+    </message>
+    <message>
+        <source>%1 is no regular file.</source>
+        <translation>%1 no es un archivo normal.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than %2 MB, which no answers are.</source>
+        <translation>%1 ocupa más de %2 MB, lo que no ocupa ninguna respuesta.</translation>
+    </message>
+    <message>
+        <source>Answers that cannot be read: %1.</source>
+        <translation>Respuestas ilegibles: %1.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>«%1» no se puede leer a partir de «%2»: escriba un número entero, una fracción como −3/4 o un decimal.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: this question knows no such symbol.</source>
+        <translation>«%1» no se puede leer a partir de «%2»: esta pregunta no conoce ese símbolo.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write the number in %3.</source>
+        <translation>«%1» tiene la unidad %2: escriba el número en %3.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write a number without a unit.</source>
+        <translation>«%1» tiene la unidad %2: escriba un número sin unidad.</translation>
+    </message>
+    <message>
+        <source>%1 fields are empty: %2.</source>
+        <translation>%1 campos están vacíos: %2.</translation>
+    </message>
+    <message>
+        <source>symbol that the question does not know</source>
+        <translation>símbolo que la pregunta no conoce</translation>
+    </message>
+    <message>
+        <source>number in another unit</source>
+        <translation>número en otra unidad</translation>
+    </message>
+    <message>
+        <source>A number is needed here.</source>
+        <translation>Aquí hace falta un número.</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (random)</source>
+        <translation>el mismo número hace las mismas hojas en todas partes (al azar)</translation>
+    </message>
+    <message>
+        <source>--seed %1 makes these sheets again.</source>
+        <translation>--seed %1 vuelve a hacer estas hojas.</translation>
+    </message>
+    <message>
+        <source>--seed %1 asks these questions again.</source>
+        <translation>--seed %1 vuelve a hacer estas preguntas.</translation>
+    </message>
+    <message>
+        <source>Cannot be read: %1</source>
+        <translation>No se puede leer: %1</translation>
+    </message>
+    <message>
+        <source>Easy</source>
+        <translation>Fácil</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medio</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Difícil</translation>
+    </message>
+    <message>
+        <source>The document has no link &quot;%1&quot;.</source>
+        <translation>El documento no tiene el eslabón «%1».</translation>
     </message>
 </context>
 <context>

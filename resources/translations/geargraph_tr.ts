@@ -8172,10 +8172,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>virgülle ayrılmış soru türleri; bir tür yinelenebilir (hepsi)</translation>
     </message>
     <message>
-        <source>the same number makes the same sheets everywhere (1)</source>
-        <translation>aynı sayı her yerde aynı sayfaları verir (1)</translation>
-    </message>
-    <message>
         <source>how many different sheets, at most 1,000 (1)</source>
         <translation>kaç ayrı sayfa, en çok 1.000 (1)</translation>
     </message>
@@ -14848,6 +14844,82 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>No tooth counts within these limits come near this ratio with this sign. What fits: wider limits, or other members.</source>
         <translation>Bu sınırlar içindeki hiçbir diş sayısı bu orana bu işaretle yaklaşmıyor. Uygun olan: daha geniş sınırlar ya da başka üyeler.</translation>
+    </message>
+    <message>
+        <source>%1 is no regular file.</source>
+        <translation>%1 olağan bir dosya değil.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than %2 MB, which no answers are.</source>
+        <translation>%1, %2 MB&apos;den büyük; yanıtlar o kadar büyük olmaz.</translation>
+    </message>
+    <message>
+        <source>Answers that cannot be read: %1.</source>
+        <translation>Okunamayan yanıtlar: %1.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: write a whole number, a fraction such as −3/4 or a decimal.</source>
+        <translation>“%1”, “%2” kısmından sonra okunamıyor: tam sayı, −3/4 gibi bir kesir ya da ondalık sayı yazın.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read from “%2” on: this question knows no such symbol.</source>
+        <translation>“%1”, “%2” kısmından sonra okunamıyor: bu soruda böyle bir simge yok.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write the number in %3.</source>
+        <translation>“%1” için birim %2: sayıyı %3 olarak yazın.</translation>
+    </message>
+    <message>
+        <source>“%1” has the unit %2: write a number without a unit.</source>
+        <translation>“%1” için birim %2: birimsiz bir sayı yazın.</translation>
+    </message>
+    <message>
+        <source>%1 fields are empty: %2.</source>
+        <translation>%1 alan boş: %2.</translation>
+    </message>
+    <message>
+        <source>symbol that the question does not know</source>
+        <translation>sorunun bilmediği simge</translation>
+    </message>
+    <message>
+        <source>number in another unit</source>
+        <translation>başka birimde sayı</translation>
+    </message>
+    <message>
+        <source>A number is needed here.</source>
+        <translation>Burada bir sayı gerekli.</translation>
+    </message>
+    <message>
+        <source>the same number makes the same sheets everywhere (random)</source>
+        <translation>aynı sayı her yerde aynı sayfaları üretir (rastgele)</translation>
+    </message>
+    <message>
+        <source>--seed %1 makes these sheets again.</source>
+        <translation>--seed %1 bu sayfaları yeniden üretir.</translation>
+    </message>
+    <message>
+        <source>--seed %1 asks these questions again.</source>
+        <translation>--seed %1 bu soruları yeniden sorar.</translation>
+    </message>
+    <message>
+        <source>Cannot be read: %1</source>
+        <translation>Okunamıyor: %1</translation>
+    </message>
+    <message>
+        <source>Easy</source>
+        <translation>Kolay</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Orta</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Zor</translation>
+    </message>
+    <message>
+        <source>The document has no link &quot;%1&quot;.</source>
+        <translation>Belgede “%1” uzvu yok.</translation>
     </message>
 </context>
 <context>

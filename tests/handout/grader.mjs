@@ -44,6 +44,23 @@ test('both graders agree about every answer', async t => {
   assert.ok(kinds.size >= 24 && names.size >= 80, `${kinds.size} kinds, ${names.size} mistakes`);
 });
 
+test('every spelling has its verdict', () => {
+  const {symbols, choices, set, spellings} = JSON.parse(fs.readFileSync(new URL('spellings.json', import.meta.url), 'utf8'));
+  const faults = [];
+  for (const [text, value, kind, language, expected] of spellings) {
+    const isNumber = !['integer', 'choice', 'set'].includes(kind);
+    const field = {name: 'x', kind: isNumber ? 'number' : kind, options: {choice: choices, set}[kind],
+                   unit: isNumber && kind !== 'number' ? kind : undefined};
+    const question = {kind: 'spelling', points: 4, rule: 'Rule.', fields: [field], solution: [value], mistakes: [], symbols,
+                      decimal: language === 'en' ? undefined : ',', accepted: [{test: 'values', values: [[value]]}]};
+    const {isRight, isBlank, isUnreadable} = grade(question, [text]);
+    const verdict = isRight ? 'right' : isBlank ? 'blank' : isUnreadable ? 'unreadable' : 'wrong';
+    if (verdict !== expected) faults.push({text, value, language, verdict, expected});
+  }
+  assert.deepEqual(faults, []);
+  assert.ok(spellings.length >= 300, `${spellings.length} spellings`);
+});
+
 test('the corpus would show a grader that reads otherwise', () => {
   const question = {kind: 'k', prompt: '', points: 2, fields: [{name: 'a', kind: 'number'}], solution: ['1/3'], rule: 'Rule.',
                     accepted: [{test: 'values', values: [['1/3']]}],

@@ -11,6 +11,7 @@
 #include "core/teaching/grading/question_json.h"
 #include "core/teaching/grading/wrong_answers.h"
 #include "tests/core/support/exercise_corpus.h"
+#include "tests/core/support/spellings.h"
 
 namespace geargraph {
 namespace {
@@ -114,6 +115,8 @@ void writeCase(JsonWriter& json, const Question& question, const test::AnswerTex
   json.key("verdict");
   json.beginObject(kRow);
   json.member("isRight", verdict.isRight);
+  json.member("isBlank", verdict.isBlank);
+  json.member("isUnreadable", verdict.isUnreadable);
   json.member("points", verdict.points);
   json.key("mistakes");
   json.beginArray(kRow);
@@ -143,6 +146,11 @@ void writeOddCases(JsonWriter& json, const Question& question, ExerciseRandom& r
   }
 }
 
+void writeOneLine(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());  // within texts they are escaped
+  std::cout << text << '\n';
+}
+
 void writeLine(const Question& question, ExerciseRandom& random) {
   TextSink sink;
   {
@@ -165,12 +173,30 @@ void writeLine(const Question& question, ExerciseRandom& random) {
     json.endArray();
     json.endObject();
   }
-  std::string line = sink.take();
-  line.erase(std::remove(line.begin(), line.end(), '\n'), line.end());  // within texts they are escaped
-  std::cout << line << '\n';
+  writeOneLine(sink.take());
+}
+
+/// The corpus of spellings: a question of one field each.
+void writeSpellings() {
+  for (const test::SpelledAnswer& spelled : test::spelledAnswers()) {
+    TextSink sink;
+    {
+      JsonWriter json(sink);
+      json.beginObject();
+      json.key("question");
+      writeQuestion(json, spelled.question, QuestionPart::withKey);
+      json.key("cases");
+      json.beginArray();
+      writeCase(json, spelled.question, {spelled.text});
+      json.endArray();
+      json.endObject();
+    }
+    writeOneLine(sink.take());
+  }
 }
 
 void writeCorpus() {
+  writeSpellings();
   const auto write = [](const Mechanism& mechanism, std::uint64_t seeds) {
     test::visitQuestions(
         mechanism, std::min(seeds, kMostSeeds),

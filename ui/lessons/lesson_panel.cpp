@@ -311,6 +311,8 @@ void LessonPanel::grade(const Verdict& verdict) {
            tr("Right. %1").arg(plainSentence(verdict.reason)));
     return;
   }
+  // What is not answered or cannot be read is not wrong: it stays open, and costs nothing.
+  if (verdict.isBlank || verdict.isUnreadable) return setResult(plainSentence(verdict.reason), false);
   m_clean = false;
   std::set<ElementId> meant;
   if (verdict.mistake) meant.insert(verdict.mistake->elements.begin(), verdict.mistake->elements.end());

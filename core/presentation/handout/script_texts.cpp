@@ -57,6 +57,14 @@ constexpr ScriptText kTexts[] = {
          "“%1” can be read as a thousand or as a decimal: write it without the comma, or as a fraction.")},
     {"notANumber",
      toTranslate("“%1” is not a number: write a whole number, a fraction such as −3/4 or a decimal.")},
+    {"stopsAtNumber",
+     toTranslate("“%1” cannot be read from “%2” on: write a whole number, a fraction such as "
+                 "−3/4 or a decimal.")},
+    {"stopsAtSymbol", toTranslate("“%1” cannot be read from “%2” on: this question knows no such symbol.")},
+    {"otherUnit", toTranslate("“%1” has the unit %2: write the number in %3.")},
+    {"noUnit", toTranslate("“%1” has the unit %2: write a number without a unit.")},
+    {"emptyFields", toTranslate("%1 fields are empty: %2.")},
+    {"notAnswered", toTranslate("The question is not answered.")},
     {"notAChoice", toTranslate("“%1” is not among what the question offers for %2.")},
     // exercises.js
     {"cell", toTranslate("Row %1, column %2")},
@@ -70,6 +78,7 @@ constexpr ScriptText kTexts[] = {
     {"rightOf", toTranslate("Right, %1 of %2 points")},
     {"wrong", toTranslate("Wrong")},
     {"wrongAt", toTranslate("Wrong: %1")},
+    {"unreadableAt", toTranslate("Cannot be read: %1")},
     {"otherField", toTranslate("The other field is right.")},
     {"otherFields", toTranslate("The other %1 fields are right.")},
     {"unknownMistake",

@@ -154,6 +154,7 @@ class BrakeQuestion {
     m_build.field(m_comparison.isOfState ? toTranslate("largest torque in") : toTranslate("state"),
                   FieldKind::choice, options);
     m_build.field(toTranslate("torque in N m"), FieldKind::number);
+    m_build.inUnit("N m");
     std::vector<std::string> sizes;
     for (const Carried& each : m_comparison.torques)
       sizes.push_back(whose(each) + ' ' + newtonMetres(each).toString() + " N m");

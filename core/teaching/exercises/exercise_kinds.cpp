@@ -6,6 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
 #include "core/teaching/exercises/exercise_statics.h"
+#include "core/teaching/exercises/link_gears.h"
 #include "core/teaching/exercises/question_makers.h"
 
 namespace geargraph::inline exercises {
@@ -193,7 +194,12 @@ std::optional<std::string> reasonAgainst(const ExerciseSource& source, ExerciseK
 
 Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseRandom& random) {
   GEARGRAPH_REQUIRE(!reasonAgainst(source, kind));
-  return entryOf(kind).make(source, random);
+  Question question = entryOf(kind).make(source, random);
+  question.comma = commaUse();
+  const auto isNumber = [](const AnswerField& field) { return field.kind == FieldKind::number; };
+  if (std::any_of(question.fields.begin(), question.fields.end(), isNumber))
+    question.symbols = numberSymbols(source);
+  return question;
 }
 
 }  // namespace geargraph::inline exercises

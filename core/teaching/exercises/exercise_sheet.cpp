@@ -33,6 +33,7 @@ SheetVariant makeVariant(const ExerciseSource& source, const SheetPlan& plan, in
     };
     for (int draw = 1; draw < kMostDraws && isAsked(); ++draw)
       question = makeQuestion(source, plan.kinds[place], random);
+    question.comma = plan.comma;
     sheet.questions.push_back(std::move(question));
   }
   return sheet;

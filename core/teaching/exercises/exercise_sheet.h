@@ -14,14 +14,15 @@ constexpr int kMostVariants = 1'000;
 constexpr int kMostQuestions = 100;
 
 /// The version of the generator, increased when the same seed gives other questions.
-constexpr int kGeneratorVersion = 1;
+constexpr int kGeneratorVersion = 2;
 
 /// The parameters of a sheet, in addition to the mechanism.
 struct SheetPlan {
   std::string title;
   std::vector<ExerciseKind> kinds;  ///< of the questions, in their order; kinds may repeat
   std::uint64_t seed = 1;
-  int variants = 1;  ///< 1: the same sheet for everyone
+  int variants = 1;             ///< 1: the same sheet for everyone
+  CommaUse comma = commaUse();  ///< of answers: that of the language in which the sheet is made
   friend bool operator==(const SheetPlan&, const SheetPlan&) = default;
 };
 

@@ -25,6 +25,8 @@ class QuestionBuilder {
              std::vector<ElementId> elements = {});
   /// Sets the displayed title of the last field, if its name is no marked text.
   void titled(const std::string& title);
+  /// Sets the unit that the number of the last field may have.
+  void inUnit(const char* unit) { question.fields.back().unit = unit; }
   /// Adds a table of fields named "row,column".
   void table(std::vector<std::string> rows, std::vector<std::string> columns, FieldKind kind);
 

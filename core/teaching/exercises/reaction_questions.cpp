@@ -100,6 +100,7 @@ class ReactionQuestion {
     m_build.question.elements = {m_coupling.id, m_coupling.links.front()};
     m_build.field("torque on link " + held + " in N m", FieldKind::number);
     m_build.titled(translated("torque on link %1 in N m", {held}));
+    m_build.inUnit("N m");
     m_build.field(toTranslate("turns the housing"), FieldKind::choice, {m_with, m_against});
     m_build.question.rule =
         translated("Brake %1 holds link %2 with %3 N m; the housing has the opposite, %4 N m.",

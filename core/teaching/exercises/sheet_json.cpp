@@ -15,6 +15,7 @@ void writePlan(JsonWriter& json, const SheetFile& sheet) {
   json.member("title", sheet.plan.title);
   json.member("seed", std::to_string(sheet.plan.seed));
   json.member("variants", sheet.plan.variants);
+  if (sheet.plan.comma == CommaUse::decimal) json.member("decimal", ",");
   json.key("kinds");
   json.beginArray(JsonWriter::Layout::row);
   for (const ExerciseKind kind : sheet.plan.kinds) json.string(kindName(kind));
@@ -84,6 +85,7 @@ Expected<SheetFile> readSheet(std::string_view text) {
   sheet.plan.title = reader.text(root, "title", "");
   sheet.plan.seed = seedFrom(reader, root);
   sheet.plan.variants = reader.memberNumber(root, "variants", "").value_or(0);
+  sheet.plan.comma = reader.text(root, "decimal", "", false) == "," ? CommaUse::decimal : CommaUse::ambiguous;
   if (sheet.plan.variants < 1 || sheet.plan.variants > kMostVariants)
     reader.fail("/variants", translated("A sheet has 1 to 1,000 variants."));
   for (const std::string& name : reader.texts(root, "kinds", "", true)) {

@@ -80,6 +80,7 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
       translated("The meshes in the chain give joint %1 the rate %2 rad/s.", {name, inWords(right)});
   build.field("speed of joint " + name, FieldKind::number, {}, {source.edgeId(joint)});
   build.titled(translated("speed of joint %1", {name}));
+  build.inUnit("rad/s");
   build.accept({right.toString()});
 
   const auto add = [&](const char* mistake, const std::optional<std::vector<Rational>>& all,

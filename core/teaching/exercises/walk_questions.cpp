@@ -33,8 +33,11 @@ class WalkTable {
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
       for (std::size_t j = 0; j < m_columns.size(); ++j) {
-        build.question.fields[at(i, j)].elements = {m_matrix.rowHeading(m_rows[i]).element,
-                                                    m_matrix.columnHeading(m_columns[j]).element};
+        const ElementId row = m_matrix.rowHeading(m_rows[i]).element;
+        const ElementId column = m_matrix.columnHeading(m_columns[j]).element;
+        auto& elements = build.question.fields[at(i, j)].elements;
+        elements = {row};
+        if (column != row) elements.push_back(column);  // of C and Q a row is named after one of its columns
       }
     }
     m_values = valuesOf(m_rows);

@@ -19,7 +19,9 @@ struct FoundMistake {
 /// The result of grading an answer.
 struct Verdict {
   bool isRight = false;
-  int points = 0;  ///< of those of the question
+  bool isBlank = false;       ///< no field is filled in, and some has to be
+  bool isUnreadable = false;  ///< some field cannot be read; its mistake names the place
+  int points = 0;             ///< of those of the question
   /// The mistake to be reported first. None for a right answer, and for a wrong one that no known mistake
   /// explains.
   std::optional<FoundMistake> mistake;
@@ -29,9 +31,9 @@ struct Verdict {
   std::string reason;            ///< of the mistake; else the rule of the question
 };
 
-/// Grades an answer, one text per field. Full points for a right answer, half (rounded down) if exactly one
-/// of at least four fields is wrong, else none. Pure. Cost: that of the conditions; microseconds for a row,
-/// under a millisecond for a matrix.
+/// Grades an answer, one text per field. Full points for a right answer, else the share of its right cells,
+/// rounded down (CellMarks). A mistake marks those of its fields that differ. Pure. Cost: that of the
+/// conditions; microseconds for a row, under a millisecond for a matrix.
 /// @pre a text for each field
 [[nodiscard]] Verdict grade(const Question& question, const std::vector<std::string>& answer);
 

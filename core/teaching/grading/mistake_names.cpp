@@ -14,6 +14,8 @@ std::span<const MistakeName> mistakeNames() {
       {"unanswered", toTranslate("field left empty")},
       {"not-a-number", toTranslate("text that is no number")},
       {"ambiguous-number", toTranslate("comma that may be a decimal or a thousand")},
+      {"unknown-symbol", toTranslate("symbol that the question does not know")},
+      {"other-unit", toTranslate("number in another unit")},
       {"not-a-choice", toTranslate("text that the question does not offer")},
       // matrices of whole numbers
       {"incidence-exchanged", toTranslate("incidence with + and − exchanged")},

@@ -2,165 +2,170 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
+#include <optional>
 #include <utility>
+
+#include "core/foundations/base/spoken.h"
 
 namespace geargraph::inline grading {
 namespace {
 
 constexpr std::size_t kLongest = 200;
-constexpr int kDeepest = 20;
+constexpr std::size_t kMostDigits = 1'000;  ///< of numerator and denominator
 
-/// The signs of print in ASCII, without blanks at the ends.
-std::string inAscii(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, char>, 9> kSigns = {{{"\u2212", '-'},
-                                                                        {"\u2013", '-'},
-                                                                        {"\u00d7", '*'},
-                                                                        {"\u00b7", '*'},
-                                                                        {"\u22c5", '*'},
-                                                                        {"\u00f7", '/'},
-                                                                        {"\u2044", '/'},
-                                                                        {"\u00a0", ' '},
-                                                                        {"\u202f", ' '}}};
-  std::string ascii;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto sign = std::find_if(kSigns.begin(), kSigns.end(),
-                                   [&](const auto& s) { return text.substr(at).starts_with(s.first); });
-    ascii += sign != kSigns.end() ? sign->second : text[at] == ':' ? '/' : text[at];
-    at += sign != kSigns.end() ? sign->first.size() : 1;
-  }
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!ascii.empty() && isBlank(ascii.back())) ascii.pop_back();
-  ascii.erase(ascii.begin(), std::find_if_not(ascii.begin(), ascii.end(), isBlank));
-  return ascii;
-}
+struct Amount {
+  Rational value;
+  Rational slack;
+};
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-/// Recursive descent over sums, products and factors.
-class NumberReader {
+/// Fractions, and symbols that stand for fractions.
+class NumberDomain {
  public:
-  explicit NumberReader(std::string text) : m_text(std::move(text)) {}
+  using Value = Amount;
 
-  WrittenNumber read() {
-    WrittenNumber number;
-    if (m_text.empty() || m_text.size() > kLongest) return {NumberFault::notANumber, {}, {}};
-    number.value = sum(0);
-    if (m_at != m_text.size()) fail(NumberFault::notANumber);
-    number.fault = m_fault;
-    if (m_fault == NumberFault::none && m_literals == 1 && m_isPlain && m_decimals > 0 &&
-        m_significant >= 3) {
-      number.slack = 1;
-      for (int i = 0; i < m_decimals; ++i) number.slack /= 10;
+  explicit NumberDomain(const NumberSymbols& symbols) : m_symbols(symbols) {}
+
+  [[nodiscard]] bool failed() const { return m_failed; }
+  [[nodiscard]] bool hasUnknownName() const { return m_hasUnknownName; }
+
+  static Amount constant(const Rational& value, const Rational& slack) { return {value, slack}; }
+
+  Amount add(Amount sum, const Amount& part, bool isNegative) {
+    isNegative ? sum.value -= part.value : sum.value += part.value;
+    sum.slack += part.slack;
+    return bounded(std::move(sum));
+  }
+  Amount multiply(const Amount& a, const Amount& b) {
+    Rational slack = 0;
+    if (!a.slack.isZero() || !b.slack.isZero())
+      slack = a.value.abs() * b.slack + b.value.abs() * a.slack + a.slack * b.slack;
+    return bounded({a.value * b.value, slack});
+  }
+  Amount inverse(Amount amount) {
+    if (amount.value.isZero()) {
+      m_failed = true;
+      return amount;
     }
-    return number;
+    amount.slack /= amount.value * amount.value;
+    amount.value = amount.value.inverse();
+    return amount;
+  }
+  Amount named(const WrittenName& name) {
+    const std::string primes(static_cast<std::size_t>(name.primes), '\'');
+    std::string links = name.subscript;
+    auto found = m_symbols.find(name.base + links + primes);
+    if (found == m_symbols.end()) {
+      std::erase(links, '_');
+      found = m_symbols.find(name.base + links + primes);
+    }
+    const bool isOneDigitEach = links.size() == name.subscript.size() || name.subscript.size() == 3;
+    if (found != m_symbols.end() && isOneDigitEach) return {*Rational::fromText(found->second), 0};
+    m_failed = m_hasUnknownName = true;
+    return {};
   }
 
  private:
-  void fail(NumberFault fault) {
-    if (m_fault == NumberFault::none) m_fault = fault;
-    m_at = m_text.size();
-  }
-  /// The next character that is no blank; 0 at the end.
-  char peek() {
-    while (m_at < m_text.size() && m_text[m_at] == ' ') ++m_at;
-    return m_at < m_text.size() ? m_text[m_at] : '\0';
+  Amount bounded(Amount amount) {
+    if (amount.value.toString().size() > kMostDigits) m_failed = true;
+    return amount;
   }
 
-  Rational sum(int depth) {
-    Rational value = product(depth);
-    for (char sign = peek(); sign == '+' || sign == '-'; sign = peek()) {
-      ++m_at;
-      m_isPlain = false;
-      const Rational next = product(depth);
-      sign == '+' ? value += next : value -= next;
-    }
-    return value;
-  }
-
-  Rational product(int depth) {
-    Rational value = factor(depth);
-    for (char sign = peek(); sign == '*' || sign == '/'; sign = peek()) {
-      ++m_at;
-      m_isPlain = false;
-      const Rational next = factor(depth);
-      if (sign == '*') {
-        value *= next;
-      } else if (next.isZero()) {
-        fail(NumberFault::notANumber);
-      } else {
-        value /= next;
-      }
-    }
-    return value;
-  }
-
-  Rational factor(int depth) {
-    const char c = peek();
-    if (depth > kDeepest) fail(NumberFault::notANumber);
-    if (c == '-' || c == '+') {
-      ++m_at;
-      const Rational value = factor(depth + 1);
-      return c == '-' ? -value : value;
-    }
-    if (c == '(') {
-      ++m_at;
-      Rational value = sum(depth + 1);
-      if (peek() != ')') {
-        fail(NumberFault::notANumber);
-      } else {
-        ++m_at;
-      }
-      return value;
-    }
-    return literal();
-  }
-
-  Rational literal() {
-    const std::size_t begin = m_at;
-    std::string digits;
-    std::string places;
-    while (m_at < m_text.size() && isDigit(m_text[m_at])) digits += m_text[m_at++];
-    const char mark = m_at < m_text.size() ? m_text[m_at] : '\0';
-    if (mark == '.' || mark == ',') {
-      ++m_at;
-      while (m_at < m_text.size() && isDigit(m_text[m_at])) places += m_text[m_at++];
-      const char next = m_at < m_text.size() ? m_text[m_at] : '\0';
-      const bool isGrouped = digits.size() <= 3 && !digits.empty() && digits.front() != '0';
-      if (next == '.' || next == ',' || (mark == ',' && places.size() == 3 && isGrouped)) {
-        fail(NumberFault::ambiguous);
-        return {};
-      }
-      if (places.empty()) fail(NumberFault::notANumber);
-    }
-    if (m_at == begin || (digits.empty() && places.empty())) {
-      fail(NumberFault::notANumber);
-      return {};
-    }
-    const std::string all = digits + places;
-    ++m_literals;
-    m_decimals = static_cast<int>(places.size());
-    m_significant = static_cast<int>(all.size() - std::min(all.find_first_not_of('0'), all.size()));
-    Rational value = *Rational::fromText(all.substr(std::min(all.find_first_not_of('0'), all.size() - 1)));
-    for (std::size_t i = 0; i < places.size(); ++i) value /= 10;
-    return value;
-  }
-
-  std::string m_text;
-  std::size_t m_at = 0;
-  NumberFault m_fault = NumberFault::none;
-  int m_literals = 0;
-  bool m_isPlain = true;  ///< one literal with signs and parentheses
-  int m_decimals = 0;     ///< of the last literal
-  int m_significant = 0;
+  const NumberSymbols& m_symbols;
+  bool m_failed = false;
+  bool m_hasUnknownName = false;
 };
+
+/// A way to write a unit, in plain notation, and how many of the unit of its dimension it is; 0: not
+/// converted.
+struct UnitSpelling {
+  std::string_view text;
+  std::string_view unit;
+  std::string_view factor;
+};
+
+constexpr std::array kUnits = {
+    UnitSpelling{"rad/s", "rad/s", "1"},
+    UnitSpelling{"rad s^-1", "rad/s", "1"},
+    UnitSpelling{"rad*s^-1", "rad/s", "1"},
+    UnitSpelling{"rad s^{-1}", "rad/s", "1"},
+    UnitSpelling{"s^{-1}", "rad/s", "1"},
+    UnitSpelling{"s^-1", "rad/s", "1"},
+    UnitSpelling{" 1/s", "rad/s", "1"},
+    UnitSpelling{"/s", "rad/s", "1"},
+    UnitSpelling{"deg/s", "rad/s", "0"},
+    UnitSpelling{"°/s", "rad/s", "0"},
+    UnitSpelling{"rpm", "rad/s", "0"},
+    UnitSpelling{" 1/min", "rad/s", "0"},
+    UnitSpelling{"U/min", "rad/s", "0"},
+    UnitSpelling{"r/min", "rad/s", "0"},
+    UnitSpelling{"/min", "rad/s", "0"},
+    UnitSpelling{"N m", "N m", "1"},
+    UnitSpelling{"Nm", "N m", "1"},
+    UnitSpelling{"N*m", "N m", "1"},
+    UnitSpelling{"kN m", "N m", "1000"},
+    UnitSpelling{"kNm", "N m", "1000"},
+    UnitSpelling{"kN*m", "N m", "1000"},
+    UnitSpelling{"N cm", "N m", "1/100"},
+    UnitSpelling{"Ncm", "N m", "1/100"},
+    UnitSpelling{"N*cm", "N m", "1/100"},
+    UnitSpelling{"N mm", "N m", "1/1000"},
+    UnitSpelling{"Nmm", "N m", "1/1000"},
+    UnitSpelling{"N*mm", "N m", "1/1000"},
+    UnitSpelling{"mN m", "N m", "1/1000"},
+    UnitSpelling{"mNm", "N m", "1/1000"},
+    UnitSpelling{"ft", "N m", "0"},
+    UnitSpelling{"W", "W", "1"},
+    UnitSpelling{"kW", "W", "1000"},
+    UnitSpelling{"rad", "rad", "1"},
+    UnitSpelling{"deg", "rad", "0"},
+    UnitSpelling{"mm", "mm", "1"},
+    UnitSpelling{"°", "rad", "0"},
+};
+
+/// The longest unit at the end of the text, after a number and not after a letter.
+const UnitSpelling* unitOf(std::string_view text) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const UnitSpelling* found = nullptr;
+  for (const UnitSpelling& unit : kUnits) {
+    if (!text.ends_with(unit.text) || text.size() == unit.text.size()) continue;
+    const char before = text[text.size() - unit.text.size() - 1];
+    const bool isJoined = isLetter(before) || before == '_' || before == '^';
+    if (!isJoined && (found == nullptr || unit.text.size() > found->text.size())) found = &unit;
+  }
+  return found;
+}
+
+NumberFault faultOf(const ExpressionStop& stop, const NumberDomain& domain) {
+  if (stop.fault == ExpressionFault::none) return NumberFault::none;
+  if (stop.fault == ExpressionFault::ambiguous) return NumberFault::ambiguous;
+  if (stop.fault == ExpressionFault::meaning && domain.hasUnknownName()) return NumberFault::unknownName;
+  return NumberFault::notANumber;
+}
 
 }  // namespace
 
-WrittenNumber readNumber(std::string_view text) {
-  return NumberReader(inAscii(text)).read();
+CommaUse commaUse() {
+  return decimalSign() == ',' ? CommaUse::decimal : CommaUse::ambiguous;
+}
+
+WrittenNumber readNumber(std::string_view text, const NumberNotation& notation) {
+  if (text.size() > kLongest) return {NumberFault::notANumber, {}, {}, {}};
+  std::string plain = plainNotation(text);
+  while (plain.ends_with(' ')) plain.pop_back();
+  Rational factor = 1;
+  if (const UnitSpelling* const unit = unitOf(plain)) {
+    factor = *Rational::fromText(unit->factor);
+    if (unit->unit != notation.unit || factor.isZero())
+      return {
+          NumberFault::otherUnit, {}, {}, std::string(unit->text.substr(unit->text.find_first_not_of(' ')))};
+    plain.resize(plain.size() - unit->text.size());
+  }
+  NumberDomain domain(notation.symbols);
+  ExpressionReader<NumberDomain> reader(domain, std::move(plain), notation.comma);
+  const Amount amount = reader.read();
+  if (const NumberFault fault = faultOf(reader.stop(), domain); fault != NumberFault::none)
+    return {fault, {}, {}, reader.stop().text};
+  return {NumberFault::none, amount.value * factor, amount.slack * factor, {}};
 }
 
 }  // namespace geargraph::inline grading

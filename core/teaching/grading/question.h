@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/foundations/base/id.h"
+#include "core/teaching/grading/number_text.h"
 
 namespace geargraph::inline grading {
 
@@ -20,6 +21,7 @@ struct AnswerField {
   bool mayBeEmpty = false;                ///< an empty field is a valid answer
   std::string title = {};  ///< displayed instead of the name in the current language, if different; not
                            ///< stored in files
+  std::string unit = {};   ///< that may follow a number: "rad/s"
   [[nodiscard]] const std::string& shownName() const { return title.empty() ? name : title; }
   friend bool operator==(const AnswerField&, const AnswerField&) = default;
 };
@@ -80,12 +82,14 @@ struct Question {
   std::vector<AnswerField> fields;
   int points = 1;
   std::vector<ElementId> elements = {};  ///< that the question is about
+  CommaUse comma = CommaUse::ambiguous;  ///< in the language of the question
 
   // The key.
   std::vector<Condition> accepted;    ///< an answer is right if all hold
   std::vector<std::string> solution;  ///< one right answer
   std::string rule;                   ///< the reason for it in a sentence
   std::vector<Mistake> mistakes;      ///< the first one that holds is reported
+  NumberSymbols symbols = {};         ///< in which numbers may be written
 
   friend bool operator==(const Question&, const Question&) = default;
 };

@@ -57,6 +57,7 @@ void writeField(JsonWriter& json, const AnswerField& field) {
   if (!field.options.empty()) writeTexts(json, "options", field.options);
   writeElements(json, field.elements);
   if (field.mayBeEmpty) json.member("mayBeEmpty", true);
+  if (!field.unit.empty()) json.member("unit", field.unit);
   json.endObject();
 }
 
@@ -76,6 +77,11 @@ void writeKey(JsonWriter& json, const Question& question) {
     json.endObject();
   }
   json.endArray();
+  if (question.symbols.empty()) return;
+  json.key("symbols");
+  json.beginObject(kRow);
+  for (const auto& [name, value] : question.symbols) json.member(name, value);
+  json.endObject();
 }
 
 }  // namespace
@@ -98,6 +104,7 @@ void writeQuestion(JsonWriter& json, const Question& question, QuestionPart part
   json.member("prompt", question.prompt);
   if (!question.formula.empty()) json.member("formula", question.formula);
   json.member("points", question.points);
+  if (question.comma == CommaUse::decimal) json.member("decimal", ",");
   writeElements(json, question.elements);
   if (!question.table.columns.empty()) {
     json.key("table");

@@ -25,6 +25,20 @@ Value named(MemberReader& reader, const std::string& name, int count, NameOf nam
   return {};
 }
 
+/// The values of the symbols, each a number.
+void readSymbols(MemberReader& reader, const JsonValue& object, const std::string& pointer,
+                 NumberSymbols& symbols) {
+  const auto found =
+      reader.fault() ? std::nullopt : reader.member(object, "symbols", JsonKind::object, pointer, false);
+  if (!found) return;
+  found->forEachMember([&](const JsonValue& name, const JsonValue& value) {
+    const std::string text = reader.elementText(value, pointer + "/symbols/" + name.string());
+    if (!Rational::fromText(text))
+      reader.fail(pointer + "/symbols/" + name.string(), translated("A number is needed here."));
+    symbols.emplace(name.string(), text);
+  });
+}
+
 Question readQuestion(MemberReader& reader, const JsonValue& object, const std::string& pointer) {
   Question question;
   question.kind = reader.text(object, "kind", pointer);
@@ -48,8 +62,11 @@ Question readQuestion(MemberReader& reader, const JsonValue& object, const std::
     field.elements = reader.elements(element, place);
     const auto mayBeEmpty = reader.member(element, "mayBeEmpty", JsonKind::boolean, place, false);
     field.mayBeEmpty = mayBeEmpty && mayBeEmpty->boolean();
+    field.unit = reader.text(element, "unit", place, false);
     question.fields.push_back(std::move(field));
   });
+  if (reader.text(object, "decimal", pointer, false) == ",") question.comma = CommaUse::decimal;
+  readSymbols(reader, object, pointer, question.symbols);
   question.accepted = readConditions(reader, object, "accepted", pointer);
   question.solution = reader.texts(object, "solution", pointer, true);
   question.rule = reader.text(object, "rule", pointer);

@@ -25,12 +25,37 @@ bool isSeparator(char c) {
   return std::string_view(" \t\r\n,;{}").find(c) != std::string_view::npos;
 }
 
-/// Which of the options the text names from here on, the longest of them: names may hold blanks and commas.
-std::optional<std::size_t> optionAt(const AnswerField& field, std::string_view text) {
+/// A word without its case: letters of ASCII and Latin-1, Ğ and Ş, in UTF-8. The i of Turkish, with and
+/// without its dot, is one letter.
+std::string folded(std::string_view text) {
+  std::string word;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    const std::string_view letter = text.substr(at, 2);
+    if (c >= 'A' && c <= 'Z') {
+      word += static_cast<char>(c - 'A' + 'a');
+    } else if (letter == "\u0130" || letter == "\u0131") {  // İ ı
+      word += 'i';
+      ++at;
+    } else if (letter >= "\u00c0" && letter <= "\u00de" && letter.size() == 2 && letter != "\u00d7") {
+      word += c;
+      word += static_cast<char>(static_cast<unsigned char>(text[++at]) + 0x20U);
+    } else if (letter == "\u011e" || letter == "\u015e") {  // Ğ Ş
+      word += c;
+      word += static_cast<char>(static_cast<unsigned char>(text[++at]) + 1U);
+    } else {
+      word += c;
+    }
+  }
+  return word;
+}
+
+/// Which of the options the text begins with, the longest of them: names may hold blanks and commas.
+std::optional<std::size_t> optionAt(const std::vector<std::string>& options, std::string_view text) {
   std::optional<std::size_t> found;
   std::size_t longest = 0;
-  for (std::size_t i = 0; i < field.options.size(); ++i) {
-    const std::string option = trimmed(field.options[i]);
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const std::string& option = options[i];
     const bool isNamed = !option.empty() && text.starts_with(option) &&
                          (text.size() == option.size() || isSeparator(text[option.size()]));
     if (!isNamed || option.size() <= longest) continue;
@@ -40,18 +65,39 @@ std::optional<std::size_t> optionAt(const AnswerField& field, std::string_view t
   return found;
 }
 
-ReadField readSet(const AnswerField& field, const std::string& text) {
+/// The options trimmed, and without their case if they then still differ.
+struct OptionTexts {
+  std::vector<std::string> exact;
+  std::vector<std::string> anyCase;  ///< empty if two options differ in case only
+
+  explicit OptionTexts(const AnswerField& field) {
+    for (const std::string& option : field.options) {
+      exact.push_back(trimmed(option));
+      anyCase.push_back(folded(exact.back()));
+    }
+    std::vector<std::string> sorted = anyCase;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) anyCase.clear();
+  }
+};
+
+ReadField readSet(const AnswerField& field, const std::string& word) {
   ReadField read;
+  const OptionTexts options(field);
+  const bool isCaseKept = options.anyCase.empty();
+  const std::vector<std::string>& names = isCaseKept ? options.exact : options.anyCase;
+  const std::string text = isCaseKept ? word : folded(word);
   std::vector<char> isIn(field.options.size(), 0);
   for (std::size_t at = 0; at < text.size();) {
-    const auto option = optionAt(field, std::string_view(text).substr(at));
+    const auto option = optionAt(names, std::string_view(text).substr(at));
     if (option) {
       isIn[*option] = 1;
-      at += trimmed(field.options[*option]).size();
+      at += names[*option].size();
     } else if (isSeparator(text[at])) {
       ++at;
     } else {
       read.fault = AnswerFault::notAChoice;
+      read.place = text.substr(at);
       break;
     }
   }
@@ -59,6 +105,34 @@ ReadField readSet(const AnswerField& field, const std::string& text) {
     if (isIn[i] != 0) read.elements.push_back(field.options[i]);
   }
   return read;
+}
+
+void readChoice(ReadField& read, const AnswerField& field, const std::string& word) {
+  const OptionTexts options(field);
+  auto found = std::find(options.exact.begin(), options.exact.end(), word) - options.exact.begin();
+  if (found == std::ssize(options.exact) && !options.anyCase.empty())
+    found = std::find(options.anyCase.begin(), options.anyCase.end(), folded(word)) - options.anyCase.begin();
+  if (found == std::ssize(options.exact)) {
+    read.fault = AnswerFault::notAChoice;
+  } else {
+    read.text = field.options[static_cast<std::size_t>(found)];
+  }
+}
+
+AnswerFault answerFault(NumberFault fault) {
+  switch (fault) {
+    case NumberFault::none:
+      return AnswerFault::none;
+    case NumberFault::notANumber:
+      return AnswerFault::notANumber;
+    case NumberFault::ambiguous:
+      return AnswerFault::ambiguousNumber;
+    case NumberFault::unknownName:
+      return AnswerFault::unknownName;
+    case NumberFault::otherUnit:
+      break;
+  }
+  return AnswerFault::otherUnit;
 }
 
 }  // namespace
@@ -69,7 +143,7 @@ std::string setText(const std::vector<std::string>& elements) {
   return text;
 }
 
-ReadField readField(const AnswerField& field, const std::string& text) {
+ReadField readField(const AnswerField& field, const std::string& text, const NumberNotation& notation) {
   const std::string word = trimmed(text);
   ReadField read;
   if (field.kind == FieldKind::set) {
@@ -78,18 +152,12 @@ ReadField readField(const AnswerField& field, const std::string& text) {
   } else if (word.empty()) {
     read.isEmpty = true;
   } else if (field.kind == FieldKind::choice) {
-    const auto option = std::find_if(field.options.begin(), field.options.end(),
-                                     [&](const std::string& name) { return trimmed(name) == word; });
-    if (option == field.options.end()) {
-      read.fault = AnswerFault::notAChoice;
-    } else {
-      read.text = *option;
-    }
+    readChoice(read, field, word);
   } else {
-    read.number = readNumber(word);
+    read.number = readNumber(word, notation);
     if (field.kind == FieldKind::integer) read.number.slack = 0;
-    if (read.number.fault == NumberFault::notANumber) read.fault = AnswerFault::notANumber;
-    if (read.number.fault == NumberFault::ambiguous) read.fault = AnswerFault::ambiguousNumber;
+    read.fault = answerFault(read.number.fault);
+    read.place = read.number.place;
   }
   if (read.isEmpty && !field.mayBeEmpty) read.fault = AnswerFault::empty;
   read.kind = field.kind;
@@ -98,9 +166,13 @@ ReadField readField(const AnswerField& field, const std::string& text) {
 
 ReadAnswer readAnswer(const Question& question, const std::vector<std::string>& answer) {
   GEARGRAPH_REQUIRE(answer.size() == question.fields.size());
+  NumberNotation notation{question.comma, {}, question.symbols};
   ReadAnswer read;
   read.reserve(answer.size());
-  for (std::size_t i = 0; i < answer.size(); ++i) read.push_back(readField(question.fields[i], answer[i]));
+  for (std::size_t i = 0; i < answer.size(); ++i) {
+    notation.unit = question.fields[i].unit;
+    read.push_back(readField(question.fields[i], answer[i], notation));
+  }
   return read;
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/mechanism/graph/spanning_tree.h"
-#include "core/theory/matroid/coefficient_matrix.h"
+#include "core/teaching/exercises/link_gears.h"
 #include "core/theory/matroid/symbolic_solution.h"
 #include "core/theory/states/relative_speed.h"
 #include "core/theory/ttgraph/notation.h"
@@ -71,10 +71,13 @@ bool Vocabulary::ratiosAreFree() const {
 
 std::optional<NamedValue> Vocabulary::value(const WrittenName& name, std::string& fault) const {
   if (name.base == "N" || name.base == "d") return wheel(name, fault);
+  const std::string primes(static_cast<std::size_t>(name.primes), '\'');
   std::string links = name.subscript;
-  if (m_source.graph().n() < 10) std::erase(links, '_');
-  const auto found =
-      m_ratios.find(name.base + links + std::string(static_cast<std::size_t>(name.primes), '\''));
+  auto found = m_ratios.find(name.base + links + primes);
+  if (found == m_ratios.end() && links.size() == 3) {  // "4_1" of one digit each
+    std::erase(links, '_');
+    found = m_ratios.find(name.base + links + primes);
+  }
   if (found == m_ratios.end()) {
     fault = translated("This mechanism has no ratio %1.", {shown(name)});
     return std::nullopt;
@@ -85,29 +88,10 @@ std::optional<NamedValue> Vocabulary::value(const WrittenName& name, std::string
 
 /// The gears of a link, by mesh; primes choose among several.
 std::optional<NamedValue> Vocabulary::wheel(const WrittenName& name, std::string& fault) const {
-  struct Gear {
-    int teeth;
-    std::optional<Rational> diameter;
-  };
   const auto link = numberOf(name.subscript);
-  std::vector<Gear> gears;
-  const Digraph& graph = m_source.graph();
-  for (MeshOrdinal mesh = 0; link && mesh < graph.c(); ++mesh) {
-    const DigraphEdge& ends = graph.meshEdge(mesh);
-    const GearMesh& teeth = m_source.mechanism().gearMeshes[mesh];
-    for (const bool isTail : {true, false}) {
-      if (graph.nodeLabel(isTail ? ends.tail : ends.head) != *link) continue;
-      Gear gear{isTail ? teeth.tailTeeth : teeth.headTeeth, {}};
-      if (m_source.matroid() != nullptr) {
-        const LiveKinematics& live = *m_source.snapshot()->kinematics;
-        const CoefficientMatrix coefficients(m_source.mechanism(), *live.model, live.placement());
-        if (const auto radius = coefficients.exactRadius(mesh, isTail)) gear.diameter = *radius * 2;
-      }
-      gears.push_back(gear);
-    }
-  }
+  const std::vector<LinkGear> gears = link ? gearsOfLink(m_source, *link) : std::vector<LinkGear>();
   const bool isTeeth = name.base == "N";
-  const auto same = [&](const Gear& gear) {
+  const auto same = [&](const LinkGear& gear) {
     return isTeeth ? gear.teeth == gears.front().teeth : gear.diameter == gears.front().diameter;
   };
   const bool isOne = !gears.empty() && std::all_of(gears.begin(), gears.end(), same);

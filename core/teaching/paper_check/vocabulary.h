@@ -7,15 +7,9 @@
 
 #include "core/foundations/exact/rational_function.h"
 #include "core/teaching/exercises/exercise_source.h"
+#include "core/teaching/grading/written_name.h"
 
 namespace geargraph::inline paper_check {
-
-/// A parsed name, independent of its notation: \omega_{51}'', ω₅₁'' and w51'' are {"w", "51", 2}.
-struct WrittenName {
-  std::string base;       ///< i n N d theta w
-  std::string subscript;  ///< digits; two numbers are separated by '_'
-  int primes = 0;
-};
 
 /// A velocity as a sum of rates of joints: coefficient by joint.
 using RateSum = std::map<int, int>;

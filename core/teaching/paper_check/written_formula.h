@@ -39,7 +39,4 @@ struct WrittenFormula {
 /// Parses a label or a symbol; std::nullopt if the text is none.
 [[nodiscard]] std::optional<WrittenName> readName(const std::string& text);
 
-/// The text with signs, Greek letters and LaTeX commands in the plain notation of the parsers.
-[[nodiscard]] std::string plainNotation(std::string_view text);
-
 }  // namespace geargraph::inline paper_check

@@ -88,6 +88,10 @@ class GradingCorpusTest : public QObject {
     QCOMPARE(question.solution.size(), question.fields.size());
     std::set<std::string> names;
     for (const AnswerField& field : question.fields) QVERIFY(names.insert(field.name).second);
+    for (const AnswerField& field : question.fields) {
+      const std::set<ElementId> lit(field.elements.begin(), field.elements.end());
+      QVERIFY2(lit.size() == field.elements.size(), (question.kind + ": " + field.name).c_str());
+    }
     for (const Mistake& mistake : question.mistakes) QVERIFY(!mistakeTitle(mistake.name).empty());
     checkRightAnswers(question);
     checkMistakes(question);
@@ -135,7 +139,8 @@ class GradingCorpusTest : public QObject {
     for (const auto& [name, count] : m_counts.unreachedNames)
       qInfo("without an example: %s %lld", name.c_str(), count);
     QCOMPARE(m_counts.kinds.size(), allExerciseKinds().size());
-    const std::set<std::string> ofAnyAnswer{"unanswered", "not-a-number", "ambiguous-number", "not-a-choice"};
+    const std::set<std::string> ofAnyAnswer{"unanswered",   "not-a-number",   "ambiguous-number",
+                                            "not-a-choice", "unknown-symbol", "other-unit"};
     std::string missing;
     for (const MistakeName& mistake : mistakeNames()) {
       const std::string name(mistake.name);

@@ -69,7 +69,7 @@ class GradeTest : public QObject {
     QCOMPARE(verdict.reason, std::string("Exchanged."));
     QVERIFY(verdict.others.empty());
     QCOMPARE(verdict.mistake->elements, std::vector<ElementId>{LinkId("2")});
-    QCOMPARE(verdict.points, 0);
+    QCOMPARE(verdict.points, 1);  // for the choice
   }
 
   void mistakesInFieldsAreToldTogether() {
@@ -78,8 +78,9 @@ class GradeTest : public QObject {
     QCOMPARE(verdict.others.size(), std::size_t{1});
     QCOMPARE(verdict.others.front().name, std::string("too-many-inputs"));
     QCOMPARE(verdict.wrongFields, (std::vector<int>{0, 3}));
-    QCOMPARE(verdict.points, 0);
-    QCOMPARE(graded({"-1", "1/3", "x", "8"}).points, 2);  // half of 5
+    QCOMPARE(verdict.points, 2);                           // two of four cells
+    QCOMPARE(graded({"-1", "1/3", "x", "8"}).points, 3);   // three of them
+    QCOMPARE(graded({"-1", "-1/3", "x", "8"}).points, 3);  // of the nearest right answer
   }
 
   void whatCannotBeReadIsNamed() {
@@ -90,9 +91,72 @@ class GradeTest : public QObject {
     QCOMPARE(name(graded({"1", "1/3", "x", "8, 11"})), QString("not-a-choice"));
     const Verdict two = graded({"", "1/3", "", "8"});
     QCOMPARE(two.wrongFields, (std::vector<int>{0, 2}));
-    QCOMPARE(two.others.size(), std::size_t{1});
+    QVERIFY(two.others.empty() && !two.isUnreadable && !two.isBlank);
+    QCOMPARE(two.reason, std::string("2 fields are empty: a; c."));
+    QCOMPARE(two.points, 2);
+    QCOMPARE(graded({"7", "1/3", "x", "8"}).wrongFields, std::vector<int>{0});
     QCOMPARE(name(graded({"7", "1/3", "x", "8"})), QString("unnamed"));
     QCOMPARE(graded({"7", "1/3", "x", "8"}).reason, std::string("The rule."));
+  }
+
+  void unreadableFieldsAreNotWrong() {
+    const Verdict verdict = graded({"1", "2/3x", "x", "8"});
+    QVERIFY(verdict.isUnreadable && !verdict.isRight && !verdict.isBlank);
+    QCOMPARE(verdict.points, 3);
+    QCOMPARE(verdict.wrongFields, std::vector<int>{1});
+    QVERIFY(verdict.reason.find("from “x” on") != std::string::npos);
+    const Verdict large = graded({"1", std::string(10'000'000, '7'), "x", "8"});
+    QVERIFY(large.isUnreadable && large.reason.size() < 300);
+    QVERIFY(!graded({"1", "2/3", "x", "8"}).isUnreadable);
+  }
+
+  void aBlankAnswerIsOneLine() {
+    Question whole = question();
+    whole.fields[3].mayBeEmpty = false;
+    for (const Texts& answer : {Texts{"", "", "", ""}, Texts{" ", "\t", "", "{}"}}) {
+      const Verdict verdict = grade(whole, answer);
+      QVERIFY(verdict.isBlank && verdict.others.empty() && verdict.wrongFields.empty());
+      QCOMPARE(verdict.points, 0);
+      QCOMPARE(name(verdict), QString("unanswered"));
+    }
+  }
+
+  /// A mistake marks those of its fields that differ; the zeros of a table earn nothing.
+  void cellsOfATableAreMarked() {
+    Question table;
+    table.points = 4;
+    table.rule = "The rule.";
+    for (int i = 0; i < 8; ++i)
+      table.fields.push_back({"f" + std::to_string(i), FieldKind::integer, {}, {}, false});
+    table.table = {{"1", "2", "3", "4"}, {"8", "9"}, {}};
+    table.solution = {"-1", "0", "1", "0", "0", "-1", "0", "1"};
+    table.accepted = {{Test::values, {}, {table.solution}}};
+    table.mistakes = {
+        {"arrow-reversed", {{Test::values, {0, 2, 4, 6}, {{"1", "-1", "0", "0"}}}}, {0, 2, 4, 6}, {}, "A."}};
+    const Verdict turned = grade(table, {"1", "0", "-1", "0", "0", "-1", "0", "1"});
+    QCOMPARE(name(turned), QString("arrow-reversed"));
+    QCOMPARE(turned.mistake->fields, (std::vector<int>{0, 2}));
+    QCOMPARE(turned.wrongFields, (std::vector<int>{0, 2}));
+    QCOMPARE(turned.points, 2);
+    QCOMPARE(grade(table, {"0", "0", "0", "0", "0", "0", "0", "0"}).points, 0);
+    QCOMPARE(grade(table, {"-1", "", "1", "", "", "-1", "", "1"}).points, 2);
+    QCOMPARE(grade(table, {"-1", "1", "1", "0", "0", "-1", "0", "1"}).points, 3);
+  }
+
+  /// Of a row up to a factor: with the factor that most cells agree with.
+  void multiplesAreMarkedCellByCell() {
+    Question row;
+    row.points = 6;
+    row.rule = "The rule.";
+    for (const char* field : {"8", "9", "10", "11"})
+      row.fields.push_back({field, FieldKind::number, {}, {}, false});
+    row.table = {{"C15"}, {"8", "9", "10", "11"}, {}};
+    row.solution = {"2", "0", "-3", "5"};
+    row.accepted = {{Test::multiple, {}, {row.solution}}};
+    const Verdict verdict = grade(row, {"4", "0", "6", "10"});
+    QCOMPARE(verdict.wrongFields, std::vector<int>{2});
+    QCOMPARE(verdict.points, 4);
+    QCOMPARE(grade(row, {"1", "1", "1", "1"}).points, 0);
   }
 
   /// Users name couplings and axes as they like.
