@@ -34,6 +34,12 @@ enum class Quantity : std::uint8_t {
   torque,          ///< that holds the loads in this joint or coupling, N m
   cycle,           ///< the turning joints on the cycle of this mesh
   transferVertex,  ///< of this mesh
+  groundJoints,    ///< turning joints of the ground
+  axes,            ///< different lines about which joints turn
+  jointsOf,        ///< turning joints of this link
+  meshesOf,        ///< gear meshes of this link
+  gearSizes,       ///< different numbers of teeth on this link
+  unequalCentres,  ///< pairs of meshes of one gear between the same axes whose teeth give different distances
 };
 
 struct AskedQuantity {

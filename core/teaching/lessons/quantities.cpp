@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <set>
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
@@ -40,6 +42,12 @@ constexpr std::array kQuantities = {
     QuantityEntry{Quantity::torque, "torque", true},
     QuantityEntry{Quantity::cycle, "cycle", true, true},
     QuantityEntry{Quantity::transferVertex, "transfer-vertex", true, true},
+    QuantityEntry{Quantity::groundJoints, "ground-joints"},
+    QuantityEntry{Quantity::axes, "axes"},
+    QuantityEntry{Quantity::jointsOf, "joints-of", true},
+    QuantityEntry{Quantity::meshesOf, "meshes-of", true},
+    QuantityEntry{Quantity::gearSizes, "gear-sizes", true},
+    QuantityEntry{Quantity::unequalCentres, "unequal-centres"},
 };
 
 const QuantityEntry& entryOf(Quantity quantity) {
@@ -76,6 +84,70 @@ bool isCalled(const Diagnostic& diagnostic, const std::string& name) {
 bool isLabelled(const ElementId& element) {
   return element.kind == ElementKind::link || element.kind == ElementKind::turningJoint ||
          element.kind == ElementKind::gearMesh;
+}
+
+std::int64_t jointsOn(const Mechanism& mechanism, const LinkId& link) {
+  return std::count_if(mechanism.turningJoints.begin(), mechanism.turningJoints.end(),
+                       [&](const TurningJoint& joint) { return joint.tail == link || joint.head == link; });
+}
+
+/// By their lines, as far as these are known, else by the axes of the document.
+std::int64_t axesIn(const Mechanism& mechanism, const AnalysisSnapshot& live) {
+  std::set<int> lines;
+  std::set<std::string> axes;
+  for (JointOrdinal joint = 0; joint < mechanism.t(); ++joint) {
+    if (live.kinematics) lines.insert(live.kinematics->placement().classes->classOf[joint]);
+    axes.insert(mechanism.turningJoints[joint].axis.text());
+  }
+  return live.kinematics ? std::ssize(lines) : std::ssize(axes);
+}
+
+/// The centre distance of two gears on parallel axes, in halves of their module; 0 for bevels.
+int distanceInTeeth(const MeshGeometry& mesh) {
+  if (mesh.kind == MeshKind::bevel) return 0;
+  return std::abs(mesh.tailTeeth + (mesh.kind == MeshKind::internal ? -mesh.headTeeth : mesh.headTeeth));
+}
+
+/// A gear that is in two meshes has one module: between the same axes both need the same distance.
+std::int64_t unequalCentresIn(const AnalysisSnapshot& live) {
+  if (!live.kinematics) return 0;
+  const auto& meshes = live.kinematics->placement().meshes;
+  const auto shareGear = [](const MeshGeometry& a, const MeshGeometry& b) {
+    const auto isIn = [&](LinkOrdinal link, int teeth) {
+      return (b.tail == link && b.tailTeeth == teeth) || (b.head == link && b.headTeeth == teeth);
+    };
+    return isIn(a.tail, a.tailTeeth) || isIn(a.head, a.headTeeth);
+  };
+  const auto axesOf = [](const MeshGeometry& mesh) {
+    const int tail = mesh.tailClass;
+    const int head = mesh.headClass;
+    return std::pair(std::min(tail, head), std::max(tail, head));
+  };
+  std::int64_t pairs = 0;
+  for (auto a = meshes.begin(); a != meshes.end(); ++a) {
+    for (auto b = meshes.begin(); b != a; ++b) {
+      if (!*a || !*b || !shareGear(**a, **b)) continue;
+      const bool isSame = axesOf(**a) == axesOf(**b);
+      pairs += isSame && distanceInTeeth(**a) != distanceInTeeth(**b) ? 1 : 0;
+    }
+  }
+  return pairs;
+}
+
+/// Joints, meshes or sizes of gears of a link.
+Expected<QuantityValues> partsOf(const Mechanism& mechanism, const AskedQuantity& asked) {
+  const LinkId link(asked.of);
+  if (!positionOf(mechanism.links, asked.of))
+    return unknown(toTranslate("The document has no link \"%1\"."), asked.of);
+  if (asked.quantity == Quantity::jointsOf) return number(jointsOn(mechanism, link));
+  std::int64_t meshes = 0;
+  std::set<int> sizes;
+  for (const GearMesh& mesh : mechanism.gearMeshes) {
+    meshes += mesh.tail == link || mesh.head == link ? 1 : 0;
+    if (mesh.tail == link) sizes.insert(mesh.tailTeeth);
+    if (mesh.head == link) sizes.insert(mesh.headTeeth);
+  }
+  return number(asked.quantity == Quantity::meshesOf ? meshes : static_cast<std::int64_t>(sizes.size()));
 }
 
 }  // namespace
@@ -166,6 +238,16 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     case Quantity::cycle:
     case Quantity::transferVertex:
       return walkOf(asked);
+    case Quantity::groundJoints:
+      return number(jointsOn(*m_mechanism, m_mechanism->links.front().id));
+    case Quantity::axes:
+      return number(axesIn(*m_mechanism, live()));
+    case Quantity::unequalCentres:
+      return number(unequalCentresIn(live()));
+    case Quantity::jointsOf:
+    case Quantity::meshesOf:
+    case Quantity::gearSizes:
+      return partsOf(*m_mechanism, asked);
   }
   return notDefined(translated("This quantity is not known."));
 }

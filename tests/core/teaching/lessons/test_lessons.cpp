@@ -1,3 +1,4 @@
+#include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
 #include <set>
@@ -72,6 +73,42 @@ class LessonsTest : public QObject {
       }
     }
     QVERIFY(reasons >= static_cast<int>(course().size()));
+  }
+
+  /// A hint names no link that is asked for, and not all elements of a set or of a row.
+  void hintsDoNotHoldTheAnswer() {
+    const auto names = [](const std::string& hint, const std::string& label) {
+      const QString pattern =
+          "(^|[^\\w/.])" + QRegularExpression::escape(QString::fromStdString(label)) + "([^\\w/]|$)";
+      return QString::fromStdString(hint).contains(QRegularExpression(pattern));
+    };
+    for (const Lesson& lesson : course()) {
+      for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+        const PreparedStep ready = prepared(lesson, step);
+        if (!ready.question) continue;
+        const Question& question = *ready.question;
+        std::set<std::string> asked;
+        for (std::size_t i = 0; i < question.fields.size(); ++i) {
+          const AnswerField& field = question.fields[i];
+          if (field.kind == FieldKind::set) {
+            for (const std::string& label : readField(field, question.solution[i]).elements)
+              asked.insert(label);
+          }
+          if (question.table.rows.size() == 1 && field.kind == FieldKind::integer &&
+              question.solution[i] != "0")
+            asked.insert(question.table.columns[i]);
+          const bool isLink = field.name == "k" || field.name == "transfer vertex";
+          for (const std::string& hint : lesson.steps[step].hints)
+            QVERIFY2(!isLink || !names(hint, "link " + question.solution[i]), hint.c_str());
+        }
+        for (const std::string& hint : lesson.steps[step].hints) {
+          const bool namesAll =
+              asked.size() > 1 && std::all_of(asked.begin(), asked.end(),
+                                              [&](const std::string& label) { return names(hint, label); });
+          QVERIFY2(!namesAll, (lesson.id + ": " + hint).c_str());
+        }
+      }
+    }
   }
 
   void quantitiesAreThoseOfTheAnalysis() {
