@@ -48,6 +48,8 @@ std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
     const auto seed = numberFrom<std::uint64_t>(*word);
     if (!seed) return UsageError{translated("--seed is a whole number from 0 on.")};
     plan.seed = *seed;
+  } else {
+    plan.seed = randomSeed();
   }
   if (const auto word = arguments.value("--variants")) {
     const auto variants = numberFrom<int>(*word);

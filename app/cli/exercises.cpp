@@ -48,7 +48,7 @@ int run(const Arguments& arguments) {
 constexpr std::array kOptions = {
     Option{"--kinds", "LIST", toTranslate("kinds of questions, with commas; a kind may occur again (all)"),
            "make"},
-    Option{"--seed", "N", toTranslate("the same number makes the same sheets everywhere (1)"), "make"},
+    Option{"--seed", "N", toTranslate("the same number makes the same sheets everywhere (random)"), "make"},
     Option{"--variants", "N", toTranslate("how many different sheets, at most 1,000 (1)"), "make"},
     Option{"--names", "FILE", toTranslate("a variant for each line of this text file"), "make"},
     Option{"--title", "TEXT", toTranslate("the heading of the sheets (\"Exercises\")"), "make"},

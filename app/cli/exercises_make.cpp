@@ -97,6 +97,9 @@ int makeExercises(const Arguments& arguments) {
     return status == kFine ? kUsageOrFile : status;
   }
   const int written = writeSheets(arguments, source, request);
+  if (written == kFine && !arguments.has("--seed"))
+    std::cerr << translated("--seed %1 makes these sheets again.", {std::to_string(request.plan.seed)})
+              << '\n';
   return written == kFine ? status : written;
 }
 

@@ -117,9 +117,9 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--kinds", "LIST", toTranslate("kinds of questions, as for exercises make (all)"), kOfHandouts},
         kHandout},
-    ExportOption{
-        {"--seed", "N", toTranslate("the same number makes the same sheets everywhere (1)"), kOfHandouts},
-        kHandout},
+    ExportOption{{"--seed", "N", toTranslate("the same number makes the same sheets everywhere (random)"),
+                  kOfHandouts},
+                 kHandout},
     ExportOption{{"--title", "TEXT", toTranslate("the heading of the sheet (\"Exercises\")"), kOfHandouts},
                  kHandout},
     ExportOption{{"--variants", "N", toTranslate("how many different sheets there are (1)"), kOfHandouts},

@@ -124,8 +124,14 @@ int exportHandout(const Arguments& arguments, HandoutUse use) {
   if (const auto* error = std::get_if<UsageError>(&made)) return wrongUsage(kExport, error->message);
   if (const int* status = std::get_if<int>(&made)) return *status;
   const auto& exercises = std::get<std::optional<HandoutExercises>>(made);
-  return exportDerivation(arguments, [&](const SnapshotPtr& snapshot) -> Expected<std::string> {
+  if (exercises && !arguments.has("--seed"))
+    std::cerr << translated("--seed %1 asks these questions again.", {std::to_string(exercises->plan.seed)})
+              << '\n';
+  return exportDerivation(arguments, [&](const SnapshotPtr& document) -> Expected<std::string> {
     const std::string& file = arguments.files.front();
+    const bool isVaried = exercises && exercises->plan.variants > 1;
+    const SnapshotPtr snapshot = isVaried ? analyze(exercises->mechanism, 0, arguments.stop) : document;
+    if (!snapshot) return std::string();  // out of time
     const MadeHandoutTrain train = handoutTrain(
         *snapshot, file == "-" ? "." : std::filesystem::absolute(file).parent_path(), arguments.stop);
     for (const std::string& note : train.notes) std::cerr << file << ": " << note << '\n';

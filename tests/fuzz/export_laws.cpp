@@ -72,7 +72,7 @@ const std::vector<Case>& cases() {
       {&cli::kDynamics, Output::json, {"--json"}},
       exported(Output::text, {"csv", "--matrix", "tt-circuit"}),
       exported(Output::bytes, {"handout"}),  // whose scripts hold any word
-      exported(Output::bytes, {"handout", "--exercises"}),
+      exported(Output::bytes, {"handout", "--exercises", "--seed", "1"}),
       exported(Output::text, {"modelica"}),
       exported(Output::json, {"node-link", "--view", "ttgraph"}),
       {&cli::kConvert, Output::text, {"--to", "csv"}},

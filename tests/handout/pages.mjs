@@ -20,7 +20,8 @@ export const exampleFile = example => path.join(examples, example + '.geargraph'
 
 // The address of the handout of an example. Each is made once as long as the program is the same, also where two tests that run
 // beside each other ask for it.
-export const handout = (example, ...words) => {
+export const handout = (example, ...asked) => {
+  const words = asked.includes('--exercises') && !asked.includes('--seed') ? [...asked, '--seed', '1'] : asked;
   const folder = process.env.GEARGRAPH_PAGES;
   fs.mkdirSync(folder, {recursive: true});
   const file = path.join(folder, [example, ...words].join('_').replace(/[^-\w]/g, '') + '.html');

@@ -26,7 +26,7 @@ const unzipped = bytes => {
 };
 
 const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-scorm-')), 'robot.zip');
-execFileSync(process.env.GEARGRAPH_CLI, ['export', path.join(process.env.GEARGRAPH_EXAMPLES, 'robot.geargraph'), '--to', 'scorm', '--exercises', '--kinds', 'freedom,cycle-basis', '-o', file]);
+execFileSync(process.env.GEARGRAPH_CLI, ['export', path.join(process.env.GEARGRAPH_EXAMPLES, 'robot.geargraph'), '--to', 'scorm', '--exercises', '--kinds', 'freedom,cycle-basis', '--seed', '1', '-o', file]);
 const files = unzipped(fs.readFileSync(file));
 const manifest = files.get('imsmanifest.xml').toString();
 

@@ -66,7 +66,7 @@ ExercisesDialog::ExercisesDialog(QWidget* parent)
   m_kinds->setAccessibleName(tr("Kinds of questions"));
   m_kinds->setWordWrap(true);
   m_kinds->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_seed->setValue(1);
+  m_seed->setValue(static_cast<int>(randomSeed()));
   m_practise->setObjectName(QStringLiteral("exercisePractise"));
   m_practise->setDefault(true);
   m_sheets->setObjectName(QStringLiteral("exerciseSheets"));

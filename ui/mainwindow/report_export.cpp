@@ -31,13 +31,14 @@ ReportDrawings drawingsOf(const ReportLists& lists) {
   return {svgOf(lists.schematic, style), svgOf(lists.digraph, style), svgOf(lists.ttGraph, style)};
 }
 
-/// The first variant of a plan; without kinds a question of every kind that the mechanism gives, as
-/// `geargraph-cli exercises make` asks them; none where it gives none.
+/// A sheet about the document as it is shown, the same for everyone; without kinds a question of every kind
+/// that the mechanism gives, as `geargraph-cli exercises make` asks them; none where it gives none.
 std::optional<HandoutExercises> exercisesFor(const Mechanism& mechanism, SheetPlan plan) {
   if (mechanism.n() > kMostExerciseLinks) return std::nullopt;
   const ExerciseSource source(mechanism);
   if (plan.kinds.empty()) plan.kinds = offeredKinds(source);
   if (plan.kinds.empty()) return std::nullopt;
+  plan.variants = 1;
   return handoutExercises(source, plan, 1);
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/python/bindings/document.h"
 #include "app/python/bindings/interruptible.h"
-#include "core/teaching/exercises/exercise_sheet.h"
+#include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/grade.h"
 #include "core/teaching/grading/question_json.h"
 
@@ -98,7 +98,8 @@ class ExerciseSheet {
     if (variant < 1 || variant > m_sheet.plan.variants)
       throw py::value_error("The sheet has no variant " + std::to_string(variant) + ".");
     return interruptible([&](const std::stop_token& /*stop*/) {
-      return makeVariant(m_source, m_sheet.plan, variant).questions;
+      const ExerciseSource varied = variantSource(m_source, m_sheet.plan, variant);
+      return makeVariant(varied, m_sheet.plan, variant).questions;
     });
   }
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from operator import index
+from random import SystemRandom
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple
 
 from . import _geargraph
@@ -96,7 +97,7 @@ class Sheet:
     kinds : iterable of str, optional
         Names of kinds, which may occur again, at most 100; else all that the mechanism gives.
     seed : int, optional
-        0 to 2**64 - 1.
+        0 to 2**64 - 1; without it a random one, which ``seed`` tells.
     variants : int, optional
         1 to 1,000.
     title : str, optional
@@ -115,11 +116,12 @@ class Sheet:
         mechanism: Mechanism,
         kinds: Optional[Iterable[str]] = None,
         *,
-        seed: int = 1,
+        seed: Optional[int] = None,
         variants: int = 1,
         title: str = "",
     ) -> None:
-        seed, variants = index(seed), index(variants)
+        seed = SystemRandom().randrange(2**31) if seed is None else index(seed)
+        variants = index(variants)
         if not 0 <= seed < 2**64 or not 1 <= variants <= 1000:
             raise ValueError("a seed is 0 to 2**64 - 1, and a sheet has 1 to 1,000 variants")
         names = None if kinds is None else list(kinds)

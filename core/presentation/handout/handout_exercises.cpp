@@ -8,6 +8,7 @@
 #include "core/presentation/handout/handout_sections.h"
 #include "core/presentation/report/report.h"
 #include "core/presentation/report/report_words.h"
+#include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
 
 namespace geargraph::inline handout {
@@ -104,7 +105,9 @@ void writeShown(JsonWriter& json, const Question& question) {
 }  // namespace
 
 HandoutExercises handoutExercises(const ExerciseSource& source, const SheetPlan& plan, int variant) {
-  return {plan, sheetMark({plan, source.mechanism()}), makeVariant(source, plan, variant)};
+  const ExerciseSource varied = variantSource(source, plan, variant);
+  return {plan, sheetMark({plan, source.mechanism()}), makeVariant(varied, plan, variant),
+          varied.snapshot()->mechanism};
 }
 
 std::string exercisesSection(const HandoutExercises& exercises) {

@@ -11,9 +11,10 @@ struct HandoutExercises {
   SheetPlan plan;
   std::string mark;  ///< sheetMark(), which files of answers contain to identify their sheet
   SheetVariant sheet;
+  MechanismPtr mechanism;  ///< that of the variant, which the page has to show
 };
 
-/// @pre the source is of this mechanism and gives every kind of the plan; 1 <= variant <= plan.variants
+/// @pre the source gives every kind of the plan; 1 <= variant <= plan.variants
 [[nodiscard]] HandoutExercises handoutExercises(const ExerciseSource& source, const SheetPlan& plan,
                                                 int variant);
 

@@ -7,6 +7,7 @@
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/sheets/sheet_report.h"
+#include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
 
 namespace geargraph::inline sheet_files {
@@ -96,16 +97,17 @@ Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetReques
                                  const std::function<void(int)>& progress, const std::stop_token& stop) {
   const SheetFile file{request.plan, source.mechanism()};
   const std::string mark = sheetMark(file);
-  const SheetWriter writer(source, stop);
   FolderFiles files{{"sheet.json", sheetJson(file)}};
   for (int variant = 1; variant <= request.plan.variants && !stop.stop_requested(); ++variant) {
-    const SheetVariant sheet = makeVariant(source, request.plan, variant);
+    const ExerciseSource varied = variantSource(source, request.plan, variant);
+    const SheetWriter writer(varied, stop);
+    const SheetVariant sheet = makeVariant(varied, request.plan, variant);
     const std::string number = numbered(variant, request.plan.variants);
     const std::string student =
         request.students.empty() ? "" : request.students[static_cast<std::size_t>(variant) - 1];
     files.emplace_back(answersName(number), answersFor(sheet, mark, student));
     for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
-      const Report report = sheetReport(source, request.plan, sheet, student, part);
+      const Report report = sheetReport(varied, request.plan, sheet, student, part);
       for (const SheetFileForm form : request.forms) {
         auto bytes = writer.bytesOf(report, sheet, part, form);
         if (!bytes) return bytes.error();

@@ -1,10 +1,16 @@
 #include "core/teaching/exercises/exercise_random.h"
 
 #include <limits>
+#include <random>
 
 #include "core/foundations/base/contract.h"
 
 namespace geargraph::inline exercises {
+
+std::uint64_t randomSeed() {
+  constexpr unsigned kMask = 0x7FFFFFFFU;
+  return std::random_device{}() & kMask;
+}
 
 ExerciseRandom::ExerciseRandom(std::uint64_t seed, std::uint64_t variant, std::uint64_t question)
     : m_state(0) {

@@ -5,6 +5,9 @@
 
 namespace geargraph::inline exercises {
 
+/// A seed for a new sheet, from the system's source of random numbers: below 2^31, so that it can be typed.
+[[nodiscard]] std::uint64_t randomSeed();
+
 /// The generator of exercises: splitmix64 (Steele, Lea and Flood, 2014) on 64-bit integers. It uses no
 /// distribution of the standard library, so that a seed gives the same sheet on every platform.
 ///

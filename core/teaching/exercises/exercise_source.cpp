@@ -133,6 +133,12 @@ std::vector<Rational> ExerciseSource::teethRow(MeshOrdinal mesh, RowChange chang
   return row;
 }
 
+std::string difficultyTitle(Difficulty level) {
+  return level == Difficulty::easy     ? translated("Easy")
+         : level == Difficulty::medium ? translated("Medium")
+                                       : translated("Hard");
+}
+
 DifficultyNote difficultyOf(const ExerciseSource& source) {
   const int cycles = source.graph().c();
   std::string text =

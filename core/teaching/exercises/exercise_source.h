@@ -85,5 +85,7 @@ struct DifficultyNote {
   std::string text;  ///< "medium: 4 cycles, 3 inputs"
 };
 [[nodiscard]] DifficultyNote difficultyOf(const ExerciseSource& source);
+/// "Medium": for sheets, whose questions ask for the counts of the note.
+[[nodiscard]] std::string difficultyTitle(Difficulty level);
 
 }  // namespace geargraph::inline exercises
