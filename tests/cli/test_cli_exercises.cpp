@@ -99,11 +99,11 @@ class CliExercisesTest : public QObject {
              QString("file,student,variant,question,kind,points,of,result,mistake,fields,reason"));
     QCOMPARE(table[1], QString("a.json,Ada,3,1,cycle-basis,4,4,right,,,"));
     QCOMPARE(table[6], QString("a.json,Ada,3,total,,20,20,,,,"));
-    QVERIFY2(table[7].startsWith("b.json,\"'=Bob, \"\"B.\"\"\",4,1,cycle-basis,0,4,wrong,signs-left-out,"),
+    QVERIFY2(table[7].startsWith("b.json,\"'=Bob, \"\"B.\"\"\",4,1,cycle-basis,2,4,wrong,signs-left-out,"),
              qPrintable(table[7]));
     QVERIFY2(table[8].endsWith("terminal,0,4,unanswered,unanswered,,The question is not answered."),
              qPrintable(table[8]));
-    QVERIFY(table[12].startsWith("b.json,") && table[12].contains(",total,,12,20,"));
+    QVERIFY(table[12].startsWith("b.json,") && table[12].contains(",total,,14,20,"));
     QCOMPARE(run({"exercises", "grade", path("class/sheet.json"), path("a.json")}).output.substr(0, 5),
              std::string("file,"));
   }
@@ -201,11 +201,84 @@ class CliExercisesTest : public QObject {
     answers.variant = 2;
     answers.sheet = "0000000000000000";
     save("in/other.json", answersJson(answers));
+    save("in/empty.json", "");
+    save("in/list.json", "[]");
+    save("in/null.json", "null");
+    save("in/own.json", "{\"format\": \"my-answers\"}");
+    save("in/sheet.json", contents("mixed/sheet.json"));  // is passed over, as its questions are
+    save("in/solution.json", contents("mixed/solution-1.json"));
+    save("in/large.json", '"' + std::string(10'000'000, '7') + '"');
+    QCOMPARE(QProcess::execute("mkfifo", {path("in/pipe.json")}), 0);
     const Run graded = run({"exercises", "grade", path("mixed/sheet.json"), path("in"), path("gone.json")});
     QCOMPARE(graded.status, 2);
-    QCOMPARE(lines(graded.output).size(), 3);  // the others are graded
+    const QStringList table = lines(graded.output);
+    QCOMPARE(table.size(), 3 + 10);  // the others are graded
+    for (const char* row :
+         {"broken.json,,,total,,,,rejected,syntax,,", "empty.json,,,total,,,,rejected,syntax,,",
+          "gone.json,,,total,,,,rejected,no-file,,", "large.json,,,total,,,,rejected,too-large,,",
+          "list.json,,,total,,,,rejected,format,,", "null.json,,,total,,,,rejected,format,,",
+          "other.json,,,total,,,,rejected,other-sheet,,", "own.json,,,total,,,,rejected,format,,",
+          "pipe.json,,,total,,,,rejected,no-file,,", "variant.json,,,total,,,,rejected,no-variant,,"}) {
+      QVERIFY2(graded.output.find(row) != std::string::npos, (row + graded.output).c_str());
+    }
     for (const char* reason : {"broken.json", "syntax", "no variant 3", "another sheet", "gone.json"})
       QVERIFY2(graded.errors.find(reason) != std::string::npos, (reason + graded.errors).c_str());
+  }
+
+  void whatCannotBeReadIsNotWrong() {
+    QCOMPARE(make("read", {"--to", "json", "--kinds", "speed,freedom,p", "--seed", "4"}).status, 0);
+    AnswerSheet answers = solved("read", "1");
+    answers.student = std::string(300, 'x');
+    for (auto& [name, text] : answers.answers[1]) text += " rpm";
+    for (auto& [name, text] : answers.answers[2]) text = text == "3" ? "three" : text;
+    answers.answers[3].clear();
+    save("read.json", answersJson(answers));
+    const Run graded = run({"exercises", "grade", path("read/sheet.json"), path("read.json")});
+    QCOMPARE(graded.status, 0);
+    const QStringList table = lines(graded.output);
+    QCOMPARE(table.size(), 5);
+    QVERIFY2(table[1].contains(",1,speed,0,5,unreadable,other-unit,"), qPrintable(table[1]));
+    QVERIFY2(table[2].contains(",unreadable,not-a-number,"), qPrintable(table[2]));
+    QVERIFY2(table[3].contains(",3,p,0,5,unanswered,unanswered,,"), qPrintable(table[3]));
+    QVERIFY2(table[4].contains(",unreadable,,,Answers that cannot be read: 2."), qPrintable(table[4]));
+    QVERIFY(table[4].size() < 200);  // the name is cut
+  }
+
+  /// "-2,667" in a sheet that was made in German.
+  void commasAreThoseOfTheSheetsLanguage() {
+    QCOMPARE(make("deutsch", {"--to", "json", "--kinds", "speed", "--seed", "4", "--language", "de"}).status,
+             0);
+    QCOMPARE(make("english", {"--to", "json", "--kinds", "speed", "--seed", "4"}).status, 0);
+    const auto resultOf = [&](const QString& folder, const std::string& text) {
+      AnswerSheet answers = solved(folder, "1");
+      for (auto& [name, answer] : answers.answers[1]) answer = text;
+      save("comma.json", answersJson(answers));
+      const Run graded = run({"exercises", "grade", path(folder + "/sheet.json"), path("comma.json")});
+      return lines(graded.output).at(1).section(',', 7, 7);
+    };
+    const std::string exact = solved("deutsch", "1").answers[1].begin()->second;
+    const double value = Rational::fromText(exact)->toDouble();
+    const auto decimal = [&](char mark) {
+      std::string text = QString::number(value, 'f', 3).toStdString();
+      std::replace(text.begin(), text.end(), '.', mark);
+      return text;
+    };
+    QCOMPARE(resultOf("deutsch", decimal(',')), QString("right"));
+    QCOMPARE(resultOf("deutsch", decimal('.')), QString("right"));
+    QCOMPARE(resultOf("english", decimal('.')), QString("right"));
+  }
+
+  void aSeedIsRandomUnlessGiven() {
+    for (const char* folder : {"first", "second"})
+      QCOMPARE(make(folder, {"--to", "json", "--kinds", "incidence,p"}).status, 0);
+    QVERIFY(contents("first/sheet.json") != contents("second/sheet.json"));
+    const Run made = make("third", {"--to", "json", "--kinds", "incidence,p"});
+    const auto seed = nlohmann::json::parse(contents("third/sheet.json"))["seed"].get<std::string>();
+    QVERIFY2(made.errors.find("--seed " + seed) != std::string::npos, made.errors.c_str());
+    QCOMPARE(make("again", {"--to", "json", "--kinds", "incidence,p", "--seed", QString::fromStdString(seed)})
+                 .status,
+             0);
+    QCOMPARE(contents("again/sheet.json"), contents("third/sheet.json"));
   }
 
   void kindsAreListedWithReasons() {
