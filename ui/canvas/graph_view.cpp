@@ -66,8 +66,13 @@ void GraphView::showCycle(MeshId mesh) {
   updateEmphases();
 }
 
+void GraphView::setCircuitsShown(bool isShown) {
+  m_showsCircuits = isShown;
+  updateEmphases();
+}
+
 MeshId GraphView::chosenMesh() const {
-  if (!snapshot()) return {};
+  if (!snapshot() || !m_showsCircuits) return {};
   if (!m_wantedCycle.empty()) return m_wantedCycle;
   // Another view that shows a row of C under the mouse hovers all that is on the cycle.
   const std::set<ElementId>& hovered = selection().hovered();

@@ -24,6 +24,8 @@ class GraphView : public DrawingView, protected NodeSheet {
   /// Highlights the circuit of this mesh. With an empty id the view decides: the mesh of a completely hovered
   /// cycle (a row of C in the matrices), else a mesh that is selected alone.
   void showCycle(MeshId mesh);
+  /// While they are hidden no circuit is highlighted: a question may ask for it.
+  void setCircuitsShown(bool isShown);
 
  public slots:
   void toggleInputs() override;
@@ -63,6 +65,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   DrawingScene* m_sheet;
   ToolController* m_controller;
   MeshId m_wantedCycle;
+  bool m_showsCircuits = true;
 };
 
 }  // namespace geargraph::inline canvas

@@ -212,6 +212,8 @@ void MainWindow::setAnswersOpen(bool isOpen) {
     if (!isOpen) dock(name)->hide();
   }
   m_status->showCounts(isOpen);
+  m_digraph->setCircuitsShown(isOpen);
+  m_ttGraph->setCircuitsShown(isOpen);
   WindowActions::setAvailable(
       m_actions->showDerivation, isOpen,
       tr("The derivation holds the answer: it opens when the step is right or shown."));

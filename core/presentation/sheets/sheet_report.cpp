@@ -34,7 +34,7 @@ class SheetWriter {
     std::string title = plan.title;
     if (plan.variants > 1) title = translated("%1, variant %2", {title, std::to_string(sheet.variant)});
     m_report.title = m_isSolution ? translated("%1: solution", {title}) : title;
-    m_report.subtitle = difficultyOf(m_source).text;
+    m_report.subtitle = difficultyTitle(difficultyOf(m_source).level);
     const std::string count = std::to_string(sheet.questions.size());
     put(ReportParagraph{plainWords(
         translated("Name: %1", {student.empty() ? std::string(30, '_') : student}) + "   \u00b7   " +

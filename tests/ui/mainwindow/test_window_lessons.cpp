@@ -15,6 +15,7 @@
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_checker.h"
 #include "tests/ui/mainwindow/file_windows.h"
+#include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/exercises/exercises_dialog.h"
 #include "ui/lessons/answer_form.h"
@@ -137,6 +138,19 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QTRY_COMPARE(panel().step(), 1);
   }
 
+  void whatIsBlankOrUnreadableStaysOpenAndCostsNothing() {
+    play("gear-pair");
+    press("lessonCheck");
+    QCOMPARE(panel().state(), State::open);
+    QVERIFY2(panel().resultText().contains("not answered"), qPrintable(panel().resultText()));
+    answerWith({"2/3 rpm"});
+    QCOMPARE(panel().state(), State::open);
+    QVERIFY2(panel().resultText().contains("rpm"), qPrintable(panel().resultText()));
+    answerWith({"66.7%"});
+    QCOMPARE(panel().state(), State::right);
+    QCOMPARE(panel().progress().score(), 2);
+  }
+
   void aChoiceIsMadeAndCheckedByKeys() {
     play("links-and-joints");
     auto* choice = part<QRadioButton>("choice.0");
@@ -185,6 +199,8 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QVERIFY(action->toolTip().contains("holds the answer"));
     QVERIFY(last().findChild<QToolButton*>("chip.rank")->isHidden());
     QVERIFY(last().selection().isSelected(MeshId("17")));
+    const auto* digraph = last().findChild<DigraphView*>();
+    QVERIFY2(digraph->caption().isEmpty(), qPrintable(digraph->caption().join('\n')));
     std::vector<std::string> answer = panel().form().answer();
     for (const int along : {3, 4, 9}) answer[static_cast<std::size_t>(along)] = "1";
     answer[5] = "-1";
