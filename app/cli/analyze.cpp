@@ -28,7 +28,7 @@ std::variant<SnapshotPtr, UsageError> analysed(const Mechanism& document, const 
                  arguments.stop, options);
 }
 
-int run(const Arguments& arguments) {
+int runAnalyze(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kAnalyze, translated("One file is needed."));
   if (arguments.has("--symbolic") && arguments.has("--no-symbolic")) {
     return wrongUsage(kAnalyze, translated("Give --symbolic or --no-symbolic."));
@@ -56,7 +56,7 @@ int run(const Arguments& arguments) {
   return out.failed() ? fileFailure(translated("Standard output could not be written.")) : status;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kAnalyzeOptions = {
     Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
     Option{"--speed", "8=1/2", toTranslate("the speed of an input in rad/s; may be repeated")},
     kStateOption,
@@ -74,6 +74,6 @@ const Command kAnalyze = {
     "analyze",
     "FILE [--inputs 8,9,11] [--speed 8=1 ...] [--state NAME | --engage A,B] [--no-symbolic] "
     "[--json] [--dense]",
-    toTranslate("Analyses a mechanism, for people or as JSON."), kOptions, run};
+    toTranslate("Analyses a mechanism, for people or as JSON."), kAnalyzeOptions, runAnalyze};
 
 }  // namespace geargraph::cli

@@ -78,7 +78,7 @@ std::variant<std::optional<PaperMatrix>, UsageError> matrixFrom(const Arguments&
       translated("There is no matrix \"%1\": %2.", {*name, listed(names, kAllNames, toTranslate("or"))})};
 }
 
-int run(const Arguments& arguments) {
+int runCheck(const Arguments& arguments) {
   if (arguments.files.size() != 2)
     return wrongUsage(kCheck, translated("A mechanism and a file with a matrix or equations are needed."));
   const auto kind = matrixFrom(arguments);
@@ -103,7 +103,7 @@ int run(const Arguments& arguments) {
   return print(std::visit([](const auto& which) { return asText(which); }, *verdict), status);
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kCheckOptions = {
     Option{
         "--matrix", "NAME",
         toTranslate(
@@ -118,8 +118,8 @@ const Command kCheck = {
     "check",
     "FILE PAPER [--matrix NAME] [--json]",
     toTranslate("Compares a matrix or equations of yours with the derived ones; status 1 where they differ."),
-    kOptions,
-    run,
+    kCheckOptions,
+    runCheck,
     false,
     false};
 

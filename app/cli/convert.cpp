@@ -61,7 +61,7 @@ std::optional<std::string> converted(const Mechanism& mechanism, const std::stri
   return digraphFile(mechanism, *graph);
 }
 
-int run(const Arguments& arguments) {
+int runConvert(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kConvert, translated("One file is needed."));
   const std::string form = arguments.value("--to").value_or("");
   if (form != "csv" && form != "geargraph" && !graphFormFromName(form))
@@ -81,7 +81,7 @@ int run(const Arguments& arguments) {
   return writePicture(*text, arguments.value("-o").value_or("-"));
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kConvertOptions = {
     Option{"--to", "csv|geargraph|dot|graphml|node-link",
            toTranslate("csv: a table with a row for each link, axis, turning joint, gear mesh, ...; "
                        "geargraph: a document; "
@@ -100,8 +100,8 @@ const Command kConvert = {
     "convert",
     "FILE --to FORM [--separator NAME] [--bom] [-o OUT]",
     toTranslate("Converts documents to tables (CSV) and graphs, and back; FILE is any of them."),
-    kOptions,
-    run,
+    kConvertOptions,
+    runConvert,
     false,
     false};
 

@@ -152,7 +152,7 @@ int writeCsv(const std::string& path, const DynamicsResult& result) {
   return error ? fileFailure(error->message) : kFine;
 }
 
-int run(const Arguments& arguments) {
+int runDynamics(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kDynamics, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kDynamics, arguments);
@@ -207,7 +207,7 @@ int run(const Arguments& arguments) {
   return print(arguments.has("--json") ? asJson(&result, snapshot.diagnostics) : dynamicsText(result));
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kDynamicsOptions = {
     Option{"--torque", "8=1.5Nm",
            toTranslate("the torque of an input's motor (without it 0); may be given again")},
     Option{"--damping", "8=0.01", toTranslate("less this for each rad/s, N m s; may be given again")},
@@ -232,6 +232,7 @@ const Command kDynamics = {
     "dynamics",
     "FILE [--torque 8=1.5Nm ...] [--gravity 0,0,-9.81] [--seconds 10 [-o OUT.csv]] "
     "[--state NAME | --engage A,B] [--json]",
-    toTranslate("Masses, the inertia that motors feel, and the motion that torques cause."), kOptions, run};
+    toTranslate("Masses, the inertia that motors feel, and the motion that torques cause."), kDynamicsOptions,
+    runDynamics};
 
 }  // namespace geargraph::cli

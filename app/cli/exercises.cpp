@@ -26,7 +26,7 @@ constexpr std::array kActions = {Action{"kinds", {}, listExerciseKinds},
                                  Action{"make", kMakeOptions, makeExercises},
                                  Action{"grade", kGradeOptions, gradeExercises}};
 
-int run(const Arguments& arguments) {
+int runExercises(const Arguments& arguments) {
   const auto action = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) {
     return !arguments.files.empty() && arguments.files.front() == a.name;
   });
@@ -45,7 +45,7 @@ int run(const Arguments& arguments) {
   return action->run(rest);
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kExercisesOptions = {
     Option{"--kinds", "LIST", toTranslate("kinds of questions, with commas; a kind may occur again (all)"),
            "make"},
     Option{"--seed", "N", toTranslate("the same number makes the same sheets everywhere (random)"), "make"},
@@ -63,8 +63,8 @@ const Command kExercises = {
     "exercises",
     "kinds FILE | make FILE [--seed N] ... -o FOLDER | grade SHEET ANSWERS... [-o CSV]",
     toTranslate("Makes exercise sheets from a mechanism and grades the answers."),
-    kOptions,
-    run,
+    kExercisesOptions,
+    runExercises,
     false,
     false};
 

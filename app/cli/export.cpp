@@ -217,7 +217,7 @@ constexpr std::array kExportOptions = {
     ExportOption{{"--timestep", "S", toTranslate("mjcf: seconds (0.001)"), kOfSimulators}, kSimulator},
 };
 
-constexpr auto kOptions = [] {
+constexpr auto kOptionsOfExport = [] {
   std::array<Option, kExportOptions.size()> options;
   for (std::size_t i = 0; i < options.size(); ++i) options[i] = kExportOptions[i].option;
   return options;
@@ -282,7 +282,7 @@ std::optional<UsageError> uselessOption(const Arguments& arguments, const Export
   return std::nullopt;
 }
 
-int run(const Arguments& arguments) {
+int runExport(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, translated("One file is needed."));
   if (arguments.value("--to") == "sdf") {
     return wrongUsage(
@@ -309,6 +309,6 @@ const Command kExport = {
     "export", "FILE --to FORM [...] -o OUT",
     toTranslate("Writes matrices as CSV, the worked derivation, pictures and animations, gears as "
                 "3D files, models for simulators, and graphs."),
-    kOptions, run};
+    kOptionsOfExport, runExport};
 
 }  // namespace geargraph::cli

@@ -83,7 +83,7 @@ int tooMany() {
   return kResourceLimit;
 }
 
-int run(const Arguments& arguments) {
+int runInputs(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kInputs, translated("One file is needed."));
   std::size_t limit = kUsualLimit;
   if (const auto word = arguments.value("--limit")) {
@@ -114,7 +114,7 @@ int run(const Arguments& arguments) {
   return status != kFine ? status : tooMany();
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kInputsOptions = {
     Option{"--limit", "N", toTranslate("how many sets are listed (1,000)")},
     kStateOption,
     kEngageOption,
@@ -124,6 +124,7 @@ constexpr std::array kOptions = {
 }  // namespace
 
 const Command kInputs = {"inputs", "FILE [--limit N] [--state NAME | --engage A,B] [--json]",
-                         toTranslate("Counts and lists the valid sets of inputs."), kOptions, run};
+                         toTranslate("Counts and lists the valid sets of inputs."), kInputsOptions,
+                         runInputs};
 
 }  // namespace geargraph::cli

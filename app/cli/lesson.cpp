@@ -96,14 +96,14 @@ int list(const Arguments& arguments) {
                '\n');
 }
 
-int run(const Arguments& arguments) {
+int runLesson(const Arguments& arguments) {
   const std::string action = arguments.files.empty() ? std::string() : arguments.files.front();
   if (action == "check") return check(arguments);
   if (action == "list") return list(arguments);
   return wrongUsage(kLesson, translated("The first word is check or list."));
 }
 
-constexpr std::array kOptions = {Option{"--json", "", toTranslate("the findings as JSON"), "check"}};
+constexpr std::array kLessonOptions = {Option{"--json", "", toTranslate("the findings as JSON"), "check"}};
 
 }  // namespace
 
@@ -111,8 +111,8 @@ const Command kLesson = {
     .name = "lesson",
     .usage = "check FILE... [--json] | list",
     .summary = toTranslate("Checks lessons: their form, answers and reasons; lists those of the program."),
-    .options = kOptions,
-    .run = run,
+    .options = kLessonOptions,
+    .run = runLesson,
     .isServed = false};
 
 }  // namespace geargraph::cli

@@ -29,7 +29,7 @@ std::set<std::string> windowPicturesIn(const fs::path& folder) {
   return names;
 }
 
-int run(const Arguments& arguments) {
+int runManual(const Arguments& arguments) {
   const auto path = arguments.value("-o");
   if (!path || *path == "-") return wrongUsage(kManual, translated("It needs -o with a folder."));
   if (!arguments.files.empty()) return wrongUsage(kManual, translated("It reads no file."));
@@ -51,7 +51,7 @@ int run(const Arguments& arguments) {
   return print(translated("%1 files in %2", {std::to_string(files.size()), folder.string()}) + '\n');
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kManualOptions = {
     Option{"-o", "FOLDER", toTranslate("the folder that the pages are written to")},
     Option{"--force", "", toTranslate("overwrite files that are there")}};
 
@@ -61,8 +61,8 @@ const Command kManual = {
     .name = "manual",
     .usage = "-o FOLDER [--force]",
     .summary = toTranslate("Writes the manual of the program as web pages, with its pictures."),
-    .options = kOptions,
-    .run = run,
+    .options = kManualOptions,
+    .run = runManual,
     .isServed = false};
 
 }  // namespace geargraph::cli

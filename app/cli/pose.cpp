@@ -159,7 +159,7 @@ std::string asText(const AnalysisSnapshot& snapshot, const InputPose& pose) {
   return text;
 }
 
-int run(const Arguments& arguments) {
+int runPose(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kPose, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kPose, arguments);
@@ -181,7 +181,7 @@ int run(const Arguments& arguments) {
   return print(arguments.has("--json") ? asJson(*snapshot, *pose) : asText(*snapshot, *pose));
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kPoseOptions = {
     Option{"--angle", "8=30deg",
            toTranslate("the angle of an input (deg, rad or turns; without it 0); may be repeated")},
     Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
@@ -194,6 +194,6 @@ constexpr std::array kOptions = {
 
 const Command kPose = {
     "pose", "FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
-    toTranslate("Says where every link is for given angles of the inputs."), kOptions, run};
+    toTranslate("Says where every link is for given angles of the inputs."), kPoseOptions, runPose};
 
 }  // namespace geargraph::cli

@@ -383,7 +383,7 @@ std::optional<std::string> nextLine() {
   return line.empty() ? std::nullopt : std::optional(line);
 }
 
-int run(const Arguments& arguments) {
+int runServe(const Arguments& arguments) {
   if (!arguments.files.empty() || !arguments.has("--stdio"))
     return wrongUsage(kServe, "--stdio is needed, and no file.");
   const auto seconds = limitFrom(arguments);
@@ -426,7 +426,7 @@ std::string methodsHelp() {
   return text;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kServeOptions = {
     Option{"--stdio", "", toTranslate("requests on standard input, answers on standard output")},
     Option{"--limit-memory", "MB", toTranslate("of address space, for each command")},
 };
@@ -437,8 +437,8 @@ const Command kServe = {
     "serve",
     "--stdio [--limit-seconds S] [--limit-memory MB]",
     toTranslate("Answers requests, a JSON object a line: open, edit, analyze, export, ..."),
-    kOptions,
-    run,
+    kServeOptions,
+    runServe,
     true,
     false,
     methodsHelp};

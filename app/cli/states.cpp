@@ -28,7 +28,7 @@ std::string decimal(const Rational& value) {
 }
 
 /// The shift table: a row a state, cells as text.
-std::vector<std::vector<std::string>> tableOf(const AnalysisSnapshot& snapshot) {
+std::vector<std::vector<std::string>> shiftTableOf(const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
   std::vector<std::vector<std::string>> rows{{translated("state")}};
   for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
@@ -59,7 +59,7 @@ std::size_t widthOf(const std::string& utf8) {
 }
 
 /// The names at the left, numbers at the right edge of their columns, the symbols last.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], widthOf(row[i]));
@@ -104,10 +104,10 @@ std::string asText(const AnalysisSnapshot& snapshot) {
   std::string text = (count == 1 ? translated("%1: 1 state", {name})
                                  : translated("%1: %2 states", {name, std::to_string(count)})) +
                      "\n\n";
-  return text + aligned(tableOf(snapshot)) + remarks(snapshot);
+  return text + alignedColumns(shiftTableOf(snapshot)) + remarks(snapshot);
 }
 
-int run(const Arguments& arguments) {
+int runStates(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kStates, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
@@ -127,12 +127,12 @@ int run(const Arguments& arguments) {
   return isThere ? print(asText(*snapshot), status) : status;
 }
 
-constexpr std::array kOptions = {Option{"--json", "", toTranslate("as JSON")}};
+constexpr std::array kStatesOptions = {Option{"--json", "", toTranslate("as JSON")}};
 
 }  // namespace
 
 const Command kStates = {"states", "FILE [--json]",
                          toTranslate("The shift table: what each state of the brakes and clutches does."),
-                         kOptions, run};
+                         kStatesOptions, runStates};
 
 }  // namespace geargraph::cli

@@ -106,7 +106,7 @@ std::variant<Mechanism, UsageError> engagedForStatics(Mechanism mechanism, const
   return mechanism;
 }
 
-int run(const Arguments& arguments) {
+int runStatics(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kStatics, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
@@ -150,7 +150,7 @@ int run(const Arguments& arguments) {
   return print(text, status);
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kStaticsOptions = {
     kStateOption,
     Option{"--all-states", "", toTranslate("of every state")},
     kEngageOption,
@@ -176,6 +176,6 @@ const Command kStatics = {"statics",
                           "[--balance joint:8 ...] [--efficiency] "
                           "[--eta 0.98] [--json]",
                           toTranslate("Torques, tooth forces, bearing reactions and efficiency under loads."),
-                          kOptions, run};
+                          kStaticsOptions, runStatics};
 
 }  // namespace geargraph::cli

@@ -121,7 +121,7 @@ std::vector<Row> rowsOf(const std::vector<std::string>& files, int jobs, const s
   return rows;
 }
 
-int run(const Arguments& arguments) {
+int runSummary(const Arguments& arguments) {
   if (arguments.files.empty()) return wrongUsage(kSummary, translated("Files or folders are needed."));
   int jobs = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostJobs);
   if (const auto word = arguments.value("--jobs")) {
@@ -143,7 +143,7 @@ int run(const Arguments& arguments) {
   return is("errors") ? kMechanismErrors : kFine;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kSummaryOptions = {
     Option{"--jobs", "N",
            toTranslate("how many files are analysed at once (as many as there are processors)")},
     Option{"-o", "OUT", toTranslate("the file (standard output without it)")},
@@ -154,8 +154,8 @@ constexpr std::array kOptions = {
 const Command kSummary = {"summary",
                           "FILE... [--jobs N] [-o OUT]",
                           toTranslate("A row for each file, or for each document in a folder, as CSV."),
-                          kOptions,
-                          run,
+                          kSummaryOptions,
+                          runSummary,
                           false,
                           false};
 

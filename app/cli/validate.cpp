@@ -53,7 +53,7 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::option
   return diagnostics;
 }
 
-int run(const Arguments& arguments) {
+int runValidate(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kValidate, translated("One file is needed."));
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
@@ -81,7 +81,7 @@ int run(const Arguments& arguments) {
   return print(text, status);
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kValidateOptions = {
     Option{"--motion", "",
            toTranslate("also look for links that collide while the inputs run at their speeds")},
     kStateOption,
@@ -92,6 +92,6 @@ constexpr std::array kOptions = {
 }  // namespace
 
 const Command kValidate = {"validate", "FILE [--motion] [--state NAME | --engage A,B] [--json]",
-                           toTranslate("Says what is wrong with a file."), kOptions, run};
+                           toTranslate("Says what is wrong with a file."), kValidateOptions, runValidate};
 
 }  // namespace geargraph::cli

@@ -2,6 +2,7 @@
 // and the layout that is restored when the window is shown.
 
 #include <QAction>
+#include <QApplication>
 #include <QBoxLayout>
 #include <QDockWidget>
 #include <QFrame>
@@ -60,13 +61,33 @@ void wireSharedEntry(DualityLine& line, MatricesPanel& matrices, QDockWidget& do
   });
 }
 
+/// Is the widget in a panel that is covered by another tab?
+bool isCovered(const QWidget* widget) {
+  while (widget != nullptr && qobject_cast<const QDockWidget*>(widget) == nullptr)
+    widget = widget->parentWidget();
+  return widget != nullptr && !isInSight(*widget);
+}
+
 }  // namespace
+
+bool MainWindow::focusNextPrevChild(bool next) {
+  const QWidget* first = focusWidget();
+  do {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+  } while (focusWidget() != first && isCovered(focusWidget()));
+  return true;
+}
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(widget);
   m_docks.push_back(dock);
+  // Keys would change what is not seen.
+  connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool isSeen) {
+    const QWidget* focus = QApplication::focusWidget();
+    if (!isSeen && focus != nullptr && dock->isAncestorOf(focus)) drawing().setFocus();
+  });
   addAction(makePanelAction(dock));
   m_titles->watch(dock);
   return dock;

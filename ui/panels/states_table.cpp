@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QShortcut>
 #include <numeric>
-#include <utility>
 
 #include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
@@ -65,8 +64,7 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setPen(qColor(running ? ColorRole::accent : ColorRole::ink, theme));
     painter->drawText(cell.adjusted(kMargin + 4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
   } else if (model->couplingAt(index.column()) >= 0) {
-    const auto* table = qobject_cast<const StatesTable*>(option.widget);
-    const bool showsTorque = !text.isEmpty() && table != nullptr && table->showsTorques();
+    const bool showsTorque = !text.isEmpty();
     const QPointF centre(!showsTorque ? cell.center().x() : cell.left() + kDotRoom / 2, cell.center().y());
     paintDot(*painter, centre, index.data(StatesModel::EngagedRole).toBool(), theme);
     if (showsTorque) {
@@ -188,12 +186,12 @@ int StatesTable::advance(Face face, const QString& text) const {
   return *m_advances.insert(key, QFontMetrics(own).horizontalAdvance(text));
 }
 
-int StatesTable::widthOf(int column, bool withTorques) const {
+int StatesTable::widthOf(int column) const {
   constexpr int kRowsMeasured = 200;
   const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };
   if (m_model->couplingAt(column) >= 0) {
     int torque = 0;
-    for (int row = 0; withTorques && row < std::min(m_model->rowCount(), kRowsMeasured); ++row) {
+    for (int row = 0; row < std::min(m_model->rowCount(), kRowsMeasured); ++row) {
       const QString text = m_model->index(row, column).data().toString();
       if (!text.isEmpty())
         torque = std::max(torque, static_cast<int>(kDotRoom) + 8 + advance(Face::plain, text));
@@ -211,23 +209,19 @@ int StatesTable::widthOf(int column, bool withTorques) const {
   return std::min(width + 12 + (atEdge ? kMargin : 0), 220);
 }
 
-std::vector<int> StatesTable::widthsNow(bool withTorques) {
+std::vector<int> StatesTable::widthsNow() {
   std::vector<int> widths;
   for (int column = 0; column < m_model->columnCount(); ++column) {
     const bool isBlank = m_model->isBlank(column);
     if (isColumnHidden(column) != isBlank) setColumnHidden(column, isBlank);
-    widths.push_back(isBlank ? 0 : widthOf(column, withTorques));
+    widths.push_back(isBlank ? 0 : widthOf(column));
   }
   return widths;
 }
 
 // A section is given its size once, and only another one: every change paints all that is right of it.
 void StatesTable::fitColumns() {
-  // Torques give way to ratios where there is no room for both; they stay in the tips.
-  std::vector<int> widths = widthsNow(true);
-  const bool hasRoom = std::accumulate(widths.begin(), widths.end(), 0) <= viewport()->width();
-  if (hasRoom != std::exchange(m_showsTorques, hasRoom)) viewport()->update();
-  if (!hasRoom) widths = widthsNow(false);
+  std::vector<int> widths = widthsNow();
   const int rest = viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
   // What is left over parts the numbers from the dots.
   if (rest > 0 && !widths.empty()) widths[static_cast<std::size_t>(m_model->couplingCount()) + 1] += rest;

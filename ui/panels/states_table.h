@@ -33,7 +33,8 @@ class StatesHeader : public QHeaderView {
   void paintSection(QPainter* painter, const QRect& rect, int section) const override;
 };
 
-/// The shift table of a StatesModel, with columns fitted to their contents.
+/// The shift table of a StatesModel, with columns fitted to their contents. Where there is no room for all of
+/// them it scrolls.
 class StatesTable : public QTableView {
   Q_OBJECT
 
@@ -41,8 +42,6 @@ class StatesTable : public QTableView {
   explicit StatesTable(StatesModel* model, QWidget* parent = nullptr);
   [[nodiscard]] StatesHeader& heads() { return *m_heads; }
   void fitColumns();
-  /// Are torques shown beside the dots? Only if there is room.
-  [[nodiscard]] bool showsTorques() const { return m_showsTorques; }
 
  signals:
   void left();  ///< the mouse has left the table
@@ -55,13 +54,12 @@ class StatesTable : public QTableView {
   /// The font of a text: the table's, its bold or its small variant.
   enum class Face { plain, bold, small };
 
-  [[nodiscard]] int widthOf(int column, bool withTorques) const;
-  std::vector<int> widthsNow(bool withTorques);
+  [[nodiscard]] int widthOf(int column) const;
+  std::vector<int> widthsNow();
   /// The width of a text in a face, in pixels; cached.
   [[nodiscard]] int advance(Face face, const QString& text) const;
 
   StatesModel* m_model;
-  bool m_showsTorques = false;
   StatesHeader* m_heads;
   mutable QHash<QPair<int, QString>, int> m_advances;
   mutable QFont m_measured;  ///< the font of m_advances

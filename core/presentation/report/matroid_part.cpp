@@ -57,9 +57,7 @@ class MatroidPart : private ReportPart {
                 std::optional<int> number) {
     if (table == nullptr || table->rows() == 0) return;
     if (fits(*table)) {
-      return equation(
-          before + (after.empty() ? quantityLatex(*table, Fractions::readable) : texMatrix(*table)) + after,
-          number);
+      return equation(before + (after.empty() ? readableLatex(*table) : texMatrix(*table)) + after, number);
     }
     paragraph(tooManyEntries(table->rows(), table->columns(), quantityCommandName(table->kind())));
   }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
@@ -162,17 +164,20 @@ class TtGraphPart : private ReportPart {
       return;
     }
     const EquationNumbers numbers(m_graph, unknowns());
-    const std::string left = branches(plan.outputs) + " =\n";
+    const std::vector<std::size_t> order = rowsByLink();
+    std::vector<int> outputs;
+    for (const std::size_t row : order) outputs.push_back(plan.outputs[row]);
+    const std::string left = branches(outputs) + " =\n";
     const std::string right = " " + branches(plan.inputs);
-    if (const auto matrix = stepMatrix()) {
+    if (const auto matrix = stepMatrix(outputs)) {
       paragraph(translated("Together:"));
       equation(left + texMatrix(*matrix) + right, numbers.matrix());
     }
     if (!solved().ttSymbolic) return;
     std::vector<std::vector<std::string>> rows;
-    for (const auto& row : solved().ttSymbolic->entries) {
+    for (const std::size_t row : order) {
       rows.emplace_back();
-      for (const auto& entry : row) {
+      for (const auto& entry : solved().ttSymbolic->entries[row]) {
         if (!entry || isStopped()) return;
         rows.back().push_back(entry->toLatex());
       }
@@ -187,12 +192,23 @@ class TtGraphPart : private ReportPart {
     equation(left + texMatrix(rows) + right, numbers.result());
   }
 
+  /// The rows of (43) and (45) are by link, as in the paper; the outputs of the plan are by joint.
+  [[nodiscard]] std::vector<std::size_t> rowsByLink() const {
+    const std::vector<int>& outputs = solved().ttPlan.outputs;
+    std::vector<std::size_t> rows(outputs.size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::ranges::stable_sort(rows, {},
+                             [&](std::size_t row) { return m_digraph.turningEdge(outputs[row]).head; });
+    return rows;
+  }
+
   /// The last sides of the steps, a row for each output; none where one of them went over the budget.
-  [[nodiscard]] std::optional<std::vector<std::vector<std::string>>> stepMatrix() const {
+  [[nodiscard]] std::optional<std::vector<std::vector<std::string>>> stepMatrix(
+      const std::vector<int>& outputs) const {
     std::map<int, const SubstitutionStep*> of;
     for (const SubstitutionStep& step : *solved().ttSteps) of[step.joint] = &step;
     std::vector<std::vector<std::string>> rows;
-    for (const int output : solved().ttPlan.outputs) {
+    for (const int output : outputs) {
       const auto step = of.find(output);
       if (step == of.end()) return std::nullopt;
       rows.emplace_back();

@@ -95,9 +95,9 @@ using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
 /// The same row by row, until the sink fails. Texts that contain the separator are quoted; the decimal point
 /// of the options applies to decimals, not to symbols and fractions.
 void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptions& options);
-/// `Fractions::readable`: for people, who are given about six digits in place of a long fraction.
-enum class Fractions { exact, readable };
-[[nodiscard]] std::string quantityLatex(const QuantityTable& table, Fractions fractions = Fractions::exact);
+[[nodiscard]] std::string quantityLatex(const QuantityTable& table);
+/// The same for people: about six digits in place of a long fraction.
+[[nodiscard]] std::string readableLatex(const QuantityTable& table);
 [[nodiscard]] std::string quantityMatlab(const QuantityTable& table);
 [[nodiscard]] std::string quantityNumpy(const QuantityTable& table);
 

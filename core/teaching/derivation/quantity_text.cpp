@@ -77,6 +77,22 @@ std::string latexHeading(const QuantityTable& table, const Heading& heading) {
   return "C_{" + text.substr(1, blank == std::string::npos ? blank : blank - 1) + rest + "}";
 }
 
+std::string latexArray(const QuantityTable& table, Spelling spelling) {
+  std::string columns = "c|";
+  for (int j = 0; j < table.columns(); ++j) {
+    if (j > 0 && table.partition() == j) columns += '|';
+    columns += 'r';
+  }
+  std::string text = "\\begin{array}{" + columns + "}\n";
+  for (int j = 0; j < table.columns(); ++j) text += " & " + latexHeading(table, table.columnHeading(j));
+  text += " \\\\ \\hline\n";
+  for (int i = 0; i < table.rows(); ++i) {
+    text += latexHeading(table, table.rowHeading(i)) + " & " + rowText(table, i, " & ", spelling);
+    text += i + 1 < table.rows() ? " \\\\\n" : "\n";
+  }
+  return text + "\\end{array}\n";
+}
+
 }  // namespace
 
 std::string quantityTsv(const QuantityTable& table) {
@@ -120,22 +136,12 @@ void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptio
   }
 }
 
-std::string quantityLatex(const QuantityTable& table, Fractions fractions) {
-  std::string columns = "c|";
-  for (int j = 0; j < table.columns(); ++j) {
-    if (j > 0 && table.partition() == j) columns += '|';
-    columns += 'r';
-  }
-  std::string text = "\\begin{array}{" + columns + "}\n";
-  for (int j = 0; j < table.columns(); ++j) text += " & " + latexHeading(table, table.columnHeading(j));
-  text += " \\\\ \\hline\n";
-  for (int i = 0; i < table.rows(); ++i) {
-    text +=
-        latexHeading(table, table.rowHeading(i)) + " & " +
-        rowText(table, i, " & ", fractions == Fractions::exact ? Spelling::latex : Spelling::readableLatex);
-    text += i + 1 < table.rows() ? " \\\\\n" : "\n";
-  }
-  return text + "\\end{array}\n";
+std::string quantityLatex(const QuantityTable& table) {
+  return latexArray(table, Spelling::latex);
+}
+
+std::string readableLatex(const QuantityTable& table) {
+  return latexArray(table, Spelling::readableLatex);
 }
 
 std::string quantityMatlab(const QuantityTable& table) {

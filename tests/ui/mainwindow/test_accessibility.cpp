@@ -22,6 +22,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/panels/results_panel.h"
 #include "ui/schematic/schematic_view.h"
+#include "ui/theme/in_sight.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -72,6 +73,13 @@ class AccessibilityTest : public QObject {
   }
   [[nodiscard]] const std::set<ElementId>& selected() { return window->selection().selected(); }
 
+  /// A field of the panel that takes keys.
+  static QWidget* fieldIn(const QDockWidget& dock) {
+    for (QWidget* each : dock.widget()->findChildren<QWidget*>())
+      if ((each->focusPolicy() & Qt::TabFocus) != 0 && each->isEnabled() && isInSight(*each)) return each;
+    return nullptr;
+  }
+
  private slots:
   void initTestCase() { test::setUpProgram(); }
   void init() {
@@ -80,6 +88,49 @@ class AccessibilityTest : public QObject {
     window->digraph().setFocus();
   }
   void cleanup() { window.reset(); }
+
+  /// Keys would change what is not seen.
+  void theKeyboardLeavesPanelsThatAreCovered() {
+    window->selection().select({window->document().mechanism()->gearMeshes[0].id});
+    int covered = 0;
+    for (auto* dock : window->findChildren<QDockWidget*>()) {
+      const QList<QDockWidget*> others = window->tabifiedDockWidgets(dock);
+      if (others.isEmpty()) continue;
+      dock->show();
+      dock->raise();
+      QTRY_VERIFY(isInSight(*dock->widget()));
+      QTRY_VERIFY(window->isSettled());
+      QWidget* field = fieldIn(*dock);
+      if (field == nullptr) continue;
+      field->setFocus();
+      QTRY_COMPARE(QApplication::focusWidget(), field);
+      others.front()->raise();
+      QTRY_VERIFY(!isInSight(*dock->widget()));
+      const QWidget* focus = QApplication::focusWidget();
+      QVERIFY2(focus != nullptr && !dock->isAncestorOf(focus) && isInSight(*focus),
+               qPrintable(dock->objectName()));
+      ++covered;
+    }
+    QVERIFY(covered > 3);
+  }
+
+  void tabPassesOverPanelsThatAreCovered() {
+    window->selection().select({window->document().mechanism()->gearMeshes[0].id});
+    QTRY_VERIFY(window->isSettled());
+    std::set<const QWidget*> reached;
+    for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+      for (int i = 0; i < 300; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), key,
+                        key == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+        const QWidget* focus = QApplication::focusWidget();
+        QVERIFY(focus != nullptr);
+        reached.insert(focus);
+        for (const auto* dock : window->findChildren<QDockWidget*>())
+          QVERIFY2(!dock->isAncestorOf(focus) || isInSight(*dock), qPrintable(dock->objectName()));
+      }
+    }
+    QVERIFY(reached.size() > 20);
+  }
 
   void everythingHasAName_data() {
     QTest::addColumn<QString>("example");
