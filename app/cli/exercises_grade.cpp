@@ -59,13 +59,17 @@ struct Rejection {
   std::string reason;
 };
 
-/// The bytes of a file. What is no file would keep the program waiting, and what is too large is no answer.
-std::variant<std::string, Rejection> textOf(const fs::path& path) {
-  const std::string name = '"' + path.string() + '"';
+/// Is it a folder, a pipe or a device? A pipe would keep the program waiting.
+bool isNoFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (path != "-" && fs::exists(status) && !fs::is_regular_file(status))
-    return Rejection{"no-file", translated("%1 is no regular file.", {name})};
+  return path != "-" && fs::exists(status) && !fs::is_regular_file(status);
+}
+
+/// The bytes of a file of answers.
+std::variant<std::string, Rejection> textOf(const fs::path& path) {
+  const std::string name = '"' + path.string() + '"';
+  if (isNoFile(path)) return Rejection{"no-file", translated("%1 is no regular file.", {name})};
   auto text = readFile(path, kLargestAnswers);
   if (const auto* failure = std::get_if<FileError>(&text)) return Rejection{"no-file", failure->message};
   auto& bytes = std::get<std::string>(text);
@@ -210,6 +214,7 @@ int gradeExercises(const Arguments& arguments) {
   if (arguments.files.size() < 2)
     return wrongUsage(kExercises, translated("grade needs a sheet and answers."));
   const std::string& sheetPath = arguments.files.front();
+  if (isNoFile(sheetPath)) return fileFailure(translated("%1 is no regular file.", {'"' + sheetPath + '"'}));
   const auto bytes = readFile(sheetPath, kLargestFile);
   if (const auto* error = std::get_if<FileError>(&bytes)) return fileFailure(error->message);
   const auto sheet = readSheet(std::get<std::string>(bytes));

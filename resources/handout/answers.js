@@ -273,7 +273,7 @@ const unitOf = text => UNITS.reduce((found, unit) => {
 
 // {fault, place, value, slack}: null, or "number", "ambiguous", "symbol" or "unit" with the part that cannot be read.
 const readNumber = (text, {isDecimalComma = false, unit = '', symbols = {}} = {}) => {
-  if (isLong(text)) return {fault: 'number', place: '', value: ZERO, slack: ZERO};
+  if (isLong(text) || text.includes('\0')) return {fault: 'number', place: '', value: ZERO, slack: ZERO};
   let plain = plainNotation(text).replace(/ +$/, '');
   let factor = ONE;
   const written = unitOf(plain);
@@ -355,8 +355,23 @@ const readField = (field, text, notation = {}) => {
   if (read.isEmpty && !field.mayBeEmpty) read.fault = 'empty';
   return read;
 };
+const notationOf = ({decimal, symbols = {}}) => ({isDecimalComma: decimal === ',', symbols});
+// The answer, where a row of a table that is written into its first cell fills the row (written_rows.h).
+const withRowsSpread = (question, answer) => {
+  const width = question.table ? question.table.columns.length : 0;
+  const texts = [...answer];
+  const isBlank = text => !/[^ \t\r\n]/.test(text);
+  for (let first = 0; width > 1 && first + width <= texts.length; first += width) {
+    const text = texts[first];
+    if (isBlank(text) || !texts.slice(first + 1, first + width).every(isBlank)) continue;
+    const entries = text.split(question.decimal === ',' || text.includes(';') ? /[;\t]/ : /[;\t,]/);
+    if (entries.length === width && readField(question.fields[first], text, notationOf(question)).fault)
+      texts.splice(first, width, ...entries);
+  }
+  return texts;
+};
 const readAnswer = (question, answer) => {
-  const notation = {isDecimalComma: question.decimal === ',', symbols: question.symbols || {}};
+  const notation = notationOf(question);
   return question.fields.map((field, i) => readField(field, answer[i], notation));
 };
 

@@ -216,7 +216,8 @@ const mistakesIn = (question, answer, read, wrong) => {
 // `answer`: a text for each field. {isRight, isBlank, isUnreadable, points, mistakes: [{name, fields, elements, reason}],
 // wrongFields, reason}: the first of the mistakes is the one to be told; `wrongFields` are marked, none of them means the
 // answer as a whole.
-const grade = (question, answer) => {
+const grade = (question, texts) => {
+  const answer = withRowsSpread(question, texts);
   const read = readAnswer(question, answer);
   const verdict = {isRight: false, isBlank: false, isUnreadable: false, points: 0, mistakes: [], wrongFields: [],
                    reason: question.rule};

@@ -211,6 +211,7 @@ class CliExercisesTest : public QObject {
     QCOMPARE(QProcess::execute("mkfifo", {path("in/pipe.json")}), 0);
     const Run graded = run({"exercises", "grade", path("mixed/sheet.json"), path("in"), path("gone.json")});
     QCOMPARE(graded.status, 2);
+    QCOMPARE(run({"exercises", "grade", path("in/pipe.json"), path("in/right.json")}).status, 2);
     const QStringList table = lines(graded.output);
     QCOMPARE(table.size(), 3 + 10);  // the others are graded
     for (const char* row :

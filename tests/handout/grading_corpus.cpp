@@ -139,6 +139,11 @@ void writeOddCases(JsonWriter& json, const Question& question, ExerciseRandom& r
       answer[static_cast<std::size_t>(random.below(fields))] = kOddTexts[next++ % kOddTexts.size()];
     writeCase(json, question, answer);
   }
+  for (const char* separator : {",", ";", "\t"}) {
+    test::AnswerTexts answer(question.solution.size());
+    answer.front() = test::joined(question.solution, separator);
+    writeCase(json, question, answer);
+  }
   for (const std::string& text : {deep(20), deep(21), std::string(200, '7'), std::string(201, '7')}) {
     test::AnswerTexts answer = question.solution;
     answer.back() = text;

@@ -5,6 +5,7 @@
 #include "core/foundations/base/words.h"
 #include "core/teaching/grading/conditions.h"
 #include "core/teaching/grading/nearest_answer.h"
+#include "core/teaching/grading/written_rows.h"
 
 namespace geargraph::inline grading {
 namespace {
@@ -139,7 +140,8 @@ Verdict blankVerdict() {
 
 }  // namespace
 
-Verdict grade(const Question& question, const std::vector<std::string>& answer) {
+Verdict grade(const Question& question, const std::vector<std::string>& texts) {
+  const std::vector<std::string> answer = withRowsSpread(question, texts);
   const ReadAnswer read = readAnswer(question, answer);
   Verdict verdict;
   if (allHold(question.accepted, read)) {

@@ -149,7 +149,8 @@ CommaUse commaUse() {
 }
 
 WrittenNumber readNumber(std::string_view text, const NumberNotation& notation) {
-  if (text.size() > kLongest) return {NumberFault::notANumber, {}, {}, {}};
+  if (text.size() > kLongest || text.find('\0') != std::string_view::npos)
+    return {NumberFault::notANumber, {}, {}, {}};
   std::string plain = plainNotation(text);
   while (plain.ends_with(' ')) plain.pop_back();
   Rational factor = 1;

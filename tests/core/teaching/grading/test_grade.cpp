@@ -157,6 +157,13 @@ class GradeTest : public QObject {
     QCOMPARE(verdict.wrongFields, std::vector<int>{2});
     QCOMPARE(verdict.points, 4);
     QCOMPARE(grade(row, {"1", "1", "1", "1"}).points, 0);
+    row.symbols = {{"i15", "-2/3"}};
+    QVERIFY(grade(row, {"i15,0,1,-5/3", "", "", ""}).isRight);
+    QVERIFY(grade(row, {"2; 0; -3; 5", "", " ", ""}).isRight);
+    QVERIFY(grade(row, {"i15,0,1", "", "", ""}).isUnreadable);
+    QVERIFY(grade(row, {"i15,0,1,-5/3", "0", "", ""}).isUnreadable);
+    row.comma = CommaUse::decimal;
+    QVERIFY(grade(row, {"0,4;0;-0,6;1", "", "", ""}).isRight);
   }
 
   /// Users name couplings and axes as they like.
