@@ -17,6 +17,7 @@
 #include "core/presentation/handout/script_texts.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/pseudo_language.h"
@@ -149,7 +150,7 @@ class TestHandout : public QObject {
     const ExerciseSource source(robot);
     const SheetPlan plan{"Second <week>", offeredKinds(source), 3, 30};
     const QString page = pageOf(robot, handoutExercises(source, plan, 12));
-    const SheetVariant sheet = makeVariant(source, plan, 12);
+    const SheetVariant sheet = makeVariant(variantSource(source, plan, 12), plan, 12);
     QCOMPARE(static_cast<std::size_t>(page.count("<article class=\"question\"")), sheet.questions.size());
     std::size_t fields = 0;
     for (const Question& question : sheet.questions) fields += question.fields.size();
