@@ -254,15 +254,14 @@ class NumberReader {
 }
 
 // A way to write a unit, the unit of its dimension, and how many of that it is; 0: not converted.
+const TORQUES = [['', 'm', '1'], ['k', 'm', '1000'], ['', 'cm', '1/100'], ['', 'mm', '1/1000'], ['m', 'm', '1/1000']];
 const UNITS = [
   ['rad/s', 'rad/s', '1'], ['rad s^-1', 'rad/s', '1'], ['rad*s^-1', 'rad/s', '1'], ['rad s^{-1}', 'rad/s', '1'],
   ['s^{-1}', 'rad/s', '1'], ['s^-1', 'rad/s', '1'], [' 1/s', 'rad/s', '1'], ['/s', 'rad/s', '1'], ['deg/s', 'rad/s', '0'],
   ['°/s', 'rad/s', '0'], ['rpm', 'rad/s', '0'], [' 1/min', 'rad/s', '0'], ['U/min', 'rad/s', '0'], ['r/min', 'rad/s', '0'],
-  ['/min', 'rad/s', '0'], ['N m', 'N m', '1'], ['Nm', 'N m', '1'], ['N*m', 'N m', '1'], ['kN m', 'N m', '1000'],
-  ['kNm', 'N m', '1000'], ['kN*m', 'N m', '1000'], ['N cm', 'N m', '1/100'], ['Ncm', 'N m', '1/100'],
-  ['N*cm', 'N m', '1/100'], ['N mm', 'N m', '1/1000'], ['Nmm', 'N m', '1/1000'], ['N*mm', 'N m', '1/1000'],
-  ['mN m', 'N m', '1/1000'], ['mNm', 'N m', '1/1000'], ['ft', 'N m', '0'], ['W', 'W', '1'], ['kW', 'W', '1000'],
-  ['rad', 'rad', '1'], ['deg', 'rad', '0'], ['mm', 'mm', '1'], ['°', 'rad', '0'],
+  ['/min', 'rad/s', '0'], ['ft', 'N m', '0'], ['W', 'W', '1'], ['kW', 'W', '1000'], ['rad', 'rad', '1'], ['deg', 'rad', '0'],
+  ['mm', 'mm', '1'], ['°', 'rad', '0'],
+  ...TORQUES.flatMap(([prefix, length, factor]) => ['', ' ', '*'].map(sign => [prefix + 'N' + sign + length, 'N m', factor])),
 ];
 // The longest unit at the end of the text, after a number and not after a letter.
 const unitOf = text => UNITS.reduce((found, unit) => {

@@ -200,8 +200,9 @@ class Exercise {
     state.points = Math.max(state.points, verdict.points);  // it never falls
     this.mark(verdict.wrongFields);
     const names = verdict.wrongFields.map(i => labelOf(question, i));
+    const places = names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : '');
     const title = verdict.isRight ? say(question.points === 1 ? 'rightOfOne' : 'rightOf', verdict.points, question.points)
-                : verdict.isBlank ? '' : names.length ? say(verdict.isUnreadable ? 'unreadableAt' : 'wrongAt', names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : ''))
+                : verdict.isBlank ? '' : verdict.isUnreadable ? say('unreadableAt', places) : names.length ? say('wrongAt', places)
                                : say('wrong');
     const reasons = verdict.mistakes.length ? verdict.mistakes.map(mistake => mistake.reason) : [verdict.isRight ? verdict.reason : ''];
     const rest = question.fields.length - names.length;

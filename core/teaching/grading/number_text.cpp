@@ -113,6 +113,7 @@ constexpr std::array kUnits = {
     UnitSpelling{"N*mm", "N m", "1/1000"},
     UnitSpelling{"mN m", "N m", "1/1000"},
     UnitSpelling{"mNm", "N m", "1/1000"},
+    UnitSpelling{"mN*m", "N m", "1/1000"},
     UnitSpelling{"ft", "N m", "0"},
     UnitSpelling{"W", "W", "1"},
     UnitSpelling{"kW", "W", "1000"},
