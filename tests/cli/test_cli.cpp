@@ -355,7 +355,8 @@ class TestCli : public QObject {
     const auto problems = [&] {
       const Run checked = run({"validate", path("m"), "--json"});
       std::string text = std::to_string(checked.status);
-      for (const json& each : json::parse(checked.output)["diagnostics"]) {
+      const json answer = json::parse(checked.output);
+      for (const json& each : answer["diagnostics"]) {
         const std::string code = each["code"];
         if (code == "missing-file") text += ' ' + each["pointer"].get<std::string>();
         if (code == "shown-only") text += ' ' + code + each["elements"]["links"].dump();

@@ -415,8 +415,8 @@ class TestServe : public QObject {
       kind.front() = static_cast<char>(std::tolower(kind.front()));
       std::set<std::string> expected;
       const auto collect = [&](const json& part) {
-        for (const auto& [member, type] : part.value("properties", json::object()).items())
-          expected.insert(member);
+        const json properties = part.value("properties", json::object());
+        for (const auto& property : properties.items()) expected.insert(property.key());
       };
       collect(definitions.at(kind));
       for (const json& part : definitions.at(kind).value("oneOf", json::array())) collect(part);

@@ -220,7 +220,7 @@ int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
 void JsonObject::rejectMisspelling(const std::string& name, JsonValue key) {
   const std::string_view meant = misspelledMember(name);
   const bool isAsked = std::find(m_known.begin(), m_known.end(), meant) != m_known.end();
-  if (!isAsked || m_value.member(meant) || m_diagnostics.covers(pointerTo(meant))) return;
+  if (!isAsked || m_diagnostics.covers(pointerTo(meant))) return;  // said already where it is missing
   m_diagnostics.add(Code::schema, translated("there is no member \"%1\"; \"%2\" is meant.", {name, meant}),
                     m_blamed, pointerTo(name), key);
 }

@@ -52,7 +52,8 @@ class JsonObject {
   /// Adds a diagnostic at a member of this object. `expected` is marked by toTranslate(), or translated.
   void wrong(std::string_view name, JsonValue found, std::string_view expected);
   /// The members that were not read, in the order of the file. Adds a diagnostic for a common misspelling of
-  /// one that was asked for and is missing (misspelledMember()).
+  /// one that was asked for (misspelledMember()), also beside that one: if it were kept there, the document
+  /// could not be read again once the other is removed.
   [[nodiscard]] UnknownMembers unknown();
 
  private:

@@ -39,7 +39,7 @@ enum class DocumentPart {
 [[nodiscard]] Diagnostics unknownMemberDiagnostics(const Mechanism& mechanism);
 
 /// The member that is surely meant by a common misspelling, e.g. "efficiency" by "efficency"; empty for other
-/// names. A reader of documents rejects it where that member is missing.
+/// names. The reader of documents rejects it in objects that may have that member.
 [[nodiscard]] std::string_view misspelledMember(std::string_view name);
 
 }  // namespace geargraph::inline model

@@ -82,8 +82,8 @@ class TestSchema : public QObject {
     for (const auto& [part, definition] : parts) {
       std::set<std::string> expected;
       const auto collect = [&](const nlohmann::json& from) {
-        for (const auto& member : from.value("properties", nlohmann::json::object()).items())
-          expected.insert(member.key());
+        const nlohmann::json properties = from.value("properties", nlohmann::json::object());
+        for (const auto& member : properties.items()) expected.insert(member.key());
       };
       collect(*definition);
       for (const nlohmann::json& kind : definition->value("oneOf", nlohmann::json::array())) collect(kind);

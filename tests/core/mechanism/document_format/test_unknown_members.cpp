@@ -56,9 +56,10 @@ class TestUnknownMembers : public QObject {
     row(R"("friction": 0.06)", R"("fricton": 0.06)", "schema /gearDefaults/fricton");
     row(R"("profileShift")", R"("profile_shift")", "schema /wheels/0/profile_shift [wheels:w]");
     row(R"("shapes")", R"("shape")", "schema /links/2/shape [links:arm]");
-    // Missing already, and said once; beside the right one it is a member of somebody else.
+    // Missing already, and reported once.
     row(R"("turningJoints")", R"("joints")", "schema /turningJoints");
-    row(R"("efficiency": "49/50")", R"("efficiency": "49/50", "efficency": 1)", "");
+    row(R"("efficiency": "49/50")", R"("efficiency": "49/50", "efficency": 1)",
+        "schema /gearMeshes/0/efficency [gearMeshes:7]");
     row(R"("limits": [-170.0)", R"("helixAngle": [-170.0)", "");
   }
   void misspelledMembersAreRejected() {
