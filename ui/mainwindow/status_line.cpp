@@ -2,7 +2,7 @@
 
 #include <QAccessible>
 #include <QEvent>
-#include <QLabel>
+#include <QPainter>
 #include <QStyle>
 #include <QToolButton>
 
@@ -26,8 +26,26 @@ QString engagedNames(const Mechanism& mechanism) {
 
 }  // namespace
 
+QString StatusMessage::shown() const {
+  return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+}
+
+bool StatusMessage::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) setToolTip(shown() == text() ? QString() : text());
+  return QLabel::event(event);
+}
+
+void StatusMessage::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+                        shown(), foregroundRole());
+}
+
 StatusLine::StatusLine(Selection* selection, QWidget* parent)
-    : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
+    : QStatusBar(parent),
+      m_selection(selection),
+      m_icon(new QLabel(this)),
+      m_message(new StatusMessage(this)) {
   setObjectName(QStringLiteral("statusLine"));
   setSizeGripEnabled(false);
   setContentsMargins(4, 0, 8, 0);
@@ -97,8 +115,6 @@ void StatusLine::renewMessage() {
   m_shown = message;
   m_message->setText(text());
   announce(rejected || !m_note.isEmpty());
-  const bool isCut = m_message->fontMetrics().horizontalAdvance(text()) > m_message->width();
-  m_message->setToolTip(rejected || isCut ? text() : QString());
   const QString look = rejected ? QStringLiteral("problem") : QStringLiteral("hint");
   if (m_message->property("look") != look) {
     m_message->setProperty("look", look);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLabel>
 #include <QStatusBar>
 #include <optional>
 #include <tuple>
@@ -8,10 +9,21 @@
 #include "ui/selection/selection.h"
 #include "ui/theme/application_theme.h"
 
-class QLabel;
 class QToolButton;
 
 namespace geargraph::inline mainwindow {
+
+/// A line of text that ends in an ellipsis where its place is too narrow; it is whole in its tool tip then.
+class StatusMessage : public QLabel {
+ public:
+  using QLabel::QLabel;
+  /// The text as far as it is painted.
+  [[nodiscard]] QString shown() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
 
 /// The status bar: what the tool expects next, or why an edit was rejected; and n, t, c, rank, DOF as chips.
 /// Hovering a chip highlights what it counts.
@@ -46,7 +58,7 @@ class StatusLine : public QStatusBar {
   Selection* m_selection;
   SnapshotPtr m_snapshot;
   QLabel* m_icon;
-  QLabel* m_message;
+  StatusMessage* m_message;
   QString m_hint;
   QString m_rejection;
   QString m_note;

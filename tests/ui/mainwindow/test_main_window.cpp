@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QFileInfo>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -226,6 +227,26 @@ class MainWindowTest : public QObject {
       QTRY_VERIFY(window->isSettled());
       QVERIFY(window->document().filePath().isEmpty());  // Save asks for a name
     }
+  }
+
+  /// What is wider than the status bar ends in an ellipsis, and is whole in the tool tip.
+  void longStatusTextsEndInAnEllipsis() {
+    auto* message = dynamic_cast<StatusMessage*>(
+        window->statusLine().findChild<QLabel*>(QStringLiteral("statusMessage")));
+    QVERIFY(message != nullptr);
+    const QString sentence = QStringLiteral("word ").repeated(400);
+    window->statusLine().showNote(sentence);
+    QVERIFY(message->shown().endsWith(QChar(0x2026)));
+    QVERIFY(message->fontMetrics().horizontalAdvance(message->shown()) <= message->contentsRect().width());
+    QCOMPARE(window->statusLine().text(), sentence);
+    QHelpEvent help(QEvent::ToolTip, message->rect().center(),
+                    message->mapToGlobal(message->rect().center()));
+    QApplication::sendEvent(message, &help);
+    QCOMPARE(message->toolTip(), sentence);
+    window->statusLine().showNote(QStringLiteral("short"));
+    QCOMPARE(message->shown(), QStringLiteral("short"));
+    QApplication::sendEvent(message, &help);
+    QVERIFY(message->toolTip().isEmpty());
   }
 
   void whatCannotBeWrittenIsSaid() {
