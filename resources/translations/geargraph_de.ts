@@ -9687,6 +9687,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Glieder %1 sind als gleiche Planeten gezeichnet und können keine gleichen Teile sein: Wenn alle Zähne kämmen, ist ihr Rad mit %2 Zähnen gegen das mit %3 Zähnen, verglichen mit Glied %4, verdreht um %5.</translation>
     </message>
     <message>
+        <source>With these teeth there are fewer places for equal planets (%1) than planets: let the planets differ, or change tooth counts.</source>
+        <translation>Mit diesen Zähnen gibt es weniger Stellen für gleiche Planeten (%1) als Planeten: Lassen Sie die Planeten verschieden sein, oder ändern Sie Zähnezahlen.</translation>
+    </message>
+    <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
         <translation>Planeten passen bei Vielfachen von 360/%1 = %2 Grad: Verschieben Sie den von Glied %3 um %4 Grad</translation>
     </message>

@@ -9687,6 +9687,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Los eslabones %1 están dibujados como satélites iguales y no pueden ser piezas iguales: con todos los dientes engranados, su rueda de %2 dientes queda girada respecto a la de %3 dientes, comparada con el eslabón %4, en %5.</translation>
     </message>
     <message>
+        <source>With these teeth there are fewer places for equal planets (%1) than planets: let the planets differ, or change tooth counts.</source>
+        <translation>Con estos dientes hay menos lugares para satélites iguales (%1) que satélites: deje que los satélites difieran, o cambie los números de dientes.</translation>
+    </message>
+    <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
         <translation>Los satélites encajan en múltiplos de 360/%1 = %2 grados: mueva el del eslabón %3 en %4 grados</translation>
     </message>

@@ -9686,6 +9686,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>%1 uzuvları eş gezegenler olarak çizilmiş, ama eş parçalar olamazlar: bütün dişler eşleştiğinde %2 dişli çarkları, %3 dişli olana göre, %4 uzvuyla karşılaştırıldığında şu kadar dönüktür: %5.</translation>
     </message>
     <message>
+        <source>With these teeth there are fewer places for equal planets (%1) than planets: let the planets differ, or change tooth counts.</source>
+        <translation>Bu dişlerle eş gezegenler için gezegenlerden daha az yer (%1) var: gezegenler farklı olsun ya da diş sayılarını değiştirin.</translation>
+    </message>
+    <message>
         <source>Planets fit at multiples of 360/%1 = %2 degrees: move that of link %3 by %4 degrees</source>
         <translation>Gezegenler 360/%1 = %2 derecenin katlarına sığar: %3 uzvununkini %4 derece kaydırın</translation>
     </message>

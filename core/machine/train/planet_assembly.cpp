@@ -286,6 +286,11 @@ std::string adviceFor(const Mechanism& mechanism, const PlanetSet& set, const Eq
   const std::int64_t places = set.places();
   if (places == 0) return {};
   const double pitch = kTurn / static_cast<double>(places);
+  if (places < static_cast<std::int64_t>(same.links.size()))
+    return ' ' + translated(
+                     "With these teeth there are fewer places for equal planets (%1) than planets: let the "
+                     "planets differ, or change tooth counts.",
+                     {std::to_string(places)});
   std::vector<std::string> moves;
   for (std::size_t p = 1; p < same.links.size(); ++p) {
     const double place = set.placeOf(p);
