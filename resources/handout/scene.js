@@ -220,7 +220,8 @@ const showScene = async place => {
       const angle = ratesOf(gains, motion.inputTurns())[joint].toNumber() * 360;
       const limit = [low, high].filter(each => each !== undefined).map(each => each * 180 / Math.PI)
                         .sort((a, b) => Math.abs(a - angle) - Math.abs(b - angle))[0];
-      status.textContent = say(last === null ? 'atLimit' : 'turnsRound', name, limit.toFixed(0));
+      const degrees = limit.toFixed(0);
+      status.textContent = last === null ? say('atLimit', name, degrees) : say('turnsRound', name, degrees);
     } else if (last === null) {
       status.textContent = '';
     }
