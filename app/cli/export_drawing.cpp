@@ -48,6 +48,7 @@ std::string whyNoPower(const std::string& file, const std::optional<StaticsRepor
         "--power needs loads: this document has none, so that no power flows. Add \"loads\" to it."));
   if (!report->isSolved || !report->lossless.isBalanced())
     return all(toTranslate("--power needs balances that hold the loads."));
+  if (!report->isAnswered()) return all(toTranslate("With these losses no torques are known."));
   if (!report->motion) return all(toTranslate("--power needs a motion: the speeds are not determined."));
   return all(toTranslate("No power flows: the loads and what holds them do no work in this motion."));
 }

@@ -98,6 +98,7 @@ std::string whyNoPower(const StaticsReport* report) {
     return translated("No power without loads: add one in Forces.");
   if (!report->isSolved || !report->lossless.isBalanced())
     return translated("No power: the loads are not in balance. Forces names what is missing.");
+  if (!report->isAnswered()) return translated("No power: with these losses no torques are known.");
   if (!report->flow) return translated("No power without a motion.");
   return {};
 }

@@ -1,4 +1,4 @@
-// `states FILE [--json]`: the shift table of a gearbox.
+// `states FILE ...`: the shift table of a gearbox, with the torques of its couplings.
 
 #include <algorithm>
 #include <array>
@@ -11,15 +11,21 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
+#include "app/cli/statics_options.h"
+#include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
+#include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/torque_text.h"
+#include "core/presentation/results/solved_statics.h"
 #include "core/presentation/results/states_json.h"
 #include "core/theory/analysis/analysis.h"
+#include "core/theory/statics/load_diagnostics.h"
 
 namespace geargraph::cli {
 namespace {
 
-std::string decimal(const Rational& value) {
+std::string ratioText(const Rational& value) {
   constexpr double kMostPlain = 1e15;  // larger ones are written with an exponent
   const double number = value.toDouble();
   char buffer[64];
@@ -44,8 +50,8 @@ std::vector<std::vector<std::string>> shiftTableOf(const AnalysisSnapshot& snaps
     }
     const auto step = before == nullptr ? std::nullopt : stepBetween(*before, solution);
     row.push_back(solution.ratio ? solution.ratio->toString() : "-");
-    row.push_back(solution.ratio ? decimal(*solution.ratio) : "-");
-    row.push_back(step ? decimal(*step) : "");
+    row.push_back(solution.ratio ? ratioText(*solution.ratio) : "-");
+    row.push_back(step ? ratioText(*step) : "");
     row.push_back(solution.symbolicRatio ? solution.symbolicRatio->toText() : "");
     rows.push_back(std::move(row));
     before = &solution;
@@ -59,7 +65,7 @@ std::size_t widthOf(const std::string& utf8) {
 }
 
 /// The names at the left, numbers at the right edge of their columns, the symbols last.
-std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
+std::string alignedTable(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], widthOf(row[i]));
@@ -83,7 +89,9 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
   std::string text;
   for (const StateSolution& solution : *snapshot.states) {
     const ShiftState& state = snapshot.mechanism->states[static_cast<std::size_t>(solution.state)];
-    if (solution.ratio || !solution.diagnostics.empty()) continue;
+    const bool isExplained = std::any_of(solution.diagnostics.begin(), solution.diagnostics.end(),
+                                         [](const Diagnostic& each) { return each.code != Code::stateIdle; });
+    if (solution.ratio || isExplained) continue;
     if (!state.drive || !state.driven) {
       text += translated("State %1: it names no drive and driven link, so it has no ratio.", {state.name});
     } else {
@@ -97,14 +105,61 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
   return text.empty() ? text : '\n' + text;
 }
 
-std::string asText(const AnalysisSnapshot& snapshot) {
+/// The torques at the ends of the states and of their couplings, and the efficiencies: a row a state.
+std::string torquesText(const Mechanism& mechanism, const std::vector<StateForces>& states) {
+  const ForceTable table = shiftTable(mechanism, states);
+  const std::size_t couplings = mechanism.couplings.size();
+  const auto cellOf = [&](std::size_t row, ShiftColumn column) {
+    return table.rows[row].cells[1 + couplings + static_cast<std::size_t>(column)].text;
+  };
+  TextRows rows{{translated("state"), translated("drive"), translated("driven")}};
+  for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
+  rows[0].push_back(translated("efficiency"));
+  rows[0].push_back(translated("backward"));
+  for (std::size_t state = 0; state < states.size(); ++state) {
+    const StaticsReport* const report = states[state].report ? &*states[state].report : nullptr;
+    const auto ends =
+        report != nullptr && report->isAnswered() ? endTorques(mechanism, *report) : std::nullopt;
+    std::vector<std::string> row{mechanism.states[state].name, ends ? decimal(ends->drive.number()) : "-",
+                                 ends ? decimal(ends->driven.number()) : "-"};
+    for (std::size_t coupling = 0; coupling < couplings; ++coupling)
+      row.push_back(table.rows[state].cells[1 + coupling].text);
+    row.push_back(cellOf(state, ShiftColumn::efficiency));
+    row.push_back(cellOf(state, ShiftColumn::backward));
+    rows.push_back(std::move(row));
+  }
+  return aligned(translated("Torques in N m"), rows) + (table.note.empty() ? "" : table.note + '\n');
+}
+
+std::string asText(const AnalysisSnapshot& snapshot, const std::vector<StateForces>& torques) {
   const std::string name = titleOf(*snapshot.mechanism);
   const std::size_t count = snapshot.mechanism->states.size();
   if (count == 0) return translated("%1: no states", {name}) + '\n';
   std::string text = (count == 1 ? translated("%1: 1 state", {name})
                                  : translated("%1: %2 states", {name, std::to_string(count)})) +
                      "\n\n";
-  return text + alignedColumns(shiftTableOf(snapshot)) + remarks(snapshot);
+  return text + alignedTable(shiftTableOf(snapshot)) + remarks(snapshot) + '\n' +
+         torquesText(*snapshot.mechanism, torques);
+}
+
+/// The errors and warnings about the torques, beside those of the document.
+Diagnostics torqueDiagnostics(const Mechanism& mechanism, const std::vector<StateForces>& torques) {
+  std::vector<const StaticsReport*> reports;
+  for (const StateForces& each : torques) reports.push_back(each.report ? &*each.report : nullptr);
+  return solvedLoadDiagnostics(mechanism, reports);
+}
+
+/// With the torque at the drive and the sharing of the call instead of the document's.
+std::variant<Mechanism, UsageError> withTorqueOptions(Mechanism mechanism, const StaticsOptions& options,
+                                                      const Arguments& arguments) {
+  if (options.sharing) mechanism.sharing = options.sharing;
+  const auto word = arguments.value("--torque");
+  if (!word) return mechanism;
+  const auto torque = torqueFromText(*word);
+  if (!torque) return UsageError{translated("--torque is a torque like 100Nm, not \"%1\".", {*word})};
+  Expected<Mechanism> next = withDriveTorque(std::move(mechanism), *torque);
+  if (!next) return UsageError{next.error().front().message};
+  return *std::move(next);
 }
 
 int runStates(const Arguments& arguments) {
@@ -112,26 +167,41 @@ int runStates(const Arguments& arguments) {
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  auto document = std::get<Expected<Mechanism>>(loaded);
+  StaticsOptions options;
+  if (const auto error = readLossOptions(arguments, options)) return wrongUsage(kStates, error->message);
   SnapshotPtr snapshot;
+  std::vector<StateForces> torques;
   if (document) {
-    snapshot = analyzeLive(std::make_shared<const Mechanism>(*document), 0, arguments.stop);
+    auto mechanism = withTorqueOptions(*std::move(document), options, arguments);
+    if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kStates, error->message);
+    snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0,
+                           arguments.stop);
     if (snapshot) snapshot = analyzeStates(snapshot, {}, arguments.stop);
     if (!snapshot) return outOfTime(arguments, translated("the shift table"));
+    auto shift = solvedShift(snapshot, options.efficiency, arguments.stop);
+    if (!shift) return outOfTime(arguments, translated("the torques"));
+    torques = std::move(*shift);
   }
-  const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
+  Diagnostics diagnostics = snapshot ? snapshot->diagnostics : document.error();
+  if (snapshot) append(diagnostics, torqueDiagnostics(*snapshot->mechanism, torques));
   std::cerr << diagnosticLines(file, diagnostics);
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
-  if (arguments.has("--json")) return print(statesJson(snapshot.get()), status);
+  if (arguments.has("--json")) return print(statesJson(snapshot.get(), torques), status);
   const bool isThere = snapshot && (snapshot->states || snapshot->mechanism->states.empty());
-  return isThere ? print(asText(*snapshot), status) : status;
+  return isThere ? print(asText(*snapshot, torques), status) : status;
 }
 
-constexpr std::array kStatesOptions = {Option{"--json", "", toTranslate("as JSON")}};
+constexpr std::array kStatesOptions = {
+    Option{"--torque", "100Nm", toTranslate("at the drive of every state, instead of the document's")},
+    Option{"--eta", "0.98", toTranslate("efficiency of meshes that state none")},
+    kShareOption,
+    Option{"--json", "", toTranslate("as JSON")},
+};
 
 }  // namespace
 
-const Command kStates = {"states", "FILE [--json]",
+const Command kStates = {"states", "FILE [--torque 100Nm] [--eta 0.98] [--json]",
                          toTranslate("The shift table: what each state of the brakes and clutches does."),
                          kStatesOptions, runStates};
 

@@ -57,8 +57,7 @@ std::string asJson(const Solved& solved, bool asList) {
     }
     for (std::size_t i = 0; i < solved.states.size(); ++i) {
       const StaticsReport* const report = solved.reports[i] ? &*solved.reports[i] : nullptr;
-      writeStaticsJson(json, solved.snapshot.get(), report, solved.states[i], solved.options,
-                       allDiagnostics(solved, i));
+      writeStaticsJson(json, solved.snapshot.get(), report, solved.states[i], allDiagnostics(solved, i));
     }
     if (asList) {
       json.endArray();
@@ -73,7 +72,7 @@ std::string asJson(const Diagnostics& diagnostics) {
   TextSink sink;
   {
     JsonWriter json(sink);
-    writeStaticsJson(json, nullptr, nullptr, -1, {}, diagnostics);
+    writeStaticsJson(json, nullptr, nullptr, -1, diagnostics);
   }
   return sink.take();
 }
@@ -163,8 +162,7 @@ constexpr std::array kStaticsOptions = {
     Option{"--speed", "8=1/2", toTranslate("the speed of an input in rad/s; may be given again")},
     Option{"--efficiency", "", toTranslate("with the losses of the meshes")},
     Option{"--eta", "0.98", toTranslate("efficiency of meshes that state none; implies --efficiency")},
-    Option{"--share", "none|stiffness",
-           toTranslate("loads that several meshes share: left open, or by equal stiffness")},
+    kShareOption,
     Option{"--no-symbolic", "", toTranslate("without the solution in gear ratios")},
     Option{"--json", "", toTranslate("as JSON")},
 };

@@ -85,6 +85,22 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
 
 }  // namespace
 
+std::optional<UsageError> readLossOptions(const Arguments& arguments, StaticsOptions& options) {
+  if (const auto word = arguments.value("--eta")) {
+    const bool isPercent = word->ends_with('%');
+    const auto number = typedNumber(isPercent ? word->substr(0, word->size() - 1) : *word);
+    const Rational efficiency = number ? number->exact() / (isPercent ? 100 : 1) : Rational();
+    if (efficiency.sign() <= 0 || efficiency > Rational(1))
+      return UsageError{translated("--eta is an efficiency, above 0 and at most 1.")};
+    options.efficiency = efficiency;
+  }
+  if (const auto share = arguments.value("--share")) {
+    options.sharing = loadSharingFrom(*share);
+    if (!options.sharing) return UsageError{translated("--share is one of none, stiffness.")};
+  }
+  return std::nullopt;
+}
+
 std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechanism,
                                                         const Arguments& arguments) {
   StaticsOptions options;
@@ -103,19 +119,8 @@ std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechani
       return UsageError{translated("--balance names \"%1\" twice.", {word})};
     options.balances.push_back(std::move(balance));
   }
+  if (const auto error = readLossOptions(arguments, options)) return *error;
   options.losses = arguments.has("--efficiency") || arguments.has("--eta");
-  if (const auto word = arguments.value("--eta")) {
-    const bool isPercent = word->ends_with('%');
-    const auto number = typedNumber(isPercent ? word->substr(0, word->size() - 1) : *word);
-    const Rational efficiency = number ? number->exact() / (isPercent ? 100 : 1) : Rational();
-    if (efficiency.sign() <= 0 || efficiency > Rational(1))
-      return UsageError{translated("--eta is an efficiency, above 0 and at most 1.")};
-    options.efficiency = efficiency;
-  }
-  const std::string share = arguments.value("--share").value_or("none");
-  if (share != "none" && share != "stiffness")
-    return UsageError{translated("--share is one of none, stiffness.")};
-  options.stiffness = share == "stiffness";
   options.symbolic = !arguments.has("--no-symbolic");
   return options;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/statics/statics_report.h"
 
 namespace geargraph::cli {
@@ -15,6 +17,13 @@ namespace geargraph::cli {
 /// All members of StaticsOptions except the state.
 [[nodiscard]] std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechanism,
                                                                       const Arguments& arguments);
+
+/// Reads `--eta 0.98` and `--share none|stiffness`; what is wrong with them.
+[[nodiscard]] std::optional<UsageError> readLossOptions(const Arguments& arguments, StaticsOptions& options);
+
+inline constexpr Option kShareOption{
+    "--share", "none|stiffness",
+    toTranslate("loads that several meshes share: left open, or by equal stiffness")};
 
 /// The indices of the states to solve, by `--state NAME` and `--all-states`; -1: no state.
 [[nodiscard]] std::variant<std::vector<int>, UsageError> statesAsked(const Mechanism& mechanism,

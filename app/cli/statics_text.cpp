@@ -141,6 +141,7 @@ std::string staticsText(const AnalysisSnapshot& snapshot, const StaticsReport& r
   heading += '\n';
   if (!report.isSolved || !report.lossless.isBalanced())
     return heading + translated("There is no equilibrium.") + '\n';
+  if (!report.isAnswered()) return heading + translated("With these losses no torques are known.") + '\n';
   const StaticsText parts(snapshot, report);
   std::string result = heading;
   for (const std::string& part :

@@ -3487,10 +3487,6 @@
         <translation>Klicken Sie auf einen Schaltzustand, um ihn zu schalten, auf einen Buchstaben, um ein Schaltelement zu schließen oder zu lösen, auf einen Punkt, um einen Zustand zu ändern.</translation>
     </message>
     <message>
-        <source>Torques in N m, for 1 N m at the drive.</source>
-        <translation>Momente in N m, für 1 N m am Antrieb.</translation>
-    </message>
-    <message>
         <source>Torques in N m, under the loads of the document.</source>
         <translation>Momente in N m, unter den Lasten des Dokuments.</translation>
     </message>
@@ -12655,10 +12651,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>gefunden</translation>
     </message>
     <message>
-        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
-        <translation>Das Moment, das die Lasten hält, meist am Abtrieb; der Antrieb bekommt 1 N m, wo das Dokument dort keine Last hat.</translation>
-    </message>
-    <message>
         <source>Power taken over power fed, with the drive driving.</source>
         <translation>Entnommene durch zugeführte Leistung, wenn der Antrieb treibt.</translation>
     </message>
@@ -13967,10 +13959,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Kein Moment an %1 bewegt diese Last: Das Getriebe ist in dieser Richtung selbsthemmend (es beginnt bei %2 % dieser Verluste).</translation>
     </message>
     <message>
-        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
-        <translation>Welche Räder treiben, wurde nicht entschieden: Die Folge der Annahmen kommt nicht zur Ruhe, und %1 lassen zu viele Muster, um alle zu probieren. Leistungen sind die ohne Verluste.</translation>
-    </message>
-    <message>
         <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
         <translation>Eingriff %1 überträgt, von seinem Steg aus gesehen, das %2-Fache der zugeführten Leistung.</translation>
     </message>
@@ -14925,6 +14913,138 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>The document has no link &quot;%1&quot;.</source>
         <translation>Das Dokument hat kein Glied „%1“.</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known.</source>
+        <translation>Mit diesen Verlusten sind keine Momente bekannt.</translation>
+    </message>
+    <message>
+        <source>No power: with these losses no torques are known.</source>
+        <translation>Keine Leistung: Mit diesen Verlusten sind keine Momente bekannt.</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>driven</source>
+        <translation>Abtrieb</translation>
+    </message>
+    <message>
+        <source>Torques in N m</source>
+        <translation>Momente in N m</translation>
+    </message>
+    <message>
+        <source>--torque is a torque like 100Nm, not &quot;%1&quot;.</source>
+        <translation>--torque ist ein Moment wie 100Nm, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>at the drive of every state, instead of the document&apos;s</source>
+        <translation>am Antrieb jedes Schaltzustands, statt des Moments im Dokument</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none</source>
+        <translation>Wirkungsgrad der Zahneingriffe, die keinen angeben</translation>
+    </message>
+    <message>
+        <source>&quot;none&quot; or &quot;stiffness&quot;</source>
+        <translation>&quot;none&quot; oder &quot;stiffness&quot;</translation>
+    </message>
+    <message>
+        <source>none, stiffness or nothing</source>
+        <translation>none, stiffness oder nichts</translation>
+    </message>
+    <message>
+        <source>No forces: with these losses no torques are known. Forces tells why.</source>
+        <translation>Keine Kräfte: Mit diesen Verlusten sind keine Momente bekannt. Kräfte nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads: at the driven link, or at the drive where loads on the driven link alone are given.</source>
+        <translation>Das Moment, das die Lasten hält: am Abtrieb, oder am Antrieb, wo nur Lasten am Abtrieb gegeben sind.</translation>
+    </message>
+    <message>
+        <source>The loads on %1 act as well.</source>
+        <translation>Die Lasten an %1 wirken ebenfalls.</translation>
+    </message>
+    <message>
+        <source>The torque at the drive takes the place of the loads on %1.</source>
+        <translation>Das Moment am Antrieb tritt an die Stelle der Lasten an %1.</translation>
+    </message>
+    <message>
+        <source>State %1: link %2 turns freely beside it, at any speed. The ratio does not depend on it.</source>
+        <translation>Schaltzustand %1: Glied %2 dreht sich daneben frei, mit beliebiger Drehzahl. Die Übersetzung hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>State %1: links %2 turn freely beside it, at any speed. The ratio does not depend on them.</source>
+        <translation>Schaltzustand %1: Die Glieder %2 drehen sich daneben frei, mit beliebiger Drehzahl. Die Übersetzung hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>%1: %2 N m</source>
+        <translation>%1: %2 N m</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 N m</source>
+        <translation>%1: %2 bis %3 N m</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too: they are given for equally stiff teeth, an assumption.</source>
+        <translation>Mit Verlusten hängen auch die Momente außerhalb davon ab: Sie gelten für gleich steife Zähne, eine Annahme.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given.</source>
+        <translation>Mit Verlusten hängen auch die Momente außerhalb davon ab und werden nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given: share by stiffness to find them.</source>
+        <translation>Mit Verlusten hängen auch die Momente außerhalb davon ab und werden nicht angegeben: Teilen Sie nach Steifigkeit auf, um sie zu finden.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined, so that nothing tells which gears drive: with losses, torques and powers are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Die Drehzahlen sind nicht bestimmt, sodass nichts zeigt, welche Räder treiben: Mit Verlusten entfallen Momente und Leistungen. Geben Sie den Antrieben ihre Drehzahlen, oder wählen Sie einen Schaltzustand mit einem Freiheitsgrad.</translation>
+    </message>
+    <message>
+        <source>All speeds are 0: at rest no power is lost, so that torques are those without losses. Give inputs their speeds.</source>
+        <translation>Alle Drehzahlen sind 0: Im Stillstand geht keine Leistung verloren, die Momente sind also die ohne Verluste. Geben Sie den Antrieben ihre Drehzahlen.</translation>
+    </message>
+    <message>
+        <source>The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of it, and it counts for no efficiency. To find what it drives, put the balance elsewhere.</source>
+        <translation>Die Last an %1 wirkt dort, wo das Ausgleichsmoment an %2 hält, und wird von ihm aufgehoben: Kein Zahneingriff überträgt etwas davon, und sie zählt für keinen Wirkungsgrad. Um zu finden, was sie antreibt, legen Sie das Ausgleichsmoment an eine andere Stelle.</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Torques and powers are left out.</source>
+        <translation>Welche Räder treiben, wurde nicht entschieden: Die Folge der Annahmen kommt nicht zur Ruhe, und %1 lassen zu viele Muster, um alle zu probieren. Momente und Leistungen entfallen.</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: the reason is below.</source>
+        <translation>Mit diesen Verlusten sind keine Momente bekannt: Der Grund steht unten.</translation>
+    </message>
+    <message>
+        <source>Set load sharing</source>
+        <translation>Lastaufteilung setzen</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: Forces tells why.</source>
+        <translation>Mit diesen Verlusten sind keine Momente bekannt: Kräfte nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>At the drive of every state, about its first axis; empty: that of the loads at drives, else 1 N m</source>
+        <translation>Am Antrieb jedes Schaltzustands, um seine erste Achse; leer: das der Lasten an Antrieben, sonst 1 N m</translation>
+    </message>
+    <message>
+        <source>Torque at the drive, N m</source>
+        <translation>Moment am Antrieb, N m</translation>
+    </message>
+    <message>
+        <source>Set torque at the drive</source>
+        <translation>Moment am Antrieb setzen</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for %1 N m at the drive.</source>
+        <translation>Momente in N m, für %1 N m am Antrieb.</translation>
+    </message>
+    <message>
+        <source>For any sharing in which no mesh works against the others: %1.</source>
+        <translation>Bei jeder Aufteilung, in der kein Zahneingriff gegen die anderen arbeitet: %1.</translation>
     </message>
 </context>
 <context>

@@ -3487,10 +3487,6 @@
         <translation>Haga clic en un estado para activarlo, en una letra para activar o liberar un acoplamiento, en un punto para cambiar un estado.</translation>
     </message>
     <message>
-        <source>Torques in N m, for 1 N m at the drive.</source>
-        <translation>Momentos en N m, para 1 N m en la entrada.</translation>
-    </message>
-    <message>
         <source>Torques in N m, under the loads of the document.</source>
         <translation>Momentos en N m, con las cargas del documento.</translation>
     </message>
@@ -12655,10 +12651,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>hallado</translation>
     </message>
     <message>
-        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
-        <translation>El momento que sostiene las cargas, casi siempre en el eslabón conducido; el motor recibe 1 N m donde el documento no tiene carga.</translation>
-    </message>
-    <message>
         <source>Power taken over power fed, with the drive driving.</source>
         <translation>Potencia extraída entre potencia aportada, cuando acciona la entrada.</translation>
     </message>
@@ -13967,10 +13959,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Ningún momento en: %1 mueve esta carga: el tren se autobloquea en este sentido (empieza con el %2 % de estas pérdidas).</translation>
     </message>
     <message>
-        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
-        <translation>No se decidió qué ruedas accionan: las rondas de suposiciones no se estabilizan, y %1 dejan demasiadas combinaciones para probarlas todas. Las potencias son las de sin pérdidas.</translation>
-    </message>
-    <message>
         <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
         <translation>El engrane %1 transmite %2 veces la potencia aportada, visto desde su portasatélites.</translation>
     </message>
@@ -14925,6 +14913,138 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>The document has no link &quot;%1&quot;.</source>
         <translation>El documento no tiene el eslabón «%1».</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known.</source>
+        <translation>Con estas pérdidas no se conocen los momentos.</translation>
+    </message>
+    <message>
+        <source>No power: with these losses no torques are known.</source>
+        <translation>Sin potencia: con estas pérdidas no se conocen los momentos.</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>entrada</translation>
+    </message>
+    <message>
+        <source>driven</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>Torques in N m</source>
+        <translation>Momentos en N m</translation>
+    </message>
+    <message>
+        <source>--torque is a torque like 100Nm, not &quot;%1&quot;.</source>
+        <translation>--torque es un momento como 100Nm, no «%1».</translation>
+    </message>
+    <message>
+        <source>at the drive of every state, instead of the document&apos;s</source>
+        <translation>en la entrada de cada estado, en vez del momento del documento</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none</source>
+        <translation>rendimiento de los engranes que no indican ninguno</translation>
+    </message>
+    <message>
+        <source>&quot;none&quot; or &quot;stiffness&quot;</source>
+        <translation>&quot;none&quot; o &quot;stiffness&quot;</translation>
+    </message>
+    <message>
+        <source>none, stiffness or nothing</source>
+        <translation>none, stiffness o nada</translation>
+    </message>
+    <message>
+        <source>No forces: with these losses no torques are known. Forces tells why.</source>
+        <translation>Sin fuerzas: con estas pérdidas no se conocen los momentos. Fuerzas dice por qué.</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads: at the driven link, or at the drive where loads on the driven link alone are given.</source>
+        <translation>El momento que equilibra las cargas: en la salida, o en la entrada donde solo hay cargas en la salida.</translation>
+    </message>
+    <message>
+        <source>The loads on %1 act as well.</source>
+        <translation>También actúan las cargas en %1.</translation>
+    </message>
+    <message>
+        <source>The torque at the drive takes the place of the loads on %1.</source>
+        <translation>El momento en la entrada sustituye a las cargas en %1.</translation>
+    </message>
+    <message>
+        <source>State %1: link %2 turns freely beside it, at any speed. The ratio does not depend on it.</source>
+        <translation>Estado %1: el eslabón %2 gira libre al lado, a cualquier velocidad. La relación no depende de él.</translation>
+    </message>
+    <message>
+        <source>State %1: links %2 turn freely beside it, at any speed. The ratio does not depend on them.</source>
+        <translation>Estado %1: los eslabones %2 giran libres al lado, a cualquier velocidad. La relación no depende de ellos.</translation>
+    </message>
+    <message>
+        <source>%1: %2 N m</source>
+        <translation>%1: %2 N m</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 N m</source>
+        <translation>%1: de %2 a %3 N m</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too: they are given for equally stiff teeth, an assumption.</source>
+        <translation>Con pérdidas también dependen de ello los momentos de fuera: se dan para dientes de igual rigidez, una suposición.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given.</source>
+        <translation>Con pérdidas también dependen de ello los momentos de fuera, y no se dan.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given: share by stiffness to find them.</source>
+        <translation>Con pérdidas también dependen de ello los momentos de fuera, y no se dan: reparta por rigidez para hallarlos.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined, so that nothing tells which gears drive: with losses, torques and powers are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Las velocidades no están determinadas, así que nada dice qué ruedas accionan: con pérdidas se omiten momentos y potencias. Dé velocidades a las entradas o elija un estado de un grado de libertad.</translation>
+    </message>
+    <message>
+        <source>All speeds are 0: at rest no power is lost, so that torques are those without losses. Give inputs their speeds.</source>
+        <translation>Todas las velocidades son 0: en reposo no se pierde potencia, así que los momentos son los de sin pérdidas. Dé velocidades a las entradas.</translation>
+    </message>
+    <message>
+        <source>The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of it, and it counts for no efficiency. To find what it drives, put the balance elsewhere.</source>
+        <translation>La carga en %1 actúa donde sostiene la equilibrante en %2, que la anula: ningún engrane transmite nada de ella y no cuenta para el rendimiento. Para hallar qué acciona, ponga la equilibrante en otro sitio.</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Torques and powers are left out.</source>
+        <translation>No se decidió qué ruedas accionan: las rondas de suposiciones no se estabilizan, y %1 dejan demasiadas combinaciones para probarlas todas. Se omiten momentos y potencias.</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: the reason is below.</source>
+        <translation>Con estas pérdidas no se conocen los momentos: la razón está abajo.</translation>
+    </message>
+    <message>
+        <source>Set load sharing</source>
+        <translation>Fijar el reparto de cargas</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: Forces tells why.</source>
+        <translation>Con estas pérdidas no se conocen los momentos: Fuerzas dice por qué.</translation>
+    </message>
+    <message>
+        <source>At the drive of every state, about its first axis; empty: that of the loads at drives, else 1 N m</source>
+        <translation>En la entrada de cada estado, en torno a su primer eje; vacío: el de las cargas en las entradas o, si no, 1 N m</translation>
+    </message>
+    <message>
+        <source>Torque at the drive, N m</source>
+        <translation>Momento en la entrada, N m</translation>
+    </message>
+    <message>
+        <source>Set torque at the drive</source>
+        <translation>Fijar el momento en la entrada</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for %1 N m at the drive.</source>
+        <translation>Momentos en N m, para %1 N m en la entrada.</translation>
+    </message>
+    <message>
+        <source>For any sharing in which no mesh works against the others: %1.</source>
+        <translation>Con cualquier reparto en que ningún engrane trabaje contra los demás: %1.</translation>
     </message>
 </context>
 <context>

@@ -3486,10 +3486,6 @@
         <translation>Devreye almak için bir duruma, bir elemanı açıp kapamak için harfe, durumu değiştirmek için noktaya tıklayın.</translation>
     </message>
     <message>
-        <source>Torques in N m, for 1 N m at the drive.</source>
-        <translation>Torklar N m, girişte 1 N m için.</translation>
-    </message>
-    <message>
         <source>Torques in N m, under the loads of the document.</source>
         <translation>Torklar N m, belgedeki yükler altında.</translation>
     </message>
@@ -12654,10 +12650,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>bulunan</translation>
     </message>
     <message>
-        <source>The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where the document has no load there.</source>
-        <translation>Yükleri tutan tork, çoğunlukla tahrik edilen uzuvda; belgede orada yük yoksa tahrik eden uzuv 1 N m alır.</translation>
-    </message>
-    <message>
         <source>Power taken over power fed, with the drive driving.</source>
         <translation>Alınan güç bölü verilen güç, giriş tahrik ederken.</translation>
     </message>
@@ -13966,10 +13958,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Şuradaki hiçbir tork bu yükü hareket ettirmez: %1. Dişli takımı bu yönde kendini kilitler (bu kayıpların % %2 kadarında başlar).</translation>
     </message>
     <message>
-        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Powers are those without losses.</source>
-        <translation>Hangi dişlilerin tahrik ettiği belirlenemedi: tahmin turları yerleşmiyor ve %1, hepsini denemeye yetmeyecek kadar çok olasılık bırakıyor. Güçler kayıpsız olanlardır.</translation>
-    </message>
-    <message>
         <source>Mesh %1 passes %2 times the power fed, seen from its carrier.</source>
         <translation>%1 dişli çifti, taşıyıcısından bakıldığında verilen gücün %2 katını iletir.</translation>
     </message>
@@ -14924,6 +14912,138 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>The document has no link &quot;%1&quot;.</source>
         <translation>Belgede “%1” uzvu yok.</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known.</source>
+        <translation>Bu kayıplarla torklar bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>No power: with these losses no torques are known.</source>
+        <translation>Güç yok: bu kayıplarla torklar bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>giriş</translation>
+    </message>
+    <message>
+        <source>driven</source>
+        <translation>çıkış</translation>
+    </message>
+    <message>
+        <source>Torques in N m</source>
+        <translation>N m cinsinden torklar</translation>
+    </message>
+    <message>
+        <source>--torque is a torque like 100Nm, not &quot;%1&quot;.</source>
+        <translation>--torque, 100Nm gibi bir torktur, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>at the drive of every state, instead of the document&apos;s</source>
+        <translation>her durumun girişinde, belgedekinin yerine</translation>
+    </message>
+    <message>
+        <source>efficiency of meshes that state none</source>
+        <translation>verim belirtmeyen dişli çiftlerinin verimi</translation>
+    </message>
+    <message>
+        <source>&quot;none&quot; or &quot;stiffness&quot;</source>
+        <translation>&quot;none&quot; veya &quot;stiffness&quot;</translation>
+    </message>
+    <message>
+        <source>none, stiffness or nothing</source>
+        <translation>none, stiffness veya boş</translation>
+    </message>
+    <message>
+        <source>No forces: with these losses no torques are known. Forces tells why.</source>
+        <translation>Kuvvet yok: bu kayıplarla torklar bilinmiyor. Nedenini Kuvvetler söyler.</translation>
+    </message>
+    <message>
+        <source>The torque that holds the loads: at the driven link, or at the drive where loads on the driven link alone are given.</source>
+        <translation>Yükleri dengeleyen tork: çıkışta, ya da yalnız çıkışta yük verilmişse girişte.</translation>
+    </message>
+    <message>
+        <source>The loads on %1 act as well.</source>
+        <translation>%1 üzerindeki yükler de etkir.</translation>
+    </message>
+    <message>
+        <source>The torque at the drive takes the place of the loads on %1.</source>
+        <translation>Girişteki tork, %1 üzerindeki yüklerin yerini alır.</translation>
+    </message>
+    <message>
+        <source>State %1: link %2 turns freely beside it, at any speed. The ratio does not depend on it.</source>
+        <translation>Durum %1: uzuv %2 yanında serbestçe, herhangi bir hızla döner. Oran buna bağlı değildir.</translation>
+    </message>
+    <message>
+        <source>State %1: links %2 turn freely beside it, at any speed. The ratio does not depend on them.</source>
+        <translation>Durum %1: uzuvlar %2 yanında serbestçe, herhangi bir hızla döner. Oran bunlara bağlı değildir.</translation>
+    </message>
+    <message>
+        <source>%1: %2 N m</source>
+        <translation>%1: %2 N m</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 N m</source>
+        <translation>%1: %2 ile %3 N m arası</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too: they are given for equally stiff teeth, an assumption.</source>
+        <translation>Kayıplarla dışarıdaki torklar da buna bağlıdır: eşit rijitlikte dişler için, bir varsayımla verilmiştir.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given.</source>
+        <translation>Kayıplarla dışarıdaki torklar da buna bağlıdır ve verilmez.</translation>
+    </message>
+    <message>
+        <source>With losses, torques outside depend on it, too, and are not given: share by stiffness to find them.</source>
+        <translation>Kayıplarla dışarıdaki torklar da buna bağlıdır ve verilmez: bulmak için rijitliğe göre paylaştırın.</translation>
+    </message>
+    <message>
+        <source>Speeds are not determined, so that nothing tells which gears drive: with losses, torques and powers are left out. Give inputs their speeds, or choose a state of one degree of freedom.</source>
+        <translation>Hızlar belirli değil, bu yüzden hangi dişlilerin tahrik ettiği bilinmiyor: kayıplarla torklar ve güçler verilmez. Girişlere hız verin ya da tek serbestlik dereceli bir durum seçin.</translation>
+    </message>
+    <message>
+        <source>All speeds are 0: at rest no power is lost, so that torques are those without losses. Give inputs their speeds.</source>
+        <translation>Bütün hızlar 0: durgunken güç kaybolmaz, torklar kayıpsız olanlardır. Girişlere hız verin.</translation>
+    </message>
+    <message>
+        <source>The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of it, and it counts for no efficiency. To find what it drives, put the balance elsewhere.</source>
+        <translation>%1 üzerindeki yük, %2 üzerindeki dengenin tuttuğu yerde etkir ve onunla yok olur: hiçbir dişli çifti ondan bir şey iletmez ve verimde sayılmaz. Neyi tahrik ettiğini bulmak için dengeyi başka yere koyun.</translation>
+    </message>
+    <message>
+        <source>Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave too many patterns to try all of them. Torques and powers are left out.</source>
+        <translation>Hangi dişlilerin tahrik ettiği belirlenemedi: tahmin turları yerleşmiyor ve %1, hepsini denemeye yetmeyecek kadar çok olasılık bırakıyor. Torklar ve güçler verilmez.</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: the reason is below.</source>
+        <translation>Bu kayıplarla torklar bilinmiyor: nedeni aşağıda.</translation>
+    </message>
+    <message>
+        <source>Set load sharing</source>
+        <translation>Yük paylaşımını ayarla</translation>
+    </message>
+    <message>
+        <source>With these losses no torques are known: Forces tells why.</source>
+        <translation>Bu kayıplarla torklar bilinmiyor: nedenini Kuvvetler söyler.</translation>
+    </message>
+    <message>
+        <source>At the drive of every state, about its first axis; empty: that of the loads at drives, else 1 N m</source>
+        <translation>Her durumun girişinde, ilk ekseni etrafında; boş: girişlerdeki yüklerinki, yoksa 1 N m</translation>
+    </message>
+    <message>
+        <source>Torque at the drive, N m</source>
+        <translation>Girişteki tork, N m</translation>
+    </message>
+    <message>
+        <source>Set torque at the drive</source>
+        <translation>Girişteki torku ayarla</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for %1 N m at the drive.</source>
+        <translation>Torklar N m, girişte %1 N m için.</translation>
+    </message>
+    <message>
+        <source>For any sharing in which no mesh works against the others: %1.</source>
+        <translation>Hiçbir dişli çiftinin ötekilere karşı çalışmadığı her paylaşımda: %1.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/support/pdf_streams.h"
 
 using namespace geargraph;
@@ -130,6 +131,35 @@ class TestCli : public QObject {
     const Run text = run({"states", path("m")});
     QVERIFY(text.errors.find("[state-free]") != std::string::npos);
     QVERIFY(run({"validate", path("m")}).output.find("[state-locked]") != std::string::npos);
+  }
+
+  /// A second sun that nothing holds idles: the state has its ratio, and the links are named.
+  void states_withLinksThatIdleHaveARatio() {
+    Mechanism train = test::TrainSketch(5)
+                          .joint(0, 1, "a")
+                          .joint(0, 2, "a")
+                          .joint(2, 3, "b")
+                          .joint(0, 4, "a")
+                          .joint(2, 5, "c")
+                          .mesh(1, 3, 24, 18, MeshKind::external)
+                          .mesh(3, 0, 18, 60, MeshKind::internal)
+                          .mesh(4, 5, 20, 22, MeshKind::external)
+                          .build();
+    test::addBrake(train, "B", 4);
+    test::addState(train, "1", {}, 1, 2);
+    save(train);
+    const Run call = run({"states", path("m"), "--eta", "0.95", "--json"});
+    QCOMPARE(call.status, 0);
+    const json state = json::parse(call.output)["states"][0];
+    QCOMPARE(state["dof"].get<int>(), 2);
+    QCOMPARE(state["ratio"].get<std::string>(), std::string("7/2"));
+    QCOMPARE(state["ratioSymbolic"].is_string(), true);
+    QCOMPARE(state["torques"]["driven"].get<std::string>(), std::string("-521/160"));
+    QVERIFY(state["efficiency"].is_string());
+    QVERIFY(state["jointSpeeds"]["6"].is_string());
+    QVERIFY(state["jointSpeeds"]["9"].is_null() && state["jointSpeeds"]["10"].is_null());
+    QCOMPARE(state["diagnostics"][0]["code"].get<std::string>(), std::string("state-idle"));
+    QCOMPARE(state["diagnostics"][0]["elements"]["links"], json({"4", "5"}));
   }
 
   /// Everything is of the train as engaged: a state's speeds are those of its row of the shift table.

@@ -228,7 +228,7 @@ void ForcesPanel::renewStates(const Mechanism& mechanism) {
 }
 
 void ForcesPanel::ask() {
-  const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, {}, m_share->isChecked()};
+  const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, {}};
   if (question != m_service->question()) m_service->ask(question);
 }
 
@@ -300,6 +300,7 @@ QString ForcesPanel::whyEmpty() const {
   const StaticsReport& report = *shown->report;
   if (!report.isSolved || !report.lossless.isBalanced())
     return tr("There is no equilibrium: the reason is below.");
+  if (!report.isAnswered()) return tr("With these losses no torques are known: the reason is below.");
   switch (m_model->kind()) {
     case ForceTableKind::couplings:
       return tr("No brake or clutch is engaged: engage one in Gearbox, or choose a state.");

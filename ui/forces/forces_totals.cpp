@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "core/mechanism/model/load_edits.h"
 #include "core/teaching/force_tables/force_table.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/models/term_tips.h"
@@ -59,7 +60,13 @@ QWidget* ForcesPanel::makeShareButton() {
                              "stiff, without clearance, on rigid bodies"),
                           this);
   m_share->setCheckable(true);
-  connect(m_share, &QToolButton::toggled, this, [this] { ask(); });
+  connect(m_share, &QToolButton::clicked, this, [this](bool isOn) {
+    const auto sharing = isOn ? std::optional(LoadSharing::stiffness) : std::nullopt;
+    m_document->apply(
+        {tr("Set load sharing"),
+         [sharing](const Mechanism& before) -> Expected<Mechanism> { return withSharing(before, sharing); },
+         0});
+  });
   return m_share;
 }
 
@@ -101,12 +108,14 @@ QString ForcesPanel::total(const QString& name) const {
 void ForcesPanel::showTotals() {
   for (const char* name : {"fed", "taken", "lost", "efficiency", "latent", "circulating"})
     setTotal(name, QStringLiteral("–"));
+  const bool isAsked = m_document->mechanism()->sharing == LoadSharing::stiffness;
+  m_share->setChecked(isAsked);
   m_share->setVisible(false);
   m_verdict->clear();
   const ForcesPtr& shown = forces();
   if (!shown || !shown->report) return;
   const StaticsReport& report = *shown->report;
-  m_share->setVisible(report.isSolved && report.lossless.indeterminate() > 0);
+  m_share->setVisible(report.isSolved && (isAsked || report.lossless.indeterminate() > 0));
   if (report.agreement) {
     m_verdict->setText(report.agreement->equal ? tr("both methods agree")
                                                : tr("The two methods do not agree"));

@@ -124,7 +124,7 @@ void TorqueRows::addFound(std::vector<Content>& rows) const {
   const ForcesPtr& forces = m_service->answer();
   if (!forces || !forces->report || forces->snapshot->mechanism != m_document->mechanism()) return;
   const StaticsReport& report = *forces->report;
-  if (!report.isSolved || !report.lossless.isBalanced()) return;
+  if (!report.isAnswered()) return;
   const StaticsSolution& solution = report.solution();
   const auto meshes = static_cast<std::size_t>(forces->solved->mechanism->c());
   for (std::size_t part = 0; part < report.held.size(); ++part) {

@@ -39,6 +39,7 @@ QString PowerView::whyNone() const {
   if (!forces) return tr("Power flows under loads: add one in Forces.");
   if (!forces->report || !forces->report->isSolved || !forces->report->lossless.isBalanced())
     return tr("The loads are not in balance: Forces names what is missing.");
+  if (!forces->report->isAnswered()) return tr("With these losses no torques are known: Forces tells why.");
   if (!forces->report->flow) return tr("Without a motion there is no power.");
   if (forces->report->loads.empty()) return tr("Power flows under loads: add one in Forces.");
   return {};

@@ -185,7 +185,7 @@ QString StatesModel::ratioText(int row) const {
   for (const Diagnostic& diagnostic : solution->diagnostics) {
     if (diagnostic.code == Code::stateLocked) return tr("locked");
     if (diagnostic.code == Code::stateFree) return tr("%1 free").arg(solution->dof);
-    return tr("linkage");
+    if (diagnostic.code != Code::stateIdle) return tr("linkage");
   }
   if (lacksLinks(row)) return QStringLiteral("–");
   return solution->isDrivenAtRest ? tr("stands") : tr("tumbles");

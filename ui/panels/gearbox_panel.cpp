@@ -13,7 +13,10 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
+#include "core/theory/statics/shift_statics.h"
+#include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/drive_torque_strip.h"
 #include "ui/panels/engagement_edits.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
@@ -52,6 +55,7 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
       m_state(makeButton("addState", tr("+ State"), tr("A new row: what is engaged together"))),
       m_release(makeButton("releaseAll", tr("Release all"),
                            tr("Release every brake and clutch; the motion goes on (Ctrl+B)"))),
+      m_torque(new DriveTorqueStrip(document, this)),
       m_pages(new QStackedWidget(this)),
       m_empty(emptyLabel(this)),
       m_remark(new QLabel(this)) {
@@ -75,6 +79,7 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(2);
   layout->addLayout(buttons);
+  layout->addWidget(m_torque);
   layout->addWidget(m_pages, 1);
   layout->addWidget(m_remark);
   setBackgroundRole(QPalette::Base);
@@ -96,6 +101,15 @@ QToolButton* GearboxPanel::makeButton(const char* name, const QString& text, con
   button->setToolTip(tip);
   button->setProperty("look", "control");
   return button;
+}
+
+/// What the torques in the table are under.
+QString GearboxPanel::torqueRemark() const {
+  const std::optional<Rational> torque = driveTorqueOf(*m_document->mechanism(), 0);
+  const QString under = torque ? tr("Torques in N m, for %1 N m at the drive.").arg(printedFraction(*torque))
+                               : tr("Torques in N m, under the loads of the document.");
+  const QString note = shownText(m_model->torques()->note);
+  return note.isEmpty() ? under : under + QLatin1Char(' ') + note;
 }
 
 void GearboxPanel::wireTable() {
@@ -189,7 +203,10 @@ void GearboxPanel::paintRemark() {
     return solution == nullptr || solution->diagnostics.empty() ? nullptr : &solution->diagnostics.front();
   };
   const Diagnostic* diagnostic = diagnosticOf(m_shownState);
-  for (int row = 0; row < m_model->rowCount() && diagnostic == nullptr; ++row) diagnostic = diagnosticOf(row);
+  for (int row = 0; row < m_model->rowCount() && diagnostic == nullptr; ++row) {
+    diagnostic = diagnosticOf(row);
+    if (diagnostic != nullptr && diagnostic->severity() == Severity::info) diagnostic = nullptr;
+  }
   QString text;
   ColorRole role = ColorRole::secondary;
   const bool asks =
@@ -199,15 +216,13 @@ void GearboxPanel::paintRemark() {
                .arg(m_model->index(m_shownState, 0).data().toString());
   } else if (diagnostic != nullptr) {
     text = shownText(diagnostic->message);
-    role = diagnostic->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
+    role = diagnostic->severity() == Severity::error     ? ColorRole::error
+           : diagnostic->severity() == Severity::warning ? ColorRole::warning
+                                                         : ColorRole::secondary;
   } else if (m_model->rowCount() > 0) {
     text = tr(
         "Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.");
-    if (m_model->torques() != nullptr) {
-      text += QLatin1Char(' ') + (m_document->mechanism()->loads.empty()
-                                      ? tr("Torques in N m, for 1 N m at the drive.")
-                                      : tr("Torques in N m, under the loads of the document."));
-    }
+    if (m_model->torques() != nullptr) text += QLatin1Char(' ') + torqueRemark();
   } else if (m_model->couplingCount() > 0) {
     text = tr("Click a letter to engage or release; add a state, then click its dots.");
   }

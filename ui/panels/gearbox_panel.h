@@ -13,13 +13,14 @@ class QToolButton;
 
 namespace geargraph::inline panels {
 
+class DriveTorqueStrip;
 class StatesTable;
 
 /// Brakes, clutches and the shift table. A click on a dot adds a coupling to a state or removes it; a click
 /// on a state engages it in the document (one on its ratio first asks for the input and output link if it has
 /// none); a click on a heading engages or releases that coupling. All views show the train as engaged, and
-/// every change can be undone. Beside each dot is the torque of its coupling, under the loads of the document
-/// or under 1 N m at the input.
+/// every change can be undone. Beside each dot is the torque of its coupling, under the same torque at the
+/// drive of every state, which a field above the table sets, and other loads of the document.
 class GearboxPanel : public QWidget {
   Q_OBJECT
 
@@ -56,6 +57,7 @@ class GearboxPanel : public QWidget {
 
  private:
   QToolButton* makeButton(const char* name, const QString& text, const QString& tip);
+  [[nodiscard]] QString torqueRemark() const;
   void wireTable();
   void apply(const QString& text, Reduce reduce);
   void renew();
@@ -81,6 +83,7 @@ class GearboxPanel : public QWidget {
   QToolButton* m_clutch;
   QToolButton* m_state;
   QToolButton* m_release;
+  DriveTorqueStrip* m_torque;
   QStackedWidget* m_pages;
   QLabel* m_empty;
   QLabel* m_remark;

@@ -32,6 +32,15 @@ std::optional<StaticsReport> solved(const ForcesQuestion& question, const Analys
                         *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, stop);
 }
 
+std::optional<StateForces> shiftState(const ForcesQuestion& question, const AnalysisSnapshot& snapshot,
+                                      const std::stop_token& stop) {
+  if (snapshot.matroid() == nullptr || hasErrorsFor(snapshot, question.state))
+    return StateForces{question.state, {}, {}};
+  return solveShiftState(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
+                         *snapshot.kinematics->ttGraph, *snapshot.matroid(), question.state,
+                         optionsOf(question), stop);
+}
+
 /// One request, answered in parts.
 class Work {
  public:
@@ -90,28 +99,30 @@ class Work {
     return true;
   }
 
-  std::optional<std::vector<StateForces>> allStates(const ForcesQuestion& question) {
-    std::vector<StateForces> states;
-    ForcesQuestion each = question;
-    for (each.state = 0; each.state < static_cast<int>(m_mechanism.states.size()); ++each.state) {
-      states.push_back({each.state, solved(each, *m_open, m_stop)});
-      if (m_stop.stop_requested()) return std::nullopt;
-    }
-    return states;
-  }
-
   /// False where `stop` was requested.
   bool solveStates(bool areLoadsForThem) {
-    auto states = allStates(m_forces->question);
-    if (!states) return false;
-    m_forces->tables.push_back(shiftTable(m_mechanism, *states));
-    if (!areLoadsForThem || m_mechanism.loads.empty()) return true;
-    const ForcesQuestion& question = m_forces->question;
-    if (question.efficiency || question.stiffness) states = allStates({});
-    if (!states) return false;
-    std::vector<const StaticsReport*> reports;
-    for (const StateForces& each : *states) reports.push_back(each.report ? &*each.report : nullptr);
-    m_forces->diagnostics = solvedLoadDiagnostics(m_mechanism, reports);
+    std::vector<StateForces> states;
+    ForcesQuestion each = m_forces->question;
+    for (each.state = 0; each.state < static_cast<int>(m_mechanism.states.size()); ++each.state) {
+      auto state = shiftState(each, *m_open, m_stop);
+      if (!state || m_stop.stop_requested()) return false;
+      states.push_back(std::move(*state));
+    }
+    m_forces->tables.push_back(shiftTable(m_mechanism, states));
+    return !areLoadsForThem || m_mechanism.loads.empty() || findInStates();
+  }
+
+  /// The loads of the document as they are, in each state. False where `stop` was requested.
+  bool findInStates() {
+    std::vector<std::optional<StaticsReport>> reports;
+    ForcesQuestion each;
+    for (each.state = 0; each.state < static_cast<int>(m_mechanism.states.size()); ++each.state) {
+      reports.push_back(solved(each, *m_open, m_stop));
+      if (m_stop.stop_requested()) return false;
+    }
+    std::vector<const StaticsReport*> found;
+    for (const auto& report : reports) found.push_back(report ? &*report : nullptr);
+    m_forces->diagnostics = solvedLoadDiagnostics(m_mechanism, found);
     return true;
   }
 
@@ -140,7 +151,6 @@ StaticsOptions optionsOf(const ForcesQuestion& question) {
   options.state = question.state;
   options.losses = true;
   options.efficiency = question.efficiency;
-  options.stiffness = question.stiffness;
   options.symbolic = false;
   return options;
 }

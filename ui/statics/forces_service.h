@@ -17,7 +17,6 @@ struct ForcesQuestion {
   /// Index of the state whose couplings are engaged; -1: those that the document engages.
   int state = -1;
   std::optional<Rational> efficiency;  ///< of meshes without one of their own
-  bool stiffness = false;              ///< load sharing with equal stiffness of all teeth
   friend bool operator==(const ForcesQuestion&, const ForcesQuestion&) = default;
 };
 

@@ -44,7 +44,7 @@ std::string staticsJson(const Snapshot& self, const StaticsChoice& choice) {
     if (options.efficiency->sign() <= 0 || *options.efficiency > Rational(1))
       throw py::value_error("An efficiency is above 0 and at most 1.");
   }
-  options.stiffness = choice.stiffness;
+  if (choice.stiffness) options.sharing = LoadSharing::stiffness;
   options.symbolic = choice.symbolic;
   const SnapshotPtr snapshot = analysedFor(self, options.state);
   Diagnostics diagnostics, errors;
@@ -64,7 +64,7 @@ std::string staticsJson(const Snapshot& self, const StaticsChoice& choice) {
   TextSink sink;
   {
     JsonWriter json(sink);
-    writeStaticsJson(json, snapshot.get(), &*report, options.state, options, diagnostics);
+    writeStaticsJson(json, snapshot.get(), &*report, options.state, diagnostics);
   }
   return sink.take();
 }

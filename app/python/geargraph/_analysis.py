@@ -394,8 +394,8 @@ class Analysis(Exports):
         efficiency : number, optional
             Of meshes that state no losses, above 0, at most 1; implies ``losses``.
         stiffness : bool, optional
-            Share what several meshes carry together by equal stiffness of all teeth; else it stays
-            open.
+            Share what several meshes carry together by equal stiffness of all teeth; else as
+            the document states.
         symbolic : bool, optional
             Solve in the gear ratios, too.
 

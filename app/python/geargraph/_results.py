@@ -42,9 +42,9 @@ class State(NamedTuple):
     symbol : str or None
         The same in the gear ratios.
     joint_speeds : dict of int to Fraction, or None
-        By label, rad/s, for the drive at 1 rad/s.
+        By label, rad/s, for the drive at 1 rad/s; without joints of links that turn freely.
     diagnostics : tuple of Diagnostic
-        Why it locks or is free.
+        Why it locks or is free, or which links turn freely.
     """
 
     name: str
@@ -113,5 +113,6 @@ def state_of(row: Dict[str, Any]) -> State:
     return State(
         row["name"], tuple(row["engaged"]), row["dof"],
         None if row["ratio"] is None else Fraction(row["ratio"]), row["ratioSymbolic"],
-        None if speeds is None else {int(k): Fraction(v) for k, v in speeds.items()}, found,
+        None if speeds is None
+        else {int(k): Fraction(v) for k, v in speeds.items() if v is not None}, found,
     )

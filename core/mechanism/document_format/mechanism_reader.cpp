@@ -116,6 +116,8 @@ class MechanismReader {
     readInputs(root);
     readShifting(root);
     readLoads(root);
+    m_mechanism.sharing = sharingOf(root);
+    m_mechanism.driveTorque = root.number("driveTorque");
     m_mechanism.density = root.number("density");
     m_mechanism.gravity = root.triple("gravity");
     if (const auto view = root.member("view")) m_mechanism.view = readView(m_diagnostics, *view);
@@ -145,6 +147,16 @@ class MechanismReader {
       readMembers(from, defaults);
       defaults.unknown = from.unknown();
     }
+  }
+
+  static std::optional<LoadSharing> sharingOf(JsonObject& from) {
+    const auto value = from.member("sharing");
+    if (!value) return std::nullopt;
+    for (const LoadSharing sharing : {LoadSharing::none, LoadSharing::stiffness}) {
+      if (value->is(JsonKind::string) && value->equals(loadSharingName(sharing))) return sharing;
+    }
+    from.wrong("sharing", *value, toTranslate("\"none\" or \"stiffness\""));
+    return std::nullopt;
   }
 
   void readInputs(JsonObject& root) {

@@ -34,6 +34,8 @@ class MechanismWriter {
     if (!mechanism.engaged.empty()) ids("engaged", mechanism.engaged);
     if (!mechanism.loads.empty()) list("loads", mechanism.loads);
     if (mechanism.balances) list("balances", *mechanism.balances);
+    if (mechanism.sharing) m_json.member("sharing", loadSharingName(*mechanism.sharing));
+    number("driveTorque", mechanism.driveTorque);
     number("density", mechanism.density);
     triple("gravity", mechanism.gravity);
     view(mechanism);

@@ -17,7 +17,7 @@ constexpr auto kTableColumns = std::to_array<std::string_view>({
     "element", "id", "name", "tail", "head", "axis", "link", "joint", "tailTeeth", "headTeeth", "kind", "x",
     "y", "z", "dx", "dy", "dz", "offset", "lowLimit", "highLimit", "faceWidth", "tailWheel", "headWheel",
     "efficiency", "friction", "speed", "torque", "profileShift", "bore", "backlash", "pressureAngle",
-    "mass", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "density", "engaged", "drive", "driven", "pinned",
+    "mass", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "sharing", "driveTorque", "density", "engaged", "drive", "driven", "pinned",
     "unit", "notes"});
 // clang-format on
 
@@ -42,6 +42,8 @@ void documentColumns(Row& row, OneDocument& document) {
   if constexpr (Row::kReads) {
     if (defaults != GearDefaults()) document.gearDefaults = std::move(defaults);
   }
+  row.sharing("sharing", document.sharing);
+  row.number("driveTorque", document.driveTorque);
   row.number("density", document.density);
   row.numbers(kDirectionColumns, document.gravity);
   row.text("unit", document.unit);

@@ -168,6 +168,13 @@ void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& 
   if (!kind) unexpected(column, toTranslate("external, internal or bevel"));
 }
 
+void TableRowReader::sharing(std::string_view column, std::optional<LoadSharing>& sharing) {
+  const std::string& text = cell(column);
+  if (text.empty()) return;
+  sharing = loadSharingFrom(text);
+  if (!sharing) unexpected(column, toTranslate("none, stiffness or nothing"));
+}
+
 void TableRowReader::flag(std::string_view column, bool& flag) {
   const std::string& text = cell(column);
   if (text.empty()) return;

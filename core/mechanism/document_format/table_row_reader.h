@@ -58,6 +58,7 @@ class TableRowReader {
                std::optional<std::array<Number, count>>& numbers);
   void teeth(std::string_view column, int& teeth);
   void meshKind(std::string_view column, std::optional<MeshKind>& kind);
+  void sharing(std::string_view column, std::optional<LoadSharing>& sharing);
   void flag(std::string_view column, bool& flag);
 
   /// From here on, diagnostics name the element of the column "id".

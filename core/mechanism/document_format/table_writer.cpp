@@ -54,6 +54,9 @@ class TableRowWriter {
   void meshKind(std::string_view column, const std::optional<MeshKind>& kind) {
     if (kind) cell(column, std::string(meshKindName(*kind)));
   }
+  void sharing(std::string_view column, const std::optional<LoadSharing>& sharing) {
+    if (sharing) cell(column, std::string(loadSharingName(*sharing)));
+  }
   void flag(std::string_view column, bool flag) {
     if (flag) cell(column, "yes");
   }

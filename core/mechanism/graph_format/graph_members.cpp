@@ -22,6 +22,8 @@ constexpr std::array kMembers = {
     GraphMember{graph, "engaged", "engaged", json},
     GraphMember{graph, "loads", "loads", json},
     GraphMember{graph, "balances", "balances", json},
+    GraphMember{graph, "sharing", "sharing", text},
+    GraphMember{graph, "driveTorque", "driveTorque", number},
     GraphMember{graph, "density", "density", number},
     GraphMember{graph, "gravity", "gravity", json},
     GraphMember{node, "linkId", "id", id},

@@ -73,7 +73,8 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
                      before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
                      before.couplings != after.couplings || before.states != after.states ||
                      before.engaged != after.engaged || before.loads != after.loads ||
-                     before.balances != after.balances || before.density != after.density ||
+                     before.balances != after.balances || before.sharing != after.sharing ||
+                     before.driveTorque != after.driveTorque || before.density != after.density ||
                      before.gravity != after.gravity || before.view.notes != after.view.notes ||
                      before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
                      before.unknown != after.unknown || reordered;
@@ -84,7 +85,7 @@ bool isSameButForView(const Mechanism& a, const Mechanism& b) {
   const auto rest = [](const Mechanism& m) {
     return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
                     m.gearDefaults, m.inputs, m.couplings, m.states, m.engaged, m.loads, m.balances,
-                    m.density, m.gravity, m.unknown);
+                    m.sharing, m.driveTorque, m.density, m.gravity, m.unknown);
   };
   return rest(a) == rest(b);
 }

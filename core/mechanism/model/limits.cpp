@@ -123,6 +123,7 @@ class RangeCheck {
       number({}, mechanism.gearDefaults->backlash, kNumber, JsonPointer() / "gearDefaults" / "backlash");
       number({}, mechanism.gearDefaults->faceWidth, kLength, JsonPointer() / "gearDefaults" / "faceWidth");
     }
+    number({}, mechanism.driveTorque, kTorque, JsonPointer() / "driveTorque");
     number({}, mechanism.density, kDensity, JsonPointer() / "density");
     for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
       number({}, (*mechanism.gravity)[i].value(), kComponent, JsonPointer() / "gravity" / i);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -61,5 +62,14 @@ struct Balance {
   UnknownMembers unknown = {};
   friend bool operator==(const Balance&, const Balance&) = default;
 };
+
+/// How the load of members that statics alone does not share out is distributed.
+enum class LoadSharing {
+  none,      ///< it stays open: what depends on it has no value
+  stiffness  ///< all teeth are equally stiff, without clearance, on rigid bodies
+};
+[[nodiscard]] std::string_view loadSharingName(LoadSharing sharing);
+/// std::nullopt for another name.
+[[nodiscard]] std::optional<LoadSharing> loadSharingFrom(std::string_view name);
 
 }  // namespace geargraph::inline model

@@ -48,6 +48,16 @@ Expected<Mechanism> withBalances(Mechanism mechanism, std::optional<std::vector<
   return checkedEdit(std::move(mechanism), "/balances", &loadDiagnostics);
 }
 
+Mechanism withSharing(Mechanism mechanism, std::optional<LoadSharing> sharing) {
+  mechanism.sharing = sharing;
+  return mechanism;
+}
+
+Expected<Mechanism> withDriveTorque(Mechanism mechanism, std::optional<Number> torque) {
+  mechanism.driveTorque = std::move(torque);
+  return checkedEdit(std::move(mechanism), "/driveTorque", &loadDiagnostics);
+}
+
 Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh, std::optional<Number> efficiency,
                                    std::optional<Number> friction) {
   const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),

@@ -27,6 +27,12 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withBalances(Mechanism mechanism,
                                                std::optional<std::vector<Balance>> balances);
 
+/// Sets how loads are shared that statics does not share out; none leaves it open, but for losses.
+[[nodiscard]] Mechanism withSharing(Mechanism mechanism, std::optional<LoadSharing> sharing);
+/// Sets the torque at the drive of every state; none: that of the loads, else 1 N m. Rejects schema beyond
+/// the limits of the format.
+[[nodiscard]] Expected<Mechanism> withDriveTorque(Mechanism mechanism, std::optional<Number> torque);
+
 /// Sets the losses of a mesh: an efficiency, a coefficient of friction, or neither. Rejects unknown-id, and
 /// schema for both or for numbers out of their range.
 [[nodiscard]] Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh,

@@ -35,6 +35,16 @@ std::string_view meshKindName(MeshKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
+std::string_view loadSharingName(LoadSharing sharing) {
+  return sharing == LoadSharing::stiffness ? "stiffness" : "none";
+}
+
+std::optional<LoadSharing> loadSharingFrom(std::string_view name) {
+  for (const LoadSharing sharing : {LoadSharing::none, LoadSharing::stiffness})
+    if (name == loadSharingName(sharing)) return sharing;
+  return std::nullopt;
+}
+
 const Link* Mechanism::find(LinkId id) const {
   return findIn(links, id);
 }

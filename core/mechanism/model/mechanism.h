@@ -218,6 +218,9 @@ struct Mechanism {
   std::vector<CouplingId> engaged;  ///< couplings that are engaged now; the analysis applies to this state
   std::vector<Load> loads;
   std::optional<std::vector<Balance>> balances;
+  /// None: open, and by stiffness where losses depend on it.
+  std::optional<LoadSharing> sharing;
+  std::optional<Number> driveTorque;    ///< at the drive of every state in the shift table, N m
   std::optional<Number> density;        ///< of all solids, kg/m³; none: kSteelDensity
   std::optional<NumberTriple> gravity;  ///< acceleration of free fall, m/s², base frame; none: no gravity
   View view;

@@ -223,6 +223,8 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_inputsAfter(after.inputs.has_value()),
       m_gearDefaults(valuePatch(before.gearDefaults, after.gearDefaults)),
       m_balances(valuePatch(before.balances, after.balances)),
+      m_sharing(valuePatch(before.sharing, after.sharing)),
+      m_driveTorque(valuePatch(before.driveTorque, after.driveTorque)),
       m_density(valuePatch(before.density, after.density)),
       m_gravity(valuePatch(before.gravity, after.gravity)),
       m_nodes(nodePatch(before.view.nodes, after.view.nodes)),
@@ -288,6 +290,8 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   if (forward ? m_inputsAfter : m_inputsBefore) mechanism.inputs = std::move(inputs);
   geargraph::apply(m_gearDefaults, mechanism.gearDefaults, forward);
   geargraph::apply(m_balances, mechanism.balances, forward);
+  geargraph::apply(m_sharing, mechanism.sharing, forward);
+  geargraph::apply(m_driveTorque, mechanism.driveTorque, forward);
   geargraph::apply(m_density, mechanism.density, forward);
   geargraph::apply(m_gravity, mechanism.gravity, forward);
   apply(m_nodes, mechanism.view.nodes, forward);
@@ -303,16 +307,16 @@ bool MechanismPatch::hasNothing() const {
   return m_inputsBefore == m_inputsAfter &&
          areNothing(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels,
                     m_couplings, m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances,
-                    m_density, m_gravity, m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after,
-                    m_sheetNotes, m_camera, m_viewMembers, m_members);
+                    m_sharing, m_driveTorque, m_density, m_gravity, m_nodes.before, m_nodes.after,
+                    m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera, m_viewMembers, m_members);
 }
 
 void MechanismPatch::count() {
   ByteCount bytes;
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
-            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_density, m_gravity,
-            m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera,
-            m_viewMembers, m_members);
+            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_sharing, m_driveTorque,
+            m_density, m_gravity, m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after,
+            m_sheetNotes, m_camera, m_viewMembers, m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 

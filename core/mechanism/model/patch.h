@@ -90,6 +90,8 @@ class MechanismPatch {
   bool m_inputsAfter = false;
   ValuePatch<std::optional<GearDefaults>> m_gearDefaults;
   ValuePatch<std::optional<std::vector<Balance>>> m_balances;
+  ValuePatch<std::optional<LoadSharing>> m_sharing;
+  ValuePatch<std::optional<Number>> m_driveTorque;
   ValuePatch<std::optional<Number>> m_density;
   ValuePatch<std::optional<NumberTriple>> m_gravity;
   NodePatch m_nodes;

@@ -49,6 +49,7 @@ class ByteCount {
   template <class Tag>
   void one(const Id<Tag>& /*id*/) {}
   void one(std::size_t /*number*/) {}
+  void one(LoadSharing /*sharing*/) {}
   void one(const SheetPoint& /*place*/) {}
   void one(const SheetNote& note) { add(note.text, note.unknown); }
   void one(const LinkShape& shape) {

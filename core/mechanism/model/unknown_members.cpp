@@ -17,7 +17,8 @@ using Names = std::span<const std::string_view>;
 // clang-format off
 constexpr auto kDocumentNames = std::to_array<std::string_view>({
     "format", "version", "name", "notes", "unit", "links", "axes", "turningJoints", "gearMeshes", "wheels",
-    "gearDefaults", "inputs", "couplings", "states", "engaged", "loads", "balances", "density", "gravity", "view"});
+    "gearDefaults", "inputs", "couplings", "states", "engaged", "loads", "balances", "sharing", "driveTorque", "density",
+    "gravity", "view"});
 constexpr auto kLinkNames = std::to_array<std::string_view>({
     "id", "name", "pinned", "mass", "centerOfMass", "inertia", "shapes"});
 constexpr auto kShapeNames = std::to_array<std::string_view>({"file", "position", "orientation", "scale"});

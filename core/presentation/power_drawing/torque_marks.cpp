@@ -39,10 +39,12 @@ int signOf(double number) {
 }
 
 std::string rateText(const StaticsReport& report, const Mechanism& mechanism, const ElementId& element) {
-  if (!report.motion || element.kind != ElementKind::turningJoint) return {};
-  for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint)
-    if (ElementId(mechanism.turningJoints[joint].id) == element)
-      return numberText((*report.motion)[joint].toDouble()) + " rad/s";
+  if (element.kind != ElementKind::turningJoint) return {};
+  for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
+    if (ElementId(mechanism.turningJoints[joint].id) != element) continue;
+    const auto rate = report.rateOf(joint);
+    return rate ? numberText(rate->toDouble()) + " rad/s" : std::string();
+  }
   return {};
 }
 
@@ -223,7 +225,7 @@ std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsR
     shown.push_back(givenTorque(load.load));
     shown.back().rate = rateText(report, mechanism, shown.back().element);
   }
-  if (!report.isSolved || !report.lossless.isBalanced()) return shown;
+  if (!report.isAnswered()) return shown;
   const StaticsSolution& solution = report.solution();
   const auto meshes = static_cast<std::size_t>(mechanism.c());
   for (std::size_t part = 0; part < report.held.size(); ++part) {

@@ -104,8 +104,8 @@ void addStaticsTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& stati
     cutsets.write = [snapshot](ByteSink& sink, const CsvOptions& options) {
       writeCutsets(sink, options, *snapshot);
     };
-  const bool isHeld = statics && statics->report && statics->report->isSolved &&
-                      statics->report->lossless.isBalanced() && statics->report->problem.hasLoads();
+  const bool isHeld =
+      statics && statics->report && statics->report->isAnswered() && statics->report->problem.hasLoads();
   for (const ForceTableKind kind : allForceTableKinds()) {
     CsvTable& table = tables.emplace_back(
         CsvTable{forceTableCommandName(kind), toTranslate("loads, and balances that hold them"), {}});

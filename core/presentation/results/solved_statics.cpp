@@ -31,6 +31,28 @@ SnapshotPtr released(const SnapshotPtr& snapshot, const std::stop_token& stop) {
   return analyzeLive(std::move(mechanism), 0, stop);
 }
 
+/// @pre nothing is engaged in the snapshot
+std::optional<std::vector<StateForces>> shiftOf(const AnalysisSnapshot& open,
+                                                const std::optional<Rational>& efficiency,
+                                                const std::stop_token& stop) {
+  StaticsOptions options;
+  options.losses = true;
+  options.efficiency = efficiency;
+  options.symbolic = false;
+  std::vector<StateForces> states;
+  for (int state = 0; state < static_cast<int>(open.mechanism->states.size()); ++state) {
+    if (!canSolve(open, state)) {
+      states.push_back({state, {}, {}});
+      continue;
+    }
+    auto solved = solveShiftState(*open.mechanism, *open.kinematics->model, open.kinematics->placement(),
+                                  *open.kinematics->ttGraph, *open.matroid(), state, options, stop);
+    if (!solved) return std::nullopt;
+    states.push_back(std::move(*solved));
+  }
+  return states;
+}
+
 }  // namespace
 
 SolvedStaticsPtr solvedStatics(const SnapshotPtr& snapshot, const std::optional<std::string>& state,
@@ -44,10 +66,20 @@ SolvedStaticsPtr solvedStatics(const SnapshotPtr& snapshot, const std::optional<
   statics->snapshot = position >= 0 ? open : snapshot;
   if (statics->snapshot && canSolve(*statics->snapshot, position))
     statics->report = reportOf(*statics->snapshot, position, stop);
-  for (int each = 0; allStates && each < static_cast<int>(states.size()) && open; ++each)
-    statics->states.push_back({each, canSolve(*open, each) ? reportOf(*open, each, stop) : std::nullopt});
+  if (allStates && open) {
+    auto shift = shiftOf(*open, {}, stop);
+    if (!shift) return nullptr;
+    statics->states = std::move(*shift);
+  }
   if (stop.stop_requested()) return nullptr;
   return statics;
+}
+
+std::optional<std::vector<StateForces>> solvedShift(const SnapshotPtr& snapshot,
+                                                    const std::optional<Rational>& efficiency,
+                                                    const std::stop_token& stop) {
+  const SnapshotPtr open = released(snapshot, stop);
+  return open ? shiftOf(*open, efficiency, stop) : std::nullopt;
 }
 
 }  // namespace geargraph::inline results

@@ -27,4 +27,11 @@ using SolvedStaticsPtr = std::shared_ptr<const SolvedStatics>;
                                              const std::optional<std::string>& state = {},
                                              bool allStates = false, const std::stop_token& stop = {});
 
+/// The statics of every state for the shift table, under the torque at its drive and other loads of the
+/// document, with the losses that it states or, else, `efficiency` of every mesh. std::nullopt if `stop` was
+/// requested.
+[[nodiscard]] std::optional<std::vector<StateForces>> solvedShift(
+    const SnapshotPtr& snapshot, const std::optional<Rational>& efficiency = {},
+    const std::stop_token& stop = {});
+
 }  // namespace geargraph::inline results

@@ -1,6 +1,7 @@
 #include "core/presentation/results/states_json.h"
 
 #include "core/foundations/files/json_writer.h"
+#include "core/mechanism/model/load_edits.h"
 #include "core/presentation/results/diagnostics_json.h"
 
 namespace geargraph::inline results {
@@ -12,7 +13,8 @@ class StatesJson {
  public:
   StatesJson(JsonWriter& json, const AnalysisSnapshot& snapshot) : m_json(json), m_snapshot(snapshot) {}
 
-  void write(const StateSolution& solution) {
+  /// `torques` may be null.
+  void write(const StateSolution& solution, const StateForces* torques) {
     const ShiftState& state = m_snapshot.mechanism->states[static_cast<std::size_t>(solution.state)];
     m_json.beginObject();
     m_json.member("name", state.name);
@@ -23,6 +25,9 @@ class StatesJson {
     writeDof(solution);
     writeRatio(solution);
     writeSpeeds(solution);
+    const bool isSolved = torques != nullptr && torques->report;
+    writeTorques(isSolved && torques->report->isAnswered() ? &*torques->report : nullptr);
+    writeEfficiencies(isSolved ? &torques->ofEfficiency() : nullptr);
     m_json.key("diagnostics");
     writeDiagnostics(m_json, solution.diagnostics);
     m_json.endObject();
@@ -49,10 +54,70 @@ class StatesJson {
     if (!solution.isSolved()) return m_json.null();
     m_json.beginObject(Layout::row);
     for (std::size_t joint = 0; joint < solution.rates.size(); ++joint) {
-      m_json.member(std::to_string(m_snapshot.graph->edgeLabel(static_cast<int>(joint))),
-                    solution.rates[joint].toString());
+      m_json.key(std::to_string(m_snapshot.graph->edgeLabel(static_cast<int>(joint))));
+      solution.isIdle(static_cast<int>(joint)) ? m_json.null()
+                                               : m_json.string(solution.rates[joint].toString());
     }
     m_json.endObject();
+  }
+
+  void member(std::string_view name, const std::optional<Real>& value) {
+    m_json.key(name);
+    if (!value) return m_json.null();
+    value->isExact() ? m_json.string(value->fraction()->toString()) : m_json.numberOrNull(value->number());
+  }
+
+  /// null where the torques are not known, or the state has no two ends.
+  void writeTorques(const StaticsReport* report) {
+    m_json.key("torques");
+    const auto ends = report == nullptr ? std::nullopt : endTorques(*m_snapshot.mechanism, *report);
+    if (!ends) return m_json.null();
+    m_json.beginObject(Layout::row);
+    member("drive", ends->drive);
+    member("driven", ends->driven);
+    m_json.key("couplings");
+    m_json.beginObject(Layout::row);
+    const StaticsSolution& solution = report->solution();
+    for (std::size_t part = 0; part < report->held.size(); ++part) {
+      const HeldPart& held = report->held[part];
+      if (held.coupling < 0 || !held.isMain) continue;
+      const auto unknown = static_cast<std::size_t>(m_snapshot.mechanism->c()) + part;
+      member(m_snapshot.mechanism->couplings[held.coupling].id.text(),
+             solution.determined[unknown] != 0 ? std::optional(solution.values[unknown]) : std::nullopt);
+    }
+    m_json.endObject();
+    places("otherLoads", ends->otherLoads);
+    places("leftOut", report->leftOut);
+    m_json.endObject();
+  }
+
+  /// As on the command line: "joint:14", "link:3".
+  void places(std::string_view name, const std::vector<Load>& loads) {
+    m_json.key(name);
+    m_json.beginArray(Layout::row);
+    for (const Load& load : loads) {
+      if (const auto joint = jointOf(load)) {
+        m_json.string("joint:" + labelOf(*m_snapshot.mechanism, *joint).value_or(joint->text()));
+      } else {
+        const LinkId link = *linkOf(load);
+        m_json.string("link:" + labelOf(*m_snapshot.mechanism, link).value_or(link.text()));
+      }
+    }
+    m_json.endArray();
+  }
+
+  void writeEfficiencies(const StaticsReport* report) {
+    const auto write = [&](std::string_view name, std::string_view locking,
+                           const std::optional<LossySolution>& solution,
+                           const std::optional<PowerSums>& sums) {
+      const bool isSolved = solution && solution->outcome == LossySolution::Outcome::solved;
+      member(name, isSolved && sums ? sums->efficiency() : std::nullopt);
+      m_json.member(locking, solution && solution->outcome == LossySolution::Outcome::selfLocking);
+    };
+    const StaticsReport none;
+    const StaticsReport& of = report == nullptr ? none : *report;
+    write("efficiency", "selfLocking", of.lossy, of.sums);
+    write("efficiencyBackward", "selfLockingBackward", of.backward, of.backwardSums);
   }
 
   JsonWriter& m_json;
@@ -61,7 +126,7 @@ class StatesJson {
 
 }  // namespace
 
-std::string statesJson(const AnalysisSnapshot* snapshot) {
+std::string statesJson(const AnalysisSnapshot* snapshot, std::span<const StateForces> torques) {
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -72,7 +137,9 @@ std::string statesJson(const AnalysisSnapshot* snapshot) {
     if (snapshot != nullptr && (snapshot->states || snapshot->mechanism->states.empty())) {
       json.beginArray();
       if (snapshot->states) {
-        for (const StateSolution& solution : *snapshot->states) StatesJson(json, *snapshot).write(solution);
+        for (std::size_t state = 0; state < snapshot->states->size(); ++state)
+          StatesJson(json, *snapshot)
+              .write((*snapshot->states)[state], state < torques.size() ? &torques[state] : nullptr);
       }
       json.endArray();
     } else {

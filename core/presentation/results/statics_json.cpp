@@ -5,6 +5,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/results/diagnostics_json.h"
+#include "core/presentation/results/torque_matrix_json.h"
 
 namespace geargraph::inline results {
 namespace {
@@ -14,28 +15,29 @@ using Layout = JsonWriter::Layout;
 /// Writes the parts of one report, a function a part.
 class StaticsJson {
  public:
-  StaticsJson(JsonWriter& json, const AnalysisSnapshot& snapshot, const StaticsReport& report,
-              const StaticsOptions& options)
+  StaticsJson(JsonWriter& json, const AnalysisSnapshot& snapshot, const StaticsReport& report)
       : m_json(json),
         m_mechanism(*snapshot.mechanism),
         m_model(*snapshot.kinematics->model),
         m_placement(snapshot.kinematics->placement()),
         m_report(report),
         m_solution(report.solution()),
-        m_options(options),
-        m_isBalanced(report.isSolved && report.lossless.isBalanced()) {}
+        m_isAnswered(report.isAnswered()) {}
 
   void write() {
     engaged();
-    m_json.member("share", m_options.stiffness ? "stiffness" : "none");
+    const bool isAsked = m_report.sharing == LoadSharing::stiffness;
+    m_json.member("share",
+                  loadSharingName(isAsked || m_report.isShared ? LoadSharing::stiffness : LoadSharing::none));
+    m_json.member("shareAssumed", m_report.isShared && !isAsked);
     part("speeds", m_report.motion.has_value(), &StaticsJson::speeds);
     part("counts", m_report.isSolved, &StaticsJson::counts);
     part("loads", true, &StaticsJson::loads);
-    part("balances", m_isBalanced, &StaticsJson::balances);
-    part("jointTorques", m_isBalanced, &StaticsJson::jointTorques);
-    part("couplings", m_isBalanced, &StaticsJson::couplings);
-    part("meshes", m_isBalanced, &StaticsJson::meshes);
-    part("bearings", m_isBalanced && !m_report.forces.bearings.empty(), &StaticsJson::bearings);
+    part("balances", m_isAnswered, &StaticsJson::balances);
+    part("jointTorques", m_isAnswered, &StaticsJson::jointTorques);
+    part("couplings", m_isAnswered, &StaticsJson::couplings);
+    part("meshes", m_isAnswered, &StaticsJson::meshes);
+    part("bearings", m_isAnswered && !m_report.forces.bearings.empty(), &StaticsJson::bearings);
     part("selfStresses", m_report.isSolved, &StaticsJson::selfStresses);
     part("power", m_report.sums.has_value(), &StaticsJson::power);
     part("jointPowers", m_report.flow.has_value(), &StaticsJson::jointPowers);
@@ -100,8 +102,11 @@ class StaticsJson {
 
   void speeds() {
     m_json.beginObject(Layout::row);
-    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint)
-      m_json.member(std::to_string(m_mechanism.jointLabel(joint)), (*m_report.motion)[joint].toString());
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
+      m_json.key(std::to_string(m_mechanism.jointLabel(joint)));
+      const auto rate = m_report.rateOf(joint);
+      rate ? m_json.string(rate->toString()) : m_json.null();
+    }
     m_json.endObject();
   }
 
@@ -162,8 +167,23 @@ class StaticsJson {
       member("torque", determined(unknown, value(unknown)));
       if (m_report.motion) member("power", determined(unknown, m_report.powers.held[part]));
       m_json.member("determinate", m_solution.isDetermined(unknown));
+      assumption(part);
       m_json.endObject();
     }
+    m_json.endArray();
+  }
+
+  /// Of a torque that depends on how loads are shared: that, and its range with losses.
+  void assumption(std::size_t part) {
+    if (!m_report.isAssumed(unknownOf(part))) return;
+    m_json.member("assumed", true);
+    if (m_report.ranges.empty()) return;
+    m_json.key("range");
+    const std::optional<SharedRange>& range = m_report.ranges[part];
+    if (!range) return m_json.null();
+    m_json.beginArray(Layout::row);
+    real(range->least);
+    real(range->most);
     m_json.endArray();
   }
 
@@ -207,6 +227,7 @@ class StaticsJson {
       const int unknown = unknownOf(part);
       member("torque", determined(unknown, value(unknown)));
       m_json.member("determinate", m_solution.isDetermined(unknown));
+      assumption(part);
       if (m_report.flow) groundPower(ElementPower::Kind::coupling, held.coupling, {"link", "against"});
       across(held.coupling);
       m_json.endObject();
@@ -249,6 +270,7 @@ class StaticsJson {
     m_json.member("head", m_mechanism.linkLabel(geometry.head));
     m_json.member("carrier", m_mechanism.linkLabel(geometry.carrier));
     m_json.member("determinate", m_solution.isDetermined(mesh));
+    if (m_report.isAssumed(mesh)) m_json.member("assumed", true);
     member("tailTorque",
            determined(mesh,
                       Real(orientationSignAt(m_placement, geometry.tail, geometry.tailClass)) * ports.tail));
@@ -410,44 +432,12 @@ class StaticsJson {
     symbolic ? m_json.string(symbolic->toText()) : m_json.null();
   }
 
-  void writeMatrix(const TorqueMatrix& matrix) {
-    labels("balanced", m_report.balancedJoints, &Mechanism::jointLabel);
-    labels("loaded", matrix.loaded, &Mechanism::jointLabel);
-    rows("exact", matrix, [&](std::size_t at) { m_json.string(matrix.entries[at].toString()); });
-  }
-  template <class Entry>
-  void rows(std::string_view name, const TorqueMatrix& matrix, const Entry& entry) {
-    m_json.key(name);
-    m_json.beginArray();
-    for (std::size_t row = 0; row < m_report.balancedJoints.size(); ++row) {
-      m_json.beginArray(Layout::row);
-      for (std::size_t column = 0; column < matrix.loaded.size(); ++column)
-        entry(row * matrix.loaded.size() + column);
-      m_json.endArray();
-    }
-    m_json.endArray();
-  }
-
-  void writeSymbols(const TorqueMatrix& matrix, const std::optional<SymbolicStatics>& symbolic) {
-    if (!symbolic) return null("symbolic");
-    rows("symbolic", matrix, [&](std::size_t at) {
-      const auto& entry = symbolic->matrix[at];
-      entry ? m_json.string(entry->toText()) : m_json.null();
-    });
-  }
-
   void matrix() {
-    m_json.beginObject();
-    writeMatrix(*m_report.matrix);
-    writeSymbols(*m_report.matrix, m_report.symbolic);
-    m_json.endObject();
+    writeTorqueMatrixJson(m_json, m_mechanism, m_report.balancedJoints, *m_report.matrix, m_report.symbolic);
   }
-
   void ttMatrix() {
-    m_json.beginObject();
-    writeMatrix(*m_report.ttMatrix);
-    writeSymbols(*m_report.ttMatrix, m_report.ttSymbolic);
-    m_json.endObject();
+    writeTorqueMatrixJson(m_json, m_mechanism, m_report.balancedJoints, *m_report.ttMatrix,
+                          m_report.ttSymbolic);
   }
 
   void agreement() {
@@ -463,8 +453,7 @@ class StaticsJson {
   const Placement& m_placement;
   const StaticsReport& m_report;
   const StaticsSolution& m_solution;
-  const StaticsOptions& m_options;
-  bool m_isBalanced;
+  bool m_isAnswered;
   PositionIndex<LinkTag> m_links{m_mechanism.links};
   PositionIndex<JointTag> m_joints{m_mechanism.turningJoints};
 };
@@ -472,7 +461,7 @@ class StaticsJson {
 }  // namespace
 
 void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const StaticsReport* report,
-                      int state, const StaticsOptions& options, const Diagnostics& diagnostics) {
+                      int state, const Diagnostics& diagnostics) {
   json.beginObject();
   json.member("format", "geargraph-statics");
   json.member("version", 1);
@@ -483,7 +472,7 @@ void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const 
     json.null();
   }
   if (report != nullptr) {
-    StaticsJson(json, *snapshot, *report, options).write();
+    StaticsJson(json, *snapshot, *report).write();
   } else {
     for (const char* name : {"engaged", "share", "speeds", "counts", "loads", "balances", "jointTorques",
                              "couplings", "meshes", "bearings", "selfStresses", "power", "jointPowers",

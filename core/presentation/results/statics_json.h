@@ -10,6 +10,6 @@ namespace geargraph::inline results {
 /// couplings by id; torques, powers and efficiencies as fractions, as numbers if they are not exact, null if
 /// they are not determined. `snapshot` may be null, and `report`, where the document has errors.
 void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const StaticsReport* report,
-                      int state, const StaticsOptions& options, const Diagnostics& diagnostics);
+                      int state, const Diagnostics& diagnostics);
 
 }  // namespace geargraph::inline results

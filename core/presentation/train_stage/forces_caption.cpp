@@ -82,6 +82,8 @@ std::string forcesCaption(const Mechanism& mechanism, const StaticsReport* repor
     return base::translated("No forces without loads: add one in Forces.");
   if (!report->isSolved || !report->lossless.isBalanced())
     return base::translated("No forces: the loads are not in balance. Forces names what is missing.");
+  if (!report->isAnswered())
+    return base::translated("No forces: with these losses no torques are known. Forces tells why.");
   if (report->forces.bearings.empty())
     return base::translated("Forces need a unit of length whose size is known.");
   const SharedForces shared = sharedOf(mechanism, *report);

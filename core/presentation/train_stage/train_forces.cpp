@@ -40,7 +40,7 @@ std::optional<ElementId> movingLink(const Mechanism& mechanism, LinkOrdinal link
 std::vector<StageForce> stageForces(const Mechanism& mechanism, const Placement& placement,
                                     const StaticsReport& report) {
   std::vector<StageForce> forces;
-  if (!report.isSolved || !report.problem.hasLoads() || !report.lossless.isBalanced()) return forces;
+  if (!report.isAnswered() || !report.problem.hasLoads()) return forces;
   for (std::size_t mesh = 0; mesh < report.forces.meshes.size(); ++mesh) {
     const ToothForce& tooth = report.forces.meshes[mesh];
     if (!tooth.isDetermined || !report.solution().isDetermined(static_cast<int>(mesh))) continue;

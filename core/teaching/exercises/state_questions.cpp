@@ -35,7 +35,7 @@ std::vector<int> statesWithRatio(const ExerciseSource& source) {
     const auto place = source.setOfState(state);
     if (!place) continue;
     const EngagedSet& set = source.engagedSets(state)[*place];
-    if (set.solution.ratio && !set.couplings.empty()) states.push_back(state);
+    if (set.solution.ratio && set.solution.dof == 1 && !set.couplings.empty()) states.push_back(state);
   }
   return states;
 }

@@ -184,13 +184,13 @@ std::vector<ElementId> CutsetWords::elements() const {
 std::optional<CutsetWords> cutsetWords(const Mechanism& mechanism, const KinematicModel& model,
                                        const Placement& placement, const StaticsReport& report,
                                        JointOrdinal joint) {
-  if (!report.isSolved || !report.lossless.isBalanced()) return std::nullopt;
+  if (!report.isAnswered()) return std::nullopt;
   return Cutset(mechanism, model, placement, report, joint).words();
 }
 
 std::optional<std::string> driverSentence(const Mechanism& mechanism, const Placement& placement,
                                           const StaticsReport& report, MeshOrdinal mesh) {
-  if (!report.isSolved || !report.lossless.isBalanced() || !report.motion) return std::nullopt;
+  if (!report.isAnswered() || !report.motion) return std::nullopt;
   const auto at = static_cast<std::size_t>(mesh);
   const MeshGeometry& geometry = *placement.meshes[at];
   const auto label = [&](LinkOrdinal link) { return std::to_string(mechanism.linkLabel(link)); };

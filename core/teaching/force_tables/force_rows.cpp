@@ -33,7 +33,7 @@ class Rows {
         m_model(model),
         m_placement(placement),
         m_report(report),
-        m_isBalanced(report.isSolved && report.lossless.isBalanced()) {}
+        m_isAnswered(report.isAnswered()) {}
 
   void fill(ForceTable& table) {
     m_table = &table;
@@ -141,7 +141,7 @@ class Rows {
                toTranslate("Torque times rate: what load or balance feed into the train here; below 0: "
                            "what they take.")),
     };
-    if (!m_isBalanced) return;
+    if (!m_isAnswered) return;
     ByJoint<std::pair<bool, bool>> carried(static_cast<std::size_t>(m_model.t()));  // load, balance
     for (const AppliedTorque& load : m_report.problem.torques)
       if (load.place.inJoint()) carried[load.place.joint].first = true;
@@ -160,10 +160,9 @@ class Rows {
                     exactCell(lossless[at]),
                     exactCell(torques[at]),
                     decimalCell(torques[at])};
-      if (m_report.motion) {
-        line.cells.push_back(cell((*m_report.motion)[at].toDouble()));
-        line.cells.push_back(torques[at] ? cell((*torques[at] * Real((*m_report.motion)[at])).number())
-                                         : wordCell(kShared));
+      if (const auto rate = m_report.rateOf(joint)) {
+        line.cells.push_back(cell(rate->toDouble()));
+        line.cells.push_back(torques[at] ? cell((*torques[at] * Real(*rate)).number()) : wordCell(kShared));
       } else {
         line.cells.resize(m_table->columns.size());
       }
@@ -223,7 +222,7 @@ class Rows {
         number(toTranslate("passed"), "W",
                toTranslate("The power that a clutch delivers to the first link; a brake passes none.")),
     };
-    if (!m_isBalanced) return;
+    if (!m_isAnswered) return;
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const HeldPart& held = m_report.held[part];
       if (held.coupling < 0) continue;
@@ -287,7 +286,7 @@ class Rows {
         number(toTranslate("to carrier"), "W",
                toTranslate("What the mesh delivers to the carrier, seen from the ground.")),
     };
-    if (!m_isBalanced) return;
+    if (!m_isAnswered) return;
     for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
   }
 
@@ -364,7 +363,7 @@ class Rows {
         number("z", "", toTranslate("Where the joint is drawn, in the document's unit.")),
     };
     for (std::size_t i = 8; i < 11; ++i) m_table->columns[i].unit = m_mechanism.unit;
-    if (!m_isBalanced) return;
+    if (!m_isAnswered) return;
     for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
       const BearingReaction& bearing = m_report.forces.bearings[joint];
       ForceRow& line = row({jointId(static_cast<int>(joint))});
@@ -388,7 +387,7 @@ class Rows {
         number(toTranslate("power"), "W", toTranslate("The same as a decimal.")),
         number(toTranslate("part"), "%", toTranslate("Of the power fed into the train.")),
     };
-    if (!m_isBalanced || !m_report.flow) return;
+    if (!m_isAnswered || !m_report.flow) return;
     const double fed = m_report.sums ? m_report.sums->fed.number() : 0;
     for (const ElementPower& element : m_report.flow->elements) {
       if (element.isDetermined && std::all_of(element.ports.begin(), element.ports.end(),
@@ -477,7 +476,7 @@ class Rows {
   const KinematicModel& m_model;
   const Placement& m_placement;
   const StaticsReport& m_report;
-  bool m_isBalanced;
+  bool m_isAnswered;
   PositionIndex<LinkTag> m_links{m_mechanism.links};
   ForceTable* m_table = nullptr;
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/foundations/files/csv.h"
-#include "core/theory/statics/statics_report.h"
+#include "core/theory/statics/shift_statics.h"
 
 namespace geargraph::inline force_tables {
 
@@ -48,6 +48,7 @@ struct ValueTable {
 
 struct ForceTable : ValueTable {
   ForceTableKind kind = ForceTableKind::joints;
+  std::string note = {};  ///< of the shift table: which loads act beside the torques at the drives
 };
 
 /// Torques in N m, forces in N, rates in rad/s, powers in W, places in the document's unit. Without rows if
@@ -57,18 +58,12 @@ struct ForceTable : ValueTable {
                                     const Placement& placement, const StaticsReport& report,
                                     ForceTableKind kind);
 
-/// The statics of one state of a gearbox; none if it was not solved.
-struct StateForces {
-  int state = 0;  ///< position in the document
-  std::optional<StaticsReport> report;
-};
-
 /// The columns after those of the couplings in the shift table.
 enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent, circulating, count };
 
 /// The shift table of torques: one row per state, one column per coupling of the document; then those of
-/// ShiftColumn: the ratio, the torque at the driven link, efficiency forward and backward, the latent ratio
-/// and the greatest circulating power.
+/// ShiftColumn: the ratio, the torque found, efficiency forward and backward, the latent ratio and the
+/// greatest circulating power, these four of the state under the torque at its drive alone.
 [[nodiscard]] ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states);
 
 /// The table as CSV [RFC 4180]: a header row with units, then its rows; numbers as the shortest decimals that

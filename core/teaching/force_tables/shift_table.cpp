@@ -1,6 +1,10 @@
 // The torques of a gearbox, a row a state.
 
+#include <algorithm>
+
 #include "core/foundations/base/position_index.h"
+#include "core/foundations/base/wording.h"
+#include "core/mechanism/model/load_edits.h"
 #include "core/teaching/force_tables/spoken_cell.h"
 
 namespace geargraph::inline force_tables {
@@ -41,8 +45,8 @@ std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
       true);
   add(toTranslate("ratio"), "", toTranslate("The same as a decimal."));
   add(toTranslate("found"), "N m",
-      toTranslate("The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where "
-                  "the document has no load there."));
+      toTranslate("The torque that holds the loads: at the driven link, or at the drive where loads on the "
+                  "driven link alone are given."));
   add(toTranslate("efficiency"), "", toTranslate("Power taken over power fed, with the drive driving."));
   add(toTranslate("backward"), "",
       toTranslate("The same with all known torques reversed: the output drives."));
@@ -61,19 +65,22 @@ ForceCell efficiencyCell(const std::optional<LossySolution>& solution, const std
   return value ? realCell(*value) : ForceCell();
 }
 
-void fillRow(const StaticsReport& report, std::size_t couplings, ForceRow& row) {
+void fillTorques(const StaticsReport& report, std::size_t couplings, ForceRow& row) {
   const StaticsSolution& solution = report.solution();
-  const auto cellOf = [&](ShiftColumn column) -> ForceCell& { return row.cells[placeOf(column, couplings)]; };
   const auto meshes = static_cast<std::size_t>(solution.unknowns) - report.held.size();
   for (std::size_t part = 0; part < report.held.size(); ++part) {
     const HeldPart& held = report.held[part];
     if (held.coupling >= 0 && !held.isMain) continue;
     ForceCell& cell = held.coupling >= 0 ? row.cells[1 + static_cast<std::size_t>(held.coupling)]
-                                         : cellOf(ShiftColumn::found);
+                                         : row.cells[placeOf(ShiftColumn::found, couplings)];
     const auto unknown = meshes + part;
     cell = solution.determined[unknown] != 0 ? realCell(solution.values[unknown])
                                              : spokenCell([] { return translated("shared"); });
   }
+}
+
+void fillEfficiencies(const StaticsReport& report, std::size_t couplings, ForceRow& row) {
+  const auto cellOf = [&](ShiftColumn column) -> ForceCell& { return row.cells[placeOf(column, couplings)]; };
   cellOf(ShiftColumn::efficiency) = efficiencyCell(report.lossy, report.sums);
   cellOf(ShiftColumn::backward) = efficiencyCell(report.backward, report.backwardSums);
   if (report.latentRatio) cellOf(ShiftColumn::latent) = realCell(*report.latentRatio);
@@ -84,12 +91,43 @@ void fillRow(const StaticsReport& report, std::size_t couplings, ForceRow& row) 
                                          : realCell(report.circulations->front().power / report.sums->fed);
 }
 
+/// The places of loads, each once: "link 1 and joint 9".
+std::string placesOf(const Mechanism& mechanism, const std::vector<Load>& loads) {
+  std::vector<std::string> places;
+  for (const Load& load : loads) {
+    const auto joint = jointOf(load);
+    const std::string place =
+        joint ? translated("joint %1", {labelOf(mechanism, *joint).value_or(joint->text())})
+              : translated("link %1", {labelOf(mechanism, *linkOf(load)).value_or(linkOf(load)->text())});
+    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+  }
+  return listed(places, kAllNames);
+}
+
+std::string noteOn(const Mechanism& mechanism, std::span<const StateForces> states) {
+  std::vector<Load> others;
+  std::vector<Load> leftOut;
+  for (const StateForces& each : states) {
+    if (!each.report) continue;
+    leftOut.insert(leftOut.end(), each.report->leftOut.begin(), each.report->leftOut.end());
+    const auto ends = each.report->isAnswered() ? endTorques(mechanism, *each.report) : std::nullopt;
+    if (ends) others.insert(others.end(), ends->otherLoads.begin(), ends->otherLoads.end());
+  }
+  std::string note;
+  if (!others.empty()) note = translated("The loads on %1 act as well.", {placesOf(mechanism, others)});
+  if (leftOut.empty()) return note;
+  if (!note.empty()) note += ' ';
+  return note + translated("The torque at the drive takes the place of the loads on %1.",
+                           {placesOf(mechanism, leftOut)});
+}
+
 }  // namespace
 
 ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states) {
   ForceTable table;
   table.kind = ForceTableKind::states;
   table.columns = shiftColumns(mechanism);
+  table.note = noteOn(mechanism, states);
   for (const StateForces& each : states) {
     const ShiftState& state = mechanism.states[static_cast<std::size_t>(each.state)];
     ForceRow& row = table.rows.emplace_back();
@@ -104,7 +142,9 @@ ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> s
           shownReal(Real(*ratio)), ratio->toDouble(), {}};
       row.cells[placeOf(ShiftColumn::ratio, couplings)] = realCell(Real(*ratio));
     }
-    if (each.report->isSolved && each.report->lossless.isBalanced()) fillRow(*each.report, couplings, row);
+    if (each.report->isAnswered()) fillTorques(*each.report, couplings, row);
+    const StaticsReport& own = each.ofEfficiency();
+    if (own.isSolved && own.lossless.isBalanced()) fillEfficiencies(own, couplings, row);
   }
   return table;
 }

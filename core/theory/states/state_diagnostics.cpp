@@ -90,6 +90,26 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
   return result;
 }
 
+Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state, const std::vector<int>& links) {
+  Diagnostic result = makeDiagnostic(state, Code::stateIdle);
+  std::vector<std::string> names;
+  for (const LinkOrdinal link : links) {
+    names.push_back(std::to_string(mechanism.linkLabel(link)));
+    result.elements.emplace_back(mechanism.links[link].id);
+  }
+  const std::string turning = listed(names, kMostNames);
+  result.message = names.size() == 1
+                       ? translated(
+                             "State %1: link %2 turns freely beside it, at any speed. The ratio does not "
+                             "depend on it.",
+                             {state.name, turning})
+                       : translated(
+                             "State %1: links %2 turn freely beside it, at any speed. The ratio does not "
+                             "depend on them.",
+                             {state.name, turning});
+  return result;
+}
+
 Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling, const ShiftState* state) {
   Diagnostic result;
   if (state != nullptr) result = makeDiagnostic(*state, Code::turningLoop);

@@ -16,6 +16,10 @@ namespace geargraph::inline states {
 [[nodiscard]] Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
                                    const std::vector<int>& links);
 
+/// state-idle: these links turn freely beside the drive and the driven link, which are determined.
+[[nodiscard]] Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state,
+                                   const std::vector<int>& links);
+
 /// turning-loop: the coupling connects links across four directions of axes or more. `state`: in which it is
 /// engaged; null: in the document's current engagement.
 [[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,

@@ -27,11 +27,11 @@ std::optional<FirstInput> firstInputOf(const Mechanism& mechanism, const Placeme
   if (!drive || !solution.driveTurns) return std::nullopt;
   const PositionIndex<LinkTag> links(mechanism.links);
   const int own = placement.tree->joint[links.at(*drive)];
-  if (!solution.isSolved()) return FirstInput{own, std::nullopt};
+  if (!solution.isSolved() || solution.isIdle(own)) return FirstInput{own, std::nullopt};
   const auto rateOf = [&](JointOrdinal joint) { return solution.rates[joint]; };
   if (!rateOf(own).isZero()) return FirstInput{own, rateOf(own)};
   for (JointOrdinal joint = 0; joint < mechanism.t(); ++joint) {
-    if (!rateOf(joint).isZero()) return FirstInput{joint, rateOf(joint)};
+    if (!rateOf(joint).isZero() && !solution.isIdle(joint)) return FirstInput{joint, rateOf(joint)};
   }
   return std::nullopt;
 }

@@ -46,9 +46,16 @@ class StateSolver {
     result.rank = solved->rank() - (result.driveTurns ? 1 : 0);
     result.dof = m_model.n() - result.rank;
     if (state.drive && !result.driveTurns) result.diagnostics.push_back(locked(state, result.engaged));
-    if (result.dof > 1)
-      result.diagnostics.push_back(stateFree(m_mechanism, state, result.dof, freeLinks(*solved)));
-    if (result.dof == 1 && result.driveTurns) fillSpeeds(state, system, *solved, phi, result);
+    bool isDetermined = result.dof == 1;
+    if (result.dof > 1) {
+      const std::vector<Rational> idle = freeMotion(*solved);
+      isDetermined = result.driveTurns && state.driven && !turns(m_linkAt.at(*state.driven), idle);
+      const std::vector<int> links = turningLinks(idle);
+      result.diagnostics.push_back(isDetermined ? stateIdle(m_mechanism, state, links)
+                                                : stateFree(m_mechanism, state, result.dof, links));
+      if (isDetermined) result.idleRates = ratesOf(idle);
+    }
+    if (isDetermined && result.driveTurns) fillSpeeds(state, system, *solved, phi, result);
     if (m_stop.stop_requested()) return std::nullopt;
     return result;
   }
@@ -93,8 +100,8 @@ class StateSolver {
     return stateLocked(m_mechanism, state, locking, false);
   }
 
-  /// Links that turn in a motion drawn at random while the drive stands.
-  [[nodiscard]] std::vector<int> freeLinks(const Elimination<Rational>& system) const {
+  /// The phi of a motion drawn at random while the drive stands.
+  [[nodiscard]] static std::vector<Rational> freeMotion(const Elimination<Rational>& system) {
     const RationalField field;
     const PrimeField prime;
     ResidueStream random(prime, 0x66726565U);
@@ -103,22 +110,35 @@ class StateSolver {
       phi[static_cast<std::size_t>(column)] =
           static_cast<std::int64_t>(prime.toNumber(random.next()) >> 30U) + 1;
     substitute(field, system, phi);
+    return phi;
+  }
+
+  [[nodiscard]] bool turns(LinkOrdinal link, const std::vector<Rational>& phi) const {
+    const RationalField field;
+    const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, link);
+    return std::any_of(speed.parts.begin(), speed.parts.end(),
+                       [&](const RelativeSpeed::Part& part) { return !valueOf(field, part, phi).isZero(); });
+  }
+
+  [[nodiscard]] std::vector<int> turningLinks(const std::vector<Rational>& phi) const {
     std::vector<int> links;
-    for (LinkOrdinal link = 1; link <= m_model.n(); ++link) {
-      const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, link);
-      const bool turns =
-          std::any_of(speed.parts.begin(), speed.parts.end(),
-                      [&](const RelativeSpeed::Part& p) { return !valueOf(field, p, phi).isZero(); });
-      if (turns) links.push_back(link);
-    }
+    for (LinkOrdinal link = 1; link <= m_model.n(); ++link)
+      if (turns(link, phi)) links.push_back(link);
     return links;
+  }
+
+  [[nodiscard]] ByJoint<Rational> ratesOf(const std::vector<Rational>& phi) const {
+    const RationalField field;
+    ByJoint<Rational> rates;
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint)
+      rates.push_back(m_model.rateOf(field, joint, phi));
+    return rates;
   }
 
   void fillSpeeds(const ShiftState& state, const StateSystem& system, const Elimination<Rational>& solved,
                   const std::vector<Rational>& phi, StateSolution& result) const {
     const RationalField field;
-    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint)
-      result.rates.push_back(m_model.rateOf(field, joint, phi));
+    result.rates = ratesOf(phi);
     if (!state.driven) return;
     const int driven = m_linkAt.at(*state.driven);
     const RelativeSpeed::Part* turning = nullptr;
@@ -168,19 +188,32 @@ class StateSolver {
     };
     const auto symbols = eliminate(bounded, system.rows(m_model, bounded, ratio, left), m_model.n(),
                                    m_model.n() + 1, enough.get_token());
-    if (!symbols || !symbols->freeColumns.empty()) return std::nullopt;
-    std::vector<std::optional<RationalFunction>> phi(static_cast<std::size_t>(symbols->columns));
-    phi.back() = field.one();
-    ExpansionBudget budget;
-    if (!expand(field, *symbols, std::vector<char>(phi.size(), 0), phi, budget, m_stop)) return std::nullopt;
-    RationalFunction speed = field.fromInteger(0);
-    for (const RelativeSpeed::Term& term : driven.terms) {
-      const auto& value = phi[static_cast<std::size_t>(term.link) - 1];
-      if (!value) return std::nullopt;
-      speed += field.fromInteger(static_cast<std::int64_t>(sign) * term.factor) * *value;
+    if (!symbols) return std::nullopt;
+    const auto speedOfDriven = [&](int drive, int idle) -> std::optional<RationalFunction> {
+      std::vector<std::optional<RationalFunction>> phi(static_cast<std::size_t>(symbols->columns));
+      phi.back() = field.fromInteger(drive);
+      for (const int column : symbols->freeColumns)
+        phi[static_cast<std::size_t>(column)] =
+            field.fromInteger(static_cast<std::int64_t>(idle) * (column + 1));
+      ExpansionBudget budget;
+      if (!expand(field, *symbols, std::vector<char>(phi.size(), 0), phi, budget, m_stop))
+        return std::nullopt;
+      RationalFunction speed = field.fromInteger(0);
+      for (const RelativeSpeed::Term& term : driven.terms) {
+        const auto& value = phi[static_cast<std::size_t>(term.link) - 1];
+        if (!value) return std::nullopt;
+        speed += field.fromInteger(static_cast<std::int64_t>(sign) * term.factor) * *value;
+      }
+      return speed;
+    };
+    if (!symbols->freeColumns.empty()) {
+      // What idles at these teeth may drive at others: then the ratio is no function of the teeth.
+      const auto idle = speedOfDriven(0, 1);
+      if (!idle || !idle->isZero()) return std::nullopt;
     }
-    if (speed.isZero()) return std::nullopt;
-    RationalFunction result = field.one() / speed;
+    const auto speed = speedOfDriven(1, 0);
+    if (!speed || speed->isZero()) return std::nullopt;
+    RationalFunction result = field.one() / *speed;
     if (result.termCount() > kExpansionBudget) return std::nullopt;
     return result;
   }

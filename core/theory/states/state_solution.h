@@ -16,7 +16,8 @@ namespace geargraph::inline states {
 /// two links turn as one, w_a - w_b = 0. Both are vectors: where the axes between the two links are not
 /// parallel they are several rows (relative_speed.h), of the reference pose.
 ///
-/// Identity  dof = n - rank; 1 is what a gear of a gearbox has.
+/// Identity  dof = n - rank; 1 is what a gear of a gearbox has. With more it has a ratio if the others are
+/// those of links that idle.
 struct StateSolution {
   int state = 0;             ///< position in the document
   std::vector<int> engaged;  ///< couplings by position, each once, in the document's order of couplings
@@ -25,17 +26,27 @@ struct StateSolution {
 
   bool driveTurns = false;      ///< false also where nothing is driven
   bool isDrivenAtRest = false;  ///< the speeds are known and `driven` is at rest: the ratio is infinite
-  ByJoint<Rational> rates;      ///< for `drive` at 1; empty unless dof is 1 and the drive turns
+  /// For `drive` at 1. Empty unless the drive turns, and either dof is 1 or the drive determines how `driven`
+  /// turns; then joints that turn in `idleRates` have any rate, here that of one possible motion.
+  ByJoint<Rational> rates;
+  /// A motion of the links that turn freely while the drive stands, drawn at random; empty unless there are
+  /// such links beside a motion in `rates`.
+  ByJoint<Rational> idleRates;
   /// Absolute speed of `drive` over that of `driven`, about their common direction; where the directions
   /// differ, each about its own axis. None if there are no rates, or `driven` is at rest or turns about
   /// several directions at once.
   std::optional<Rational> ratio;
   /// The same in the gear ratios i_k; none also where it exceeded the budget.
   std::optional<RationalFunction> symbolicRatio;
-  /// state-locked, state-free; turning-loop for a coupling that closes a linkage (then nothing is solved).
+  /// state-locked, state-free, state-idle; turning-loop for a coupling that closes a linkage (then nothing is
+  /// solved).
   Diagnostics diagnostics;
 
   [[nodiscard]] bool isSolved() const { return !rates.empty(); }
+  /// Does the joint turn freely, whatever the drive does?
+  [[nodiscard]] bool isIdle(JointOrdinal joint) const {
+    return !idleRates.empty() && !idleRates[joint].isZero();
+  }
 };
 
 /// Every state of the document, in its order. std::nullopt if `stop` was requested.

@@ -1,5 +1,7 @@
 #include "core/theory/statics/held_parts.h"
 
+#include <map>
+
 #include "core/theory/states/relative_speed.h"
 
 namespace geargraph::inline statics {
@@ -69,6 +71,25 @@ class PartMaker {
 };
 
 }  // namespace
+
+bool HeldPart::holds(const RadicalColumns& load) const {
+  std::map<int, Rational> own;
+  for (const auto& [link, factor] : byLink) own[link] += factor;
+  std::erase_if(own, [](const auto& entry) { return entry.second.isZero(); });
+  bool hasPower = false;
+  for (const RadicalColumns::Column& column : load.columns()) {
+    if (column.entries.empty()) continue;
+    hasPower = true;
+    if (column.entries.size() != own.size()) return false;
+    const Rational scale = column.entries.begin()->second;
+    for (auto entry = column.entries.begin(), mine = own.cbegin(); mine != own.cend(); ++entry, ++mine) {
+      const bool isAlong =
+          entry->first == mine->first && entry->second * own.begin()->second == scale * mine->second;
+      if (!isAlong) return false;
+    }
+  }
+  return hasPower;
+}
 
 std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel& model,
                                 const Placement& placement, const StaticsProblem& problem) {

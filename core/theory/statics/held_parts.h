@@ -23,6 +23,10 @@ struct HeldPart {
   /// The same over the joints' rates: the coefficients of the f-circuit of a chord from the ground (or the
   /// second link) to the link.
   std::vector<std::pair<int, Rational>> byJoint;
+
+  /// Does the part alone hold a load with this power for unit speeds, in every motion: does the load act
+  /// where the part does? False for a load without power.
+  [[nodiscard]] bool holds(const RadicalColumns& load) const;
 };
 
 /// The torques of the engaged couplings and of the balances, in this order.

@@ -13,6 +13,7 @@ namespace {
 bool isOnLoads(Code code) {
   switch (code) {
     case Code::unbalanced:
+    case Code::loadOnBalance:
     case Code::staticallyIndeterminate:
     case Code::selfLocking:
     case Code::recirculation:

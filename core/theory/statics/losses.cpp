@@ -24,6 +24,7 @@ class LossSolver {
         m_powers(powersOf(model, lossless, motion)) {}
 
   std::optional<LossySolution> run() {
+    if (!decides(m_lossless)) return LossySolution{};
     Pattern pattern = patternOf(m_powers);
     std::set<Pattern> tried;
     while (tried.insert(pattern).second) {
@@ -37,11 +38,22 @@ class LossSolver {
   }
 
  private:
+  [[nodiscard]] bool canLose(std::size_t mesh) const {
+    return m_powers.rolls[mesh] != 0 && m_efficiencies[mesh].value != Rational(1);
+  }
+
+  /// Is the load of every mesh that can lose power known?
+  [[nodiscard]] bool decides(const StaticsSolution& solution) const {
+    for (std::size_t mesh = 0; mesh < m_efficiencies.size(); ++mesh)
+      if (canLose(mesh) && !solution.isDetermined(static_cast<int>(mesh))) return false;
+    return true;
+  }
+
   /// Which gear drives, by mesh; none where it makes no difference.
   [[nodiscard]] Pattern patternOf(const MeshPowers& powers) const {
     Pattern pattern(powers.mesh.size(), MeshLoss::Driver::none);
     for (std::size_t mesh = 0; mesh < pattern.size(); ++mesh) {
-      if (powers.rolls[mesh] == 0 || m_efficiencies[mesh].value == Rational(1)) continue;
+      if (!canLose(mesh)) continue;
       const int sign = powers.mesh[mesh].sign();
       if (sign != 0) pattern[mesh] = sign > 0 ? MeshLoss::Driver::tail : MeshLoss::Driver::head;
     }
@@ -58,7 +70,7 @@ class LossSolver {
     if (!solution || !solution->isBalanced()) return std::nullopt;
     if (m_stiffness != nullptr && !shareByStiffness(m_model, *m_stiffness, *solution, m_stop))
       return std::nullopt;
-    if (!solution->isDeterminate()) return std::nullopt;
+    if (!decides(*solution)) return std::nullopt;
     const bool isExact = std::all_of(m_efficiencies.begin(), m_efficiencies.end(),
                                      [](const MeshEfficiency& each) { return each.isExact; });
     for (Real& value : solution->values)
@@ -86,9 +98,8 @@ class LossSolver {
 
   std::optional<LossySolution> allPatterns() {
     std::vector<std::size_t> open;
-    for (std::size_t mesh = 0; mesh < m_efficiencies.size(); ++mesh) {
-      if (m_powers.rolls[mesh] != 0 && m_efficiencies[mesh].value != Rational(1)) open.push_back(mesh);
-    }
+    for (std::size_t mesh = 0; mesh < m_efficiencies.size(); ++mesh)
+      if (canLose(mesh)) open.push_back(mesh);
     m_result.outcome = LossySolution::Outcome::patternLimit;
     const bool canTryAll = static_cast<int>(open.size()) <= m_mostPatternMeshes;
     if (!canTryAll || m_mostPatternMeshes == 0) return std::move(m_result);
@@ -205,12 +216,13 @@ std::optional<LossySolution> solveWithLosses(const KinematicModel& model, const 
                                              std::span<const MeshEfficiency> efficiencies,
                                              const CoefficientMatrix* stiffness, const std::stop_token& stop,
                                              int mostPatternMeshes) {
-  if (!lossless.isBalanced() || !lossless.isDeterminate()) return LossySolution{};
+  if (!lossless.isBalanced()) return LossySolution{};
   return LossSolver(model, lossless, loads, motion, efficiencies, stiffness, stop, mostPatternMeshes).run();
 }
 
 PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,
-                    std::span<const RadicalColumns> loads, const Motion& motion) {
+                    std::span<const RadicalColumns> loads, const Motion& motion,
+                    std::span<const int> heldBy) {
   PowerSums sums;
   const auto add = [&](const Real& power) {
     if (power.sign() > 0) {
@@ -219,9 +231,17 @@ PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,
       sums.taken -= power;
     }
   };
-  for (const RadicalColumns& load : loads) add(powerOf(model, load, motion));
-  for (std::size_t part = 0; part < solution.powers.held.size(); ++part) {
-    if (solution.statics.held[part].balance >= 0) add(solution.powers.held[part]);
+  std::vector<Real> held = solution.powers.held;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const Real power = powerOf(model, loads[i], motion);
+    if (i < heldBy.size() && heldBy[i] >= 0) {
+      held[static_cast<std::size_t>(heldBy[i])] += power;
+    } else {
+      add(power);
+    }
+  }
+  for (std::size_t part = 0; part < held.size(); ++part) {
+    if (solution.statics.held[part].balance >= 0) add(held[part]);
   }
   for (std::size_t mesh = 0; mesh < solution.losses.size(); ++mesh) {
     const MeshLoss& loss = solution.losses[mesh];

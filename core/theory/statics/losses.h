@@ -70,7 +70,7 @@ struct LossySolution {
     solved,
     selfLocking,   ///< no pattern is accepted: the balances cannot move the loads in this direction
     patternLimit,  ///< too many meshes to try all patterns
-    undecided      ///< the loads are not held, or their distribution over meshes is indeterminate
+    undecided      ///< the loads are not held, or the load of a mesh that loses power is indeterminate
   };
   Outcome outcome = Outcome::undecided;
   ByMesh<MeshLoss> losses;  ///< of the accepted pattern
@@ -82,11 +82,11 @@ struct LossySolution {
 constexpr int kMostPatternMeshes = 14;
 
 /// `lossless` is the solution of the same problem with no losses. `stiffness`: P, to decide indeterminate
-/// load sharing by equal stiffness (stiffness.h); null: then the outcome is undecided. If the iteration does
-/// not converge, all patterns of the lossy meshes are tried, if there are at most `mostPatternMeshes` (not
-/// above kMostPatternMeshes) of these; with 0 none is tried, and the outcome is patternLimit. std::nullopt if
-/// `stop` was requested.
-/// Cost: two or three eliminations; where these cycle, one for each pattern.
+/// load sharing by equal stiffness (stiffness.h); null: then the outcome is undecided where meshes that lose
+/// power share loads. If the iteration does not converge, all patterns of the lossy meshes are tried, if
+/// there are at most `mostPatternMeshes` (not above kMostPatternMeshes) of these; with 0 none is tried, and
+/// the outcome is patternLimit. std::nullopt if `stop` was requested. Cost: two or three eliminations; where
+/// these cycle, one for each pattern.
 [[nodiscard]] std::optional<LossySolution> solveWithLosses(const KinematicModel& model,
                                                            const StaticsSolution& lossless,
                                                            const RadicalColumns& loads, const Motion& motion,
@@ -105,9 +105,12 @@ struct PowerSums {
     return fed.isZero() ? std::nullopt : std::optional(taken / fed);
   }
 };
-/// `loads`: one entry per load, as each feeds or takes power by itself.
+/// `loads`: one entry per load, as each feeds or takes power by itself. `heldBy`: by load, the held part that
+/// holds it alone (HeldPart::holds()), with which it is one source of power; -1 where there is none. Empty:
+/// none has one.
 [[nodiscard]] PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,
-                                  std::span<const RadicalColumns> loads, const Motion& motion);
+                                  std::span<const RadicalColumns> loads, const Motion& motion,
+                                  std::span<const int> heldBy = {});
 
 /// The fraction of the losses, 0 to 1, from which on the train is self-locking: all 1 - eta_c are multiplied
 /// by it. std::nullopt if `stop` was requested. Found by bisection to 1e-6.

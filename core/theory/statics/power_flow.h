@@ -28,7 +28,8 @@ struct ElementPower {
   /// then the other one or the ground. A load, a balance: its link, then the ground, which has the reaction.
   std::vector<PowerPort> ports;
   bool isDetermined = true;
-  /// Determined only by the assumption of equal stiffness: the element is part of a self-stress.
+  /// Determined only by the assumption of equal stiffness: the element is part of a self-stress or, with
+  /// losses, depends on its shares.
   bool isAssumed = false;
 
   [[nodiscard]] Real fed() const;

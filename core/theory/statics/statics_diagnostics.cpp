@@ -86,6 +86,62 @@ Drivers driversOf(const Mechanism& mechanism, const StaticsReport& report) {
   return drivers;
 }
 
+/// "joint 14", "link 3".
+std::string loadPlace(const Mechanism& mechanism, const Load& load) {
+  if (const auto joint = jointOf(load))
+    return translated("joint %1", {labelOf(mechanism, *joint).value_or(joint->text())});
+  const LinkId link = *linkOf(load);
+  return translated("link %1", {labelOf(mechanism, link).value_or(link.text())});
+}
+
+std::string placeName(const Mechanism& mechanism, const TorquePlace& place) {
+  return place.inJoint() ? translated("joint %1", {std::to_string(mechanism.jointLabel(place.joint))})
+                         : translated("link %1", {std::to_string(mechanism.linkLabel(place.link))});
+}
+
+/// "joint 6", "coupling A".
+std::string heldName(const Mechanism& mechanism, const StaticsReport& report, const HeldPart& part) {
+  if (part.coupling >= 0) return translated("coupling %1", {mechanism.couplings[part.coupling].id.text()});
+  return placeName(mechanism, report.problem.balances[static_cast<std::size_t>(part.balance)]);
+}
+
+/// The range of each torque outside that depends on the shares.
+std::string rangesOfShares(const Mechanism& mechanism, const StaticsReport& report) {
+  std::vector<std::string> ranges;
+  const std::size_t meshes = static_cast<std::size_t>(mechanism.c());
+  for (std::size_t part = 0; part < report.ranges.size(); ++part) {
+    const std::optional<SharedRange>& range = report.ranges[part];
+    const HeldPart& held = report.held[part];
+    if (!range || !held.isMain || !report.isAssumed(static_cast<int>(meshes + part))) continue;
+    const std::string name = heldName(mechanism, report, held);
+    const std::string least = decimal(range->least.number());
+    const std::string most = decimal(range->most.number());
+    ranges.push_back(least == most ? translated("%1: %2 N m", {name, least})
+                                   : translated("%1: %2 to %3 N m", {name, least, most}));
+  }
+  if (ranges.empty()) return {};
+  return ' ' + translated("For any sharing in which no mesh works against the others: %1.",
+                          {listed(ranges, kMostNames)});
+}
+
+/// What is known of the torques outside of self-stresses. `areMeshesOnly`: only meshes share.
+std::string outsideOfShares(const Mechanism& mechanism, const StaticsReport& report, bool areMeshesOnly) {
+  const bool dependOnThem = report.lacksLosses || (report.isShared && !report.losses().empty());
+  if (!dependOnThem)
+    return areMeshesOnly ? translated("Torques outside are determined.")
+                         : translated("Torques that do not depend on them are determined.");
+  if (report.isShared && !report.lacksLosses)
+    return translated(
+               "With losses, torques outside depend on it, too: they are given for equally stiff teeth, "
+               "an assumption.") +
+           rangesOfShares(mechanism, report);
+  if (report.isShared || !areMeshesOnly)
+    return translated("With losses, torques outside depend on it, too, and are not given.");
+  return translated(
+      "With losses, torques outside depend on it, too, and are not given: share by stiffness to "
+      "find them.");
+}
+
 }  // namespace
 
 Diagnostic noLoad() {
@@ -113,12 +169,23 @@ Diagnostic unknownUnit(const Mechanism& mechanism, bool leavesForcesOut) {
                        {mechanism.unit}));
 }
 
-Diagnostic noMotion() {
+Diagnostic noMotion(bool withoutLosses) {
   return makeDiagnostic(
       Code::noMotion,
-      translated(
-          "Speeds are not determined: powers and efficiencies are left out. Give inputs their speeds, or "
-          "choose a state of one degree of freedom."));
+      withoutLosses
+          ? translated(
+                "Speeds are not determined, so that nothing tells which gears drive: with losses, torques "
+                "and "
+                "powers are left out. Give inputs their speeds, or choose a state of one degree of freedom.")
+          : translated("Speeds are not determined: powers and efficiencies are left out. Give inputs their "
+                       "speeds, or "
+                       "choose a state of one degree of freedom."));
+}
+
+Diagnostic noLossesAtRest() {
+  return makeDiagnostic(Code::noMotion,
+                        translated("All speeds are 0: at rest no power is lost, so that torques are those "
+                                   "without losses. Give inputs their speeds."));
 }
 
 Diagnostic noEfficiency() {
@@ -153,14 +220,46 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   return makeDiagnostic(Code::unbalanced, std::move(message), std::move(elements));
 }
 
-Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
-                       const StaticsSolution& solution) {
+Diagnostic loadsOnBalances(const Mechanism& mechanism, const StaticsReport& report,
+                           const std::vector<std::size_t>& loads) {
+  std::vector<std::string> names;
+  std::vector<std::string> places;
+  std::vector<ElementId> elements;
+  const auto addOnce = [](std::vector<std::string>& list, const std::string& name) {
+    if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+  };
+  for (const std::size_t i : loads) {
+    const LoadReport& load = report.loads[i];
+    const HeldPart& part = report.held[static_cast<std::size_t>(load.heldBy)];
+    addOnce(names, loadPlace(mechanism, load.load));
+    addOnce(places, placeName(mechanism, report.problem.balances[static_cast<std::size_t>(part.balance)]));
+    if (const auto joint = jointOf(load.load)) {
+      elements.emplace_back(*joint);
+    } else {
+      elements.emplace_back(*linkOf(load.load));
+    }
+  }
+  const std::string on = listed(names, kMostNames);
+  const std::string held = listed(places, kMostNames);
+  return makeDiagnostic(
+      Code::loadOnBalance,
+      translated("The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of "
+                 "it, and it counts for no efficiency. To find what it drives, put the balance elsewhere.",
+                 {on, held}),
+      std::move(elements));
+}
+
+Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model, const StaticsReport& report) {
+  const StaticsSolution& solution = report.lossless;
+  std::vector<char> isMember(static_cast<std::size_t>(solution.unknowns), 0);
+  for (const auto& members : solution.selfStresses)
+    for (const auto& [unknown, weight] : members) isMember[static_cast<std::size_t>(unknown)] = 1;
   std::vector<int> meshes;
   std::vector<std::string> couplings;
   bool balances = false;
   std::vector<ElementId> elements;
   for (int unknown = 0; unknown < solution.unknowns; ++unknown) {
-    if (solution.isDetermined(unknown)) continue;
+    if (isMember[static_cast<std::size_t>(unknown)] == 0) continue;
     if (unknown < model.c()) {
       meshes.push_back(unknown);
       elements.push_back(meshId(mechanism, unknown));
@@ -191,9 +290,7 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
                                   "self-stresses).",
                                   {sharing, std::to_string(count)});
   message += ' ';
-  message += couplings.empty() && !balances
-                 ? translated("Torques outside are determined.")
-                 : translated("Torques that do not depend on them are determined.");
+  message += outsideOfShares(mechanism, report, couplings.empty() && !balances);
   return makeDiagnostic(Code::staticallyIndeterminate, std::move(message), std::move(elements));
 }
 
@@ -219,11 +316,10 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
   std::vector<std::string> names;
   std::vector<ElementId> elements;
   for (const TorquePlace& place : report.problem.balances) {
+    names.push_back(placeName(mechanism, place));
     if (place.inJoint()) {
-      names.push_back(translated("joint %1", {std::to_string(mechanism.jointLabel(place.joint))}));
       elements.emplace_back(mechanism.turningJoints[place.joint].id);
     } else {
-      names.push_back(translated("link %1", {std::to_string(mechanism.linkLabel(place.link))}));
       elements.emplace_back(mechanism.links[place.link].id);
     }
   }
@@ -257,7 +353,7 @@ Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& mesh
   return makeDiagnostic(
       Code::patternLimit,
       translated("Which gears drive was not decided: the rounds of guesses do not settle, and %1 leave "
-                 "too many patterns to try all of them. Powers are those without losses.",
+                 "too many patterns to try all of them. Torques and powers are left out.",
                  {countedMeshes(meshLabels(mechanism, meshes))}),
       std::move(elements));
 }

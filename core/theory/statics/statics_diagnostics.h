@@ -10,13 +10,20 @@ namespace geargraph::inline statics {
 [[nodiscard]] Diagnostic noLoad();
 [[nodiscard]] Diagnostic unitLoad(const Mechanism& mechanism, const ShiftState& state);
 [[nodiscard]] Diagnostic unknownUnit(const Mechanism& mechanism, bool leavesForcesOut);
-[[nodiscard]] Diagnostic noMotion();
+/// `withoutLosses`: losses were asked for, so that torques are left out, too.
+[[nodiscard]] Diagnostic noMotion(bool withoutLosses);
+/// Losses were asked for, and nothing moves: there are none.
+[[nodiscard]] Diagnostic noLossesAtRest();
 [[nodiscard]] Diagnostic noEfficiency();
 /// The motion that nothing holds, the loads that drive it, and where a balance would hold it.
 [[nodiscard]] Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& report);
-/// Names the meshes that share loads indeterminately, and whether the other torques are determined.
+/// Loads at these positions act where a balance holds: it cancels them.
+[[nodiscard]] Diagnostic loadsOnBalances(const Mechanism& mechanism, const StaticsReport& report,
+                                         const std::vector<std::size_t>& loads);
+/// Names the meshes that share loads indeterminately, and whether the other torques are determined: with
+/// losses by which assumption, and their range over all distributions.
 [[nodiscard]] Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model,
-                                     const StaticsSolution& solution);
+                                     const StaticsReport& report);
 /// A load in a joint that cannot turn, and the meshes that carry it.
 [[nodiscard]] Diagnostic deadLoad(const Mechanism& mechanism, JointOrdinal joint,
                                   const std::vector<int>& meshes);

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/foundations/base/position_index.h"
-#include "core/mechanism/model/load_edits.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
+#include "core/theory/statics/problem_setup.h"
 #include "core/theory/statics/statics_diagnostics.h"
 
 namespace geargraph::inline statics {
@@ -45,18 +45,16 @@ class Analysis {
         m_matrix(mechanism, model, placement) {}
 
   std::optional<StaticsReport> run() {
+    m_report.state = m_options.state;
+    m_report.sharing = m_options.sharing ? m_options.sharing : m_mechanism.sharing;
     if (!takeMotion()) return std::nullopt;
     if (hasErrors(m_report.diagnostics)) return std::move(m_report);
     m_report.isSolved = true;
-    takeLoads();
-    takeBalances();
+    setUpProblem(m_mechanism, m_model, m_placement, m_analysis, m_options, m_report);
+    m_power = LoadPower::of(m_mechanism, m_model, m_placement, m_report.problem);
+    if (m_options.losses) takeEfficiencies();
     if (!solve()) return std::nullopt;
-    if (m_report.lossless.isBalanced()) {
-      if (m_options.losses && !solveLosses()) return std::nullopt;
-      takePowers();
-      takeForces();
-      takeSymbolicEfficiencies();
-    }
+    if (m_report.lossless.isBalanced() && !answer()) return std::nullopt;
     if (!solveTransposed()) return std::nullopt;
     if (m_stop.stop_requested()) return std::nullopt;
     return std::move(m_report);
@@ -68,6 +66,25 @@ class Analysis {
   }
   void add(Diagnostic diagnostic) { m_report.diagnostics.push_back(std::move(diagnostic)); }
 
+  /// What follows once the loads are held. False where `stop` was requested.
+  bool answer() {
+    const std::size_t before = m_report.diagnostics.size();
+    if (m_options.losses && !solveLosses()) return false;
+    m_report.lacksLosses = lacksLosses();
+    if (m_report.isShared && !takeAssumed()) return false;
+    if (m_report.lossless.indeterminate() > 0)
+      m_report.diagnostics.insert(m_report.diagnostics.begin() + static_cast<std::ptrdiff_t>(before),
+                                  sharedLoads(m_mechanism, m_model, m_report));
+    if (m_report.lacksLosses) {
+      tellMissingLosses();
+      return true;
+    }
+    takePowers();
+    takeForces();
+    takeSymbolicEfficiencies();
+    return true;
+  }
+
   /// False where `stop` was requested.
   bool takeMotion() {
     if (state() != nullptr) {
@@ -77,69 +94,14 @@ class Analysis {
       for (Diagnostic& diagnostic : solution->diagnostics) add(std::move(diagnostic));
       m_report.ratio = solution->ratio;
       if (solution->isSolved()) m_report.motion = std::move(solution->rates);
+      m_report.idleMotion = std::move(solution->idleRates);
     } else if (m_report.problem.engaged = engagedCouplings(m_mechanism); m_analysis.solution) {
       auto solution = solveExact(m_model, m_analysis.choice.joints, m_analysis.speeds, m_stop);
       if (!solution) return false;
       m_report.motion = std::move(solution->rates);
     }
-    if (!m_report.motion) add(noMotion());
+    if (!m_report.motion) add(noMotion(false));
     return true;
-  }
-
-  void takeLoads() {
-    if (m_options.documentLoads)
-      for (const Load& load : m_mechanism.loads) m_report.loads.push_back({load, {}, {}});
-    for (const Load& load : m_options.loads) m_report.loads.push_back({load, {}, {}});
-    const ShiftState* const of = state();
-    if (of != nullptr && of->drive && !isLoaded(of->drive) && !isLoaded(of->driven)) {
-      m_report.loads.push_back({Load{{}, LinkTorque{*of->drive, {}, Number(1)}}, {}, {}});
-      add(unitLoad(m_mechanism, *of));
-    } else if (m_report.loads.empty()) {
-      add(noLoad());
-    }
-    bool hasForces = false;
-    for (LoadReport& report : m_report.loads) {
-      StaticsProblem only;
-      addLoads(m_mechanism, m_placement, std::span(&report.load, 1), only);
-      hasForces = hasForces || !only.forces.empty();
-      report.power = LoadPower::of(m_mechanism, m_model, m_placement, only).byLink;
-      if (m_report.motion) report.watts = powerOf(m_model, report.power, *m_report.motion);
-      auto& problem = m_report.problem;
-      problem.torques.insert(problem.torques.end(), only.torques.begin(), only.torques.end());
-      problem.forces.insert(problem.forces.end(), only.forces.begin(), only.forces.end());
-    }
-    if (!metresPerUnit(m_mechanism)) add(unknownUnit(m_mechanism, hasForces));
-    m_power = LoadPower::of(m_mechanism, m_model, m_placement, m_report.problem);
-  }
-
-  [[nodiscard]] bool isLoaded(const std::optional<LinkId>& link) const {
-    return link && std::any_of(m_report.loads.begin(), m_report.loads.end(),
-                               [&](const LoadReport& each) { return linkOf(each.load) == *link; });
-  }
-
-  void takeBalances() {
-    StaticsProblem& problem = m_report.problem;
-    if (!m_options.balances.empty()) {
-      problem.balances = placesOf(m_mechanism, m_placement, m_options.balances);
-    } else if (const ShiftState* const of = state()) {
-      if (m_mechanism.balances) {
-        problem.balances = placesOf(m_mechanism, m_placement, *m_mechanism.balances);
-      } else if (of->drive && of->driven && isLoaded(of->drive) != isLoaded(of->driven)) {
-        const PositionIndex<LinkTag> links(m_mechanism.links);
-        const LinkId free = isLoaded(of->drive) ? *of->driven : *of->drive;
-        if (links.at(free) != 0)
-          problem.balances = {onLink(m_mechanism, m_placement, links.at(free), std::nullopt)};
-      }
-    } else if (m_mechanism.balances) {
-      problem.balances = placesOf(m_mechanism, m_placement, *m_mechanism.balances);
-    } else {
-      for (const JointOrdinal joint : m_analysis.choice.joints) {
-        const bool loaded = std::any_of(problem.torques.begin(), problem.torques.end(),
-                                        [&](const AppliedTorque& each) { return each.place.joint == joint; });
-        if (!loaded) problem.balances.push_back(TorquePlace{joint});
-      }
-    }
-    m_report.held = heldParts(m_mechanism, m_model, m_placement, problem);
   }
 
   bool solve() {
@@ -155,12 +117,14 @@ class Analysis {
       add(unbalancedLoads(m_mechanism, m_report));
       return true;
     }
-    if (m_report.lossless.indeterminate() > 0) {
-      add(sharedLoads(m_mechanism, m_model, m_report.lossless));
-      if (m_options.stiffness) {
-        if (!shareByStiffness(m_model, m_matrix, m_report.lossless, m_stop)) return false;
-        m_report.isShared = m_report.lossless.isDeterminate();
-      }
+    if (sharesByStiffness()) {
+      if (!shareByStiffness(m_model, m_matrix, m_report.lossless, m_stop)) return false;
+      m_report.isShared = m_report.lossless.isDeterminate();
+    }
+    if (m_report.motion && !m_report.idleMotion.empty() && !isIdle()) {
+      m_report.motion.reset();
+      for (LoadReport& load : m_report.loads) load.watts.reset();
+      add(noMotion(false));
     }
     addDeadLoads();
     return true;
@@ -180,14 +144,77 @@ class Analysis {
     }
   }
 
-  bool solveLosses() {
+  [[nodiscard]] bool sharesByStiffness() const {
+    if (m_report.lossless.indeterminate() == 0) return false;
+    if (m_report.sharing) return m_report.sharing == LoadSharing::stiffness;
+    return m_report.motion && mayLose(true);
+  }
+
+  /// Does nothing that turns freely bear anything? Then its rate changes no torque and no power.
+  [[nodiscard]] bool isIdle() const {
+    const StaticsSolution& solution = m_report.lossless;
+    const auto isFree = [&](int unknown) {
+      return solution.isDetermined(unknown) && solution.values[static_cast<std::size_t>(unknown)].isZero();
+    };
+    const MeshPowers powers = powersOf(m_model, solution, m_report.idleMotion);
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh)
+      if (powers.rolls[mesh] != 0 && !isFree(mesh)) return false;
+    if (std::any_of(powers.held.begin(), powers.held.end(), [](const Real& each) { return !each.isZero(); }))
+      return false;
+    return std::all_of(m_report.loads.begin(), m_report.loads.end(), [&](const LoadReport& load) {
+      return powerOf(m_model, load.power, m_report.idleMotion).isZero();
+    });
+  }
+
+  /// Is there a mesh that bears a load and loses power where it rolls? `shared`: of those that share loads.
+  [[nodiscard]] bool mayLose(bool shared = false) const {
+    if (!m_options.losses) return false;
+    const StaticsSolution& solution = m_report.lossless;
+    ByMesh<char> rolls(static_cast<std::size_t>(m_model.c()), 1);
+    if (m_report.motion) rolls = powersOf(m_model, solution, *m_report.motion).rolls;
+    for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
+      const bool bears = !solution.isDetermined(mesh) ||
+                         (!shared && !solution.values[static_cast<std::size_t>(mesh)].isZero());
+      if (bears && rolls[mesh] != 0 && m_efficiencies[mesh].value != Rational(1)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool lacksLosses() const {
+    const bool isSolved = m_report.lossy && m_report.lossy->outcome == LossySolution::Outcome::solved;
+    return !isSolved && mayLose();
+  }
+
+  /// The reason is in a diagnostic of its own, but for a motion that is missing.
+  void tellMissingLosses() {
+    for (LoadReport& load : m_report.loads) load.watts.reset();
+    for (Diagnostic& diagnostic : m_report.diagnostics)
+      if (diagnostic.code == Code::noMotion) diagnostic = noMotion(true);
+  }
+
+  /// What holds by the assumption of equal stiffness only. False where `stop` was requested.
+  bool takeAssumed() {
+    auto assumed = dependsOnShares(m_model, m_report.lossless, m_power.byLink, m_report.losses(), m_stop);
+    if (!assumed) return false;
+    m_report.assumed = std::move(*assumed);
+    if (!m_report.losses().empty()) m_report.ranges = sharedRanges(m_model, *m_report.lossy);
+    return true;
+  }
+
+  void takeEfficiencies() {
     if (hasFriction(m_mechanism)) (void)contacts();
     m_efficiencies = efficienciesOf(m_mechanism, m_contacts, m_options.efficiency);
+  }
+
+  bool solveLosses() {
     const bool any = std::any_of(m_efficiencies.begin(), m_efficiencies.end(),
                                  [](const MeshEfficiency& each) { return each.isGiven; });
     if (!any) add(noEfficiency());
     if (!m_report.motion || !any) return true;
-    const CoefficientMatrix* const stiffness = m_options.stiffness ? &m_matrix : nullptr;
+    const bool isAtRest = std::all_of(m_report.motion->begin(), m_report.motion->end(),
+                                      [](const Rational& rate) { return rate.isZero(); });
+    if (isAtRest && !lossyMeshes().empty()) add(noLossesAtRest());
+    const CoefficientMatrix* const stiffness = m_report.isShared ? &m_matrix : nullptr;
     m_report.lossy = solveWithLosses(m_model, m_report.lossless, m_power.byLink, *m_report.motion,
                                      m_efficiencies, stiffness, m_stop);
     if (!m_report.lossy) return false;
@@ -222,8 +249,14 @@ class Analysis {
     if (m_report.backward->outcome != LossySolution::Outcome::solved) return true;
     std::vector<RadicalColumns> loads;
     for (const LoadReport& load : m_report.loads) loads.push_back(opposite(load.power));
-    m_report.backwardSums = powerSums(m_model, *m_report.backward, loads, *m_report.motion);
+    m_report.backwardSums = powerSums(m_model, *m_report.backward, loads, *m_report.motion, holdersOfLoads());
     return true;
+  }
+
+  [[nodiscard]] std::vector<int> holdersOfLoads() const {
+    std::vector<int> holders;
+    for (const LoadReport& load : m_report.loads) holders.push_back(load.heldBy);
+    return holders;
   }
 
   void takePowers() {
@@ -239,7 +272,7 @@ class Analysis {
       shown.powers = powersOf(m_model, m_report.lossless, *m_report.motion);
     }
     m_report.powers = shown.powers;
-    m_report.sums = powerSums(m_model, shown, loads, *m_report.motion);
+    m_report.sums = powerSums(m_model, shown, loads, *m_report.motion, holdersOfLoads());
     const double fed = m_report.sums->fed.number();
     constexpr double kNoticeably = 1 + 1e-9;
     ByMesh<double> times(static_cast<std::size_t>(m_model.c()), 0);
@@ -341,7 +374,9 @@ class Analysis {
   void takeSymbolicEfficiencies() {
     if (!m_options.symbolic || !m_report.motion) return;
     const std::optional<DrivenJoints> driven = drivenJoints();
-    if (!driven) return;
+    const bool hasOne = std::any_of(m_report.loads.begin(), m_report.loads.end(),
+                                    [](const LoadReport& load) { return load.heldBy >= 0; });
+    if (!driven || hasOne || !m_report.idleMotion.empty()) return;
     const auto efficiency = [&](const std::optional<LossySolution>& solution,
                                 bool isReversed) -> std::optional<RationalFunction> {
       if (!solution || solution->outcome != LossySolution::Outcome::solved) return std::nullopt;
@@ -382,6 +417,25 @@ class Analysis {
   StaticsReport m_report;
 };
 
+/// Does the power of an element that is known depend on how loads are shared?
+bool isAssumed(const Mechanism& mechanism, const StaticsReport& report, const ElementPower& element) {
+  using Kind = ElementPower::Kind;
+  if (report.assumed.empty() || !element.isDetermined) return false;
+  if (element.kind == Kind::mesh) return report.isAssumed(element.position);
+  for (std::size_t part = 0; part < report.held.size(); ++part) {
+    if (!report.isAssumed(mechanism.c() + static_cast<int>(part))) continue;
+    const HeldPart& held = report.held[part];
+    if (held.coupling >= 0 && element.kind == Kind::coupling && held.coupling == element.position)
+      return true;
+    if (held.balance < 0) continue;
+    const TorquePlace& place = report.problem.balances[static_cast<std::size_t>(held.balance)];
+    const bool isThere = place.inJoint() ? element.kind == Kind::joint && place.joint == element.position
+                                         : element.kind == Kind::balance && held.balance == element.position;
+    if (isThere) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism, const KinematicModel& model,
@@ -401,8 +455,11 @@ std::optional<bool> StaticsReport::agreesInSymbols() const {
 
 PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
                             const Placement& placement, const StaticsReport& report, LinkOrdinal observer) {
-  return powerFlow(mechanism, model, placement, report.problem, report.solution(), report.losses(),
-                   *report.motion, observer);
+  PowerFlow flow = powerFlow(mechanism, model, placement, report.problem, report.solution(), report.losses(),
+                             *report.motion, observer);
+  for (ElementPower& element : flow.elements)
+    element.isAssumed = element.isAssumed || isAssumed(mechanism, report, element);
+  return flow;
 }
 
 std::vector<double> numbersOf(const StaticsSolution& solution) {

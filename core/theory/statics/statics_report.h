@@ -9,6 +9,7 @@
 #include "core/theory/matroid/matroid_analysis.h"
 #include "core/theory/statics/circulation.h"
 #include "core/theory/statics/forces.h"
+#include "core/theory/statics/shared_loads.h"
 #include "core/theory/statics/statics_agreement.h"
 #include "core/theory/statics/symbolic_efficiency.h"
 #include "core/theory/statics/symbolic_statics.h"
@@ -29,7 +30,13 @@ struct StaticsOptions {
   std::vector<Balance> balances;       ///< instead of those of the document, where there are any
   bool losses = false;                 ///< with the efficiencies of the meshes
   std::optional<Rational> efficiency;  ///< for meshes that state none
-  bool stiffness = false;              ///< self-stresses by equal stiffness of all teeth
+  /// How self-stresses are decided; none: as the document states. Losses depend on the shares: where nothing
+  /// is stated, meshes that lose power share by stiffness, which is reported.
+  std::optional<LoadSharing> sharing;
+  /// With a state: the torque on its drive about the direction of its own axis, N m. Loads where states are
+  /// driven, and at its driven link, are left out; the driven link is the balance unless `balances` are
+  /// given.
+  std::optional<Rational> driveTorque;
   bool symbolic = true;
 };
 
@@ -38,23 +45,34 @@ struct LoadReport {
   Load load;
   RadicalColumns power;       ///< by link, for unit speeds
   std::optional<Real> watts;  ///< fed into the train; none without a motion
+  int heldBy = -1;            ///< the held part, a balance, that holds it alone; -1: none
 };
 
 /// The torques of a mechanism, of one state or of none: by both methods, with losses where asked for.
 struct StaticsReport {
+  int state = -1;  ///< as in the options
   StaticsProblem problem;
   std::vector<LoadReport> loads;  ///< all that act
+  std::vector<Load> leftOut;      ///< with options.driveTorque: those that it takes the place of
   std::vector<HeldPart> held;     ///< couplings and balances, as in the solutions' unknowns
   bool isSolved = false;          ///< false: a coupling of the state closes a linkage, named in `diagnostics`
   std::optional<Rational> ratio;  ///< of the state that was solved, drive over driven
   std::optional<Motion> motion;   ///< none if the speeds are not determined
+  /// Of the links that turn freely beside a state's drive and driven link: a motion of theirs, by joint.
+  /// Joints that turn in it have any rate; `motion` holds one of these. Empty: there are none.
+  Motion idleMotion;
   StaticsSolution lossless;
   std::optional<StaticsAgreement> agreement;  ///< none if a mesh has no sign in the T-T graph
   std::optional<LossySolution> lossy;         ///< with options.losses and a motion
   std::optional<PowerSums> sums;              ///< with a motion, where the loads are held
   std::optional<LossySolution> backward;      ///< the known torques reversed; with `lossy`
   std::optional<PowerSums> backwardSums;
-  bool isShared = false;            ///< self-stresses were decided by stiffness
+  std::optional<LoadSharing> sharing;  ///< that was asked for, by the options or the document
+  bool isShared = false;               ///< self-stresses were decided by stiffness
+  bool lacksLosses = false;            ///< losses were asked for and are not known: see isAnswered()
+  std::vector<char> assumed;           ///< by unknown: holds by the assumption of isShared only; else empty
+  /// By held part, with isShared and losses: as sharedRanges().
+  std::vector<std::optional<SharedRange>> ranges;
   MeshPowers powers;                ///< with a motion; of the train with losses where these are solved
   std::optional<Real> latentRatio;  ///< as latentRatio()
   std::optional<PowerFlow> flow;    ///< with a motion, seen from the ground; of the same train
@@ -73,6 +91,17 @@ struct StaticsReport {
   /// Do both methods give the same symbolic torques? std::nullopt if one of them gives none, or an entry
   /// exceeded its budget.
   [[nodiscard]] std::optional<bool> agreesInSymbols() const;
+  /// Do torques, powers and forces answer what was asked? False where nothing holds the loads, and where the
+  /// losses that were asked for are not known: a train that locks itself, or whose drivers are undecided.
+  [[nodiscard]] bool isAnswered() const { return isSolved && lossless.isBalanced() && !lacksLosses; }
+  /// The rate of a joint; std::nullopt without a motion, and for one that turns freely.
+  [[nodiscard]] std::optional<Rational> rateOf(JointOrdinal joint) const {
+    if (!motion || (!idleMotion.empty() && !idleMotion[joint].isZero())) return std::nullopt;
+    return (*motion)[joint];
+  }
+  [[nodiscard]] bool isAssumed(int unknown) const {
+    return !assumed.empty() && assumed[static_cast<std::size_t>(unknown)] != 0;
+  }
   /// The solution that is shown: with losses where these are solved.
   [[nodiscard]] const StaticsSolution& solution() const {
     return lossy && lossy->outcome == LossySolution::Outcome::solved ? lossy->statics : lossless;

@@ -13,6 +13,7 @@
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/gearboxes.h"
 #include "ui/panels/gearbox_panel.h"
+#include "ui/panels/number_field.h"
 #include "ui/panels/states_table.h"
 
 namespace geargraph {
@@ -128,6 +129,26 @@ class GearboxPanelTest : public QObject {
     press("addState");
     QCOMPARE(panel->model().index(0, 1).data().toString(), QString());
     QVERIFY(table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+  }
+
+  /// The field is the document's member; empty it shows what acts then. Loads beside it are named.
+  void oneTorqueAtTheDrive() {
+    auto* field = panel->findChild<NumberField*>(QStringLiteral("driveTorque"));
+    QVERIFY(field->isVisibleTo(panel.get()) && !field->number());
+    field->setValue(QStringLiteral("100"));
+    QCOMPARE(document->mechanism()->driveTorque->exact(), Rational(100));
+    auto torques = std::make_shared<ForceTable>(shiftTable(*document->mechanism(), {}));
+    torques->rows.resize(document->mechanism()->states.size());
+    for (ForceRow& row : torques->rows) row.cells.resize(torques->columns.size());
+    torques->note = "The loads on link 9 act as well.";
+    panel->setTorques(torques, document->mechanism());
+    QVERIFY2(
+        panel->remark().endsWith(QLatin1String("for 100 N m at the drive. The loads on link 9 act as well.")),
+        qPrintable(panel->remark()));
+    document->undo();
+    QVERIFY(!document->mechanism()->driveTorque && !field->number());
+    document->replace(Mechanism(), {});
+    QVERIFY(!field->isVisibleTo(panel.get()));
   }
 
   /// Nothing is solved for a gearbox out of sight, or a document that is none.

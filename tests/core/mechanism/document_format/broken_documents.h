@@ -179,6 +179,12 @@ struct BrokenDocument {
       {"inertia of no body", "[1e-3, \"1/500\", 0.0015,", "[1e-3, \"1/500\", 0.0035,",
        "schema /links/3/inertia [links:planet]"},
       {"inertia of five numbers", "0, -1e-5, 0]", "0, -1e-5]", "schema /links/3/inertia [links:planet]"},
+      {"sharing of another kind", "\"sharing\": \"stiffness\"", "\"sharing\": \"equal\"", "schema /sharing"},
+      {"sharing as a flag", "\"sharing\": \"stiffness\"", "\"sharing\": true", "schema /sharing"},
+      {"torque at the drive as a unit", "\"driveTorque\": \"25/2\"", "\"driveTorque\": \"12 Nm\"",
+       "schema /driveTorque"},
+      {"torque at the drive beyond limits", "\"driveTorque\": \"25/2\"", "\"driveTorque\": 1e16",
+       "schema /driveTorque"},
       {"density 0", "\"density\": 2700.0", "\"density\": 0", "schema /density"},
       {"gravity downwards", "\"gravity\": [0, \"-981/100\", 0]", "\"gravity\": 9.81", "schema /gravity"},
 

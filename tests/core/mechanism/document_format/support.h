@@ -62,6 +62,7 @@ inline const std::string kEverything = R"({
   "loads": [{"id": "pull", "joint": 6, "torque": -12.50}, {"link": "planet", "axis": "p", "torque": "5/2"},
     {"link": "arm", "torque": 3}, {"link": "sun", "force": [0, 1.0, "-20/3"], "point": [0, 40, 132]}],
   "balances": [{"joint": 4}, {"link": "arm", "axis": "a"}, {"link": "planet"}],
+  "sharing": "stiffness", "driveTorque": "25/2",
   "density": 2700.0, "gravity": [0, "-981/100", 0],
   "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
            "notes": [{"id": "N1", "text": "sun\nand planet", "at": [7, -8.5], "color": "red"}],

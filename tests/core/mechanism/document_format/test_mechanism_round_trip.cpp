@@ -88,6 +88,7 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.links[3].mass && !m.links[2].mass);
   QVERIFY(m.links[3].mass->mass.text() == "0.80" && m.links[3].mass->center->at(1).exact() == Rational(1, 3));
   QVERIFY(m.links[3].mass->inertia->at(1).exact() == Rational(1, 500));
+  QVERIFY(m.sharing == LoadSharing::stiffness && m.driveTorque->exact() == Rational(25, 2));
   QVERIFY(m.density->value() == 2700 && m.gravity->at(1).exact() == Rational(-981, 100));
 }
 

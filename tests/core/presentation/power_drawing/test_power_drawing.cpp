@@ -60,7 +60,7 @@ Powered planetarySet(int planets = 1, const Rational& torque = 10, bool losses =
   options.loads = {{{}, JointTorque{set.turningJoints[0].id, Number(torque)}}};
   options.balances = {{set.turningJoints[1].id}, {set.turningJoints[2].id}};
   options.losses = losses;
-  options.stiffness = stiffness;
+  if (stiffness) options.sharing = LoadSharing::stiffness;
   options.efficiency = Rational(98, 100);
   return {set, options};
 }
@@ -101,7 +101,7 @@ Powered robot() {
 /// 10 N m at the right axle, held by the case and the left one: -20 N m at 1 rad/s, 10 N m at 3/2 rad/s.
 Powered differential(bool stiffness = false) {
   StaticsOptions options;
-  options.stiffness = stiffness;
+  if (stiffness) options.sharing = LoadSharing::stiffness;
   options.loads = {{{}, JointTorque{JointId("8"), Number(10)}}};
   options.balances = {{JointId("6")}, {JointId("7")}};
   return {example("bevel-differential"), options};

@@ -123,7 +123,7 @@ class TrainForcesTest : public QObject {
     options.balances = {{planets.turningJoints[1].id}, {planets.turningJoints[2].id}};
     const std::string open = captionOf(planets);
     QVERIFY2(open.starts_with("Not drawn, as shared in unknown parts: forces at meshes"), open.c_str());
-    options.stiffness = true;
+    options.sharing = LoadSharing::stiffness;
     QCOMPARE(captionOf(planets), std::string("Shared by equal stiffness of all teeth: an assumption."));
   }
 

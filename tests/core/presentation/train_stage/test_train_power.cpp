@@ -40,7 +40,7 @@ Powered planetarySet(int planets = 1, bool stiffness = false) {
   StaticsOptions options;
   options.loads = {{{}, JointTorque{set.turningJoints[0].id, Number(10)}}};
   options.balances = {{set.turningJoints[1].id}, {set.turningJoints[2].id}};
-  options.stiffness = stiffness;
+  if (stiffness) options.sharing = LoadSharing::stiffness;
   return {set, options};
 }
 

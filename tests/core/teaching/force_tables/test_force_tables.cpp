@@ -200,7 +200,8 @@ class TestForceTables : public QObject {
   }
 
   void sharedLoadsHaveNoNumber() {
-    const Picture picture(3);
+    Picture picture(3);
+    picture.options.losses = false;
     const StaticsCase train(picture.mechanism);
     const StaticsReport report = reportOf(train, picture.options);
     const ForceTable meshes = tableOf(train, report, ForceTableKind::meshes);

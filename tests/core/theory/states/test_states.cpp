@@ -174,6 +174,35 @@ class TestStates : public QObject {
     QVERIFY(names(1) && names(3) && names(4) && !names(2));
   }
 
+  /// A second planetary set that nothing holds idles beside the first.
+  void linksThatIdleLeaveTheRatio() {
+    Mechanism mechanism = TrainSketch(5)
+                              .joint(0, 1, "a")
+                              .joint(0, 2, "a")
+                              .joint(2, 3, "b")
+                              .joint(0, 4, "a")
+                              .joint(2, 5, "c")
+                              .mesh(1, 3, 24, 18, MeshKind::external)
+                              .mesh(3, 0, 18, 60, MeshKind::internal)
+                              .mesh(4, 5, 20, 22, MeshKind::external)
+                              .build();
+    const StateSolution state = only(mechanism, {}, 1, 2);
+    QCOMPARE(state.dof, 2);
+    QCOMPARE(*state.ratio, Rational(7, 2));
+    QVERIFY(state.symbolicRatio);
+    const Mechanism& train = mechanism;
+    std::vector<Rational> ratios;
+    for (const GearMesh& mesh : train.gearMeshes) ratios.emplace_back(mesh.tailTeeth, mesh.headTeeth);
+    QCOMPARE(*state.symbolicRatio->valueAt(ratios), Rational(7, 2));
+    QCOMPARE(state.diagnostics.at(0).code, Code::stateIdle);
+    QCOMPARE(state.diagnostics[0].severity(), Severity::info);
+    QVERIFY(state.diagnostics[0].message.find("links 4 and 5 turn freely") != std::string::npos);
+    QVERIFY(!state.isIdle(0) && !state.isIdle(1) && !state.isIdle(2) && state.isIdle(3) && state.isIdle(4));
+    // The other way round the drive does not determine what it drives.
+    QCOMPARE(only(mechanism, {}, 1, 4).diagnostics.at(0).code, Code::stateFree);
+    QVERIFY(!only(mechanism, {}, 1, 4).ratio);
+  }
+
   void aStateMayLockItsDriveAndLeaveOthersFree() {
     Mechanism mechanism = TrainSketch(3).joint(0, 1, "a").joint(0, 2, "b").joint(0, 3, "c").build();
     addBrake(mechanism, "B", 1);

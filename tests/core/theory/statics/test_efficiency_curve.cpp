@@ -252,8 +252,9 @@ class EfficiencyCurveTest : public QObject {
     planets.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
     const StaticsCase train(planets);
     StaticsOptions options = lossy(Rational(49, 50));
+    options.sharing = LoadSharing::none;
     QVERIFY(!limitsOf(train, options));  // nothing is known of the shares
-    options.stiffness = true;
+    options.sharing = LoadSharing::stiffness;
     const auto limits = limitsOf(train, options);
     QVERIFY(limits.has_value() && !limits->forward && !limits->backward);
   }

@@ -121,8 +121,9 @@ class TestStaticsReport : public QObject {
     StaticsOptions options = loaded({{{}, JointTorque{set.turningJoints[0].id, Number(1)}}});
     options.losses = true;
     options.efficiency = Rational(98, 100);
+    options.sharing = LoadSharing::none;
     QCOMPARE(reportOf(train, options).lossy->outcome, LossySolution::Outcome::undecided);
-    options.stiffness = true;
+    options.sharing = LoadSharing::stiffness;
     const StaticsReport shared = reportOf(train, options);
     QCOMPARE(shared.lossy->outcome, LossySolution::Outcome::solved);
     // Three planets lose what one does.
