@@ -26,6 +26,11 @@ std::string linkOf(const ExerciseSource& source, LinkId link) {
   return source.linkLabel(source.graph().nodeOf(link));
 }
 
+/// Questions are about gears: sets with one freedom, in which nothing idles.
+std::optional<Rational> ratioOf(const EngagedSet& set) {
+  return set.solution.dof == 1 ? set.solution.ratio : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<int> statesWithRatio(const ExerciseSource& source) {
@@ -35,7 +40,7 @@ std::vector<int> statesWithRatio(const ExerciseSource& source) {
     const auto place = source.setOfState(state);
     if (!place) continue;
     const EngagedSet& set = source.engagedSets(state)[*place];
-    if (set.solution.ratio && set.solution.dof == 1 && !set.couplings.empty()) states.push_back(state);
+    if (ratioOf(set) && !set.couplings.empty()) states.push_back(state);
   }
   return states;
 }
@@ -59,8 +64,7 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
   build.question.fields.front().mayBeEmpty = true;
   std::vector<std::vector<std::string>> alternatives;
   for (const EngagedSet& set : sets) {
-    if (set.solution.ratio && *set.solution.ratio == ratio)
-      alternatives.push_back({couplingSet(source, set.couplings)});
+    if (ratioOf(set) == ratio) alternatives.push_back({couplingSet(source, set.couplings)});
   }
   build.accept({couplingSet(source, right.couplings)}, alternatives);
   for (std::size_t i = 0; i < source.mechanism().states.size(); ++i) {
@@ -77,7 +81,7 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
   Condition different{Test::values, {}, {}};
   for (const EngagedSet& set : sets) {
     const std::string text = couplingSet(source, set.couplings);
-    if (set.solution.ratio && *set.solution.ratio == ratio) continue;
+    if (ratioOf(set) == ratio) continue;
     if (set.solution.dof > 1) {
       free.values.push_back({text});
     } else if (!set.solution.driveTurns) {
