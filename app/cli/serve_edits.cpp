@@ -151,6 +151,8 @@ constexpr std::array kDocumentChanges = {ServedMember{"name", kText},
                                          ServedMember{"unit", kText},
                                          ServedMember{"gearDefaults", "object, as in a document"},
                                          ServedMember{"balances", "list, as in a document"},
+                                         ServedMember{"sharing", "none or stiffness"},
+                                         ServedMember{"driveTorque", "number, N m"},
                                          ServedMember{"density", "number, kg/m3"},
                                          ServedMember{"gravity", "three numbers, m/s2"}};
 constexpr std::array kRemoved = {ServedMember{"links", kIds},      ServedMember{"turningJoints", kIds},

@@ -103,9 +103,9 @@ class MatroidPart : private ReportPart {
     equation("u_k = D_{0,k} \\begin{pmatrix} 0 & 0 & 1 \\end{pmatrix}^T", 7);
     if (!hasAngles) return equation("L_k^2 + M_k^2 + N_k^2 = 1", 9);
     equation(
-        "D_{0,k} = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & \\cos\\varphi_k & -\\sin\\varphi_k \\\\ 0 & "
-        "\\sin\\varphi_k & "
-        "\\cos\\varphi_k \\end{bmatrix}",
+        "D_{0,k} = \\left[ \\begin{array}{ccc} 1 & 0 & 0 \\\\ 0 & \\cos\\varphi_k & -\\sin\\varphi_k \\\\ 0 "
+        "& "
+        "\\sin\\varphi_k & \\cos\\varphi_k \\end{array} \\right]",
         8);
     equation("L_k = 0 , \\quad M_k = -\\sin\\varphi_k , \\quad N_k = \\cos\\varphi_k", 9);
   }
@@ -126,7 +126,7 @@ class MatroidPart : private ReportPart {
     paragraph(translated("The twist of a joint is its screw times its rate:"));
     equation("\\hat{s}_k = \\hat{u}_{c,k} \\, \\dot{\\theta}_k", 13);
     paragraph(translated("Along each cycle the twists, with their signs in $C$, add up to zero:"));
-    equation("\\sum_k \\left[ C \\circ \\hat{s}_k \\right] = 0_c", 14);
+    equation("\\left[ C \\circ \\hat{s}_k \\right] = 0_c", 14);
     paragraph(translated(
         "Their directions give the velocity of one gear of each mesh relative to the other. The mesh "
         "has no moment about its own pitch point, so the moments of the turning joints alone add up "

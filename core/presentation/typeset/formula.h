@@ -9,7 +9,7 @@ namespace geargraph::inline typeset {
 enum class FormulaKind {
   row,       ///< parts side by side; as a part of another row: the content of braces
   number,    ///< text: digits and a point
-  letter,    ///< text: one letter, Latin or Greek
+  letter,    ///< text: one letter, Latin or Greek, or the name of a function
   sign,      ///< text: one sign, or primes
   negative,  ///< the unary minus sign
   scripts,   ///< parts: the base; below and above: at most one each

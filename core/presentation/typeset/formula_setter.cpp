@@ -38,9 +38,18 @@ FormulaBox characters(std::string_view text, FontFace face, double size) {
   return box;
 }
 
+/// "cos": upright, with a gap before its argument.
+SetAtom functionName(const FormulaNode& node, SetStyle style) {
+  constexpr double kGap = 0.17;  // em
+  SetAtom atom{characters(node.text, FontFace::main, style.size())};
+  atom.box.width += kGap * style.size();
+  return atom;
+}
+
 SetAtom letter(const FormulaNode& node, SetStyle style) {
   std::string_view text = node.text;
   const char32_t character = takeCharacter(text);
+  if (!text.empty()) return functionName(node, style);
   // The italic face has no script letters.
   const bool upright = character == U'Γ' || !glyphMetrics(FontFace::italic, character);
   const FontFace face = upright ? FontFace::main : FontFace::italic;

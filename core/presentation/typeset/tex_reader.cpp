@@ -10,7 +10,8 @@ namespace {
 
 const std::map<std::string_view, std::string_view>& letters() {
   static const std::map<std::string_view, std::string_view> known{
-      {"Gamma", "Γ"}, {"ell", "ℓ"}, {"omega", "ω"}, {"tau", "τ"}, {"theta", "θ"}};
+      {"Gamma", "Γ"}, {"ell", "ℓ"},    {"omega", "ω"}, {"tau", "τ"},
+      {"theta", "θ"}, {"varphi", "φ"}, {"cos", "cos"}, {"sin", "sin"}};
   return known;
 }
 

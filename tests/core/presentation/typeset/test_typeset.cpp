@@ -162,12 +162,20 @@ class TypesetTest : public QObject {
 
   // Every letter and sign that the reader knows by name has a glyph in one of the faces.
   void everyNamedCharacterIsSet() {
-    for (const char* name :
-         {"Gamma", "ell", "omega", "tau", "theta", "times", "circ", "cdot", "pm", "mid", "approx"}) {
+    for (const char* name : {"Gamma", "ell", "omega", "tau", "theta", "varphi", "times", "circ", "cdot", "pm",
+                             "mid", "approx"}) {
       const FormulaBox box = boxOf((std::string("\\") + name).c_str());
       QCOMPARE(box.glyphs.size(), std::size_t{1});
       QVERIFY2(box.width > 0, name);
     }
+  }
+
+  void namesOfFunctionsAreUpright() {
+    const FormulaBox box = boxOf("\\cos\\varphi_k");
+    QCOMPARE(box.glyphs.size(), std::size_t{5});
+    const PlacedGlyph& s = glyphOf(box, U's');
+    QVERIFY(s.face == FontFace::main);
+    QVERIFY(glyphOf(box, U'φ').x > endOf(s) + 0.1);
   }
 
   void columnsOfAMatrixAreAligned() {
