@@ -4,6 +4,7 @@
 
 #include "app/cli/engagement_options.h"
 #include "app/cli/text_table.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::cli {
@@ -14,8 +15,9 @@ using Rows = TextRows;
 /// "80/27 (2.96296)", "10".
 std::string text(const Real& value) {
   if (!value.isExact()) return decimal(value.number());
-  if (value.fraction()->isInteger()) return value.fraction()->toString();
-  return value.fraction()->toString() + " (" + decimal(value.number()) + ")";
+  const std::string exact = value.fraction()->toString();
+  if (isLongFraction(exact)) return decimal(value.number());
+  return value.fraction()->isInteger() ? exact : exact + " (" + decimal(value.number()) + ")";
 }
 
 std::string text(const Vector3& vector) {
