@@ -3871,8 +3871,8 @@
         <translation>Geben Sie eine ganze Zahl von %1 bis %2 ein.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
-        <translation>Geben Sie eine Zahl wie 12, 0,5 oder 22/7 oder eine Länge wie 1/2 in ein.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3, or a length such as 1/2 in.</source>
+        <translation>Geben Sie eine Zahl wie 12, 0,5, 22/7 oder 2*3 oder eine Länge wie 1/2 in ein.</translation>
     </message>
     <message>
         <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>

@@ -3871,8 +3871,8 @@
         <translation>Escriba un número entero de %1 a %2.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
-        <translation>Escriba un número como 12, 0,5 o 22/7, o una longitud como 1/2 in.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3, or a length such as 1/2 in.</source>
+        <translation>Escriba un número como 12, 0,5, 22/7 o 2*3, o una longitud como 1/2 in.</translation>
     </message>
     <message>
         <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>

@@ -3870,8 +3870,8 @@
         <translation>%1 ile %2 arasında bir tam sayı yazın.</translation>
     </message>
     <message>
-        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
-        <translation>12, 0,5 veya 22/7 gibi bir sayı ya da 1/2 in gibi bir uzunluk yazın.</translation>
+        <source>Type a number such as 12, 0.5, 22/7 or 2*3, or a length such as 1/2 in.</source>
+        <translation>12, 0,5, 22/7 veya 2*3 gibi bir sayı ya da 1/2 in gibi bir uzunluk yazın.</translation>
     </message>
     <message>
         <source>Type a number such as 12, 0.5, 22/7 or 2*3.</source>

@@ -105,7 +105,7 @@ QString NumberField::objectionTo(const std::optional<Number>& number) const {
     return fits ? QString() : tr("Type a whole number from %1 to %2.").arg(*m_least).arg(*m_most);
   }
   if (number) return {};
-  if (m_unit) return tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.");
+  if (m_unit) return tr("Type a number such as 12, 0.5, 22/7 or 2*3, or a length such as 1/2 in.");
   switch (m_quantity) {
     case Quantity::number:
       break;
