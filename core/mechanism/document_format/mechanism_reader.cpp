@@ -3,8 +3,8 @@
 
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
-#include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/document_format/element_reader.h"
+#include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/view_reader.h"
 #include "core/mechanism/model/validate.h"

@@ -131,7 +131,8 @@ class MechanismGraphReader {
       for (const auto& [number, at] : order) sorted.push_back(std::move(m_parts.nodes[at]));
       m_parts.nodes = std::move(sorted);
     } else if (!m_parts.nodes.empty()) {
-      m_notes.push_back(translated("The ground is the first node, %1.", {inQuotes(m_parts.nodes.front().key)}));
+      m_notes.push_back(
+          translated("The ground is the first node, %1.", {inQuotes(m_parts.nodes.front().key)}));
     }
   }
 
@@ -269,8 +270,8 @@ class MechanismGraphReader {
       if (m_isTooLarge) return;
       const AttributeText* const given = node.attributes.find(kLinkId);
       const std::string id = given != nullptr ? given->text : node.key;
-      const Origin& origin = m_origins["links"].emplace_back(
-          Origin{translated("The node %1", {inQuotes(node.key)}), node.offset, GraphPart::node, {LinkId(id)}});
+      const Origin& origin = m_origins["links"].emplace_back(Origin{
+          translated("The node %1", {inQuotes(node.key)}), node.offset, GraphPart::node, {LinkId(id)}});
       if (!m_links.emplace(node.key, id).second) {
         m_diagnostics.add(Code::duplicateId, translated("%1 is in the graph twice.", {origin.name}),
                           node.offset);
@@ -361,8 +362,9 @@ class MechanismGraphReader {
     for (const std::string* const end : {&edge.source, &edge.target}) {
       if (m_links.contains(*end)) continue;
       isComplete = false;
-      m_diagnostics.add(Code::unknownId, translated("%1: there is no node %2.", {origin.name, inQuotes(*end)}),
-                        edge.offset, origin.elements);
+      m_diagnostics.add(Code::unknownId,
+                        translated("%1: there is no node %2.", {origin.name, inQuotes(*end)}), edge.offset,
+                        origin.elements);
     }
     return isComplete;
   }
