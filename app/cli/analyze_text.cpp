@@ -9,9 +9,9 @@
 namespace geargraph::cli {
 namespace {
 
-constexpr int kMostRows = 40;
-constexpr int kMostColumns = 40;
-constexpr int kMostElements = 100;
+constexpr int kMaxRows = 40;
+constexpr int kMaxColumns = 40;
+constexpr int kMaxElements = 100;
 
 std::string rightAligned(std::string_view text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + std::string(text);
@@ -37,7 +37,7 @@ std::unordered_map<LinkId, std::string> labelsOfLinks(const Mechanism& m) {
 }
 
 std::string elements(const Mechanism& m) {
-  if (m.n() + m.t() + m.c() > kMostElements) return {};
+  if (m.n() + m.t() + m.c() > kMaxElements) return {};
   auto labels = labelsOfLinks(m);
   const auto arrow = [&](LinkId tail, LinkId head) { return labels[tail] + " -> " + labels[head]; };
   std::string text = '\n' + translated("Links") + '\n';
@@ -102,7 +102,7 @@ std::string matrixText(const IntegerMatrix& matrix) {
   const std::string shape = counted(matrix.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
                             counted(matrix.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
   if (matrix.rows() == 0 || matrix.columns() == 0) return title(matrix) + "  " + shape + '\n';
-  if (matrix.rows() > kMostRows || matrix.columns() > kMostColumns) {
+  if (matrix.rows() > kMaxRows || matrix.columns() > kMaxColumns) {
     return title(matrix) + "  " +
            translated("%1: too large to print; see \"export --to csv --matrix %2\"",
                       {shape, matrixCommandName(matrix.kind())}) +

@@ -89,7 +89,7 @@ int runCheck(const Arguments& arguments) {
   const auto text = readFile(path, kLargestPaper);
   if (const auto* error = std::get_if<FileError>(&text)) return fileFailure(error->message);
   const auto& mechanism = std::get<Mechanism>(loaded);
-  if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
+  if (mechanism.n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(mechanism);
   const auto verdict = checkPaper(source, std::get<std::string>(text), std::get<0>(kind), arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the check"));

@@ -65,7 +65,7 @@ std::string motionCheckLine(std::string_view file, const std::optional<MotionRep
     return text + ": " +
            translated(
                "motion not checked: nothing moves, the mechanism has errors, or it has more than %1 links",
-               {std::to_string(kMostCheckedLinks)}) +
+               {std::to_string(kMaxCheckedLinks)}) +
            '\n';
   const MotionCheck& check = report->check;
   if (!check.isComplete)

@@ -24,7 +24,7 @@
 namespace geargraph::cli {
 namespace {
 
-constexpr double kMostSeconds = 1e6;
+constexpr double kMaxSeconds = 1e6;
 constexpr double kLeastInterval = 1e-6;
 
 using ReadNumber = std::optional<double> (*)(std::string_view text);
@@ -103,14 +103,14 @@ std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arg
                                       [&](std::size_t i, double speed) { start.speeds[at(i)] = speed; }))
       return error;
   }
-  const auto seconds = numberWithin(arguments, "--seconds", 1, kLeastInterval, kMostSeconds);
+  const auto seconds = numberWithin(arguments, "--seconds", 1, kLeastInterval, kMaxSeconds);
   if (const auto* error = std::get_if<UsageError>(&seconds)) return *error;
   start.seconds = std::get<double>(seconds);
   const auto interval =
-      numberWithin(arguments, "--interval", start.seconds / 100, kLeastInterval, kMostSeconds);
+      numberWithin(arguments, "--interval", start.seconds / 100, kLeastInterval, kMaxSeconds);
   if (const auto* error = std::get_if<UsageError>(&interval)) return *error;
   start.interval = std::get<double>(interval);
-  if (start.seconds / start.interval >= static_cast<double>(kMostSamples))
+  if (start.seconds / start.interval >= static_cast<double>(kMaxSamples))
     return UsageError{translated("--seconds over --interval are at most a million samples.")};
   start.limits = angleLimits(*result.snapshot->mechanism);
   return std::nullopt;
@@ -172,12 +172,12 @@ int runDynamics(const Arguments& arguments) {
                                    : kMechanismErrors;
   }
   const bool isTooLarge =
-      matroid->solution->inputs.size() * matroid->solution->outputs.size() > LiveSolution::kMostLiveEntries;
+      matroid->solution->inputs.size() * matroid->solution->outputs.size() > LiveSolution::kMaxLiveEntries;
   if (isTooLarge) {
     std::cerr << "geargraph-cli: "
               << translated(
                      "Dynamics is computed for up to %1 entries of the solution (inputs times other joints).",
-                     {std::to_string(LiveSolution::kMostLiveEntries)})
+                     {std::to_string(LiveSolution::kMaxLiveEntries)})
               << '\n';
     return kResourceLimit;
   }

@@ -36,7 +36,7 @@ std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& a
       return UsageError{translated("The mechanism gives no question \"%1\": %2.", {name, *reason})};
     kinds.push_back(*kind);
   }
-  if (kinds.empty() || static_cast<int>(kinds.size()) > kMostQuestions)
+  if (kinds.empty() || static_cast<int>(kinds.size()) > kMaxQuestions)
     return UsageError{translated("--kinds names 1 to 100 questions.")};
   return kinds;
 }
@@ -53,7 +53,7 @@ std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
   }
   if (const auto word = arguments.value("--variants")) {
     const auto variants = numberFrom<int>(*word);
-    if (!variants || *variants < 1 || *variants > kMostVariants)
+    if (!variants || *variants < 1 || *variants > kMaxVariants)
       return UsageError{translated("--variants is a whole number from 1 to 1000.")};
     plan.variants = *variants;
   }

@@ -72,7 +72,7 @@ int listExerciseKinds(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExercises, translated("One file is needed."));
   const auto mechanism = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&mechanism)) return *status;
-  if (std::get<Mechanism>(mechanism).n() > kMostExerciseLinks) return tooLargeForExercises();
+  if (std::get<Mechanism>(mechanism).n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(std::get<Mechanism>(mechanism));
   std::string text = difficultyOf(source).text + '\n';
   for (const ExerciseKind kind : allExerciseKinds()) {
@@ -89,7 +89,7 @@ int listExerciseKinds(const Arguments& arguments) {
 int tooLargeForExercises() {
   std::cerr << "geargraph-cli: "
             << translated("Exercises are made of mechanisms of at most %1 moving links.",
-                          {std::to_string(kMostExerciseLinks)})
+                          {std::to_string(kMaxExerciseLinks)})
             << '\n';
   return kResourceLimit;
 }

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestAnswers = std::size_t{4} * 1024 * 1024;
-constexpr std::size_t kLongestName = 80;  ///< characters of a student's name in the CSV
+constexpr std::size_t kMaxNameLength = 80;  ///< characters of a student's name in the CSV
 
 /// A file of answers, and whether it was found in a folder.
 struct HandedIn {
@@ -93,7 +93,7 @@ std::string cutName(const std::string& text) {
   std::size_t characters = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool isFirstByte = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-    if (isFirstByte && ++characters > kLongestName) return text.substr(0, at) + "\u2026";
+    if (isFirstByte && ++characters > kMaxNameLength) return text.substr(0, at) + "\u2026";
   }
   return text;
 }

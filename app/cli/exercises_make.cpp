@@ -32,7 +32,7 @@ std::variant<SheetRequest, UsageError, FileError> requestFrom(const Arguments& a
     const auto bytes = readFile(*path, kLargestFile);
     if (const auto* error = std::get_if<FileError>(&bytes)) return *error;
     request.students = wordsOf(std::get<std::string>(bytes), '\n');
-    if (request.students.empty() || request.students.size() > kMostVariants)
+    if (request.students.empty() || request.students.size() > kMaxVariants)
       return UsageError{translated("--names is a text file of 1 to 1000 lines.")};
     request.plan.variants = static_cast<int>(request.students.size());
   }
@@ -83,7 +83,7 @@ int makeExercises(const Arguments& arguments) {
   auto loaded = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const auto& mechanism = std::get<Mechanism>(loaded);
-  if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
+  if (mechanism.n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(mechanism);
   const Diagnostics& diagnostics = source.snapshot()->diagnostics;
   std::cerr << diagnosticLines(arguments.files.front(), diagnostics);

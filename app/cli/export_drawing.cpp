@@ -22,8 +22,8 @@ std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& argumen
   picture.style.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
   picture.style.transparent = arguments.has("--transparent");
   if (const auto text = arguments.value("--size")) {
-    const auto size = pictureSize(*text, kMostDrawingPixels);
-    if (!size) return UsageError{wrongSize(*text, kMostDrawingPixels)};
+    const auto size = pictureSize(*text, kMaxDrawingPixels);
+    if (!size) return UsageError{wrongSize(*text, kMaxDrawingPixels)};
     picture.style.size = SheetStyle::Size{size->first, size->second};
   }
   return picture;

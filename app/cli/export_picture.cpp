@@ -40,10 +40,10 @@ std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arg
   const StagePtr stage = trainStage(*snapshot, cache, &shapes, nullptr, arguments.stop);
   if (!stage) return outOfTime(arguments, translated("the 3D view"));
   for (const StageNote& note : stage->notes) std::cerr << file << ": " << note.text << '\n';
-  if (stage->scene.instances.empty() && snapshot->mechanism->n() > kMostStageLinks) {
+  if (stage->scene.instances.empty() && snapshot->mechanism->n() > kMaxStageLinks) {
     std::cerr << "geargraph-cli: "
               << translated("A train of %1 links has no 3D, which is made of up to %2 links.",
-                            {std::to_string(snapshot->mechanism->n()), std::to_string(kMostStageLinks)})
+                            {std::to_string(snapshot->mechanism->n()), std::to_string(kMaxStageLinks)})
               << '\n';
     return static_cast<int>(kResourceLimit);
   }

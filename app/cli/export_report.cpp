@@ -44,12 +44,12 @@ int exportDerivation(const Arguments& arguments,
   if (const int* status = std::get_if<int>(&document)) return *status;
   auto mechanism = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kExport, error->message);
-  if (std::get<Mechanism>(mechanism).n() > kMostReportLinks) {
+  if (std::get<Mechanism>(mechanism).n() > kMaxReportLinks) {
     std::cerr << "geargraph-cli: "
               << translated(
                      "A derivation of more than %1 links is not written: it would be too long to read. The "
                      "matrices are exported as CSV.",
-                     {std::to_string(kMostReportLinks)})
+                     {std::to_string(kMaxReportLinks)})
               << '\n';
     return kResourceLimit;
   }
@@ -93,7 +93,7 @@ std::variant<std::optional<HandoutExercises>, UsageError, int> exercisesFrom(con
   const auto loaded = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const auto& mechanism = std::get<Mechanism>(loaded);
-  if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
+  if (mechanism.n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(mechanism);
   auto kinds = kindsFrom(arguments, source);
   if (const auto* error = std::get_if<UsageError>(&kinds)) return *error;

@@ -83,12 +83,12 @@ int exportSimulator(const Arguments& arguments, SimulatorForm form) {
     return kMechanismErrors;
   }
   if (matroid->solution->inputs.size() * matroid->solution->outputs.size() >
-      ExactSolution::kMostExactEntries) {
+      ExactSolution::kMaxExactEntries) {
     std::cerr
         << "geargraph-cli: "
         << translated(
                "Models for simulators have at most %1 entries of the solution (inputs times other joints).",
-               {std::to_string(ExactSolution::kMostExactEntries)})
+               {std::to_string(ExactSolution::kMaxExactEntries)})
         << '\n';
     return kResourceLimit;
   }

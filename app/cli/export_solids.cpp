@@ -68,7 +68,7 @@ std::variant<MeshScene, int> oneGear(const ExportTrain& train, const Arguments& 
 int exportSolids(const Arguments& arguments, MeshFormat format) {
   const auto tolerance =
       numberWithin(arguments, "--tolerance", kExportTolerance, kFinestTolerance, kCoarsestTolerance);
-  const auto seconds = numberWithin(arguments, "--animate", 0, kShortestAnimation, kLongestAnimation);
+  const auto seconds = numberWithin(arguments, "--animate", 0, kShortestAnimation, kMaxAnimation);
   for (const auto* read : {&tolerance, &seconds}) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }
@@ -96,8 +96,8 @@ int exportSolids(const Arguments& arguments, MeshFormat format) {
 int exportAssembly(const Arguments& arguments) {
   const auto tolerance =
       numberWithin(arguments, "--tolerance", kExportTolerance, kFinestTolerance, kCoarsestTolerance);
-  const auto frames = numberWithin(arguments, "--frames", 24, static_cast<double>(kFewestFrames),
-                                   static_cast<double>(kMostAssemblyFrames));
+  const auto frames = numberWithin(arguments, "--frames", 24, static_cast<double>(kMinFrames),
+                                   static_cast<double>(kMaxAssemblyFrames));
   for (const auto* read : {&tolerance, &frames}) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }

@@ -22,12 +22,12 @@ std::variant<ExportTrain, int> loadTrain(const Arguments& arguments, const Adapt
     document = std::get<Mechanism>(std::move(adapted));
   }
   const int links = std::get<Mechanism>(document).n();
-  if (links > kMostStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
+  if (links > kMaxStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
     std::cerr << "geargraph-cli: "
               << translated(
                      "A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link "
                      "export a part of it. Nothing was written.",
-                     {std::to_string(links), std::to_string(kMostStageLinks)})
+                     {std::to_string(links), std::to_string(kMaxStageLinks)})
               << '\n';
     return static_cast<int>(kResourceLimit);
   }
@@ -44,7 +44,7 @@ std::variant<ExportTrain, int> loadTrain(const Arguments& arguments, const Adapt
         << translated(
                "A train of %1 gears (over %2): wheels are plain discs, shafts and arms are straight and "
                "pass through other parts.",
-               {std::to_string(loaded.train.gears.size()), std::to_string(kMostRoutedGears)})
+               {std::to_string(loaded.train.gears.size()), std::to_string(kMaxRoutedGears)})
         << '\n';
   }
   return std::move(loaded);

@@ -123,9 +123,9 @@ std::string rounded(double value) {
 
 /// With all turns; where four decimals are beyond a double, eight digits.
 std::string degreesText(double angle) {
-  constexpr double kMostWithDecimals = 1e11;
+  constexpr double kMaxWithDecimals = 1e11;
   const double degrees = angle / kDegree;
-  if (std::abs(degrees) < kMostWithDecimals) return rounded(degrees);
+  if (std::abs(degrees) < kMaxWithDecimals) return rounded(degrees);
   std::ostringstream text;
   text << std::setprecision(8) << degrees;
   return text.str();

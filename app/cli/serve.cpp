@@ -28,7 +28,7 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 constexpr std::size_t kLargestRequest = 2 * kLargestFile;
-constexpr std::size_t kMostDocuments = 1'000;
+constexpr std::size_t kMaxDocuments = 1'000;
 
 /// Why a request was not answered.
 struct Rejection {
@@ -206,7 +206,7 @@ class Server {
   }
 
   Answer open(const JsonValue& params) {
-    if (m_documents.size() >= kMostDocuments) return Rejection{"limit", "Over 1,000 documents are open."};
+    if (m_documents.size() >= kMaxDocuments) return Rejection{"limit", "Over 1,000 documents are open."};
     const auto given = params.member("text");
     if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
       return Rejection{
@@ -391,8 +391,8 @@ int runServe(const Arguments& arguments) {
   ServedLimits limits{std::get<0>(seconds), {}};
   if (const auto word = arguments.value("--limit-memory")) {
     limits.megabytes = numberFrom<std::size_t>(*word);
-    constexpr std::size_t kMostMegabytes = 1'000'000;
-    if (!limits.megabytes || *limits.megabytes == 0 || *limits.megabytes > kMostMegabytes)
+    constexpr std::size_t kMaxMegabytes = 1'000'000;
+    if (!limits.megabytes || *limits.megabytes == 0 || *limits.megabytes > kMaxMegabytes)
       return wrongUsage(kServe, "--limit-memory takes whole megabytes from 1 to 1000000.");
   }
   Server server(limits);

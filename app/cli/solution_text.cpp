@@ -11,9 +11,9 @@
 namespace geargraph::cli {
 namespace {
 
-constexpr std::size_t kMostRows = 40;
-constexpr std::size_t kMostColumns = 8;
-constexpr std::size_t kLongestCell = 48;
+constexpr std::size_t kMaxRows = 40;
+constexpr std::size_t kMaxColumns = 8;
+constexpr std::size_t kMaxCellLength = 48;
 
 std::string padded(const std::string& text, std::size_t width) {
   const std::size_t length = utf8Count(text);
@@ -38,7 +38,7 @@ std::string freedom(const Mechanism& mechanism, const MatroidAnalysis& matroid) 
 
 std::string carriers(const TtGraph& graph) {
   const Digraph& digraph = graph.graph();
-  if (digraph.c() == 0 || static_cast<std::size_t>(digraph.c()) > kMostRows) return {};
+  if (digraph.c() == 0 || static_cast<std::size_t>(digraph.c()) > kMaxRows) return {};
   std::string text = '\n' + translated("Carriers of the gear pairs, by their transfer vertices") + '\n';
   for (int mesh = 0; mesh < digraph.c(); ++mesh) {
     const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
@@ -63,7 +63,7 @@ std::string cell(const SolvedKinematics& solved, std::size_t row, std::size_t co
   const std::string number = readableNumber(solved.exact->matrix[at]);
   if (!solved.symbolic || !solved.symbolic->matrix[at]) return number;
   const std::string symbols = solved.symbolic->matrix[at]->toText();
-  if (symbols == number || symbols.size() > kLongestCell) return number;
+  if (symbols == number || symbols.size() > kMaxCellLength) return number;
   return symbols + " = " + number;
 }
 
@@ -116,7 +116,7 @@ std::string solution(const AnalysisSnapshot& snapshot) {
     for (const int joint : follow) text += ' ' + std::to_string(snapshot.graph->edgeLabel(joint));
     text += '\n';
   }
-  const bool isSmall = exact.outputs.size() <= kMostRows && exact.inputs.size() <= kMostColumns;
+  const bool isSmall = exact.outputs.size() <= kMaxRows && exact.inputs.size() <= kMaxColumns;
   if (isSmall && exact.matrix.size() == exact.outputs.size() * exact.inputs.size()) {
     text += printed(tableOf(snapshot));
   } else {

@@ -26,10 +26,10 @@ namespace geargraph::cli {
 namespace {
 
 std::string ratioText(const Rational& value) {
-  constexpr double kMostPlain = 1e15;  // larger ones are written with an exponent
+  constexpr double kMaxPlain = 1e15;  // larger ones are written with an exponent
   const double number = value.toDouble();
   char buffer[64];
-  std::snprintf(buffer, sizeof buffer, std::abs(number) < kMostPlain ? "%.4f" : "%.10g", number);
+  std::snprintf(buffer, sizeof buffer, std::abs(number) < kMaxPlain ? "%.4f" : "%.10g", number);
   return buffer;
 }
 

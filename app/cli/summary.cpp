@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostJobs = 256;
+constexpr int kMaxJobs = 256;
 
 /// What is told of one file; numbers are empty where the mechanism leaves them undefined.
 struct Row {
@@ -123,10 +123,10 @@ std::vector<Row> rowsOf(const std::vector<std::string>& files, int jobs, const s
 
 int runSummary(const Arguments& arguments) {
   if (arguments.files.empty()) return wrongUsage(kSummary, translated("Files or folders are needed."));
-  int jobs = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostJobs);
+  int jobs = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxJobs);
   if (const auto word = arguments.value("--jobs")) {
     const auto given = numberFrom<int>(*word);
-    if (!given || *given < 1 || *given > kMostJobs)
+    if (!given || *given < 1 || *given > kMaxJobs)
       return wrongUsage(kSummary, translated("--jobs is a whole number from 1 to 256."));
     jobs = *given;
   }

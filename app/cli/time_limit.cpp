@@ -10,7 +10,7 @@
 namespace geargraph::cli {
 namespace {
 
-constexpr double kLongest = 1e6;  // s
+constexpr double kMaxLength = 1e6;  // s
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::variant<std::optional<double>, UsageError> limitFrom(const Arguments& argum
   const auto text = arguments.value(kLimitOption.name);
   if (!text) return std::optional<double>();
   const auto seconds = numberFrom<double>(*text);
-  if (seconds && *seconds > 0 && *seconds <= kLongest) return seconds;
+  if (seconds && *seconds > 0 && *seconds <= kMaxLength) return seconds;
   return UsageError{
       translated("--limit-seconds takes a number of seconds above 0, up to 1000000, not \"%1\".", {*text})};
 }

@@ -13,7 +13,7 @@ namespace geargraph::cli {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kLongestTime = 1e9;  // s
+constexpr double kMaxTime = 1e9;  // s
 
 std::optional<double> numberIn(std::string_view text, double least, double most) {
   const auto value = numberFrom<double>(text);
@@ -53,10 +53,10 @@ class RenderingReader {
   void readSize() {
     const auto text = m_arguments.value("--size");
     if (!text) return;
-    if (const auto size = pictureSize(*text, kMostPictureSide)) {
+    if (const auto size = pictureSize(*text, kMaxPictureSide)) {
       m_rendering.size = {size->first, size->second};
     } else {
-      wrong(wrongSize(*text, kMostPictureSide));
+      wrong(wrongSize(*text, kMaxPictureSide));
     }
   }
 
@@ -82,7 +82,7 @@ class RenderingReader {
 
   void readMoment() {
     if (const auto text = m_arguments.value("--time")) {
-      const auto time = numberIn(*text, -kLongestTime, kLongestTime);
+      const auto time = numberIn(*text, -kMaxTime, kMaxTime);
       if (!time) return wrong(translated("--time takes seconds, not \"%1\".", {*text}));
       m_rendering.view.time = *time;
     }
@@ -130,10 +130,10 @@ class RenderingReader {
     Animation animation;
     animation.kind = turns ? AnimationKind::turntable : AnimationKind::motion;
     const std::string frames = m_arguments.value("--frames").value_or(std::to_string(animation.frames));
-    const auto count = numberIn(frames, 2, kMostAnimationFrames);
+    const auto count = numberIn(frames, 2, kMaxAnimationFrames);
     if (!count || *count != std::floor(*count)) {
       return wrong(translated("--frames takes a whole number from 2 to %1, not \"%2\".",
-                              {std::to_string(kMostAnimationFrames), frames}));
+                              {std::to_string(kMaxAnimationFrames), frames}));
     }
     animation.frames = static_cast<int>(*count);
     if (const auto text = m_arguments.value("--fps")) {

@@ -73,9 +73,9 @@ struct Case {
 class FirstBytes final : public ByteSink {
  public:
   void write(std::string_view bytes) override {
-    constexpr std::size_t kMost = std::size_t{1} << 28U;
+    constexpr std::size_t kMax = std::size_t{1} << 28U;
     m_size += bytes.size();
-    if (m_text.size() < kMost) m_text += bytes;
+    if (m_text.size() < kMax) m_text += bytes;
   }
   [[nodiscard]] std::size_t size() const { return m_size; }
   [[nodiscard]] std::string take() { return std::move(m_text); }

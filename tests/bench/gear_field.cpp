@@ -13,10 +13,10 @@ Scene gearField(int count, int shapes) {
   for (int shape = 0; shape < std::min(count, shapes); ++shape) {
     const GearSpec spec = standardGear(GearKind::external, 60, 2, 20 - 0.05 * shape);
     const auto solid = [spec](double tolerance) { return gearSolid(spec, tolerance).value(); };
-    scene.solids.push_back(std::make_shared<const Solid>(solid(kFarthestTolerance)));
+    scene.solids.push_back(std::make_shared<const Solid>(solid(kMaxTolerance)));
     DetailLevels& levels = scene.levels.emplace_back();
     levels.unit = spec.module;
-    levels.error = kFarthestTolerance;
+    levels.error = kMaxTolerance;
     for (const double error : {kFarTolerance, kScreenTolerance}) {
       levels.finer.push_back({error, std::make_shared<const DeferredSolid>([=] { return solid(error); })});
     }

@@ -19,7 +19,7 @@ struct Run {
 
 /// Runs geargraph-cli with these words, as a user would who has no display.
 inline Run run(const QStringList& words, const QByteArray& input = {}) {
-  constexpr int kLongestRun = 120'000;  // ms
+  constexpr int kMaxRun = 120'000;  // ms
   QProcess process;
   QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
   bare.remove(QStringLiteral("DISPLAY"));
@@ -27,7 +27,7 @@ inline Run run(const QStringList& words, const QByteArray& input = {}) {
   process.start(QStringLiteral(GEARGRAPH_CLI), words);
   process.write(input);
   process.closeWriteChannel();
-  if (!process.waitForFinished(kLongestRun)) {
+  if (!process.waitForFinished(kMaxRun)) {
     process.kill();
     process.waitForFinished();
     return {-1, {}, "The program did not end."};

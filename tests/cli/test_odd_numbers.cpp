@@ -128,7 +128,7 @@ const std::vector<Odd>& oddDocuments() {
 
 /// Documents at the very edge of what lengths may be, for every output there is.
 const std::vector<Odd>& edgeDocuments() {
-  static constexpr double kMost = 1e15, kLeast = 1e-15;
+  static constexpr double kMax = 1e15, kLeast = 1e-15;
   static const std::vector<Odd> all = [] {
     const auto edge = [](const char* name, json document) {
       return Odd{name, std::move(document), true, true};
@@ -136,39 +136,35 @@ const std::vector<Odd>& edgeDocuments() {
     const auto pair = [&](const char* name, const json& members) {
       return edge(name, pairOfWheels(members));
     };
-    const json far = {0, kMost, 0};
+    const json far = {0, kMax, 0};
     return std::vector<Odd>{
         edge("robot as large as it may be",
-             withLengths(robot(), [](double x) { return json(std::clamp(x * 1e13, -kMost, kMost)); })),
-        edge("robot as far as it may be", withLengths(robot(), [](double x) { return json(kMost - x); })),
+             withLengths(robot(), [](double x) { return json(std::clamp(x * 1e13, -kMax, kMax)); })),
+        edge("robot as far as it may be", withLengths(robot(), [](double x) { return json(kMax - x); })),
         pair("an axis 1e15 away", {{"/axes/1/point", far}}),
         pair("axes 2e15 apart",
-             {{"/axes/0/point", {-kMost, -kMost, -kMost}}, {"/axes/1/point", {kMost, kMost, kMost}}}),
+             {{"/axes/0/point", {-kMax, -kMax, -kMax}}, {"/axes/1/point", {kMax, kMax, kMax}}}),
         pair("a pair of 1e-15", {{"/axes/1/point", {0, kLeast, 0}}}),
         pair("a pair of 1e-15 at 1e15",
              {{"/axes/0/point", far}, {"/axes/1/point", {0, "1000000000000000", kLeast}}}),
         pair("directions of 1e-15 and 1e15",
-             {{"/axes/0/direction", {0, 0, kLeast}}, {"/axes/1/direction", {0, 0, kMost}}}),
-        pair("a direction of 1e-15 beside 1e15", {{"/axes/1/direction", {kLeast, 0, kMost}}}),
+             {{"/axes/0/direction", {0, 0, kLeast}}, {"/axes/1/direction", {0, 0, kMax}}}),
+        pair("a direction of 1e-15 beside 1e15", {{"/axes/1/direction", {kLeast, 0, kMax}}}),
         pair("axes that meet 1e15 away", {{"/axes/1/direction", {0, kLeast, 1}}}),
-        pair("axes that meet near 1e15",
-             {{"/axes/1/point", {0, kMost, 0}}, {"/axes/1/direction", {0, 1, 0}}}),
-        pair("a pitch point 1e15 along the axes", {{"/gearMeshes/0/pitchPoint", {0, 20, kMost}}}),
-        pair("a pitch point 1e15 beside the axes", {{"/gearMeshes/0/pitchPoint", {kMost, 20, 0}}}),
-        pair("bearings 2e15 apart",
-             {{"/turningJoints/0/offset", -kMost}, {"/turningJoints/1/offset", kMost}}),
-        pair("faces of 1e15", {{"/gearMeshes/0/faceWidth", kMost}}),
+        pair("axes that meet near 1e15", {{"/axes/1/point", {0, kMax, 0}}, {"/axes/1/direction", {0, 1, 0}}}),
+        pair("a pitch point 1e15 along the axes", {{"/gearMeshes/0/pitchPoint", {0, 20, kMax}}}),
+        pair("a pitch point 1e15 beside the axes", {{"/gearMeshes/0/pitchPoint", {kMax, 20, 0}}}),
+        pair("bearings 2e15 apart", {{"/turningJoints/0/offset", -kMax}, {"/turningJoints/1/offset", kMax}}),
+        pair("faces of 1e15", {{"/gearMeshes/0/faceWidth", kMax}}),
         pair("a backlash and an angle of 1e15",
-             {{"/gearDefaults", {{"backlash", kMost}, {"pressureAngle", kMost}, {"faceWidth", kLeast}}}}),
+             {{"/gearDefaults", {{"backlash", kMax}, {"pressureAngle", kMax}, {"faceWidth", kLeast}}}}),
         pair("wheels of 1e15",
-             {{"/wheels", {{{"id", "w"}, {"link", "1"}, {"profileShift", kMost}, {"bore", kMost}}}},
+             {{"/wheels", {{{"id", "w"}, {"link", "1"}, {"profileShift", kMax}, {"bore", kMax}}}},
               {"/gearMeshes/0/tailWheel", "w"}}),
-        pair("nodes 2e15 apart", {{"/view", {{"nodes", {{"1", {kMost, -kMost}}, {"2", {-kMost, kMost}}}}}}}),
-        pair("a camera at 1e15", {{"/view/camera",
-                                   {{"target", {kMost, -kMost, kMost}},
-                                    {"azimuth", 30},
-                                    {"elevation", 30},
-                                    {"distance", kMost}}}}),
+        pair("nodes 2e15 apart", {{"/view", {{"nodes", {{"1", {kMax, -kMax}}, {"2", {-kMax, kMax}}}}}}}),
+        pair("a camera at 1e15",
+             {{"/view/camera",
+               {{"target", {kMax, -kMax, kMax}}, {"azimuth", 30}, {"elevation", 30}, {"distance", kMax}}}}),
     };
   }();
   return all;

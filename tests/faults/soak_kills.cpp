@@ -45,11 +45,11 @@ class Kills {
   }
 
   void one(std::mt19937_64& random) {
-    constexpr int kLongest = 2000, kShort = 400;  // ms; the side file is written 1 s after an edit
+    constexpr int kMaxLength = 2000, kShort = 400;  // ms; the side file is written 1 s after an edit
     test::Child driver({GEARGRAPH_EDITOR_DRIVER, m_folder.path()});
     const bool afterKept = m_kills % 3 == 0;
     if (afterKept && !driver.waitFor("kept ")) finding("Unsaved changes were not kept.");
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % (afterKept ? kShort : kLongest)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % (afterKept ? kShort : kMaxLength)));
     driver.kill();
     const test::Ended ended = driver.ended();
     if (ended.status >= 0) finding("The driver ended by itself: " + ended.errors);

@@ -17,8 +17,8 @@ Mechanism version(int number) {
   Mechanism mechanism = robot;
   mechanism.name = std::string(kName) + std::to_string(number);
   std::mt19937_64 random(static_cast<std::uint64_t>(number));
-  constexpr std::size_t kLongestNotes = 300'000;
-  mechanism.notes.resize(random() % kLongestNotes);
+  constexpr std::size_t kMaxNotesLength = 300'000;
+  mechanism.notes.resize(random() % kMaxNotesLength);
   for (char& letter : mechanism.notes) letter = static_cast<char>('a' + random() % 26);
   return mechanism;
 }

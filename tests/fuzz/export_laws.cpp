@@ -87,10 +87,10 @@ const std::vector<Case>& cases() {
 }
 
 bool isLarge(const Mechanism& mechanism) {
-  constexpr int kMostLinks = 40, kMostTeeth = 3000;
+  constexpr int kMaxLinks = 40, kMaxTeeth = 3000;
   long teeth = 0;
   for (const GearMesh& mesh : mechanism.gearMeshes) teeth += mesh.tailTeeth + mesh.headTeeth;
-  return mechanism.links.size() > kMostLinks || teeth > kMostTeeth;
+  return mechanism.links.size() > kMaxLinks || teeth > kMaxTeeth;
 }
 
 /// A file in memory in place of a descriptor, whose contents can be read again and again.

@@ -13,14 +13,14 @@ namespace geargraph::test {
 namespace {
 
 constexpr std::array kFormats = {MeshFormat::stl, MeshFormat::obj, MeshFormat::ply, MeshFormat::glb};
-constexpr std::size_t kMostTriangles = 100'000;
+constexpr std::size_t kMaxTriangles = 100'000;
 
 MeshFormat formatOf(const std::string& input) {
   return kFormats[static_cast<unsigned char>(input.front()) % kFormats.size()];
 }
 
 void checkSolid(const Solid& solid, const std::string& input) {
-  if (solid.triangles.empty() || solid.triangles.size() > kMostTriangles)
+  if (solid.triangles.empty() || solid.triangles.size() > kMaxTriangles)
     lawFailed("A solid of too few or too many faces", input);
   if (solid.normals.size() != solid.positions.size()) lawFailed("A vertex without a normal", input);
   for (const Triangle& triangle : solid.triangles) {
@@ -41,7 +41,7 @@ void checkSolid(const Solid& solid, const std::string& input) {
 
 void checkMeshHere(const std::string& input) {
   if (input.empty()) return;
-  const auto read = readForeignBytes(std::string_view(input).substr(1), formatOf(input), kMostTriangles);
+  const auto read = readForeignBytes(std::string_view(input).substr(1), formatOf(input), kMaxTriangles);
   if (const auto* solid = std::get_if<Solid>(&read)) checkSolid(*solid, input);
   if (const auto* error = std::get_if<MeshFileError>(&read); error != nullptr && error->message.empty())
     lawFailed("An error says nothing", input);
@@ -55,7 +55,7 @@ void checkMeshConfined(const std::string& input) {
   if (writeFile(path, std::string_view(input).substr(1)))
     lawFailed("The temporary file was not written", input);
   ForeignLimits limits;
-  limits.mostTriangles = kMostTriangles;
+  limits.mostTriangles = kMaxTriangles;
   limits.mostSeconds = 5;
   const auto read = readForeignMesh(foreignMeshReader(), path, limits);
   std::filesystem::remove(path);
@@ -68,7 +68,7 @@ void checkMeshConfined(const std::string& input) {
 }
 
 void checkMeshAnswer(const std::string& bytes) {
-  const auto solid = unpackedSolid(bytes, kMostTriangles);
+  const auto solid = unpackedSolid(bytes, kMaxTriangles);
   if (!solid) return;
   checkSolid(*solid, bytes);
   if (packedSolid(*solid) != bytes) lawFailed("What was unpacked packs into other bytes", bytes);

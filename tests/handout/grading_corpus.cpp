@@ -17,7 +17,7 @@ namespace geargraph {
 namespace {
 
 constexpr auto kRow = JsonWriter::Layout::row;
-constexpr std::uint64_t kMostSeeds = 1;  ///< of a kind; the test of core takes more
+constexpr std::uint64_t kMaxSeeds = 1;  ///< of a kind; the test of core takes more
 
 /// Texts that are hard to read, or none of what is asked for.
 constexpr std::array<const char*, 56> kOddTexts = {"",
@@ -204,7 +204,7 @@ void writeCorpus() {
   writeSpellings();
   const auto write = [](const Mechanism& mechanism, std::uint64_t seeds) {
     test::visitQuestions(
-        mechanism, std::min(seeds, kMostSeeds),
+        mechanism, std::min(seeds, kMaxSeeds),
         [](const Question& question, ExerciseKind, ExerciseRandom& random) { writeLine(question, random); });
   };
   test::visitExamples(write);

@@ -14,8 +14,8 @@
 namespace geargraph::soak {
 namespace {
 
-constexpr int kMostLinks = 30;      // more only makes each edit slower
-constexpr int kMostFindings = 20;   // after that the rest would only repeat them
+constexpr int kMaxLinks = 30;       // more only makes each edit slower
+constexpr int kMaxFindings = 20;    // after that the rest would only repeat them
 constexpr long kWholeWalk = 5'000;  // edits between two walks through the whole history
 
 Edit takingOver(const QString& text, Mechanism mechanism) {
@@ -92,7 +92,7 @@ void EditSoak::openAnew() {
 
 int EditSoak::run() {
   long nextWalk = kWholeWalk;
-  while (!m_options.isEnough(m_edits, seconds()) && m_findings < kMostFindings) {
+  while (!m_options.isEnough(m_edits, seconds()) && m_findings < kMaxFindings) {
     act();
     if (m_edits < nextWalk) continue;
     nextWalk += kWholeWalk;
@@ -148,7 +148,7 @@ void EditSoak::edit() {
   const EditKind& kind = randomKind(m_random);
   RandomArguments arguments(m_random, *before);
   m_last = kind.function;
-  Reduce reduce = before->n() > kMostLinks && below(2) == 0 ? shrink() : kind.make(arguments);
+  Reduce reduce = before->n() > kMaxLinks && below(2) == 0 ? shrink() : kind.make(arguments);
   if (!reduce) return;
   // Some edits in a row are one gesture, as in a drag.
   if (below(8) == 0) m_gesture = below(3) == 0 ? m_document->newGesture() : 0;
@@ -213,11 +213,11 @@ void EditSoak::walkWholeHistory() {
   const int here = stack.index();
   m_last = "a walk through the whole history";
   m_gesture = 0;
-  for (; stack.canUndo() && m_findings < kMostFindings; ++m_undos) {
+  for (; stack.canUndo() && m_findings < kMaxFindings; ++m_undos) {
     stack.undo();
     checkPoint("undo");
   }
-  for (; stack.canRedo() && m_findings < kMostFindings; ++m_redos) {
+  for (; stack.canRedo() && m_findings < kMaxFindings; ++m_redos) {
     stack.redo();
     checkPoint("redo");
   }

@@ -25,9 +25,9 @@ namespace {
 
 constexpr int kRoundsOfEach = 3;        // of every document at least, so that the first may fill caches
 constexpr long kGesturesOfRound = 200;  // where no number is given
-constexpr int kMostFindings = 20;       // after that the rest would only repeat them
+constexpr int kMaxFindings = 20;        // after that the rest would only repeat them
 constexpr int kSettling = 60;           // events with no window open until memory is counted
-constexpr int kMostOpeningSteps = 200;  // for a window that is never painted
+constexpr int kMaxOpeningSteps = 200;   // for a window that is never painted
 constexpr int kStepsAfterPaint = 3;     // other parts of it are painted in the next event
 constexpr long kSpareObjects = 20;      // that come and go with timers and threads
 constexpr double kSpareMemory = 24;     // MB: allocators do not give back all
@@ -157,7 +157,7 @@ long GestureSoak::gesturesOfRound() const {
 /// on until the minutes are over.
 bool GestureSoak::isLastRound() const {
   const int rounds = kRoundsOfEach * static_cast<int>(m_options.documents.size());
-  return m_findings >= kMostFindings || isTimeOver() || (m_options.count && m_round + 1 >= rounds);
+  return m_findings >= kMaxFindings || isTimeOver() || (m_options.count && m_round + 1 >= rounds);
 }
 
 bool GestureSoak::isTimeOver() const {
@@ -167,7 +167,7 @@ bool GestureSoak::isTimeOver() const {
 void GestureSoak::step() {
   for (; !warnings.isEmpty(); warnings.removeFirst()) finding(warnings.front());
   const bool isOver =
-      m_gestures - m_gesturesBefore >= gesturesOfRound() || isTimeOver() || m_findings >= kMostFindings;
+      m_gestures - m_gesturesBefore >= gesturesOfRound() || isTimeOver() || m_findings >= kMaxFindings;
   if (m_sinceGesture.elapsed() > kStuck) return giveUp();
   if (isOver || m_ending) return endRound();
   next();
@@ -212,7 +212,7 @@ bool GestureSoak::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Polish && qobject_cast<MainWindow*>(watched) != nullptr) {
     m_watchdog->renameActivity(kOpening);
     m_opening = static_cast<QWidget*>(watched);
-    m_openingSteps = kMostOpeningSteps;
+    m_openingSteps = kMaxOpeningSteps;
     connect(watched, &QObject::destroyed, this, [this] { m_watchdog->renameActivity(kClosing); });
   }
   if (event->type() == QEvent::Paint && m_opening && watched->isWidgetType() &&

@@ -67,11 +67,11 @@ std::vector<ElementId> RandomArguments::elements(int most) {
 int RandomArguments::teeth() {
   switch (below(24)) {
     case 0:
-      return kFewestTeeth;
+      return kMinTeeth;
     case 1:
-      return kMostTeeth;
+      return kMaxTeeth;
     case 2:
-      return below(2) == 0 ? 0 : kMostTeeth + 1;
+      return below(2) == 0 ? 0 : kMaxTeeth + 1;
     default:
       return 12 + below(60);
   }

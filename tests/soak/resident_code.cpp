@@ -31,9 +31,9 @@ void keepCodeResident() {
 
 void touchMemory() {
 #ifdef __linux__
-  constexpr std::size_t kMost = std::size_t{1} << 30;
+  constexpr std::size_t kMax = std::size_t{1} << 30;
   const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  const std::size_t size = std::min(kMost, page * static_cast<std::size_t>(::sysconf(_SC_AVPHYS_PAGES)) / 4);
+  const std::size_t size = std::min(kMax, page * static_cast<std::size_t>(::sysconf(_SC_AVPHYS_PAGES)) / 4);
   void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) {  // NOLINT: a macro of the system's
     std::fprintf(stderr, "no memory to touch: the first use of a page may take longer\n");

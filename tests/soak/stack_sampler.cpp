@@ -16,21 +16,21 @@
 namespace geargraph::test {
 namespace {
 
-constexpr std::size_t kMostFrames = 120;
+constexpr std::size_t kMaxFrames = 120;
 constexpr double kLeastShare = 0.4;  // of the samples, that a function is worth naming
 
 struct Stack {
   int size = 0;
-  std::array<void*, kMostFrames> frames{};
+  std::array<void*, kMaxFrames> frames{};
 };
 // What the handler writes to, on the sampled thread.
-std::array<Stack, StackSampler::kMostSamples> stacks;
+std::array<Stack, StackSampler::kMaxSamples> stacks;
 std::atomic<std::size_t> taken{0};
 
 void takeStack(int /*signal*/) {
   const std::size_t at = taken.load(std::memory_order_relaxed);
   if (at >= stacks.size()) return;
-  stacks[at].size = backtrace(stacks[at].frames.data(), static_cast<int>(kMostFrames));
+  stacks[at].size = backtrace(stacks[at].frames.data(), static_cast<int>(kMaxFrames));
   taken.store(at + 1, std::memory_order_relaxed);
 }
 

@@ -17,7 +17,7 @@ class StackSampler {
   StackSampler(const StackSampler&) = delete;
   StackSampler& operator=(const StackSampler&) = delete;
 
-  /// Of another thread: asks for one more stack. The first kMostSamples since the last clear() are kept. Does
+  /// Of another thread: asks for one more stack. The first kMaxSamples since the last clear() are kept. Does
   /// nothing under the address sanitizer. Where code made at run time is registered with the unwinder, as
   /// that of a software OpenGL is, the unwinder allocates: a signal that comes while the allocator is locked
   /// then hangs the thread. So it serves a person who looks for a stall, and no test of drawing.
@@ -30,7 +30,7 @@ class StackSampler {
   /// without symbols are left out. Cost: some ms, of symbols.
   [[nodiscard]] std::vector<std::string> commonPath() const;
 
-  static constexpr std::size_t kMostSamples = 400;
+  static constexpr std::size_t kMaxSamples = 400;
 
  private:
   pthread_t m_thread;

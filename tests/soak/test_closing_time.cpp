@@ -62,13 +62,13 @@ class ClosingTimeTest : public QObject {
     QFETCH(std::function<Mechanism()>, document);
     const Mechanism mechanism = document();
     for (const int after : {0, 40, 400, 2000}) {
-      const double more = leastOfThree(kMost * m_picture, [&] {
+      const double more = leastOfThree(kMax * m_picture, [&] {
         auto window = shownWindow();
         window->document().replace(mechanism, {});
         QTest::qWait(after);
         return secondsOfClosing(std::move(window));
       });
-      verifyBelow(kMost, more, after);
+      verifyBelow(kMax, more, after);
     }
   }
 
@@ -90,7 +90,7 @@ class ClosingTimeTest : public QObject {
     const Mechanism mechanism = test::deepTrain(links == 180 ? 2 : 1, links);
     for (const int after : {0, 60, 400}) {
       QStringList found;
-      const double more = leastOfThree(kMostWithExport * m_picture, [&] {
+      const double more = leastOfThree(kMaxWithExport * m_picture, [&] {
         auto window = shownWindow();
         window->document().replace(mechanism, {});
         if (!hasItsStage(*window)) return HUGE_VAL;
@@ -104,7 +104,7 @@ class ClosingTimeTest : public QObject {
       });
       if (after > 0) found.removeAll(QStringLiteral("export"));  // it was faster than the test
       QCOMPARE(found, QStringList());
-      verifyBelow(kMostWithExport, more, after);
+      verifyBelow(kMaxWithExport, more, after);
     }
   }
 
@@ -112,8 +112,8 @@ class ClosingTimeTest : public QObject {
   /// Limits are shares of the processor time that one picture of 1,000 links takes in the same run (about 5 s
   /// where three workers at once may take a tenth of a second each), so that a slow machine has as much room
   /// as a fast one.
-  static constexpr double kMost = 0.08;
-  static constexpr double kMostWithExport = 0.12;  // the export is one more worker
+  static constexpr double kMax = 0.08;
+  static constexpr double kMaxWithExport = 0.12;  // the export is one more worker
 
   double m_picture = 0;  // [s] processor time
 

@@ -36,7 +36,7 @@ NoteEditor::NoteEditor(const QString& text, QPoint middle, QWidget* parent)
 
 void NoteEditor::onTextChanged() {
   const QString text = toPlainText();
-  const qsizetype most = unitsOf(text, kLongestNote);
+  const qsizetype most = unitsOf(text, kMaxNoteLength);
   if (most < text.size()) {
     const int cursor = textCursor().position();
     setPlainText(text.left(most));  // comes back here
@@ -50,7 +50,7 @@ void NoteEditor::onTextChanged() {
 }
 
 void NoteEditor::fitToText() {
-  constexpr int kNarrowest = 180, kWidest = 320, kMostLines = 12, kMargin = 20;
+  constexpr int kNarrowest = 180, kWidest = 320, kMaxLines = 12, kMargin = 20;
   const QFontMetrics metrics(font());
   int widest = 0;
   int lines = 0;
@@ -61,7 +61,7 @@ void NoteEditor::fitToText() {
     lines += 1 + width / room;
   }
   const int width = std::clamp(widest + kMargin + 16, kNarrowest, kWidest);
-  const int height = std::min(lines, kMostLines) * metrics.lineSpacing() + kMargin;
+  const int height = std::min(lines, kMaxLines) * metrics.lineSpacing() + kMargin;
   const QRect all = parentWidget()->rect();
   QRect box(m_middle - QPoint(width / 2, height / 2), QSize(width, height));
   box.moveLeft(std::clamp(box.left(), 0, std::max(0, all.right() - width)));

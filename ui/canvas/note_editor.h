@@ -5,7 +5,7 @@
 namespace geargraph::inline canvas {
 
 /// An in-place editor for the text of a note: Enter or losing the focus accepts the text, Shift+Enter starts
-/// a new line, Esc cancels. A text longer than kLongestNote is truncated, and limited() is emitted. Deletes
+/// a new line, Esc cancels. A text longer than kMaxNoteLength is truncated, and limited() is emitted. Deletes
 /// itself.
 class NoteEditor final : public PlainTextField {
   Q_OBJECT

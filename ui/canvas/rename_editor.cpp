@@ -8,7 +8,7 @@ namespace geargraph::inline canvas {
 
 RenameEditor::RenameEditor(const QString& text, QWidget* parent) : QLineEdit(text, parent) {
   setAlignment(Qt::AlignCenter);
-  setMaxLength(kMostTyped);
+  setMaxLength(kMaxTyped);
   setPlaceholderText(tr("Name"));
   setAccessibleName(tr("Name of the link"));
   selectAll();

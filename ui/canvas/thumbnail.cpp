@@ -13,7 +13,7 @@ constexpr double kLargestScale = 1.4;  ///< a lone node is not blown up
 }  // namespace
 
 std::optional<QImage> digraphThumbnail(const Mechanism& mechanism, Theme theme, QSize pixels) {
-  if (mechanism.n() > kMostThumbnailLinks) return std::nullopt;
+  if (mechanism.n() > kMaxThumbnailLinks) return std::nullopt;
   const DigraphGeometry geometry = digraphGeometry(mechanism, completedPositions(mechanism));
   const DisplayList drawing = digraphDrawing(geometry, {});
   const QRectF all = toQRect(extentOf(drawing)).adjusted(-kMargin, -kMargin, kMargin, kMargin);

@@ -9,7 +9,7 @@
 namespace geargraph::inline canvas {
 
 /// Larger mechanisms get no thumbnail, because nothing would be distinguishable.
-constexpr int kMostThumbnailLinks = 150;
+constexpr int kMaxThumbnailLinks = 150;
 
 /// The digraph of a mechanism as a thumbnail of this size in pixels, on a transparent background.
 /// std::nullopt if the mechanism is too large. Thread-safe.

@@ -130,7 +130,7 @@ QString TtGraphView::whyNoPicture() const {
 }
 
 void TtGraphView::tellWhatIsMissing() {
-  constexpr std::size_t kMostLines = 3;
+  constexpr std::size_t kMaxLines = 3;
   QStringList lines;
   if (graph() == nullptr) {
     if (mechanism().n() > 0) {
@@ -139,10 +139,10 @@ void TtGraphView::tellWhatIsMissing() {
     }
   } else {
     const Diagnostics missing = graph()->diagnostics();
-    for (std::size_t i = 0; i < std::min(missing.size(), kMostLines); ++i) {
+    for (std::size_t i = 0; i < std::min(missing.size(), kMaxLines); ++i) {
       lines << QString::fromStdString(missing[i].message);
     }
-    if (missing.size() > kMostLines) lines << tr("And %1 more.").arg(missing.size() - kMostLines);
+    if (missing.size() > kMaxLines) lines << tr("And %1 more.").arg(missing.size() - kMaxLines);
   }
   setNotice(lines);
 }

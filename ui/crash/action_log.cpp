@@ -13,7 +13,7 @@ std::int64_t ActionLog::now() {
 }
 
 void ActionLog::note(std::string_view name) {
-  name = name.substr(0, kLongestName);
+  name = name.substr(0, kMaxNameLength);
   const std::uint64_t count = m_count.load(std::memory_order_relaxed);
   if (count > 0) {
     Entry& last = m_entries[(count - 1) % kCapacity];

@@ -14,10 +14,10 @@ namespace geargraph::inline crash {
 class ActionLog {
  public:
   static constexpr std::size_t kCapacity = 64;
-  static constexpr std::size_t kLongestName = 63;  ///< bytes; longer names are truncated
+  static constexpr std::size_t kMaxNameLength = 63;  ///< bytes; longer names are truncated
 
   struct Entry {
-    std::array<char, kLongestName + 1> name{};
+    std::array<char, kMaxNameLength + 1> name{};
     std::int64_t milliseconds = 0;  ///< of the steady clock, at the last repetition
     std::uint32_t count = 0;        ///< consecutive repetitions
   };

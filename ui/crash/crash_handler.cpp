@@ -30,8 +30,8 @@ struct Signal {
   struct sigaction before;
 };
 
-constexpr unsigned kLongestReport = 10;  ///< s
-constexpr int kMostFrames = 100;
+constexpr unsigned kMaxReport = 10;  ///< s
+constexpr int kMaxFrames = 100;
 
 // What the handler needs, all of it there before the first crash.
 std::array<Signal, 5> crashSignals{{{SIGSEGV, "SIGSEGV (invalid memory access)", {}},
@@ -162,7 +162,7 @@ int onFrame(void* data, std::uintptr_t pc, const char* file, int line, const cha
   }
   if (file != nullptr) report << " at " << baseName(file) << ":" << std::int64_t{line};
   report << "\n";
-  return ++frames.count >= kMostFrames ? 1 : 0;
+  return ++frames.count >= kMaxFrames ? 1 : 0;
 }
 
 void onNoFrames(void* data, const char* message, int) {
@@ -197,7 +197,7 @@ void onCrash(int number) {
   if (crashing.compare_exchange_strong(none, thread)) {
     // If the program's own state makes the report hang, the process ends all the same.
     std::signal(SIGALRM, SIG_DFL);
-    ::alarm(kLongestReport);
+    ::alarm(kMaxReport);
     writeReport(*signal, thread);
   } else if (none != thread) {
     for (;;) ::pause();  // the process ends when the thread that crashed first has its report

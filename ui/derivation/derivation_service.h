@@ -43,7 +43,7 @@ using DerivationPtr = std::shared_ptr<const Derivation>;
 
 /// Computes, typesets and lays out derivations on a background thread.
 ///
-/// @pre requested snapshots are complete and have at most kMostReportLinks links
+/// @pre requested snapshots are complete and have at most kMaxReportLinks links
 class DerivationService final : public Service<DerivationRequest, DerivationPtr> {
  public:
   explicit DerivationService(QObject* parent = nullptr);

@@ -93,7 +93,7 @@ void DerivationView::show(const SetReportPtr& report, const Derivation* derivati
 }
 
 void DerivationView::setZoom(double zoom) {
-  const double within = std::clamp(zoom, kLeastZoom, kMostZoom);
+  const double within = std::clamp(zoom, kLeastZoom, kMaxZoom);
   if (within == m_zoom) return;
   const Anchor before = anchor();
   m_zoom = within;

@@ -19,7 +19,7 @@ class DerivationView : public QAbstractScrollArea {
   Q_OBJECT
 
  public:
-  static constexpr double kLeastZoom = 0.6, kMostZoom = 3;
+  static constexpr double kLeastZoom = 0.6, kMaxZoom = 3;
 
   explicit DerivationView(Selection* selection, QWidget* parent = nullptr);
 

@@ -40,8 +40,8 @@ double FontMeasure::widthOf(std::string_view utf8, const TextStyle& style) const
   if (known != words.widths.end()) return known->second;
   const double width =
       words.metrics.horizontalAdvance(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
-  constexpr std::size_t kMostWords = 20000;
-  if (words.widths.size() >= kMostWords) words.widths.clear();
+  constexpr std::size_t kMaxWords = 20000;
+  if (words.widths.size() >= kMaxWords) words.widths.clear();
   words.widths.emplace(utf8, width);
   return width;
 }

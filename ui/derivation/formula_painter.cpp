@@ -8,7 +8,7 @@
 namespace geargraph::inline ui_derivation {
 namespace {
 
-constexpr std::size_t kMostFonts = 200;  // before sizes that were zoomed through are forgotten
+constexpr std::size_t kMaxFonts = 200;  // before sizes that were zoomed through are forgotten
 
 QRawFont faceOf(FontFace face, double pixels) {
   const auto file = fontFile(face);
@@ -24,7 +24,7 @@ QRawFont faceOf(FontFace face, double pixels) {
 const QRawFont& FormulaPainter::fontOf(FontFace face, double pixels) {
   const std::pair key{face, static_cast<int>(std::lround(100 * pixels))};
   if (const auto found = m_fonts.find(key); found != m_fonts.end()) return found->second;
-  if (m_fonts.size() > kMostFonts) m_fonts.clear();
+  if (m_fonts.size() > kMaxFonts) m_fonts.clear();
   return m_fonts.emplace(key, faceOf(face, key.second / 100.0)).first->second;
 }
 

@@ -19,11 +19,11 @@ std::string whyNone(const AnalysisSnapshot& snapshot) {
   if (!matroid->solution || matroid->solution->inputs.empty())
     return translated("Nothing can turn here: without an input there is no equation of motion.");
   const std::size_t entries = matroid->solution->inputs.size() * matroid->solution->outputs.size();
-  if (entries > LiveSolution::kMostLiveEntries)
+  if (entries > LiveSolution::kMaxLiveEntries)
     return translated(
         "This train has too many inputs and joints: dynamics is computed for up to %1 entries of the "
         "solution.",
-        {std::to_string(LiveSolution::kMostLiveEntries)});
+        {std::to_string(LiveSolution::kMaxLiveEntries)});
   return {};
 }
 

@@ -15,10 +15,10 @@
 namespace geargraph::inline ui_dynamics {
 namespace {
 
-constexpr std::size_t kMostRows = 40;  // the motors of further inputs give no torque
+constexpr std::size_t kMaxRows = 40;  // the motors of further inputs give no torque
 constexpr int kSamples = 1000;
 constexpr int kFieldWidths[] = {92, 76, 62, 62};  // px: a torque has more digits than an angle
-constexpr double kLeastSeconds = 1e-6, kMostSeconds = 1e6;
+constexpr double kLeastSeconds = 1e-6, kMaxSeconds = 1e6;
 constexpr double kUsualAcceleration = 10;  // rad/s²
 
 /// With one digit, so that it reads well.
@@ -54,18 +54,18 @@ MotorsForm::MotorsForm(QWidget* parent) : QWidget(parent), m_grid(new QGridLayou
   const QString meaning = tr("How long the motion is followed, in seconds.");
   auto* label = new QLabel(tr("for, s"), this);
   label->setToolTip(meaning);
-  m_grid->addWidget(label, static_cast<int>(kMostRows) + 1, 0);
+  m_grid->addWidget(label, static_cast<int>(kMaxRows) + 1, 0);
   NumberField* seconds = makeField(QStringLiteral("seconds"), meaning);
   seconds->setNumber(m_seconds);
   connect(seconds, &NumberField::edited, this, [this, seconds](const std::optional<Number>& value) {
-    if (!value || value->value() < kLeastSeconds || value->value() > kMostSeconds)
-      return seconds->reject(tr("The time is %1 s to %2 s.").arg(kLeastSeconds).arg(kMostSeconds));
+    if (!value || value->value() < kLeastSeconds || value->value() > kMaxSeconds)
+      return seconds->reject(tr("The time is %1 s to %2 s.").arg(kLeastSeconds).arg(kMaxSeconds));
     m_seconds = *value;
     seconds->setNumber(m_seconds);
   });
-  m_grid->addWidget(seconds, static_cast<int>(kMostRows) + 1, 1);
+  m_grid->addWidget(seconds, static_cast<int>(kMaxRows) + 1, 1);
   m_grid->setColumnStretch(column, 1);
-  m_grid->setRowStretch(static_cast<int>(kMostRows) + 2, 1);
+  m_grid->setRowStretch(static_cast<int>(kMaxRows) + 2, 1);
 }
 
 NumberField* MotorsForm::makeField(const QString& name, const QString& meaning) {
@@ -101,7 +101,7 @@ void MotorsForm::setInputs(const Mechanism& mechanism, const std::vector<int>& j
 void MotorsForm::showRows(const Mechanism& mechanism, const std::vector<int>& joints) {
   for (QWidget* widget : std::exchange(m_widgets, {})) removeFrom(*m_grid, widget);
   const LaidOutAtOnce added(this);
-  for (int row = 0; row < static_cast<int>(std::min(m_rows.size(), kMostRows)); ++row) {
+  for (int row = 0; row < static_cast<int>(std::min(m_rows.size(), kMaxRows)); ++row) {
     const QString label = QString::number(mechanism.jointLabel(joints[static_cast<std::size_t>(row)]));
     auto* title = new QLabel(label, this);
     title->setToolTip(tr("Joint %1").arg(label));
@@ -144,7 +144,7 @@ SimulationOptions MotorsForm::options() const {
   options.speeds.resize(inputs);
   for (Eigen::Index i = 0; i < inputs; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const bool isListed = at < kMostRows;
+    const bool isListed = at < kMaxRows;
     options.motors.push_back(isListed ? Motor{m_rows[at].torque.value(), m_rows[at].damping.value()}
                                       : Motor());
     options.angles[i] = m_rows[at].degrees.value() * std::numbers::pi / 180;

@@ -35,7 +35,7 @@ using ExerciseAnswerPtr = std::shared_ptr<const ExerciseAnswer>;
 
 /// Generates exercises off the GUI thread.
 ///
-/// @pre requested mechanisms have at most kMostExerciseLinks moving links and support every kind of the plan
+/// @pre requested mechanisms have at most kMaxExerciseLinks moving links and support every kind of the plan
 class ExerciseService final : public Service<ExerciseRequest, ExerciseAnswerPtr> {
  public:
   explicit ExerciseService(QObject* parent = nullptr);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kKindRole = Qt::UserRole + 1;
 constexpr int kRequestedRole = Qt::UserRole + 2;  ///< chosen, also while the mechanism does not give the kind
-constexpr int kMostOfEach = 5;
+constexpr int kMaxOfEach = 5;
 
 QString shown(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -42,14 +42,14 @@ ExercisesDialog::ExercisesDialog(QWidget* parent)
       m_difficulty(new QLabel(this)),
       m_kinds(new QListWidget(this)),
       m_each(makeNumber(QStringLiteral("exerciseEach"), tr("How many questions of each kind are asked"), 1,
-                        kMostOfEach, this)),
+                        kMaxOfEach, this)),
       m_seed(makeNumber(QStringLiteral("exerciseSeed"),
                         tr("The same seed makes the same questions, here and on the command line"), 0,
                         INT_MAX, this)),
       m_title(new QLineEdit(tr("Exercises"), this)),
       m_variants(makeNumber(QStringLiteral("exerciseVariants"),
                             tr("Sheets that differ in their questions: one for each student, or one for all"),
-                            1, kMostVariants, this)),
+                            1, kMaxVariants, this)),
       m_count(new QLabel(this)),
       m_practise(new QPushButton(tr("Practise"), this)),
       m_sheets(new QPushButton(tr("Export sheets…"), this)),
@@ -160,12 +160,12 @@ QWidget* ExercisesDialog::makeClass() {
 void ExercisesDialog::setMechanism(const MechanismPtr& mechanism) {
   m_mechanism = mechanism;
   m_isPractising = false;
-  if (mechanism->n() <= kMostExerciseLinks) {
+  if (mechanism->n() <= kMaxExerciseLinks) {
     m_service->request({mechanism});
   } else {
     m_service->cancel();
     m_difficulty->setText(
-        tr("Exercises are made of mechanisms of at most %1 moving links.").arg(kMostExerciseLinks));
+        tr("Exercises are made of mechanisms of at most %1 moving links.").arg(kMaxExerciseLinks));
     m_kinds->clear();
   }
   renewButtons();
@@ -240,17 +240,17 @@ void ExercisesDialog::renewButtons() {
     button->setEnabled(why.isEmpty());
     button->setToolTip(why.isEmpty() ? tip : why);
   };
-  const QString tooMany = tr("A sheet has at most %1 questions.").arg(kMostQuestions);
+  const QString tooMany = tr("A sheet has at most %1 questions.").arg(kMaxQuestions);
   // A kind that the former mechanism gave cannot be asked of this one.
   const bool isWaiting =
-      m_mechanism != nullptr && m_mechanism->n() <= kMostExerciseLinks && m_offered != m_mechanism;
+      m_mechanism != nullptr && m_mechanism->n() <= kMaxExerciseLinks && m_offered != m_mechanism;
   const QString waiting = tr("The solution is still being worked out. Try again in a moment.");
-  const QString why = isWaiting ? waiting : isEmpty ? nothing : count > kMostQuestions ? tooMany : QString();
-  const bool isLong = count > static_cast<int>(kMostLessonSteps);
+  const QString why = isWaiting ? waiting : isEmpty ? nothing : count > kMaxQuestions ? tooMany : QString();
+  const bool isLong = count > static_cast<int>(kMaxLessonSteps);
   set(m_practise, tr("Answer the questions in a window of their own, with hints and reasons"),
       isWaiting ? waiting
       : isEmpty ? nothing
-      : isLong  ? tr("At most %1 questions are practised at once.").arg(kMostLessonSteps)
+      : isLong  ? tr("At most %1 questions are practised at once.").arg(kMaxLessonSteps)
                 : QString());
   const bool hasForm =
       std::any_of(m_forms.begin(), m_forms.end(), [](const auto& form) { return form.second->isChecked(); });

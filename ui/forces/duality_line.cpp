@@ -18,9 +18,9 @@
 namespace geargraph::inline forces {
 namespace {
 
-constexpr std::size_t kMostMatrixColumns = 8;
-constexpr std::size_t kMostMatrixRows = 2;  ///< beside the equations there is room for no more
-constexpr QChar kFrameBegins(0xE000);       ///< private use: no text has it
+constexpr std::size_t kMaxMatrixColumns = 8;
+constexpr std::size_t kMaxMatrixRows = 2;  ///< beside the equations there is room for no more
+constexpr QChar kFrameBegins(0xE000);      ///< private use: no text has it
 constexpr QChar kFrameEnds(0xE001);
 
 QString signText(int factor) {
@@ -144,10 +144,10 @@ class DualityText {
   [[nodiscard]] QString matrix() const {
     std::vector<int> meshes{m_equations.mesh};
     for (const int mesh : m_equations.meshes)
-      if (mesh != m_equations.mesh && meshes.size() < kMostMatrixRows) meshes.push_back(mesh);
+      if (mesh != m_equations.mesh && meshes.size() < kMaxMatrixRows) meshes.push_back(mesh);
     std::sort(meshes.begin(), meshes.end());
     std::vector<int> joints = m_equations.joints;
-    while (joints.size() > kMostMatrixColumns)
+    while (joints.size() > kMaxMatrixColumns)
       joints.erase(joints.front() == m_equations.joint ? joints.end() - 1 : joints.begin());
     const QString tint = QStringLiteral(" bgcolor='%1'").arg(color(ColorRole::panel));
     QString rows = QStringLiteral("<tr><td></td>");

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kSteps = 200;       ///< of the slider from 0 to 1
 constexpr int kLeastSteps = 100;  ///< it begins at 0.5
-constexpr int kMostLinks = 100;   ///< formulas of larger trains are too long to be read
-constexpr std::size_t kMostLetters = 400;
-constexpr int kMostMeshes = 500;  ///< some 80 solutions are needed to find where it locks
+constexpr int kMaxLinks = 100;    ///< formulas of larger trains are too long to be read
+constexpr std::size_t kMaxLetters = 400;
+constexpr int kMaxMeshes = 500;  ///< some 80 solutions are needed to find where it locks
 
 bool isSolved(const std::optional<LossySolution>& solution) {
   return solution && solution->outcome == LossySolution::Outcome::solved;
@@ -34,18 +34,18 @@ void workOut(const ForcesPtr& forces, const Service<ForcesPtr, EfficiencyAnswerP
   StaticsOptions options = optionsOf(forces->question);
   auto answer = std::make_shared<EfficiencyAnswer>();
   answer->forces = forces;
-  if (mechanism.c() <= kMostMeshes && hasLockingLimits(*forces->report)) {
+  if (mechanism.c() <= kMaxMeshes && hasLockingLimits(*forces->report)) {
     answer->limits = lockingLimits(mechanism, model, placement, *forces->report, options, respond.stop());
     if (respond.stop().stop_requested()) return;
     respond.partly(std::make_shared<const EfficiencyAnswer>(*answer));
   }
-  if (isSolved(forces->report->lossy) && mechanism.n() <= kMostLinks) {
+  if (isSolved(forces->report->lossy) && mechanism.n() <= kMaxLinks) {
     options.symbolic = true;
     const auto symbolic = analyzeStatics(mechanism, model, placement, *snapshot.kinematics->ttGraph,
                                          *snapshot.matroid(), options, respond.stop());
     if (!symbolic) return;
     if (symbolic->efficiency) answer->formula = symbolic->efficiency->toText();
-    if (answer->formula.size() > kMostLetters) answer->formula.clear();
+    if (answer->formula.size() > kMaxLetters) answer->formula.clear();
   }
   respond(std::move(answer));
 }
@@ -290,9 +290,9 @@ void EfficiencyCard::showValue(const char* name, const std::optional<LossySoluti
   label->setText(text);
   label->setToolTip(exact.isEmpty() ? label->whatsThis()
                                     : label->whatsThis() + QLatin1Char('\n') + tr("Exactly %1").arg(exact));
-  constexpr int kMostDigits = 14;
+  constexpr int kMaxDigits = 14;
   findChild<QLabel*>(QStringLiteral("exact.") + QLatin1String(name))
-      ->setText(exact.size() <= kMostDigits ? exact : QString());
+      ->setText(exact.size() <= kMaxDigits ? exact : QString());
 }
 
 /// Only while it is seen.

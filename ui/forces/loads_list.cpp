@@ -21,9 +21,9 @@ namespace geargraph::inline forces {
 namespace {
 
 /// More rows than these are not listed: each is a handful of widgets.
-constexpr std::size_t kMostRows = 100;
+constexpr std::size_t kMaxRows = 100;
 /// Most joints or links of a menu.
-constexpr std::size_t kMostPlaces = 40;
+constexpr std::size_t kMaxPlaces = 40;
 
 /// The size of a load, or a component of a force.
 const Number& sizeOf(const Load& load, std::size_t component) {
@@ -139,7 +139,7 @@ void LoadsList::renew() {
   const Mechanism& mechanism = *m_document->mechanism();
   QStringList titles;
   for (const Load& load : mechanism.loads) {
-    if (static_cast<std::size_t>(titles.size()) >= kMostRows) break;
+    if (static_cast<std::size_t>(titles.size()) >= kMaxRows) break;
     titles += titleOf(load);
   }
   if (titles != m_shown) showRows();
@@ -148,7 +148,7 @@ void LoadsList::renew() {
   m_add->setEnabled(mechanism.n() > 0);
   m_balances->setEnabled(mechanism.t() > 0);
   m_empty->setVisible(mechanism.loads.empty());
-  m_more->setVisible(mechanism.loads.size() > kMostRows);
+  m_more->setVisible(mechanism.loads.size() > kMaxRows);
   m_more->setText(tr("%1 of %2 loads are listed").arg(m_rows.size()).arg(mechanism.loads.size()));
 }
 
@@ -156,7 +156,7 @@ void LoadsList::showRows() {
   for (const Row& row : std::exchange(m_rows, {})) {
     for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
   }
-  const std::size_t count = std::min(kMostRows, m_document->mechanism()->loads.size());
+  const std::size_t count = std::min(kMaxRows, m_document->mechanism()->loads.size());
   {
     const LaidOutAtOnce added(m_list);
     for (std::size_t load = 0; load < count; ++load)
@@ -275,12 +275,12 @@ void LoadsList::fillPlaces(QMenu& menu) {
     connect(action, &QAction::hovered, this, [this, element] { m_selection->hover(element); });
   };
   QMenu* joints = menu.addMenu(tr("Torque in a joint"));
-  for (std::size_t i = 0; i < mechanism.turningJoints.size() && i < kMostPlaces; ++i) {
+  for (std::size_t i = 0; i < mechanism.turningJoints.size() && i < kMaxPlaces; ++i) {
     const ElementId joint = mechanism.turningJoints[i].id;
     add(*joints, joint, nameOf(joint));
   }
   QMenu* links = menu.addMenu(tr("Torque on a link"));
-  for (std::size_t i = 1; i < mechanism.links.size() && i <= kMostPlaces; ++i) {
+  for (std::size_t i = 1; i < mechanism.links.size() && i <= kMaxPlaces; ++i) {
     const ElementId link = mechanism.links[i].id;
     add(*links, link, nameOf(link));
   }
@@ -293,7 +293,7 @@ void LoadsList::fillBalances(QMenu& menu) {
   automatic->setCheckable(true);
   automatic->setChecked(!mechanism.balances.has_value());
   menu.addSeparator();
-  for (std::size_t i = 0; i < mechanism.turningJoints.size() && i < kMostPlaces; ++i) {
+  for (std::size_t i = 0; i < mechanism.turningJoints.size() && i < kMaxPlaces; ++i) {
     const JointId joint = mechanism.turningJoints[i].id;
     std::vector<Balance> now = mechanism.balances.value_or(std::vector<Balance>());
     const auto at = std::find_if(now.begin(), now.end(),

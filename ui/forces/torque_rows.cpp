@@ -18,7 +18,7 @@
 namespace geargraph::inline forces {
 namespace {
 
-constexpr std::size_t kMostTorqueRows = 12;  ///< the panel Forces lists all
+constexpr std::size_t kMaxTorqueRows = 12;  ///< the panel Forces lists all
 
 QString withMinus(const std::string& text) {
   return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
@@ -197,7 +197,7 @@ std::vector<TorqueRows::Content> TorqueRows::contents() const {
 void TorqueRows::renew() {
   std::vector<Content> wanted = contents();
   const std::size_t all = wanted.size();
-  if (wanted.size() > kMostTorqueRows) wanted.resize(kMostTorqueRows);
+  if (wanted.size() > kMaxTorqueRows) wanted.resize(kMaxTorqueRows);
   const bool isSame =
       std::equal(m_rows.begin(), m_rows.end(), wanted.begin(), wanted.end(),
                  [](const Row& row, const Content& content) { return row.content.hasSameRow(content); });
@@ -214,8 +214,8 @@ void TorqueRows::renew() {
   for (std::size_t i = m_rows.size(); i < wanted.size(); ++i)
     m_rows.push_back(makeRow(wanted[i], static_cast<int>(i)));
   for (std::size_t i = 0; i < wanted.size(); ++i) showNumber(m_rows[i], wanted[i]);
-  m_more->setVisible(all > kMostTorqueRows);
-  m_more->setText(tr("%1 of %2 torques are listed; all of them are in Forces").arg(kMostTorqueRows).arg(all));
+  m_more->setVisible(all > kMaxTorqueRows);
+  m_more->setText(tr("%1 of %2 torques are listed; all of them are in Forces").arg(kMaxTorqueRows).arg(all));
   setVisible(!wanted.empty());
 }
 

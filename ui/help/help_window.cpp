@@ -104,7 +104,7 @@ QWidget* HelpWindow::makeBar() {
     m_find->selectAll();
   });
   m_find->setObjectName(QStringLiteral("helpFind"));
-  m_find->setMaxLength(kMostSearched);
+  m_find->setMaxLength(kMaxSearched);
   m_find->setPlaceholderText(tr("Find in the manual  Ctrl+F"));
   m_find->setAccessibleName(tr("Find in the manual"));
   m_find->setToolTip(tr("Return goes to the next place, through all pages (Ctrl+F)"));

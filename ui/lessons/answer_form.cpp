@@ -22,8 +22,8 @@ namespace {
 constexpr int kTableWidth = 300;  ///< px for all columns
 constexpr int kWidestCell = 46;
 constexpr int kNarrowestCell = 25;
-constexpr std::size_t kMostRows = 6;  ///< of the options of the only field
-constexpr std::size_t kLongestInList =
+constexpr std::size_t kMaxRows = 6;  ///< of the options of the only field
+constexpr std::size_t kMaxInListLength =
     12;  ///< letters of an option that stands in a list; longer ones are rows
 
 /// The same order for everyone, in which the right option is not always the first.
@@ -41,7 +41,7 @@ std::vector<std::size_t> shuffled(const std::vector<std::string>& options) {
 
 bool isWordy(const AnswerField& field) {
   return std::any_of(field.options.begin(), field.options.end(),
-                     [](const std::string& option) { return option.size() > kLongestInList; });
+                     [](const std::string& option) { return option.size() > kMaxInListLength; });
 }
 
 QString shown(const std::string& text) {
@@ -125,7 +125,7 @@ void AnswerForm::addList(QGridLayout* grid) {
 
 QLineEdit* AnswerForm::makeLine(const AnswerField& field, bool isCell) {
   auto* line = new QLineEdit(m_page);
-  line->setMaxLength(kMostTyped);
+  line->setMaxLength(kMaxTyped);
   line->setObjectName(QStringLiteral("answer.") + shown(field.name));
   line->setAccessibleName(shown(field.shownName()));
   if (isCell) {
@@ -140,7 +140,7 @@ QLineEdit* AnswerForm::makeLine(const AnswerField& field, bool isCell) {
 }
 
 QWidget* AnswerForm::makeField(const AnswerField& field, Field& made) {
-  const bool isAlone = m_fields.size() == 1 && field.options.size() <= kMostRows;
+  const bool isAlone = m_fields.size() == 1 && field.options.size() <= kMaxRows;
   if (field.kind == FieldKind::choice && (isAlone || isWordy(field))) return makeChoices(field, made);
   if (field.kind == FieldKind::choice) {
     made.list = new QComboBox(m_page);

@@ -22,10 +22,10 @@ namespace geargraph::inline mainwindow {
 namespace {
 
 /// Above this number of links a picture would not be readable.
-constexpr int kMostPicturedLinks = 2'000;
+constexpr int kMaxPicturedLinks = 2'000;
 /// More links than these, or a longer text, are put in on another thread.
-constexpr int kMostAtOnce = 1'000;
-constexpr qsizetype kMostReadAtOnce = 200'000;
+constexpr int kMaxAtOnce = 1'000;
+constexpr qsizetype kMaxReadAtOnce = 200'000;
 
 /// The marks of the elements in the fragment; those of its ground only if that was selected.
 DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGround) {
@@ -77,7 +77,7 @@ bool EditCommands::copy() {
   CopiedContent content;
   content.document = fragment;
   content.asText = true;
-  if (fragment->n() <= kMostPicturedLinks) {
+  if (fragment->n() <= kMaxPicturedLinks) {
     const bool withGround = m_selection->isSelected(fragment->links.front().id);
     content.drawing = [picture = m_picture(), fragment, withGround] {
       return partOf(picture(), *fragment, withGround);
@@ -107,7 +107,7 @@ void EditCommands::paste() {
     return emit rejected(tr("What the clipboard holds is too large to be a mechanism."));
   }
   const auto read = [json] { return readMechanism(std::string_view(json.constData(), json.size())); };
-  if (json.size() > kMostReadAtOnce) return insertInBackground(read, tr("Paste"));
+  if (json.size() > kMaxReadAtOnce) return insertInBackground(read, tr("Paste"));
   const Expected<Mechanism> fragment = read();
   if (!fragment) return emit rejected(whyUnreadable(fragment.error()));
   insert(*fragment, tr("Paste"));
@@ -118,7 +118,7 @@ void EditCommands::duplicate() {
 }
 
 void EditCommands::insert(const Mechanism& fragment, const QString& text) {
-  if (fragment.n() > kMostAtOnce) return insertInBackground([fragment] { return fragment; }, text);
+  if (fragment.n() > kMaxAtOnce) return insertInBackground([fragment] { return fragment; }, text);
   const MechanismPtr before = m_document->mechanism();
   const bool done = m_document->apply(
       {text, [fragment](const Mechanism& into) { return withFragment(into, fragment); }, 0});

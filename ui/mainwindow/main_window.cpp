@@ -59,9 +59,9 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
     return MainWindow::tr(
         "The gears appear when the turning joints tie every link to the ground and close no loop.");
   }
-  if (snapshot.mechanism->n() > kMostStageLinks) {
+  if (snapshot.mechanism->n() > kMaxStageLinks) {
     return MainWindow::tr("The 3D view shows trains of up to %1 links; this one has %2.")
-        .arg(kMostStageLinks)
+        .arg(kMaxStageLinks)
         .arg(snapshot.mechanism->n());
   }
   if (snapshot.kinematics && snapshot.mechanism->c() > 0) return View3D::waitingText();

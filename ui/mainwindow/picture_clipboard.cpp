@@ -49,7 +49,7 @@ class WrittenWhenAsked final : public QMimeData {
 double scaleOf(const DisplayList& drawing) {
   const Extent sheet = sheetOf(drawing, paperStyle());
   constexpr double kScale = 2;
-  return std::min(kScale, PictureClipboard::kMostPixels / (2 * std::max(sheet.halfWidth, sheet.halfHeight)));
+  return std::min(kScale, PictureClipboard::kMaxPixels / (2 * std::max(sheet.halfWidth, sheet.halfHeight)));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class PictureClipboard : public QObject {
 
  public:
   /// Longest side of a PNG of a drawing; an SVG has no pixels.
-  static constexpr double kMostPixels = 4096;
+  static constexpr double kMaxPixels = 4096;
 
   explicit PictureClipboard(QObject* parent = nullptr);
 

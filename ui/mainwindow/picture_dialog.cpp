@@ -21,7 +21,7 @@ constexpr int kPngRow = 2, kPicturesRow = 3, kGlbRow = 4;
 
 QSpinBox* pixels(int value, QWidget* parent) {
   auto* box = new QSpinBox(parent);
-  box->setRange(kLeastPictureSide, kMostPictureSide);
+  box->setRange(kLeastPictureSide, kMaxPictureSide);
   box->setValue(value);
   box->setSuffix(QStringLiteral(" px"));
   return box;
@@ -87,7 +87,7 @@ QWidget* PictureDialog::makeAnimationRow() {
   m_animation->setObjectName(QStringLiteral("film"));
   m_animation->addItems({tr("None: one picture"), tr("Turntable: once round"), tr("Motion: one period")});
   m_animation->setItemData(2, tr("A minute where the motion has no period"), Qt::ToolTipRole);
-  m_frames->setRange(2, kMostAnimationFrames);
+  m_frames->setRange(2, kMaxAnimationFrames);
   m_frames->setValue(Animation{}.frames);
   m_frames->setSuffix(tr(" pictures"));
   m_rate->setRange(1, 100);

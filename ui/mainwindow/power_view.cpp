@@ -96,7 +96,7 @@ void PowerView::renew(const Drawing& drawing) {
 }
 
 void PowerView::fillObservers(QMenu& menu) {
-  constexpr std::size_t kMost = 80;
+  constexpr std::size_t kMax = 80;
   menu.clear();
   const Mechanism& mechanism = *m_workbench.document().mechanism();
   const auto add = [&](const QString& text, LinkId link) {
@@ -105,7 +105,7 @@ void PowerView::fillObservers(QMenu& menu) {
     action->setChecked(link == m_observer);
   };
   add(tr("The ground"), {});
-  for (std::size_t link = 1; link < std::min(mechanism.links.size(), kMost); ++link) {
+  for (std::size_t link = 1; link < std::min(mechanism.links.size(), kMax); ++link) {
     const QString name = QString::fromStdString(mechanism.links[link].name);
     const QString label = QString::number(mechanism.linkLabel(static_cast<int>(link)));
     add(name.isEmpty() ? tr("Link %1").arg(label) : tr("Link %1, %2").arg(label, name),

@@ -26,7 +26,7 @@ void RecentFiles::add(const QString& path) {
   QStringList list = paths();
   list.removeAll(absolute);
   list.prepend(absolute);
-  saveSetting(kKey, QStringList(list.mid(0, kMost)));
+  saveSetting(kKey, QStringList(list.mid(0, kMax)));
 }
 
 void RecentFiles::forget(const QString& path) {

@@ -10,7 +10,7 @@ class RecentFiles : public QMenu {
   Q_OBJECT
 
  public:
-  static constexpr int kMost = 10;
+  static constexpr int kMax = 10;
 
   explicit RecentFiles(QWidget* parent = nullptr);
 

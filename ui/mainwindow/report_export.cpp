@@ -34,7 +34,7 @@ ReportDrawings drawingsOf(const ReportLists& lists) {
 /// A sheet about the document as it is shown, the same for everyone; without kinds a question of every kind
 /// that the mechanism gives, as `geargraph-cli exercises make` asks them; none where it gives none.
 std::optional<HandoutExercises> exercisesFor(const Mechanism& mechanism, SheetPlan plan) {
-  if (mechanism.n() > kMostExerciseLinks) return std::nullopt;
+  if (mechanism.n() > kMaxExerciseLinks) return std::nullopt;
   const ExerciseSource source(mechanism);
   if (plan.kinds.empty()) plan.kinds = offeredKinds(source);
   if (plan.kinds.empty()) return std::nullopt;
@@ -51,9 +51,9 @@ bool isPackage(const QString& path) {
 QString WindowExports::whyNoDerivation() const {
   if (m_workbench.document().mechanism()->n() == 0)
     return tr("There is nothing drawn to derive anything for.");
-  if (m_workbench.document().mechanism()->n() <= kMostReportLinks) return {};
+  if (m_workbench.document().mechanism()->n() <= kMaxReportLinks) return {};
   return tr("A derivation of more than %1 links is not written: it would be too long to read.")
-      .arg(kMostReportLinks);
+      .arg(kMaxReportLinks);
 }
 
 void WindowExports::chooseAndExportDerivation() {

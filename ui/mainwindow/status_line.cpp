@@ -16,11 +16,11 @@ namespace {
 
 /// "A, B, C"; empty where nothing is engaged.
 QString engagedNames(const Mechanism& mechanism) {
-  constexpr std::size_t kMostNames = 6;
+  constexpr std::size_t kMaxNames = 6;
   QStringList names;
-  for (std::size_t i = 0; i < mechanism.engaged.size() && i < kMostNames; ++i)
+  for (std::size_t i = 0; i < mechanism.engaged.size() && i < kMaxNames; ++i)
     names << shownText(mechanism.engaged[i].text());
-  if (mechanism.engaged.size() > kMostNames) names << QStringLiteral("…");
+  if (mechanism.engaged.size() > kMaxNames) names << QStringLiteral("…");
   return names.join(QStringLiteral(", "));
 }
 

@@ -100,9 +100,9 @@ QAction* MainWindow::makePanelAction(QDockWidget* dock) {
   action->setObjectName(dock->objectName());
   action->setCheckable(true);
   action->setProperty(kRevealsPanel, true);
-  constexpr std::size_t kMostKeys = 10;  // the tenth has 0
-  if (m_docks.size() <= kMostKeys)
-    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size() % kMostKeys)));
+  constexpr std::size_t kMaxKeys = 10;  // the tenth has 0
+  if (m_docks.size() <= kMaxKeys)
+    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size() % kMaxKeys)));
   connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
   connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
     dock->setVisible(isWanted);

@@ -11,11 +11,11 @@ QString tr(const char* text) {
 }
 
 /// The axes with the fewest joints between them and these in the document's order, then others: at most
-/// kMostAxesOffered.
+/// kMaxAxesOffered.
 std::vector<AxisId> nearestAxes(const Mechanism& mechanism, const std::set<AxisId>& of) {
   std::set<AxisId> reached = of;
   std::set<LinkId> links;
-  const std::size_t most = of.size() + kMostAxesOffered;
+  const std::size_t most = of.size() + kMaxAxesOffered;
   for (bool grows = true; grows && reached.size() < most;) {
     grows = false;
     const std::set<AxisId> from = reached;
@@ -33,7 +33,7 @@ std::vector<AxisId> nearestAxes(const Mechanism& mechanism, const std::set<AxisI
   std::vector<AxisId> nearest;
   for (const bool isReached : {true, false}) {
     for (const Axis& axis : mechanism.axes) {
-      if (nearest.size() >= kMostAxesOffered) break;
+      if (nearest.size() >= kMaxAxesOffered) break;
       if (!of.contains(axis.id) && reached.contains(axis.id) == isReached) nearest.push_back(axis.id);
     }
   }

@@ -18,10 +18,10 @@ struct NamedAxisChoice {
 };
 
 /// The largest number of other axes offered as a reference.
-constexpr std::size_t kMostAxesOffered = 30;
+constexpr std::size_t kMaxAxesOffered = 30;
 
 /// All choices for these axes: along x, y, z; and relative to each other axis: perpendicular, parallel, or
-/// through the point of intersection. Of more than kMostAxesOffered other axes those separated by the fewest
+/// through the point of intersection. Of more than kMaxAxesOffered other axes those separated by the fewest
 /// joints are offered.
 [[nodiscard]] std::vector<NamedAxisChoice> axisChoices(const Mechanism& mechanism,
                                                        const std::set<AxisId>& of);

@@ -12,15 +12,15 @@ QString tr(const char* text) {
   return QCoreApplication::translate("freedom", text);
 }
 
-constexpr std::size_t kMostNames = 12;
-constexpr std::size_t kMostLines = 8;
+constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxLines = 8;
 
 QString namesOf(const Digraph& graph, const std::vector<int>& joints) {
   QStringList names;
-  for (std::size_t i = 0; i < joints.size() && i < kMostNames; ++i)
+  for (std::size_t i = 0; i < joints.size() && i < kMaxNames; ++i)
     names << QString::number(graph.edgeLabel(joints[i]));
   QString text = names.join(QStringLiteral(", "));
-  if (joints.size() > kMostNames) text += tr(" and %1 more").arg(joints.size() - kMostNames);
+  if (joints.size() > kMaxNames) text += tr(" and %1 more").arg(joints.size() - kMaxNames);
   return text;
 }
 
@@ -31,7 +31,7 @@ QString freedomText(const AnalysisSnapshot& snapshot) {
   if (matroid == nullptr || !matroid->solution || matroid->solution->matrix.empty()) return {};
   const Digraph& graph = *snapshot.graph;
   QStringList lines;
-  for (std::size_t i = 0; i < matroid->solution->inputs.size() && i < kMostLines; ++i) {
+  for (std::size_t i = 0; i < matroid->solution->inputs.size() && i < kMaxLines; ++i) {
     const int input = matroid->solution->inputs[i];
     const std::vector<int> commanded = commandedBy(*matroid->solution, input);
     const QString label = QString::number(graph.edgeLabel(input));
@@ -40,7 +40,7 @@ QString freedomText(const AnalysisSnapshot& snapshot) {
   }
   if (snapshot.solved && snapshot.solved->exact && !snapshot.solved->exact->matrix.empty()) {
     const auto groups = tiedJoints(*snapshot.solved->exact);
-    for (std::size_t i = 0; i < groups.size() && i < kMostLines; ++i)
+    for (std::size_t i = 0; i < groups.size() && i < kMaxLines; ++i)
       lines << tr("Joints %1 turn together, at a fixed ratio.").arg(namesOf(graph, groups[i]));
   }
   std::vector<int> dead;

@@ -5,7 +5,7 @@
 namespace geargraph::inline models {
 namespace {
 
-constexpr qsizetype kMostLetters = 24;
+constexpr qsizetype kMaxLetters = 24;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("LinkText", text);
@@ -13,7 +13,7 @@ QString tr(const char* text) {
 
 QString shortened(const std::string& name) {
   const QString text = QString::fromStdString(name).simplified();
-  return text.size() <= kMostLetters ? text : text.left(kMostLetters - 1).trimmed() + QStringLiteral("…");
+  return text.size() <= kMaxLetters ? text : text.left(kMaxLetters - 1).trimmed() + QStringLiteral("…");
 }
 
 bool repeats(const QString& name, const QString& label) {

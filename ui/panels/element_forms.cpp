@@ -71,7 +71,7 @@ DocumentForm::DocumentForm(Document* document)
     : PropertyForm(document, {}), m_owner(document), m_name(new QLineEdit(this)) {
   setTitle(tr("Document"));
   m_name->setObjectName(QStringLiteral("documentName"));
-  m_name->setMaxLength(kMostTyped);
+  m_name->setMaxLength(kMaxTyped);
   m_nameGesture = document->newGesture();
   addRow(tr("Name"), Term::label, m_name);
   addNote(tr("Select a link, a joint or a mesh to see and change what belongs to it."));
@@ -103,7 +103,7 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
   }
   m_name = new QLineEdit(this);
   m_name->setObjectName(QStringLiteral("linkName"));
-  m_name->setMaxLength(kMostTyped);
+  m_name->setMaxLength(kMaxTyped);
   m_name->setAccessibleName(tr("Name of the link"));
   addRow(tr("Name"), Term::link, m_name);
   newGesture();
@@ -285,7 +285,7 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   m_tooMany->setWordWrap(true);
   m_tooMany->setText(tr("This train has more than %1 meshes: axes and other wheels do not follow a change of "
                         "teeth by themselves.")
-                         .arg(kMostFittedMeshes));
+                         .arg(kMaxFittedMeshes));
   m_kind->setObjectName(QStringLiteral("meshKind"));
   m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
   const bool one = elements().size() == 1;
@@ -349,7 +349,7 @@ std::vector<const GearMesh*> MeshForm::meshes() const {
 }
 
 void MeshForm::refresh() {
-  m_tooMany->setVisible(mechanism().c() > kMostFittedMeshes);
+  m_tooMany->setVisible(mechanism().c() > kMaxFittedMeshes);
   showPin(*m_pinTail, tailOf);
   showPin(*m_pinHead, headOf);
   const auto all = meshes();
@@ -377,7 +377,7 @@ void MeshForm::refresh() {
 void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {
   m_module->setLengthUnit(mechanism().unit);
   std::vector<std::optional<Rational>> modules(meshes.size());
-  if (mechanism().c() <= kMostFittedMeshes) {
+  if (mechanism().c() <= kMaxFittedMeshes) {
     const Placement& placement = placed().placement();
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       const auto position = static_cast<int>(meshes[i] - mechanism().gearMeshes.data());

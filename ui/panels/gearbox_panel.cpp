@@ -26,11 +26,11 @@
 namespace geargraph::inline panels {
 namespace {
 
-constexpr std::size_t kMostListedLinks = 200;  // a menu of thousands takes half a second, and nobody reads it
+constexpr std::size_t kMaxListedLinks = 200;  // a menu of thousands takes half a second, and nobody reads it
 
 /// The end of the links that a menu lists.
 std::size_t listedLinks(const Mechanism& mechanism) {
-  return std::min(mechanism.links.size(), kMostListedLinks + 1);
+  return std::min(mechanism.links.size(), kMaxListedLinks + 1);
 }
 
 /// Says how the links are chosen that the menu does not list.

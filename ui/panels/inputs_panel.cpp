@@ -32,7 +32,7 @@ namespace {
 /// Rows that are made at once: each is half a dozen widgets, and a train may have thousands of inputs.
 constexpr std::size_t kRowsAtOnce = 30;
 /// With more of them every change of the list holds the window.
-constexpr std::size_t kMostRows = 90;
+constexpr std::size_t kMaxRows = 90;
 
 /// rad/s at the ends of a slider that is made for this speed.
 int rangeFor(const Number& speed) {
@@ -55,7 +55,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   m_more->setObjectName(QStringLiteral("moreInputs"));
   m_more->setProperty("look", "control");
   connect(m_more, &QToolButton::clicked, this, [this] {
-    m_mostRows = std::min(kMostRows, m_mostRows + kRowsAtOnce);
+    m_mostRows = std::min(kMaxRows, m_mostRows + kRowsAtOnce);
     renew();
   });
   m_choose = new QToolButton(this);
@@ -137,15 +137,15 @@ void InputsPanel::renew() {
   for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
   m_more->setText(tr("Show more: %1 of %2 inputs are listed").arg(shown).arg(inputs.size()));
   m_more->setVisible(shown < inputs.size());
-  m_more->setEnabled(shown < kMostRows);
-  m_more->setToolTip(m_more->isEnabled() ? QString() : tr("At most %1 inputs are listed.").arg(kMostRows));
+  m_more->setEnabled(shown < kMaxRows);
+  m_more->setToolTip(m_more->isEnabled() ? QString() : tr("At most %1 inputs are listed.").arg(kMaxRows));
   m_empty->setVisible(inputs.empty());
   renewEngaged();
 }
 
 /// "Engaged: state 1, with A (2 held), C (1 = 6)".
 void InputsPanel::renewEngaged() {
-  constexpr int kMostNames = 12;
+  constexpr int kMaxNames = 12;
   const Mechanism& mechanism = *m_document->mechanism();
   const bool any = !mechanism.engaged.empty();
   m_engaged->setVisible(any);
@@ -161,7 +161,7 @@ void InputsPanel::renewEngaged() {
             ? tr("link %1 held").arg(label(coupling.links.front()))
             : tr("links %1 and %2 as one").arg(label(coupling.links.front()), label(coupling.links.back()));
     names << tr("%1 (%2)").arg(shownText(id.text()), holds);
-    if (names.size() == kMostNames) {
+    if (names.size() == kMaxNames) {
       names << QStringLiteral("…");
       break;
     }
@@ -335,11 +335,11 @@ void InputsPanel::renewChoice() {
                       (!matroid->inputsGiven || !matroid->choice.wantedIsValid());
   m_choose->setVisible(needed);
   if (!needed) return;
-  constexpr std::size_t kMostNames = 8;
+  constexpr std::size_t kMaxNames = 8;
   QStringList names;
-  for (std::size_t i = 0; i < matroid->choice.joints.size() && i < kMostNames; ++i)
+  for (std::size_t i = 0; i < matroid->choice.joints.size() && i < kMaxNames; ++i)
     names << QString::number(m_snapshot->graph->edgeLabel(matroid->choice.joints[i]));
-  if (matroid->choice.joints.size() > kMostNames) names << QStringLiteral("…");
+  if (matroid->choice.joints.size() > kMaxNames) names << QStringLiteral("…");
   m_choose->setText(names.size() == 1 ? tr("Drive joint %1").arg(names.front())
                                       : tr("Drive joints %1").arg(names.join(QStringLiteral(", "))));
 }

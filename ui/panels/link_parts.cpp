@@ -21,7 +21,7 @@ class PartList {
 
   template <class Text>
   void add(Text text) {
-    if (++m_count <= LinkParts::kMostListed) m_texts += text();
+    if (++m_count <= LinkParts::kMaxListed) m_texts += text();
   }
   [[nodiscard]] QString linkTo(const ElementId& element, const QString& prefix = {}) const {
     const QString label = shownText(m_index.labelOf(element).value_or(element.id.text()));
@@ -30,8 +30,8 @@ class PartList {
   }
   [[nodiscard]] QString text() const {
     QStringList texts = m_texts;
-    if (m_count > LinkParts::kMostListed)
-      texts += translated("and %1 more").arg(m_count - LinkParts::kMostListed);
+    if (m_count > LinkParts::kMaxListed)
+      texts += translated("and %1 more").arg(m_count - LinkParts::kMaxListed);
     return texts.join(QStringLiteral("<br>"));
   }
 

@@ -8,10 +8,10 @@
 namespace geargraph::inline panels {
 
 /// The joints, the gears with their teeth, and the brakes and clutches of a link, as rich text with an
-/// addressOf() hyperlink for each; empty if there are none. Beyond kMostListed only the number of the others
+/// addressOf() hyperlink for each; empty if there are none. Beyond kMaxListed only the number of the others
 /// is given.
 struct LinkParts {
-  static constexpr int kMostListed = 12;
+  static constexpr int kMaxListed = 12;
 
   QString joints;
   QString gears;

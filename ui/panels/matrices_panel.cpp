@@ -184,9 +184,9 @@ QToolButton* MatricesPanel::makeCopyButton() {
 
 /// Large matrices are written beside the window's thread; what would take long is no text for a clipboard.
 void MatricesPanel::copy(std::function<std::string()> write) {
-  constexpr qint64 kMostEntries = 4'000'000;  // some 0.1 s and 16 MB
+  constexpr qint64 kMaxEntries = 4'000'000;  // some 0.1 s and 16 MB
   const qint64 entries = qint64{m_model->rowCount()} * m_model->columnCount();
-  if (entries > kMostEntries) {
+  if (entries > kMaxEntries) {
     return emit rejected(
         tr("A matrix of %1 entries is too large to be copied. Export it as CSV.").arg(entries));
   }

@@ -34,7 +34,7 @@ void MeshForm::addTeethRow(const QString& name, NumberField* field, TeethSlider*
 void MeshForm::connectTeeth() {
   for (const bool ofTail : {true, false}) {
     NumberField* field = ofTail ? m_tailTeeth : m_headTeeth;
-    field->setWhole(kFewestTeeth, kMostTeeth);
+    field->setWhole(kMinTeeth, kMaxTeeth);
     field->setEmptyText(tr("several"));
     connect(field, &NumberField::edited, this, [this, ofTail](const std::optional<Number>& number) {
       if (!number) return;

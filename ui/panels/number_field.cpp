@@ -22,7 +22,7 @@ NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
   setFocusPolicy(Qt::StrongFocus);  // not by the wheel, which scrolls the panel
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAttribute(Qt::WA_Hover);
-  lineEdit()->setMaxLength(kMostTyped);
+  lineEdit()->setMaxLength(kMaxTyped);
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::onText);
   lineEdit()->installEventFilter(this);
   m_pause.setSingleShot(true);

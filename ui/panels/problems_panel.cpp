@@ -25,7 +25,7 @@ constexpr int kIconRoom = 38;
 constexpr int kRight = 14;
 /// Rows that are measured in one event: the wrapped text of thousands would hold up the window.
 constexpr int kRowsAtOnce = 50;
-constexpr int kMostHeights = 20'000;  ///< that are kept
+constexpr int kMaxHeights = 20'000;  ///< that are kept
 
 /// An icon, the sentence, and below it the place in a file, in secondary ink.
 class DiagnosticDelegate : public QStyledItemDelegate {
@@ -79,7 +79,7 @@ class DiagnosticDelegate : public QStyledItemDelegate {
 
   /// The list asks for all rows whenever it is laid out, as when it is shown or its sheet is set.
   [[nodiscard]] int wrappedHeight(const QString& text, int width, const QFont& font) const {
-    if (width != m_width || font != m_font || m_heights.size() > kMostHeights) m_heights.clear();
+    if (width != m_width || font != m_font || m_heights.size() > kMaxHeights) m_heights.clear();
     m_width = width;
     m_font = font;
     const auto known = m_heights.constFind(text);
@@ -201,8 +201,8 @@ void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
   m_rowsAsked.clear();
   const bool fixes =
-      m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksWithImmediateFixes;
-  for (int row = 0; fixes && row < std::min(m_model->rowCount(), kMostImmediateFixes); ++row) {
+      m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMaxLinksWithImmediateFixes;
+  for (int row = 0; fixes && row < std::min(m_model->rowCount(), kMaxImmediateFixes); ++row) {
     offerFixes(m_model->index(row));
   }
   requestFixes();

@@ -23,8 +23,8 @@ class ProblemsPanel : public QWidget {
  public:
   explicit ProblemsPanel(Selection* selection, QWidget* parent = nullptr);
 
-  static constexpr int kMostLinksWithImmediateFixes = 300;  ///< beyond, fixes are computed on a click
-  static constexpr int kMostImmediateFixes = 12;
+  static constexpr int kMaxLinksWithImmediateFixes = 300;  ///< beyond, fixes are computed on a click
+  static constexpr int kMaxImmediateFixes = 12;
 
   /// Sets the diagnostics of the newest analysis.
   void setSnapshot(const SnapshotPtr& snapshot);

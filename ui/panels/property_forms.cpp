@@ -17,7 +17,7 @@ namespace geargraph::inline panels {
 namespace {
 
 /// Elements to be changed times joints and meshes: some tens of milliseconds.
-constexpr std::size_t kMostAtOnce = 20'000;
+constexpr std::size_t kMaxAtOnce = 20'000;
 
 }  // namespace
 
@@ -168,7 +168,7 @@ void PropertyForm::applyFitted(const QString& text, const FittedChange& change) 
 /// The change of one element takes as long as the document is large.
 void PropertyForm::applyToEach(const QString& text, const LongEdit::Work& work) {
   const std::size_t size = mechanism().turningJoints.size() + mechanism().gearMeshes.size();
-  if (m_elements.size() == 1 || m_elements.size() * size <= kMostAtOnce) {
+  if (m_elements.size() == 1 || m_elements.size() * size <= kMaxAtOnce) {
     return applyAtOnce(text, [work](const PlacedMechanism& before) {
       std::atomic<int> done = 0;
       return work(before, {{}, &done});

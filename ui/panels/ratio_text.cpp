@@ -15,7 +15,7 @@ namespace geargraph::inline panels {
 namespace {
 
 enum Face { kUpright, kItalic, kLowered, kFaces };
-constexpr qsizetype kMostKept = 200'000;  // glyphs of all formulas, 20 bytes each
+constexpr qsizetype kMaxKept = 200'000;  // glyphs of all formulas, 20 bytes each
 constexpr QChar kMinus(0x2212);
 
 /// The glyphs of a formula in one face, from the left to the right.
@@ -46,7 +46,7 @@ class Setter {
   [[nodiscard]] const SetFormula& operator()(const QString& formula) {
     const auto known = m_kept.constFind(formula);
     if (known != m_kept.constEnd()) return *known;
-    if (m_glyphs > kMostKept) {
+    if (m_glyphs > kMaxKept) {
       m_kept.clear();
       m_glyphs = 0;
     }

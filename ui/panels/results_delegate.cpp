@@ -91,8 +91,8 @@ void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
 }
 
 int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const {
-  constexpr int kMostKept = 4096;
-  if (font != m_font || m_widths.size() > kMostKept) m_widths.clear();
+  constexpr int kMaxKept = 4096;
+  if (font != m_font || m_widths.size() > kMaxKept) m_widths.clear();
   m_font = font;
   const QString text = index.data().toString();
   const bool last = index.column() == index.model()->columnCount() - 1;

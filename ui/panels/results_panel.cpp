@@ -25,8 +25,8 @@ constexpr int kRowHeight = 23;
 constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
 constexpr int kLeastWidth = 64;     // px, of a column
-constexpr int kMostNamed = 12;      // inputs in the note: wrapping thousands of labels takes seconds
-constexpr int kMostWidth = 420;
+constexpr int kMaxNamed = 12;       // inputs in the note: wrapping thousands of labels takes seconds
+constexpr int kMaxWidth = 420;
 
 }  // namespace
 
@@ -237,9 +237,9 @@ void ResultsPanel::renewNote() {
   if (m_model->columnCount() > 0 && matroid != nullptr && !matroid->inputsGiven &&
       m_model->inputCount() > 0) {
     QStringList joints;
-    for (int i = 0; i < std::min(m_model->inputCount(), kMostNamed); ++i)
+    for (int i = 0; i < std::min(m_model->inputCount(), kMaxNamed); ++i)
       joints << m_model->headerData(i + 1, Qt::Horizontal).toString();
-    if (m_model->inputCount() > kMostNamed) joints << tr("… (%1 in all)").arg(m_model->inputCount());
+    if (m_model->inputCount() > kMaxNamed) joints << tr("… (%1 in all)").arg(m_model->inputCount());
     note = tr("No joint is driven: %1 as input, at 1 rad/s each.")
                .arg(joints.size() == 1 ? tr("joint %1").arg(joints.first())
                                        : tr("the set of joints %1").arg(joints.join(QStringLiteral(", "))));
@@ -273,7 +273,7 @@ int ResultsPanel::widthOfColumn(int column) const {
     if (cell.data(ResultsModel::ZeroRole).toBool()) continue;  // most of a large matrix, and narrow
     width = std::max(width, delegate->widthOf(cell, m_table->font()));
   }
-  return std::min(width, kMostWidth);
+  return std::min(width, kMaxWidth);
 }
 
 /// Hundreds of inputs make as many columns: those that are far to the left or right are measured when they

@@ -13,8 +13,8 @@
 namespace geargraph::inline panels {
 namespace {
 
-constexpr std::size_t kMostUnits = 40;   ///< entries of a menu
-constexpr std::size_t kMostChains = 12;  ///< entries of a menu, of which each takes ms of a large train
+constexpr std::size_t kMaxUnits = 40;   ///< entries of a menu
+constexpr std::size_t kMaxChains = 12;  ///< entries of a menu, of which each takes ms of a large train
 
 /// Shortens what a menu offers to `most` entries, what is selected first. Returns how many are left out.
 template <class Item, class IsSelected>
@@ -115,7 +115,7 @@ void ResultsPanel::fillFrames(QMenu& menu) {
   std::vector<int> links(static_cast<std::size_t>(m_snapshot->mechanism->n()));
   std::iota(links.begin(), links.end(), 1);
   const auto hidden = keepSelected(
-      links, kMostUnits, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
+      links, kMaxUnits, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
   for (const int link : links) {
     const LinkId id = m_snapshot->mechanism->links[static_cast<std::size_t>(link)].id;
     menu.addAction(tr("Relative to %1").arg(linkText(QString::number(link), m_names.nameOf(link))), this,
@@ -147,7 +147,7 @@ void ResultsPanel::fillUnits(QMenu& menu) {
   for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
     if (matroid->solution->rates[joint] != 0) turning.push_back(joint);
   }
-  const auto hidden = keepSelected(turning, kMostUnits, [&](std::size_t joint) {
+  const auto hidden = keepSelected(turning, kMaxUnits, [&](std::size_t joint) {
     return m_selection->isSelected(mechanism.turningJoints[joint].id);
   });
   for (const std::size_t joint : turning) {
@@ -181,7 +181,7 @@ void ResultsPanel::fillMotors(QMenu& menu) {
     if (carries[static_cast<std::size_t>(link)] == 0 && tree.parent(link) != 0) ends.push_back(link);
   }
   const auto hidden = keepSelected(
-      ends, kMostChains, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
+      ends, kMaxChains, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
   const InputCompletion completion(*m_snapshot->kinematics->model);
   for (const int link : ends) {
     const std::vector<int> chain = chainTo(tree, link);

@@ -10,12 +10,12 @@
 namespace geargraph::inline panels {
 namespace {
 
-constexpr int kMostNames = 16;  // beyond, the wheels would have no room
+constexpr int kMaxNames = 16;  // beyond, the wheels would have no room
 constexpr int kNameHeight = 18;
 
 /// One row for two names; the last says how many are left out.
 int nameRows(int links) {
-  return (std::min(links, kMostNames) + 1) / 2 + (links > kMostNames ? 1 : 0);
+  return (std::min(links, kMaxNames) + 1) / 2 + (links > kMaxNames ? 1 : 0);
 }
 
 /// The point on the other side of the axis.
@@ -90,7 +90,7 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
 
 void SetPreview::paintNames(QPainter& painter) const {
   painter.setPen(qColor(ColorRole::ink, themeOf(palette())));
-  const int count = std::min(m_mechanism.n(), kMostNames);
+  const int count = std::min(m_mechanism.n(), kMaxNames);
   const int rows = nameRows(m_mechanism.n());
   for (int link = 1; link <= count; ++link) {
     const int column = (link - 1) % 2;

@@ -100,7 +100,7 @@ StatesHeader::StatesHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent
 /// columns.
 void StatesHeader::rename(int section) {
   auto* editor = new QLineEdit(model()->headerData(section, Qt::Horizontal).toString(), viewport());
-  editor->setMaxLength(kMostTyped);
+  editor->setMaxLength(kMaxTyped);
   editor->setGeometry(sectionViewportPosition(section), 2, std::max(sectionSize(section), 56), 26);
   editor->selectAll();
   editor->show();
@@ -174,8 +174,8 @@ StatesTable::StatesTable(StatesModel* model, QWidget* parent)
 }
 
 int StatesTable::advance(Face face, const QString& text) const {
-  constexpr int kMostKept = 4096;
-  if (m_measured != font() || m_advances.size() > kMostKept) m_advances.clear();
+  constexpr int kMaxKept = 4096;
+  if (m_measured != font() || m_advances.size() > kMaxKept) m_advances.clear();
   m_measured = font();
   const QPair key(static_cast<int>(face), text);
   const auto known = m_advances.constFind(key);

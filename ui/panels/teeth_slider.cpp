@@ -12,13 +12,13 @@
 namespace geargraph::inline panels {
 namespace {
 
-constexpr int kFewest = 6;  // below, gears can hardly be made
+constexpr int kMin = 6;  // below, gears can hardly be made
 constexpr int kMany = 120;
 
 }  // namespace
 
 TeethSlider::TeethSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
-  setRange(kFewest, kMany);
+  setRange(kMin, kMany);
   setPageStep(5);
   setMinimumWidth(70);
   setFocusPolicy(Qt::StrongFocus);
@@ -33,7 +33,7 @@ void TeethSlider::showTeeth(const std::optional<int>& teeth) {
   const QSignalBlocker quiet(this);
   setEnabled(teeth.has_value());
   if (!teeth) return;
-  if (!isSliderDown()) setRange(std::min(kFewest, *teeth), std::max(kMany, 2 * *teeth));
+  if (!isSliderDown()) setRange(std::min(kMin, *teeth), std::max(kMany, 2 * *teeth));
   setValue(*teeth);
 }
 

@@ -190,9 +190,9 @@ void PaperCheckDialog::showExample() {
 void PaperCheckDialog::request() {
   const std::string text = m_text->toPlainText().toStdString();
   if (m_text->toPlainText().trimmed().isEmpty() || !m_mechanism) return clear();
-  if (m_mechanism->n() > kMostExerciseLinks) {
+  if (m_mechanism->n() > kMaxExerciseLinks) {
     m_service->cancel();
-    return setVerdict(tr("Matrices of at most %1 moving links are compared.").arg(kMostExerciseLinks));
+    return setVerdict(tr("Matrices of at most %1 moving links are compared.").arg(kMaxExerciseLinks));
   }
   if (text.size() > kLargestPaper) {
     m_service->cancel();

@@ -28,7 +28,7 @@ using PaperCheckAnswerPtr = std::shared_ptr<const PaperCheckAnswer>;
 /// Checks the user's matrices and equations on a background thread. The derived matrices are cached while
 /// only the text changes.
 ///
-/// @pre requested mechanisms have at most kMostExerciseLinks moving links
+/// @pre requested mechanisms have at most kMaxExerciseLinks moving links
 class PaperCheckService final : public Service<PaperCheckRequest, PaperCheckAnswerPtr> {
  public:
   explicit PaperCheckService(QObject* parent = nullptr);

@@ -15,7 +15,7 @@ namespace geargraph::inline recovery {
 namespace {
 
 constexpr const char* kMember = "autosave";
-constexpr int kMostSideFiles = 99;  ///< of documents without a file, or of one document in several programs
+constexpr int kMaxSideFiles = 99;  ///< of documents without a file, or of one document in several programs
 
 std::filesystem::path nativePath(const QString& path) {
   return QFile::encodeName(path).toStdString();
@@ -97,7 +97,7 @@ QStringList sidePathsOf(const QString& filePath, const QString& folder) {
         QCryptographicHash::hash(file.absoluteFilePath().toUtf8(), QCryptographicHash::Sha1);
     name = QString::fromLatin1(key.toHex().left(16));
   }
-  for (int i = 1; i <= kMostSideFiles; ++i) {
+  for (int i = 1; i <= kMaxSideFiles; ++i) {
     paths << QDir(folder).filePath(QStringLiteral("%1-%2.geargraph").arg(name).arg(i));
   }
   return paths;

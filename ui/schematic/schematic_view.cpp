@@ -78,7 +78,7 @@ QString SchematicView::message() const {
   if (!m_schematic->isEmpty()) return {};
   if (m_schematic->isTooLarge) {
     return tr("The schematic shows up to %1 links; this train has %2. Digraph and T–T graph show all of them")
-        .arg(kMostDrawnLinks - 1)
+        .arg(kMaxDrawnLinks - 1)
         .arg(mechanism().links.size() - 1);
   }
   if (mechanism().links.size() == 1) return tr("Draw the first shaft: L, then drag");

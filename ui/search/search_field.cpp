@@ -48,7 +48,7 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
       m_model(new SearchModel(this)),
       m_popup(new SearchPopup(m_model, menus->window())) {
   setObjectName(QStringLiteral("search"));
-  setMaxLength(kMostSearched);
+  setMaxLength(kMaxSearched);
   setToolTip(tr("Find a command, an element, a term or a page of the manual (Ctrl+K)"));
   setAccessibleName(tr("Search"));
   setMinimumWidth(kWidth / 3);

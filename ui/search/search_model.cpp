@@ -53,7 +53,7 @@ void SearchModel::setQuery(const QString& query) {
     if (!entry.page.isEmpty() && score > 0) score = std::max(1, score / kPagesBehind);
     if (score > 0) found.emplace_back(-score, i);
   }
-  const std::size_t kept = std::min(found.size(), std::size_t{kMost});
+  const std::size_t kept = std::min(found.size(), std::size_t{kMax});
   std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end());
   beginResetModel();
   m_found.clear();

@@ -12,7 +12,7 @@ class SearchModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  static constexpr int kMost = 100;  ///< number of results kept
+  static constexpr int kMax = 100;  ///< number of results kept
 
   enum Role {
     SideRole = Qt::UserRole,  ///< QString: the text at the right

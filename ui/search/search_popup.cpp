@@ -144,8 +144,8 @@ void SearchPopup::showDefinition(Term term) {
 }
 
 int SearchPopup::heightForResults(int most) const {
-  constexpr int kFewestRows = 4;
-  const int rows = std::max(m_model->rowCount(), kFewestRows);
+  constexpr int kMinRows = 4;
+  const int rows = std::max(m_model->rowCount(), kMinRows);
   return std::min(most, rows * scaledPixels(kRowHeight) + m_detail->minimumHeight() + 22);
 }
 

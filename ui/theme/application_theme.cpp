@@ -54,8 +54,8 @@ void renewSystemTheme() {
 }
 
 double savedTypeScale() {
-  constexpr double kLeast = 0.5, kMost = 3;
-  return std::clamp(savedSetting(kTypeScaleKey, 1.0).toDouble(), kLeast, kMost);
+  constexpr double kLeast = 0.5, kMax = 3;
+  return std::clamp(savedSetting(kTypeScaleKey, 1.0).toDouble(), kLeast, kMax);
 }
 
 void saveTypeScale(double scale) {

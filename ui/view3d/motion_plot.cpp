@@ -22,9 +22,9 @@ constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
 constexpr double kUnseen = 0.2;  // px, that a curve may be off
-constexpr std::size_t kMostFineCurves = 40;
-constexpr double kLongestFine = 20'000;  // px, of all curves together
-constexpr double kMargin = 0.08;         // share of the range of values that is added above and below
+constexpr std::size_t kMaxFineCurves = 40;
+constexpr double kMaxFineLength = 20'000;  // px, of all curves together
+constexpr double kMargin = 0.08;           // share of the range of values that is added above and below
 
 QString text(double value, int digits = 5) {
   return printedNumber(std::abs(value) < 1e-12 ? 0 : value, digits);
@@ -250,7 +250,7 @@ void MotionPlot::paintCurves(QPainter& painter) const {
   }
   // Many curves, and those with many turns, hide their style, and wide lines with gaps take a hundred times
   // as long.
-  const bool isFine = m_sheet.curves.size() <= kMostFineCurves && length <= kLongestFine;
+  const bool isFine = m_sheet.curves.size() <= kMaxFineCurves && length <= kMaxFineLength;
   painter.setRenderHint(QPainter::Antialiasing, isFine);
   int coordinate = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {

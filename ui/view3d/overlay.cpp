@@ -13,13 +13,13 @@
 namespace geargraph::inline view3d {
 namespace {
 
-constexpr double kLongestBar = 110, kFromRight = 16, kTick = 4;  // logical pixels
-constexpr double kBarFromBelow = 24, kBarOverPlayback = 52;      // in a file; in the window
+constexpr double kMaxBarLength = 110, kFromRight = 16, kTick = 4;  // logical pixels
+constexpr double kBarFromBelow = 24, kBarOverPlayback = 52;        // in a file; in the window
 
 void paintScaleBar(QPainter& painter, const LabelGround& ground, double fromBelow, bool dark) {
   const double ratio = ground.pixelRatio;
   const double perPixel = ground.camera.millimetresPerPixel(ground.viewport) * ratio;
-  const double length = niceLength(perPixel, kLongestBar);
+  const double length = niceLength(perPixel, kMaxBarLength);
   const double right = ground.viewport.width / ratio - kFromRight;
   const double left = right - length / perPixel, y = ground.viewport.height / ratio - fromBelow;
   const QColor ink = dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80);

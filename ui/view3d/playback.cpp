@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMillisecondsPerFrame = 16;
 constexpr double kStep = 0.05;  // s
-constexpr double kLongestFrame =
+constexpr double kMaxFrame =
     0.25;  // s: after a pause of the whole program the motion goes on, it does not jump
 
 }  // namespace
@@ -17,7 +17,7 @@ Playback::Playback(QObject* parent) : QObject(parent) {
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.setInterval(kMillisecondsPerFrame);
   connect(&m_timer, &QTimer::timeout, this, [this] {
-    advance(std::min(kLongestFrame, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1e-9));
+    advance(std::min(kMaxFrame, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1e-9));
     m_sinceFrame.restart();
   });
 }

@@ -20,12 +20,12 @@ namespace {
 
 constexpr int kSteps = 2000;
 constexpr double kSpanWithoutPeriod = 60;  // s
-constexpr double kMostTenths = 99.9;       // s: longer times are told in seconds
+constexpr double kMaxTenths = 99.9;        // s: longer times are told in seconds
 
 /// `span`: of the times that are shown; short ones are told in milliseconds.
 QString seconds(double value, double span) {
   constexpr double kShort = 0.5;
-  const int digits = span < kShort ? 3 : value < kMostTenths + 0.05 ? 1 : 0;
+  const int digits = span < kShort ? 3 : value < kMaxTenths + 0.05 ? 1 : 0;
   return printedNumber(value, digits, 'f');
 }
 
@@ -160,7 +160,7 @@ void PlaybackBar::showTime() {
   const double place = m_playback->isLimited() ? rounds : rounds - std::floor(rounds);
   m_scrub->setValue(static_cast<int>(std::lround(kSteps * place)));
   // Of a fixed size, that grows with what it has to show: else every tick would lay out the window anew.
-  const QString longest = timeText(std::min(m_playback->isLimited() ? start() : span(), kMostTenths));
+  const QString longest = timeText(std::min(m_playback->isLimited() ? start() : span(), kMaxTenths));
   const bool isOther = std::exchange(m_longest, longest) != longest;
   QSize room = m_time->minimumSize();
   if (isOther) {

@@ -14,7 +14,7 @@ namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kZoomPerNotch = 1.15;
-constexpr double kMostZoomPerEvent = 4;
+constexpr double kMaxZoomPerEvent = 4;
 constexpr double kZoomPerPixel = 1.006;
 constexpr double kKeyPixels = 32;  // an arrow key turns as far as a drag by as many pixels
 
@@ -226,14 +226,14 @@ bool Viewer::wheel(const QWheelEvent& event) {
   if (notches == 0) return false;
   emit moving();
   zoomAt(event.position(),
-         std::clamp(std::pow(kZoomPerNotch, notches), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
+         std::clamp(std::pow(kZoomPerNotch, notches), 1 / kMaxZoomPerEvent, kMaxZoomPerEvent));
   return true;
 }
 
 bool Viewer::nativeGesture(const QNativeGestureEvent& event) {
   if (event.gestureType() != Qt::ZoomNativeGesture) return false;
   emit moving();
-  zoomAt(event.position(), std::clamp(1 + event.value(), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
+  zoomAt(event.position(), std::clamp(1 + event.value(), 1 / kMaxZoomPerEvent, kMaxZoomPerEvent));
   return true;
 }
 

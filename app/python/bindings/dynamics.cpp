@@ -43,8 +43,8 @@ class Dynamics {
  public:
   explicit Dynamics(const Snapshot& snapshot) : m_snapshot(snapshot.live()) {
     const MatroidAnalysis& matroid = snapshot.matroid(true);
-    if (matroid.solution->inputs.size() * matroid.solution->outputs.size() > LiveSolution::kMostLiveEntries)
-      raise("limit", "Dynamics is computed for up to " + std::to_string(LiveSolution::kMostLiveEntries) +
+    if (matroid.solution->inputs.size() * matroid.solution->outputs.size() > LiveSolution::kMaxLiveEntries)
+      raise("limit", "Dynamics is computed for up to " + std::to_string(LiveSolution::kMaxLiveEntries) +
                          " entries of the solution.");
     m_dynamics = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<MechanismDynamics> {
       const auto train = m_snapshot->geometry->train(stop);
@@ -106,12 +106,12 @@ class Dynamics {
     const auto lessPerSpeed = vectorFrom(damping, count(), "Dampings");
     if ((lessPerSpeed.array() < 0).any()) throw py::value_error("Damping is at least 0.");
     for (Eigen::Index i = 0; i < count(); ++i) options.motors.push_back({torque[i], lessPerSpeed[i]});
-    constexpr double kShortest = 1e-6, kLongest = 1e6;
+    constexpr double kShortest = 1e-6, kMaxLength = 1e6;
     for (const double time : {seconds, interval}) {
-      if (!(time >= kShortest && time <= kLongest))
+      if (!(time >= kShortest && time <= kMaxLength))
         throw py::value_error("A motion and its interval last 1e-6 to 1e6 seconds.");
     }
-    if (seconds / interval >= static_cast<double>(kMostSamples))
+    if (seconds / interval >= static_cast<double>(kMaxSamples))
       throw py::value_error("A motion has at most a million samples.");
     options.seconds = seconds;
     options.interval = interval;

@@ -14,9 +14,9 @@ namespace {
 using Answers = std::map<int, std::map<std::string, std::string>>;
 
 ExerciseSource sourceOf(const Mechanism& mechanism) {
-  if (mechanism.n() > kMostExerciseLinks)
+  if (mechanism.n() > kMaxExerciseLinks)
     raise("limit",
-          "Exercises are made of mechanisms of at most " + std::to_string(kMostExerciseLinks) + " links.");
+          "Exercises are made of mechanisms of at most " + std::to_string(kMaxExerciseLinks) + " links.");
   return interruptible([&](const std::stop_token& /*stop*/) { return ExerciseSource(mechanism); });
 }
 
@@ -35,13 +35,13 @@ class ExerciseSheet {
   ExerciseSheet(const Document& document, const std::optional<std::vector<std::string>>& kinds,
                 std::uint64_t seed, int variants, const std::string& title)
       : m_sheet{{title, {}, seed, variants}, document.mechanism()}, m_source(sourceOf(m_sheet.mechanism)) {
-    if (variants < 1 || variants > kMostVariants) throw py::value_error("A sheet has 1 to 1,000 variants.");
+    if (variants < 1 || variants > kMaxVariants) throw py::value_error("A sheet has 1 to 1,000 variants.");
     if (kinds) {
       for (const std::string& name : *kinds) m_sheet.plan.kinds.push_back(kindFrom(name));
     } else {
       m_sheet.plan.kinds = offeredKinds(m_source);
     }
-    if (m_sheet.plan.kinds.empty() || m_sheet.plan.kinds.size() > std::size_t{kMostQuestions})
+    if (m_sheet.plan.kinds.empty() || m_sheet.plan.kinds.size() > std::size_t{kMaxQuestions})
       throw py::value_error("A sheet has 1 to 100 questions, and this mechanism gives none or too many.");
   }
   explicit ExerciseSheet(SheetFile sheet)

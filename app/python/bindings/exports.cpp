@@ -52,7 +52,7 @@ py::tuple writeSolids(const Snapshot& self, const std::string& path, const std::
   if (!format)
     throw py::value_error("Solids are written as stl, obj, ply, glb or 3mf, not \"" + form + "\".");
   if (tolerance) (void)checked(*tolerance);
-  if (seconds != 0 && !(seconds >= kShortestAnimation && seconds <= kLongestAnimation))
+  if (seconds != 0 && !(seconds >= kShortestAnimation && seconds <= kMaxAnimation))
     throw py::value_error("An animation plays 0.001 to 1,000,000 seconds.");
   const ExportTrain train = trainOf(self);
   const SolidsChoice choice{tolerance, link, carriesAnimation(*format), seconds};
@@ -76,7 +76,7 @@ py::tuple writeSolids(const Snapshot& self, const std::string& path, const std::
 
 void writeAssemblyFolder(const Snapshot& self, const std::string& folder, std::size_t frames,
                          double tolerance, bool overwrite) {
-  if (frames < kFewestFrames || frames > kMostAssemblyFrames)
+  if (frames < kMinFrames || frames > kMaxAssemblyFrames)
     throw py::value_error("An assembly has 12 to 10,000 frames.");
   const ExportTrain train = trainOf(self);
   const Assembly assembly = madeOrRaise(self, interruptible([&](const std::stop_token& stop) {
@@ -155,8 +155,8 @@ py::list parts(const Snapshot& self, double tolerance) {
 }
 
 py::bytes report(Snapshot& self, const std::string& form) {
-  if (self.mechanism().n() > kMostReportLinks)
-    raise("limit", "A derivation is written of at most " + std::to_string(kMostReportLinks) + " links.");
+  if (self.mechanism().n() > kMaxReportLinks)
+    raise("limit", "A derivation is written of at most " + std::to_string(kMaxReportLinks) + " links.");
   const SnapshotPtr snapshot = self.full();
   return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<std::string> {
     const auto drawn = [&](const char* name) { return drawingNamed(name)->draw(*snapshot, nullptr, stop); };

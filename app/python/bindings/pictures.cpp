@@ -35,7 +35,7 @@ py::bytes drawing(const Snapshot& self, const std::string& name, const std::stri
     throw py::value_error("A drawing is one of " + drawingNames() + ", not \"" + name + "\".");
   const auto pictureForm = pictureFormFromName(form);
   if (!pictureForm) throw py::value_error("A drawing is written as svg, pdf or png, not \"" + form + "\".");
-  checkSize(size, kMostDrawingPixels);
+  checkSize(size, kMaxDrawingPixels);
   DrawingPicture picture;
   picture.form = *pictureForm;
   picture.style.theme = dark ? Theme::dark : Theme::light;
@@ -84,7 +84,7 @@ struct RequestedPicture {
 std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& requested) {
   StageRendering rendering;
   OverlayChoice overlay;
-  checkSize(requested.size, kMostPictureSide);
+  checkSize(requested.size, kMaxPictureSide);
   if (requested.size) rendering.size = {requested.size->first, requested.size->second};
   if (requested.from) {
     const auto view = standardViewNamed(*requested.from);
@@ -113,8 +113,8 @@ std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& r
 
 /// The stage, or raises geargraph.Error where there is nothing to show.
 StagePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
-  if (self.mechanism().n() > kMostStageLinks)
-    raise("limit", "3D is made of up to " + std::to_string(kMostStageLinks) + " links.");
+  if (self.mechanism().n() > kMaxStageLinks)
+    raise("limit", "3D is made of up to " + std::to_string(kMaxStageLinks) + " links.");
   StagePtr stage = interruptible([&](const std::stop_token& stop) {
     GearCache cache;
     ShapeCache read(requested.reader.empty() ? foreignMeshReader() : std::filesystem::path(requested.reader));
@@ -172,8 +172,8 @@ void writeAnimation(const Snapshot& self, const py::dict& options, const Animati
   const RequestedPicture requested(options);
   auto [made, overlay] = renderingFrom(requested);
   StageRendering rendering = std::move(made);
-  if (frames < 2 || frames > kMostAnimationFrames)
-    throw py::value_error("A film has 2 to " + std::to_string(kMostAnimationFrames) + " frames.");
+  if (frames < 2 || frames > kMaxAnimationFrames)
+    throw py::value_error("A film has 2 to " + std::to_string(kMaxAnimationFrames) + " frames.");
   rendering.animation = Animation{kind == "motion" ? AnimationKind::motion : AnimationKind::turntable, frames,
                                   framesPerSecond, 0};
   rendering.stage = stageOf(self, requested);

@@ -20,22 +20,22 @@ PlanetaryMember memberNamed(const std::string& name) {
 
 void checkTeeth(std::initializer_list<int> counts) {
   for (const int count : counts) {
-    if (count < kFewestTeeth || count > kMostTeeth)
+    if (count < kMinTeeth || count > kMaxTeeth)
       throw py::value_error("A gear has 1 to 100,000 teeth, not " + std::to_string(count) + ".");
   }
 }
 
 /// Wheels of sets that are looked through: the search costs their square.
 void checkLimits(int fewest, int most) {
-  constexpr int kMostSearched = 2'000;
+  constexpr int kMaxSearched = 2'000;
   checkTeeth({fewest, most});
-  if (fewest > most || most > kMostSearched)
+  if (fewest > most || most > kMaxSearched)
     throw py::value_error("Tooth counts are looked for up to 2,000, the fewest first.");
 }
 
 void checkPlanets(int planets) {
-  constexpr int kMostPlanets = 100;
-  if (planets < 1 || planets > kMostPlanets) throw py::value_error("A set has 1 to 100 planets.");
+  constexpr int kMaxPlanets = 100;
+  if (planets < 1 || planets > kMaxPlanets) throw py::value_error("A set has 1 to 100 planets.");
 }
 
 py::list planetaryOfRatio(const NumberText& ratio, const std::string& drive, const std::string& driven,

@@ -48,7 +48,7 @@ std::vector<std::string> writeModel(const Snapshot& self, const std::string& fol
                                     const ModelChoice& choice, bool overwrite) {
   const SimulatorOptions options = optionsFrom(choice);
   const MatroidAnalysis& matroid = self.matroid(true);
-  if (matroid.solution->inputs.size() * matroid.solution->outputs.size() > ExactSolution::kMostExactEntries)
+  if (matroid.solution->inputs.size() * matroid.solution->outputs.size() > ExactSolution::kMaxExactEntries)
     raise("limit", "The mechanism is too large for simulators.");
   auto made = interruptible([&](const std::stop_token& stop) -> std::variant<SimulatorModel, SimulatorError> {
     const auto train = self.live()->geometry->train(stop);

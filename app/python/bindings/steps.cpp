@@ -98,8 +98,8 @@ py::tuple blockOf(const ReportBlock& block) {
 }
 
 py::tuple derivation(Snapshot& self) {
-  if (self.mechanism().n() > kMostReportLinks)
-    raise("limit", "A derivation is written of at most " + std::to_string(kMostReportLinks) + " links.");
+  if (self.mechanism().n() > kMaxReportLinks)
+    raise("limit", "A derivation is written of at most " + std::to_string(kMaxReportLinks) + " links.");
   const SnapshotPtr snapshot = self.full();
   const Report report =
       interruptible([&](const std::stop_token& stop) { return derivationReport(snapshot, stop); });

@@ -19,10 +19,10 @@ namespace geargraph::inline collision {
 namespace {
 
 /// Joints times inputs up to which rates are solved in fractions, which periods need.
-constexpr std::size_t kMostExactGains = 20'000;
+constexpr std::size_t kMaxExactGains = 20'000;
 
 /// Inputs whose angles a diagnostic gives.
-constexpr std::size_t kMostNamedInputs = 6;
+constexpr std::size_t kMaxNamedInputs = 6;
 
 /// With one decimal, below 1 with two digits that count, and no -0.
 std::string rounded(double value) {
@@ -39,7 +39,7 @@ std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::s
   if (matroid == nullptr || !matroid->solution) return std::nullopt;
   JointRates rates{
       *snapshot.tree, turningLines(snapshot.kinematics->placement()), matroid->solution->rates, {}};
-  if (rates.rates.size() * matroid->choice.joints.size() <= kMostExactGains) {
+  if (rates.rates.size() * matroid->choice.joints.size() <= kMaxExactGains) {
     auto exact = solveExact(*snapshot.kinematics->model, matroid->choice.joints, matroid->speeds, stop);
     if (!exact) return std::nullopt;
     rates.exact = std::move(exact->rates);
@@ -99,7 +99,7 @@ class Wording {
       angles.push_back(translated("%1 at %2 deg", {std::to_string(m_snapshot.graph->edgeLabel(joint)),
                                                    rounded(angle * 180 / std::numbers::pi)}));
     }
-    const std::string all = listed(angles, kMostNamedInputs);
+    const std::string all = listed(angles, kMaxNamedInputs);
     return angles.size() == 1 ? translated("joint %1", {all}) : translated("joints %1", {all});
   }
 
@@ -123,7 +123,7 @@ class Wording {
 std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const std::stop_token& stop,
                                         const MotionCheckOptions& options) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  if (mechanism.n() > kMostCheckedLinks || hasErrors(snapshot.diagnostics)) return std::nullopt;
+  if (mechanism.n() > kMaxCheckedLinks || hasErrors(snapshot.diagnostics)) return std::nullopt;
   const auto rates = ratesOf(snapshot, stop);
   const auto turns = [](double rate) { return rate != 0; };
   if (!rates || std::none_of(rates->rates.begin(), rates->rates.end(), turns)) return std::nullopt;
@@ -141,7 +141,7 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   for (const MotionCollision& collision : report.check.collisions) {
     Diagnostic found = wording.diagnosticOf(collision);
     if (isKnown(*known, found.elements[0], found.elements[1])) continue;
-    if (report.diagnostics.size() < kMostMotionDiagnostics) {
+    if (report.diagnostics.size() < kMaxMotionDiagnostics) {
       report.diagnostics.push_back(std::move(found));
     } else {
       ++unlisted;
@@ -160,9 +160,9 @@ std::string secondsText(double seconds) {
 }
 
 std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report) {
-  if (snapshot.mechanism->n() > kMostCheckedLinks && !hasErrors(snapshot.diagnostics))
+  if (snapshot.mechanism->n() > kMaxCheckedLinks && !hasErrors(snapshot.diagnostics))
     return translated("The motion of more than %1 links is not checked for collisions.",
-                      {std::to_string(kMostCheckedLinks)});
+                      {std::to_string(kMaxCheckedLinks)});
   if (report == nullptr) return {};
   const MotionCheck& check = report->check;
   if (!check.isComplete)

@@ -10,10 +10,10 @@
 namespace geargraph::inline collision {
 
 /// Larger mechanisms are not checked, because all pairs of parts would have to be compared.
-constexpr int kMostCheckedLinks = 300;
+constexpr int kMaxCheckedLinks = 300;
 
 /// The most pairs of links that are reported individually, the earliest first.
-constexpr std::size_t kMostMotionDiagnostics = 20;
+constexpr std::size_t kMaxMotionDiagnostics = 20;
 
 /// The motion of a mechanism with its inputs at their speeds, and what collides in it.
 struct MotionReport {
@@ -26,7 +26,7 @@ struct MotionReport {
 /// Makes the solids of the mechanism, its wheels at their tips, and moves them through the motion
 /// (motionCollisions()). 3D files that are attached to links are ignored.
 ///
-/// std::nullopt if the mechanism has errors, no valid inputs, no motion or more than kMostCheckedLinks, or if
+/// std::nullopt if the mechanism has errors, no valid inputs, no motion or more than kMaxCheckedLinks, or if
 /// cancelled.
 [[nodiscard]] std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot,
                                                       const std::stop_token& stop = {},

@@ -4,7 +4,7 @@
 
 namespace geargraph::inline fixes {
 
-// The parts of fixesFor(), by diagnostic. Each may return more than kMostFixes, the best first.
+// The parts of fixesFor(), by diagnostic. Each may return more than kMaxFixes, the best first.
 
 /// disconnected, turning-loop with its details.
 [[nodiscard]] std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);

@@ -74,7 +74,7 @@ Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element, const 
 
 std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   std::vector<Fix> fixes = allFixes(diagnostic, snapshot);
-  if (fixes.size() > kMostFixes) fixes.resize(kMostFixes);
+  if (fixes.size() > kMaxFixes) fixes.resize(kMaxFixes);
   return fixes;
 }
 

@@ -16,7 +16,7 @@ struct Fix {
 };
 
 /// The quick fixes for this diagnostic of the snapshot (or of the train of its mechanism: assembly, undercut,
-/// overlaps in 3D), the likeliest first, at most kMostFixes; empty if only the user can decide. Geometric
+/// overlaps in 3D), the likeliest first, at most kMaxFixes; empty if only the user can decide. Geometric
 /// fixes have been tried: none is offered that leaves the diagnostic, or that the edits reject.
 ///
 /// Cost: near linear in n + t + c per try; some dozen tries for teeth that do not fit.
@@ -26,6 +26,6 @@ struct Fix {
 /// second: not for the GUI thread.
 [[nodiscard]] bool triesBodies(const Diagnostic& diagnostic);
 
-constexpr std::size_t kMostFixes = 3;
+constexpr std::size_t kMaxFixes = 3;
 
 }  // namespace geargraph::inline fixes

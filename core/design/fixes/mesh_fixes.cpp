@@ -37,17 +37,17 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
   if (tailRadius == 0 || headRadius == 0) return;  // the point lies on an axis: no teeth would fit
   const double ratio = headRadius / tailRadius;
   const auto offer = [&](int tail, int head) {
-    if (std::min(tail, head) < kFewestTeeth || std::max(tail, head) > kMostTeeth) return;
+    if (std::min(tail, head) < kMinTeeth || std::max(tail, head) > kMaxTeeth) return;
     fixes.push_back(
         {teethText(*snapshot.mechanism, mesh, tail, head),
          [id = mesh.id, tail, head](const Mechanism& before) { return withTeeth(before, id, tail, head); }});
   };
   const double head = mesh.tailTeeth * ratio;
   const double tail = mesh.headTeeth / ratio;
-  if (std::abs(head - std::round(head)) < kWhole * head && head < kMostTeeth) {
+  if (std::abs(head - std::round(head)) < kWhole * head && head < kMaxTeeth) {
     offer(mesh.tailTeeth, static_cast<int>(std::lround(head)));
   }
-  if (std::abs(tail - std::round(tail)) < kWhole * tail && tail < kMostTeeth) {
+  if (std::abs(tail - std::round(tail)) < kWhole * tail && tail < kMaxTeeth) {
     offer(static_cast<int>(std::lround(tail)), mesh.headTeeth);
   }
 }

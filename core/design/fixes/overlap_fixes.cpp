@@ -10,7 +10,7 @@
 namespace geargraph::inline fixes {
 namespace {
 
-constexpr int kMostTriedLinks = 20;  // each try arranges the whole train
+constexpr int kMaxTriedLinks = 20;  // each try arranges the whole train
 
 /// A try costs about 0.2 ms a link.
 std::size_t mostTries(const Mechanism& mechanism) {
@@ -84,7 +84,7 @@ std::optional<Fix> offsetFix(const Mechanism& mechanism, const std::vector<Eleme
 
 std::vector<Fix> overlapFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  if (!isOverlap(diagnostic) || mechanism.n() > kMostTriedLinks) return {};
+  if (!isOverlap(diagnostic) || mechanism.n() > kMaxTriedLinks) return {};
   const std::optional<Overlaps> before = overlapsOf(mechanism, diagnostic.elements);
   if (!before || !before->ofThese) return {};
   const std::optional<Fix> fix = offsetFix(mechanism, diagnostic.elements, before->count);

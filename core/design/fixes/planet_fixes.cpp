@@ -14,7 +14,7 @@
 namespace geargraph::inline fixes {
 namespace {
 
-constexpr int kFewestPlanetTeeth = 8;
+constexpr int kMinPlanetTeeth = 8;
 
 /// Do the teeth of all loops and of all equal planets fit? Without bodies, so that many tooth counts can be
 /// tried.
@@ -64,9 +64,9 @@ struct TeethChange {
 };
 
 std::vector<TeethChange> teethChanges(const Mechanism& mechanism, const PlanetGroup& planet) {
-  constexpr int kFarthest = 8;
+  constexpr int kMaxDistance = 8;
   std::vector<TeethChange> changes;
-  for (int step = 1; step <= kFarthest; ++step) {
+  for (int step = 1; step <= kMaxDistance; ++step) {
     for (const int change : {step, -step}) {
       for (const MeshOrdinal ordinal : planet.meshes) {
         const GearMesh& mesh = mechanism.gearMeshes[ordinal];
@@ -107,7 +107,7 @@ void addTeeth(const Mechanism& mechanism, const PlanetGroup& planet, std::size_t
               std::vector<Fix>& fixes) {
   for (const TeethChange& change : teethChanges(mechanism, planet)) {
     if (fixes.size() >= most) return;
-    if (std::min(change.tail, change.head) < kFewestPlanetTeeth) continue;
+    if (std::min(change.tail, change.head) < kMinPlanetTeeth) continue;
     const Expected<Mechanism> repaired = withChange(mechanism, change);
     if (!repaired || !assembles(PlacedMechanism(*repaired))) continue;
     fixes.push_back({textOf(mechanism, change),
@@ -145,7 +145,7 @@ std::vector<Fix> unequalPlanetFixes(const Diagnostic& diagnostic, const Mechanis
   if (!set) return {};
   std::vector<Fix> count = planetCountFixes(mechanism, planet);
   std::vector<Fix> fixes;
-  addTeeth(mechanism, set->front(), kMostFixes - count.size(), fixes);
+  addTeeth(mechanism, set->front(), kMaxFixes - count.size(), fixes);
   std::move(count.begin(), count.end(), std::back_inserter(fixes));
   return fixes;
 }

@@ -10,8 +10,8 @@
 namespace geargraph::inline fixes {
 namespace {
 
-constexpr int kMostTriedLinks = 40;  // a try takes some ten times as long as the analysis of so small a train
-constexpr int kFewestUsualTeeth = 8;
+constexpr int kMaxTriedLinks = 40;  // a try takes some ten times as long as the analysis of so small a train
+constexpr int kMinUsualTeeth = 8;
 
 bool trainSays(const Mechanism& mechanism, Code code) {
   const Placement placement = placementOf(mechanism);
@@ -99,7 +99,7 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
   std::vector<Fix> fixes;
   const auto offer = [&](int sun, int ring, bool isRing, const char* text) {
     const int planet = (ring - sun) / 2;
-    if (sun < kFewestUsualTeeth || planet < kFewestUsualTeeth || (ring - sun) % 2 != 0) return;
+    if (sun < kMinUsualTeeth || planet < kMinUsualTeeth || (ring - sun) % 2 != 0) return;
     if ((sun + ring) % count != 0) return;
     fixes.push_back({filled(translated(text), {std::to_string(isRing ? ring : sun), std::to_string(planet)}),
                      [set = *set, sun, planet, ring](const Mechanism& before) {
@@ -116,11 +116,11 @@ std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& me
         offer(sun, set->ringTeeth, false, toTranslate("Use %1 teeth on the sun and %2 on the planets"));
     }
   }
-  if (fixes.size() > 2 * kMostFixes) fixes.resize(2 * kMostFixes);
+  if (fixes.size() > 2 * kMaxFixes) fixes.resize(2 * kMaxFixes);
   fixes = tried(std::move(fixes), mechanism,
                 [](const Mechanism& repaired) { return trainSays(repaired, Code::assembly); });
   const std::vector<Fix> ofCount = planetCountFixes(mechanism, *set->planets.begin());
-  if (fixes.size() + ofCount.size() > kMostFixes) fixes.resize(kMostFixes - ofCount.size());
+  if (fixes.size() + ofCount.size() > kMaxFixes) fixes.resize(kMaxFixes - ofCount.size());
   fixes.insert(fixes.end(), ofCount.begin(), ofCount.end());
   return fixes;
 }
@@ -160,12 +160,12 @@ bool isLocked(const Mechanism& mechanism) {
 
 /// One wheel of the loop with another tooth count, the nearest that agrees with the other ratios.
 void addAgreeingTeeth(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
-  constexpr int kFarthest = 30;
+  constexpr int kMaxDistance = 30;
   for (const bool ofTail : {false, true}) {
     const int now = ofTail ? mesh.tailTeeth : mesh.headTeeth;
-    for (int step = 2; step <= 2 * kFarthest + 1; ++step) {
+    for (int step = 2; step <= 2 * kMaxDistance + 1; ++step) {
       const int teeth = now + (step % 2 == 0 ? 1 : -1) * (step / 2);
-      if (teeth < kFewestUsualTeeth) continue;
+      if (teeth < kMinUsualTeeth) continue;
       const auto edit = [id = mesh.id, ofTail, teeth, mesh](const Mechanism& before) {
         return withTeeth(before, id, ofTail ? teeth : mesh.tailTeeth, ofTail ? mesh.headTeeth : teeth);
       };
@@ -181,7 +181,7 @@ void addAgreeingTeeth(const Mechanism& mechanism, const GearMesh& mesh, std::vec
 }
 
 std::vector<Fix> lockedFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
-  constexpr std::size_t kMostMeshes = 3;
+  constexpr std::size_t kMaxMeshes = 3;
   const Mechanism& mechanism = *snapshot.mechanism;
   std::vector<Fix> fixes;
   std::vector<Fix> removals;
@@ -189,7 +189,7 @@ std::vector<Fix> lockedFixes(const Diagnostic& diagnostic, const AnalysisSnapsho
   for (const ElementId& element : diagnostic.elements) {
     const GearMesh* mesh =
         element.kind == ElementKind::gearMesh ? mechanism.find(MeshId(element.id)) : nullptr;
-    if (mesh == nullptr || ++meshes > kMostMeshes) continue;
+    if (mesh == nullptr || ++meshes > kMaxMeshes) continue;
     if (fixes.empty()) addAgreeingTeeth(mechanism, *mesh, fixes);
     removals.push_back(removalOf(snapshot, element));
   }
@@ -202,7 +202,7 @@ std::vector<Fix> lockedFixes(const Diagnostic& diagnostic, const AnalysisSnapsho
 
 std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  if (mechanism.n() > kMostTriedLinks) return {};
+  if (mechanism.n() > kMaxTriedLinks) return {};
   switch (diagnostic.code) {
     case Code::assembly:
       return diagnostic.detail == Detail::unequalPlanets ? unequalPlanetFixes(diagnostic, mechanism)

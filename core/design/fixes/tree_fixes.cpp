@@ -43,15 +43,15 @@ Expected<Mechanism> withLinksTied(Mechanism mechanism, const std::vector<LinkId>
 }
 
 std::vector<Fix> connectionFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMaxNamed = 4;
   const Mechanism& mechanism = *snapshot.mechanism;
   const std::vector<LinkId> parts = looseParts(mechanism);
   if (parts.empty()) return {};
   std::string names;
-  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
+  for (std::size_t i = 0; i < parts.size() && i < kMaxNamed; ++i) {
     names += (i == 0 ? "" : ", ") + labelOf(mechanism, parts[i]).value_or("");
   }
-  if (parts.size() > kMostNamed) names += ", ...";
+  if (parts.size() > kMaxNamed) names += ", ...";
   const bool one = parts.size() == 1;
   std::vector<Fix> fixes;
   fixes.push_back({one ? translated("Tie link %1 to the ground", {names})

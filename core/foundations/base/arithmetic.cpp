@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kDeepest = 64;
 constexpr long kLargestPower = 1000;
-constexpr std::size_t kLongestText = 10'000;
-constexpr flint_bitcnt_t kMostBits = 50'000;
+constexpr std::size_t kMaxTextLength = 10'000;
+constexpr flint_bitcnt_t kMaxBits = 50'000;
 
 bool isWithinLimit(const Rational& value) {
-  return fmpz_bits(fmpq_numref(value.flint())) <= kMostBits &&
-         fmpz_bits(fmpq_denref(value.flint())) <= kMostBits;
+  return fmpz_bits(fmpq_numref(value.flint())) <= kMaxBits &&
+         fmpz_bits(fmpq_denref(value.flint())) <= kMaxBits;
 }
 
 bool isDecimalDigit(char c) {
@@ -162,7 +162,7 @@ class Expression {
 }  // namespace
 
 std::optional<Rational> arithmeticFromText(std::string_view text) {
-  if (text.size() > kLongestText) return std::nullopt;
+  if (text.size() > kMaxTextLength) return std::nullopt;
   return Expression(text).run();
 }
 

@@ -7,7 +7,7 @@
 namespace geargraph::inline base {
 namespace {
 
-constexpr std::size_t kLongest = 60;  // longer names are no slips of short ones
+constexpr std::size_t kMaxLength = 60;  // longer names are no slips of short ones
 
 /// The letters and digits, all of them small.
 std::string lettersOf(std::string_view name) {
@@ -39,7 +39,7 @@ std::size_t distanceBetween(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearestName(std::string_view name, std::span<const std::string_view> known) {
   const std::string letters = lettersOf(name);
-  if (letters.size() < 3 || letters.size() > kLongest) return std::nullopt;
+  if (letters.size() < 3 || letters.size() > kMaxLength) return std::nullopt;
   std::optional<std::string_view> nearest;
   std::size_t least = std::max<std::size_t>(letters.size() / 4, 1) + 1;
   for (const std::string_view candidate : known) {

@@ -54,7 +54,7 @@ class PositionIndex {
   static std::size_t numberOf(Id<Tag> id) { return id.atom().hash(); }
 
   void fill(std::span<const Id<Tag>> ids) {
-    constexpr std::size_t kMostPlaces = 8;  // an id
+    constexpr std::size_t kMaxPlaces = 8;  // an id
     if (ids.empty()) return;
     std::size_t last = 0;
     m_first = std::numeric_limits<std::size_t>::max();
@@ -62,7 +62,7 @@ class PositionIndex {
       m_first = std::min(m_first, numberOf(id));
       last = std::max(last, numberOf(id));
     }
-    if (last - m_first >= kMostPlaces * ids.size()) return fillOpenPlaces(ids);
+    if (last - m_first >= kMaxPlaces * ids.size()) return fillOpenPlaces(ids);
     m_positions.assign(last - m_first + 1, -1);
     int position = 0;
     for (const Id<Tag> id : ids) m_positions[numberOf(id) - m_first] = position++;

@@ -11,7 +11,7 @@
 namespace geargraph::inline base {
 namespace {
 
-constexpr std::size_t kLongestNumber = 4300;
+constexpr std::size_t kMaxNumberLength = 4300;
 constexpr long kLargestExponent = 4300;
 
 bool isDigit(char c) {
@@ -44,7 +44,7 @@ Rational::Rational(std::int64_t numerator, std::int64_t denominator) : Rational(
 }
 
 std::optional<Rational> Rational::fromText(std::string_view text) {
-  if (text.empty() || text.size() > kLongestNumber) return std::nullopt;
+  if (text.empty() || text.size() > kMaxNumberLength) return std::nullopt;
   std::size_t at = 0;
   const bool negative = text[0] == '-';
   if (text[0] == '-' || text[0] == '+') ++at;
@@ -120,9 +120,9 @@ double Rational::toDouble() const {
   if (fmpz_bits(n) <= 53 && fmpz_bits(d) <= 53) {
     return static_cast<double>(fmpz_get_si(n)) / static_cast<double>(fmpz_get_si(d));
   }
-  constexpr slong kMostPlaces = 1076;  // two more than a subnormal double has behind the point
+  constexpr slong kMaxPlaces = 1076;  // two more than a subnormal double has behind the point
   const slong places = 55 - static_cast<slong>(fmpz_bits(n)) + static_cast<slong>(fmpz_bits(d));
-  const slong shift = std::min(places, kMostPlaces);
+  const slong shift = std::min(places, kMaxPlaces);
   fmpz_t scaled;
   fmpz_t divisor;
   fmpz_t rest;

@@ -137,11 +137,11 @@ void substituteSideBySide(const Field& field, const Elimination<typename Field::
   }
 }
 
-constexpr std::size_t kMostSideBySide = 4;
+constexpr std::size_t kMaxSideBySide = 4;
 
 /// Computes the unknowns of `width` solutions at once, line by line: column j of solution k is x[j * width +
 /// k]. @pre x has `width` elements for every column; the given and the free ones are set; width <=
-/// kMostSideBySide
+/// kMaxSideBySide
 /// Cost: the non-zeros of the lines, times the width.
 template <class Field>
 void substitute(const Field& field, const Elimination<typename Field::Value>& system,
@@ -154,8 +154,8 @@ void substitute(const Field& field, const Elimination<typename Field::Value>& sy
       return substituteSideBySide<2>(field, system, x.data());
     case 3:
       return substituteSideBySide<3>(field, system, x.data());
-    case kMostSideBySide:
-      return substituteSideBySide<kMostSideBySide>(field, system, x.data());
+    case kMaxSideBySide:
+      return substituteSideBySide<kMaxSideBySide>(field, system, x.data());
     default:
       GEARGRAPH_REQUIRE(false);
   }

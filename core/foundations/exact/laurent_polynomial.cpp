@@ -61,7 +61,7 @@ LaurentPolynomial LaurentPolynomial::term(std::int64_t factor) {
 }
 
 LaurentPolynomial LaurentPolynomial::term(std::int64_t factor, int ratio, int power) {
-  GEARGRAPH_REQUIRE(std::abs(power) <= kMostPower && ratio >= 0 && ratio < 1 << 24);
+  GEARGRAPH_REQUIRE(std::abs(power) <= kMaxPower && ratio >= 0 && ratio < 1 << 24);
   if (factor == 0 || power == 0) return term(factor);
   LaurentPolynomial result;
   *result.appendHead(factor, 1) = packed(ratio, power);
@@ -166,7 +166,7 @@ bool LaurentPolynomial::appendProduct(const Term& a, const Term& b, int sign) {
     }
     int sum = powerOf(power);
     if (j < b.powers.size() && ratioOf(b.powers[j]) == ratio) sum += sign * powerOf(b.powers[j++]);
-    if (std::abs(sum) > kMostPower) return false;
+    if (std::abs(sum) > kMaxPower) return false;
     if (sum != 0) *end++ = packed(ratio, sum);
   }
   for (; j < b.powers.size(); ++j) *end++ = packed(ratioOf(b.powers[j]), sign * powerOf(b.powers[j]));

@@ -91,10 +91,10 @@ class LaurentPolynomial {
     Powers powers;
   };
 
-  static constexpr int kMostPower = 127;
+  static constexpr int kMaxPower = 127;
   [[nodiscard]] static bool isCoefficient(std::int64_t value) {
-    constexpr std::int64_t kMost = (std::int64_t{1} << 62) - 1;
-    return value >= -kMost && value <= kMost;
+    constexpr std::int64_t kMax = (std::int64_t{1} << 62) - 1;
+    return value >= -kMax && value <= kMax;
   }
   [[nodiscard]] static std::uint32_t packed(int ratio, int power) {
     return (static_cast<std::uint32_t>(ratio) << 8U) | static_cast<std::uint32_t>(power + 128);

@@ -133,7 +133,7 @@ class RationalFunction::Fraction {
       powers.clear();
       for (std::size_t i = 0; i < above.size(); ++i) {
         const auto power = static_cast<slong>(above[i] - below[i]);
-        if (power > LaurentPolynomial::kMostPower || power < -LaurentPolynomial::kMostPower)
+        if (power > LaurentPolynomial::kMaxPower || power < -LaurentPolynomial::kMaxPower)
           return std::nullopt;
         if (power != 0) {
           powers.push_back(LaurentPolynomial::packed(static_cast<int>(i), static_cast<int>(power)));

@@ -54,7 +54,7 @@ char* CsvWriter::putReal(char* out, double value) const {
   GEARGRAPH_REQUIRE(std::isfinite(value));
   const bool isQuoted = m_options.decimalPoint == m_options.separator;
   char* const begin = isQuoted ? out + 1 : out;
-  char* end = std::to_chars(begin, begin + kLongestReal - 3, value).ptr;
+  char* end = std::to_chars(begin, begin + kMaxRealLength - 3, value).ptr;
   char* const point = m_options.decimalPoint == '.' ? end : std::find(begin, end, '.');
   if (point != end) {
     *point = m_options.decimalPoint;
@@ -74,7 +74,7 @@ void CsvWriter::row(std::string_view label, std::span<const double> values) {
   GEARGRAPH_REQUIRE(values.size() == m_columns);
   beginRow(label);
   if (m_columns == 0) return;
-  char* const begin = reserve(values.size() * kLongestReal);
+  char* const begin = reserve(values.size() * kMaxRealLength);
   char* out = begin;
   for (const double value : values) out = putReal(out, value);
   out[-1] = '\n';  // in place of the last separator

@@ -60,9 +60,9 @@ class CsvWriter {
 
  private:
   static constexpr std::size_t kChunk = std::size_t{1} << 18U;
-  static constexpr std::size_t kLongestField = 12;  // "-2147483648,"
-  static constexpr std::size_t kLongestReal = 32;   // 24 characters, quotes and separator
-  static constexpr std::size_t kSlack = 32;         // short runs are copied with more than they have
+  static constexpr std::size_t kMaxFieldLength = 12;  // "-2147483648,"
+  static constexpr std::size_t kMaxRealLength = 32;   // 24 characters, quotes and separator
+  static constexpr std::size_t kSlack = 32;           // short runs are copied with more than they have
 
   /// The text of eight columns, by the bits of the non-zeros.
   struct SignFields {
@@ -74,7 +74,7 @@ class CsvWriter {
 
   /// Writes the label and its separator, if there are labels.
   void beginRow(std::string_view label);
-  /// Writes a number and a separator. @pre there is room for kLongestReal more bytes
+  /// Writes a number and a separator. @pre there is room for kMaxRealLength more bytes
   char* putReal(char* out, double value) const;
   /// Ensures space for `bytes` more bytes and returns a pointer to it.
   char* reserve(std::size_t bytes);
@@ -107,7 +107,7 @@ template <class Entry>
 void CsvWriter::row(std::string_view label, std::span<const Entry> entries) {
   beginRow(label);
   if (m_columns == 0) return;
-  char* const begin = reserve(m_zeros.size() + entries.size() * kLongestField + kSlack);
+  char* const begin = reserve(m_zeros.size() + entries.size() * kMaxFieldLength + kSlack);
   char* out = begin;
   std::size_t column = 0;
   for (std::size_t i = 0; i < entries.size();) {
@@ -123,7 +123,7 @@ void CsvWriter::row(std::string_view label, std::span<const Entry> entries) {
       i += run;
       column = at + run;
     } else {
-      out = std::to_chars(out, out + kLongestField, entries[i].value).ptr;
+      out = std::to_chars(out, out + kMaxFieldLength, entries[i].value).ptr;
       *out++ = m_options.separator;
       ++i;
       column = at + 1;
@@ -138,7 +138,7 @@ template <class Entry>
 void CsvWriter::sparseRow(std::string_view label, std::span<const Entry> entries) {
   beginRow(label);
   if (m_columns == 0) return;
-  char* const begin = reserve(m_zeros.size() + entries.size() * kLongestReal + kSlack);
+  char* const begin = reserve(m_zeros.size() + entries.size() * kMaxRealLength + kSlack);
   char* out = begin;
   std::size_t column = 0;
   for (const Entry& entry : entries) {

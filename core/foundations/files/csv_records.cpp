@@ -34,14 +34,14 @@ bool CsvRecords::next(std::vector<CsvField>& fields) {
   m_count = 0;
   while (true) {
     CsvField beyond;
-    if (m_count < kMostFields && m_count == fields.size()) fields.emplace_back();
-    if (!readField(m_count < kMostFields ? fields[m_count] : beyond)) return false;
+    if (m_count < kMaxFields && m_count == fields.size()) fields.emplace_back();
+    if (!readField(m_count < kMaxFields ? fields[m_count] : beyond)) return false;
     ++m_count;
     if (m_at == m_text.size() || atLineEnd()) break;
     ++m_at;  // the separator
     ++m_column;
   }
-  fields.resize(std::min(m_count, kMostFields));
+  fields.resize(std::min(m_count, kMaxFields));
   if (m_at < m_text.size()) passLineEnd();
   return true;
 }

@@ -25,14 +25,14 @@ struct CsvField {
 class CsvRecords {
  public:
   /// The most fields of a record that are stored; further ones are only counted.
-  static constexpr std::size_t kMostFields = 256;
+  static constexpr std::size_t kMaxFields = 256;
 
   /// @pre the text outlives the reader
   CsvRecords(std::string_view text, char separator);
 
   /// Reads the next record into `fields`, reusing their storage; false at the end, or after an error.
   [[nodiscard]] bool next(std::vector<CsvField>& fields);
-  /// The number of fields of the last record, including those beyond kMostFields.
+  /// The number of fields of the last record, including those beyond kMaxFields.
   [[nodiscard]] std::size_t count() const { return m_count; }
   /// The position of a record, to which a reader can return. Cost: O(1).
   struct Place {

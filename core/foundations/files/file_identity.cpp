@@ -15,9 +15,9 @@ std::optional<FileIdentity> identityOf(const fs::path& path) {
 }
 
 fs::path followedLinks(fs::path path) {
-  constexpr int kLongestChain = 40;  // the kernel's own limit
+  constexpr int kMaxChainLength = 40;  // the kernel's own limit
   std::error_code error;
-  for (int i = 0; i < kLongestChain && fs::is_symlink(path, error); ++i) {
+  for (int i = 0; i < kMaxChainLength && fs::is_symlink(path, error); ++i) {
     const fs::path to = fs::read_symlink(path, error);
     if (error) break;
     path = to.is_absolute() ? to : path.parent_path() / to;

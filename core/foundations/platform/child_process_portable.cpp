@@ -118,7 +118,7 @@ bool isCrash(int nativeStatus) {
 ChildEnd waitFor(processes::child& process, const ChildProgram& child, const fs::path& output,
                  const std::stop_token& stop) {
   constexpr std::uintmax_t kSpare = std::uintmax_t{1} << 20U;  // of output beyond what is kept
-  constexpr std::chrono::milliseconds kLongestWait(20);
+  constexpr std::chrono::milliseconds kMaxWait(20);
   std::mutex mutex;
   std::unique_lock lock(mutex);
   std::condition_variable_any never;
@@ -131,7 +131,7 @@ ChildEnd waitFor(processes::child& process, const ChildProgram& child, const fs:
     if (!error && size > child.mostOutput + kSpare) return ChildEnd::crashed;
     error.clear();
     (void)never.wait_for(lock, stop, wait, [] { return false; });
-    wait = std::min(2 * wait, kLongestWait);
+    wait = std::min(2 * wait, kMaxWait);
   }
   return stop.stop_requested()                 ? ChildEnd::stopped
          : isCrash(process.native_exit_code()) ? ChildEnd::crashed

@@ -32,7 +32,7 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
   // Arms of the frame across the train that run into something go: their bearings stand on pedestals of their
   // own. And the frame leaves room for carriers that find none, or that go round bearings it cannot reach.
   PlanTries tries;
-  if (train.gears.size() > kMostRoutedGears) {
+  if (train.gears.size() > kMaxRoutedGears) {
     PlanDraft draft(mechanism, placement, train, tries, stop);
     planWithoutRouting(draft);
     return std::move(draft.plan);
@@ -47,9 +47,9 @@ Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement
     }
   };
   std::optional<Tried> best;
-  constexpr int kMostTries = 16;
+  constexpr int kMaxTries = 16;
   bool isNew = true;
-  for (int i = 0; isNew && i < kMostTries; ++i) {
+  for (int i = 0; isNew && i < kMaxTries; ++i) {
     isNew = false;
     PlanDraft draft(mechanism, placement, train, tries, stop);
     planBodies(draft);

@@ -23,7 +23,7 @@ namespace geargraph::inline arrangement {
 /// * Brackets and base of the frame stay clear of what moving parts sweep (ground_frame.h).
 /// * Parts that could not be routed without collision are listed in `blocked` and `frame.onPedestals`.
 /// Guaranteed where `blocked` is empty: arms and shafts are clear of the wheels of other links, on parallel
-/// axes in every pose, else in the reference pose. Not for trains of more than kMostRoutedGears (`isSimple`).
+/// axes in every pose, else in the reference pose. Not for trains of more than kMaxRoutedGears (`isSimple`).
 /// Optimised, in this order: nothing blocked; bearings that the frame can reach; short arms; bearings where
 /// the document has them. Heuristic: links are placed greedily from the ground outwards, several times with
 /// the results of the previous tries (PlanTries), and the best try is kept: a train may be blocked although a

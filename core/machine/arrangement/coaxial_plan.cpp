@@ -474,7 +474,7 @@ std::optional<CoaxialPlan> coaxialPlan(ClassOrdinal axisClass, SpanByClass<const
                                        const std::stop_token& stop) {
   for (const bool runOn : {false, true}) {
     const CoaxialSections sections = coaxialSections(axisClass, axes, placement, train, runOn);
-    auto routes = routeProfiles(sections.grid, sections.nets, kMostRouteRounds, stop);
+    auto routes = routeProfiles(sections.grid, sections.nets, kMaxRouteRounds, stop);
     if (routes) return CoaxialMaker(axisClass, axes, placement, train, sections, std::move(*routes)).make();
   }
   return std::nullopt;

@@ -12,11 +12,11 @@ namespace {
 constexpr double kPitch = 3.6;      // modules: a disc with its clearance
 constexpr double kNarrowest = 1.8;  // the same where there is little room
 constexpr double kCell = 1.6;       // modules: the wall of a drum with its clearance
-constexpr int kMostSlots = 5;       // discs in a gap
-constexpr int kMostSleeves = 8;
-constexpr double kMostWidth = 1e4;  // modules: a way along a longer column costs no more
-constexpr double kMostRows = 2000;  // cells get higher where there would be more
-constexpr double kFewestRows = 50;
+constexpr int kMaxSlots = 5;        // discs in a gap
+constexpr int kMaxSleeves = 8;
+constexpr double kMaxWidth = 1e4;  // modules: a way along a longer column costs no more
+constexpr double kMaxRows = 2000;  // cells get higher where there would be more
+constexpr double kMinRows = 50;
 constexpr double kRunsOn = 30;  // what it costs to run on what is inside, without a bearing
 
 class SectionMaker {
@@ -167,7 +167,7 @@ void SectionMaker::cutColumns() {
     if (edges.empty() || f - edges.back() > 0.3 * m_made.module) edges.push_back(f);
   }
   const int links = static_cast<int>(m_axis.bearings.size());
-  const int ends = std::min(links, kMostSleeves) + 1;
+  const int ends = std::min(links, kMaxSleeves) + 1;
   const double pitch = kPitch * m_made.module;
   for (int i = ends; i > 0; --i)
     m_made.columns.push_back({edges.front() - i * pitch, edges.front() - (i - 1) * pitch, -1, i - 1});
@@ -188,7 +188,7 @@ void SectionMaker::cutColumns() {
 /// Slots for discs, from both wheels inwards; what is left stays in the middle.
 void SectionMaker::addSlots(double low, double high) {
   const double room = (high - low) / m_made.module;
-  const int slots = std::clamp(static_cast<int>(room / kNarrowest), 0, kMostSlots);
+  const int slots = std::clamp(static_cast<int>(room / kNarrowest), 0, kMaxSlots);
   if (slots == 0) {
     m_made.columns.push_back({low, high, 0, 0});
     return;
@@ -206,7 +206,7 @@ void SectionMaker::addSlots(double low, double high) {
 void SectionMaker::cutRows() {
   ProfileGrid& grid = m_made.grid;
   const int links = static_cast<int>(m_axis.bearings.size());
-  m_made.innerRows = std::min(links, kMostSleeves);
+  m_made.innerRows = std::min(links, kMaxSleeves);
   double room = (1.8 + 1.0 * (m_made.innerRows - 1)) * m_made.module;
   double most = 0;
   for (const Wheel& w : m_wheels) {
@@ -220,14 +220,14 @@ void SectionMaker::cutRows() {
   }
   m_made.innerRadius = std::max(room, 0.5 * m_made.module);
   const double perRow = static_cast<double>(m_made.columns.size()) * (links + 1);
-  const double mostRows = std::clamp(static_cast<double>(kMostRoutedCells) / perRow, kFewestRows, kMostRows);
+  const double mostRows = std::clamp(static_cast<double>(kMaxRoutedCells) / perRow, kMinRows, kMaxRows);
   m_made.cell = std::max(m_made.cell, (most - m_made.innerRadius) / mostRows);
   const int middle = static_cast<int>(std::ceil((most - m_made.innerRadius) / m_made.cell)) + 1;
   grid.columns = static_cast<int>(m_made.columns.size());
   grid.rows = m_made.innerRows + middle + std::min(links, 6);
   grid.owner.assign(static_cast<std::size_t>(grid.columns * grid.rows), ProfileGrid::kFree);
   for (const CoaxialColumn& column : m_made.columns) {
-    const double width = std::min((column.high - column.low) / m_made.module, kMostWidth);
+    const double width = std::min((column.high - column.low) / m_made.module, kMaxWidth);
     grid.plates.push_back(width > 0.99 * kNarrowest);
     grid.width.push_back(width);
   }

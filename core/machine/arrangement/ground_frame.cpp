@@ -23,11 +23,11 @@ constexpr double kBar = 1.0, kStoutBar = 1.4;        ///< radius of a bar across
 constexpr double kColumn = 1.3, kStoutColumn = 2.4;  ///< radius of a column; of a long one
 constexpr double kRim = 1.2 * kColumn;               ///< of the base about a column
 constexpr double kPlay = 0.4;                        ///< between the frame and what sweeps past it
-constexpr double kLongestHousing = 8.0;              ///< between two bearings
+constexpr double kMaxHousingLength = 8.0;            ///< between two bearings
 constexpr double kBaseThickness = 2.0;
 constexpr double kAboveBase = 1.0;  ///< what sweeps over the base
 constexpr int kDirections = 16;
-constexpr std::size_t kMostReaches = 16;
+constexpr std::size_t kMaxReaches = 16;
 
 /// A part of the ground on an axis: an interval of it.
 struct Piece {
@@ -212,7 +212,7 @@ void FrameMaker::joinTouching() {
 std::optional<HousingPlan> FrameMaker::housingBetween(const Piece& a, const Piece& b) const {
   const AxisLayout& on = axis(a.axisClass);
   const double low = a.high, high = b.low;
-  if (high - low > kLongestHousing * on.module) return std::nullopt;
+  if (high - low > kMaxHousingLength * on.module) return std::nullopt;
   double inside = 0;
   for (const ShaftSegment& s : m_plan.shafts) {
     if (s.axisClass == a.axisClass && s.link != 0 && on.overlap(s.low, s.high, a.low, b.high))
@@ -319,7 +319,7 @@ std::vector<double> FrameMaker::reachesFrom(const Piece& piece, const Vector3d& 
   std::sort(reaches.begin(), reaches.end());
   const auto same = [&](double a, double b) { return std::abs(a - b) < 0.5 * module(); };
   reaches.erase(std::unique(reaches.begin(), reaches.end(), same), reaches.end());
-  if (reaches.size() > kMostReaches) reaches.erase(reaches.begin(), reaches.end() - kMostReaches);
+  if (reaches.size() > kMaxReaches) reaches.erase(reaches.begin(), reaches.end() - kMaxReaches);
   return reaches;
 }
 

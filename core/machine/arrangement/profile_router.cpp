@@ -293,7 +293,7 @@ ByNet<ProfileRoute> straightened(const ProfileGrid& grid, const ByNet<ProfileNet
 
 Routes routeProfiles(const ProfileGrid& grid, const ByNet<ProfileNet>& nets, int tries,
                      const std::stop_token& stop) {
-  if (nets.size() * grid.owner.size() > kMostRoutedCells) return std::nullopt;
+  if (nets.size() * grid.owner.size() > kMaxRoutedCells) return std::nullopt;
   std::vector<NetOrdinal> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
   ProfileSearch search(grid);

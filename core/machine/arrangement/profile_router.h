@@ -75,19 +75,19 @@ struct ProfileRoute {
   int support = -1;
 };
 
-constexpr int kMostRouteRounds = 40;
+constexpr int kMaxRouteRounds = 40;
 /// The largest cells * nets that is routed: some 100 MB, and 0.1 s per round.
-constexpr std::size_t kMostRoutedCells = 4'000'000;
+constexpr std::size_t kMaxRoutedCells = 4'000'000;
 
 /// Routes for all nets that share no cell: one net after the other by its cheapest path, which avoids the
 /// terminals of other nets unless that is expensive. A net without a path is routed first in the next round,
 /// and the cells that blocked it become more expensive for all others (after L. McMurchie and C. Ebeling,
 /// PathFinder, FPGA 1995, where nets may overlap meanwhile). Deterministic, and similar nets get similar
 /// routes. std::nullopt after `tries` rounds, if a net has no path even by itself, if nets * cells exceeds
-/// kMostRoutedCells, or if `stop` was requested meanwhile. Cost: O(nets * cells) per round.
+/// kMaxRoutedCells, or if `stop` was requested meanwhile. Cost: O(nets * cells) per round.
 [[nodiscard]] std::optional<ByNet<ProfileRoute>> routeProfiles(const ProfileGrid& grid,
                                                                const ByNet<ProfileNet>& nets,
-                                                               int tries = kMostRouteRounds,
+                                                               int tries = kMaxRouteRounds,
                                                                const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline arrangement

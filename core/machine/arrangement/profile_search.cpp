@@ -7,7 +7,7 @@ namespace geargraph::inline arrangement {
 namespace {
 
 constexpr double kFar = ProfileOwners::kFar;
-constexpr double kMostBuckets = 4096;
+constexpr double kMaxBuckets = 4096;
 
 }  // namespace
 
@@ -96,7 +96,7 @@ void ProfileSearch::makeBuckets(const Places& sources) {
     highestCost = std::max({highestCost, m_widest * m_rowFactor[r], m_grid.rowCost[r]});
   highestCost += *std::max_element(m_extra.begin(), m_extra.end());
   const double span = std::max(2 * highestCost, high - low);
-  m_perStep = std::min(1 / m_cheapest, kMostBuckets / span);
+  m_perStep = std::min(1 / m_cheapest, kMaxBuckets / span);
   m_buckets.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
   m_fronts.clear();
   m_waiting = 0;

@@ -13,7 +13,7 @@ AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& place
                               const std::stop_token& stop) {
   AssembledTrain assembled;
   if (!placement.tree || !placement.classes) return assembled;
-  if (wheels.wheels.size() <= kMostRoutedGears) shortenFaces(wheels, placement, stop);
+  if (wheels.wheels.size() <= kMaxRoutedGears) shortenFaces(wheels, placement, stop);
   if (stop.stop_requested()) return assembled;
   assembled.train = toothedTrain(mechanism, wheels);
   assembled.wheels = std::move(wheels);
@@ -74,7 +74,7 @@ Diagnostics trainDiagnostics(const Mechanism& mechanism, const Placement& placem
   const Placement& near = elsewhere ? elsewhere->placement : placement;
   TrainWheels wheels = shapedWheels(mechanism, near, stop);
   if (stop.stop_requested()) return {};
-  if (wheels.wheels.size() > kMostRoutedGears)
+  if (wheels.wheels.size() > kMaxRoutedGears)
     return wheelDiagnostics(mechanism, near, toothedTrain(mechanism, wheels), stop);
   stackWheels(wheels, near, stop);
   const AssembledTrain assembled = assembledTrain(mechanism, near, std::move(wheels), stop);

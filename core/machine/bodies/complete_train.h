@@ -20,7 +20,7 @@ namespace geargraph::inline bodies {
 ///    shortened for clearance, tips of rings kept clear of the pinion's fillets.
 /// 3. Phase: phase.h; loops that cannot be assembled keep a residual. Open face widths of bevels are reduced
 ///    where wheels would interfere.
-/// 4. Bodies: sized from the gears. Trains of more than kMostRoutedGears keep their face widths, and their
+/// 4. Bodies: sized from the gears. Trains of more than kMaxRoutedGears keep their face widths, and their
 /// bodies are not routed.
 ///
 /// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and interference checks compare
@@ -30,7 +30,7 @@ namespace geargraph::inline bodies {
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement,
                                 const std::stop_token& stop = {});
 
-/// The diagnostics `assembly`, `undercut` and `interference` of that train; with more than kMostRoutedGears
+/// The diagnostics `assembly`, `undercut` and `interference` of that train; with more than kMaxRoutedGears
 /// without those about clearance between wheels and between bodies. Incomplete if `stop` was requested
 /// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel
 /// (tests/bench/bench_gears.cpp); stacking wheels and planning bodies takes milliseconds more.

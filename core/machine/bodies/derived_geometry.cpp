@@ -49,7 +49,7 @@ struct DerivedGeometry::Parts {
   [[nodiscard]] Diagnostics diagnose(const PlacedMechanism& placed, const std::stop_token& stop) const {
     const auto wheels = shaped.get(stop);
     if (!wheels) return {};
-    if (wheels->wheels.size() > kMostRoutedGears)
+    if (wheels->wheels.size() > kMaxRoutedGears)
       return wheelDiagnostics(placed, near(placed), toothedTrain(placed, *wheels), stop);
     const auto train = assembled.get(stop);
     return train ? diagnosticsOf(placed, near(placed), *train, stop) : Diagnostics{};

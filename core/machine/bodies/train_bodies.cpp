@@ -376,7 +376,7 @@ LinkBody bodyOf(LinkOrdinal link, BodyRecipe recipe) {
   const auto deferred = [&](double tolerance) {
     return std::make_shared<const DeferredSolid>([shared, tolerance] { return madeBy(*shared, tolerance); });
   };
-  return {link, module, deferred(kBodyTolerance), deferred(kFarthestTolerance), shared};
+  return {link, module, deferred(kBodyTolerance), deferred(kMaxTolerance), shared};
 }
 
 Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,

@@ -17,7 +17,7 @@ namespace geargraph::inline solids {
 constexpr double kExportTolerance = 0.002;
 constexpr double kScreenTolerance = 0.01;
 constexpr double kFarTolerance = 0.03;
-constexpr double kFarthestTolerance = 0.1;
+constexpr double kMaxTolerance = 0.1;
 /// For shafts and arms, whose surfaces are simpler than teeth.
 constexpr double kBodyTolerance = 0.02;
 

@@ -68,7 +68,7 @@ Diagnostic tooFew(const GearSpec& spec, int fewest) {
 
 Diagnostics specDiagnostics(const GearSpec& spec) {
   const bool ring = spec.kind == GearKind::internal;
-  const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
+  const int fewest = ring ? kMinRingTeeth : kMinGearTeeth;
   if (spec.teeth < fewest) return {tooFew(spec, fewest)};  // whatever its other numbers are
   if (!numbersAreSane(spec)) {
     return {rejected(

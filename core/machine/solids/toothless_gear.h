@@ -6,7 +6,7 @@
 namespace geargraph::inline solids {
 
 /// With more teeth than this, a tooth is smaller than a pixel whenever the whole wheel is in view.
-constexpr int kMostShownTeeth = 5'000;
+constexpr int kMaxShownTeeth = 5'000;
 
 /// The gear as a solid of revolution, in its own frame: its body and, in place of teeth, the volume up to its
 /// pitch cylinder (bevels: tip cone; rings: from the pitch cylinder outwards). `tolerance` in modules.

@@ -56,7 +56,7 @@ struct GearSpec {
 
 /// The smallest tooth counts of a gear and of a ring, which has more than its pinion. Two teeth would leave
 /// no body below the roots.
-constexpr int kFewestGearTeeth = 3;
-constexpr int kFewestRingTeeth = 4;
+constexpr int kMinGearTeeth = 3;
+constexpr int kMinRingTeeth = 4;
 
 }  // namespace geargraph::inline teeth

@@ -163,16 +163,16 @@ double residualWith(const GearTrain& train, const Loop& loop, std::size_t change
 
 /// The nearest tooth counts with which the loop closes in the same directions, one gear changed at a time.
 std::string toothAdvice(const GearTrain& train, const Loop& loop) {
-  constexpr int kFarthest = 8;
-  constexpr int kMostProposals = 2;
+  constexpr int kMaxDistance = 8;
+  constexpr int kMaxProposals = 2;
   std::string text;
   int proposals = 0;
-  for (int step = 1; step <= 2 * kFarthest && proposals < kMostProposals; ++step) {
+  for (int step = 1; step <= 2 * kMaxDistance && proposals < kMaxProposals; ++step) {
     const int change = (step % 2 == 1 ? -1 : 1) * ((step + 1) / 2);
-    for (std::size_t i = 0; i < loop.gears.size() && proposals < kMostProposals; ++i) {
+    for (std::size_t i = 0; i < loop.gears.size() && proposals < kMaxProposals; ++i) {
       const TrainGear& gear = Epicyclic::gear(train, loop.gears[i]);
       const int teeth = gear.spec.teeth + change;
-      if (teeth < kFewestGearTeeth || residualWith(train, loop, i, teeth) > kPhaseFits) continue;
+      if (teeth < kMinGearTeeth || residualWith(train, loop, i, teeth) > kPhaseFits) continue;
       const std::string was = std::to_string(gear.spec.teeth);
       text += proposals == 0 ? ' ' + translated("It fits with %1 instead of %2 teeth on gear %3",
                                                 {std::to_string(teeth), was, gear.name})

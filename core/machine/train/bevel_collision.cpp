@@ -59,9 +59,9 @@ Eigen::Vector2d within(const Outline& outline) {
   return (outline.front() + outline.back() + outline[outline.size() - 2]) / 3;
 }
 
-constexpr double kPace = 0.7;        // modules between the points that are looked at
-constexpr double kUnseen = 0.15;     // modules by which wheels may lie in each other
-constexpr double kMostTurns = 1500;  // points of a circle; a wheel of 330 teeth has as many at that pace
+constexpr double kPace = 0.7;       // modules between the points that are looked at
+constexpr double kUnseen = 0.15;    // modules by which wheels may lie in each other
+constexpr double kMaxTurns = 1500;  // points of a circle; a wheel of 330 teeth has as many at that pace
 
 /// How deep a point lies within the outline: its distance from the nearest edge, below 0 outside. It changes
 /// by no more than the way between two points of space.
@@ -108,7 +108,7 @@ class SurfaceSearch {
         m_frame(frameTowards(wheel, other)) {
     const double module = std::min(wheel.spec.module, other.spec.module);
     const double size = std::min(sizeOf(m_own), sizeOf(m_its));
-    m_pace = std::max(kPace * module, 2 * std::numbers::pi * size / kMostTurns);
+    m_pace = std::max(kPace * module, 2 * std::numbers::pi * size / kMaxTurns);
     m_deep = kUnseen * module;
   }
 

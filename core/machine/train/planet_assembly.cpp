@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 using Gears = std::vector<GearOrdinal>;
 
@@ -224,7 +224,7 @@ std::vector<Tie> PlanetSet::tiesOf(GearOrdinal g, const Eigen::Vector3d& axis) c
 }
 
 std::int64_t PlanetSet::places() const {
-  constexpr double kMostPlaces = 1e15;
+  constexpr double kMaxPlaces = 1e15;
   if (centralMesh().second < 0) return 0;
   std::int64_t common = 0;
   for (const EqualLinks& same : m_links) {
@@ -239,7 +239,7 @@ std::int64_t PlanetSet::places() const {
       for (std::size_t k = 0; k < i; ++k) {
         const double step = std::lcm(std::int64_t{ties[i].teeth}, std::int64_t{ties[k].teeth});
         const double steps = step * std::abs(ties[i].turnsPer - ties[k].turnsPer);
-        if (steps > kMostPlaces) return 0;
+        if (steps > kMaxPlaces) return 0;
         common = std::gcd(common, std::int64_t{std::llround(steps)});
       }
     }
@@ -304,7 +304,7 @@ std::string adviceFor(const Mechanism& mechanism, const PlanetSet& set, const Eq
       ' ' + translated(
                 "Equal planets fit at multiples of 360/%1 = %2 degrees: move the axis of %3 round "
                 "the central axis",
-                {std::to_string(places), fixedText(pitch / kDegree, 3), listed(moves, kMostNames)});
+                {std::to_string(places), fixedText(pitch / kDegree, 3), listed(moves, kMaxNames)});
   const auto [orbit, tip] = set.orbitAndTip();
   const int count = nearestPlanetCount(static_cast<int>(same.links.size()), places, orbit, tip);
   if (count > 0) text += translated(", or use %1 planets at equal distances", {std::to_string(count)});
@@ -327,8 +327,8 @@ Diagnostic unequalPlanets(const Mechanism& mechanism, const PlanetSet& set, cons
       "Links %1 are drawn as equal planets and cannot be equal parts: with all teeth in mesh, their gear "
       "with "
       "%2 teeth is turned against that with %3 teeth, compared with link %4, by %5.",
-      {listed(planets, kMostNames), std::to_string(difference.otherTeeth), std::to_string(difference.teeth),
-       planets.front(), listed(turns, kMostNames)});
+      {listed(planets, kMaxNames), std::to_string(difference.otherTeeth), std::to_string(difference.teeth),
+       planets.front(), listed(turns, kMaxNames)});
   return makeDiagnostic(Detail::unequalPlanets, message + adviceFor(mechanism, set, same),
                         std::move(elements));
 }

@@ -9,7 +9,7 @@
 namespace geargraph::inline train {
 namespace {
 
-constexpr std::size_t kMostPermuted = 6;
+constexpr std::size_t kMaxPermuted = 6;
 
 /// What a link spans on an axis, and where it has something.
 struct Spanned {
@@ -177,7 +177,7 @@ std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_to
   std::vector<std::size_t> order(planes.thickness.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const Stack stack(planes);
-  return order.size() <= kMostPermuted ? bestOfAll(stack, order, stop) : bestByMoves(stack, order, stop);
+  return order.size() <= kMaxPermuted ? bestOfAll(stack, order, stop) : bestByMoves(stack, order, stop);
 }
 
 }  // namespace geargraph::inline train

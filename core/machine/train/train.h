@@ -47,7 +47,7 @@ struct LinkBody {
   LinkOrdinal link = 0;
   double module = 1;                            ///< the smallest of its parts
   std::shared_ptr<const DeferredSolid> fine;    ///< chordal error at most kBodyTolerance, made on first use
-  std::shared_ptr<const DeferredSolid> coarse;  ///< at most kFarthestTolerance
+  std::shared_ptr<const DeferredSolid> coarse;  ///< at most kMaxTolerance
   std::shared_ptr<const std::vector<BodyPart>> recipe = {};  ///< what the solids are made of (BodyRecipe)
 
   [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
@@ -55,7 +55,7 @@ struct LinkBody {
 
 /// Larger trains get straight bodies that are not routed past each other (Arrangement::isSimple), and bevels
 /// keep their face widths: routing costs more than the square of the number of wheels and would take minutes.
-constexpr std::size_t kMostRoutedGears = 400;
+constexpr std::size_t kMaxRoutedGears = 400;
 
 /// The mechanism in three dimensions. Every mesh with a geometry has its two gears; a mesh without one is
 /// left out (the placement's diagnostics give the reason).
@@ -65,7 +65,7 @@ struct GearTrain {
   std::vector<LinkBody> bodies;
   /// Links whose bodies have no clearance from each other: two, or all of one axis.
   std::vector<std::vector<LinkOrdinal>> blocked;
-  /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other, its
+  /// The train has more than kMaxRoutedGears: its bodies are straight and may pass through each other, its
   /// wheels are discs without webs.
   bool hasSimpleBodies = false;
 };

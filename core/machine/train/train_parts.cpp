@@ -18,7 +18,7 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
     if (stop.stop_requested()) break;
     result.parts.push_back({body.link, "body of link " + std::to_string(mechanism.linkLabel(body.link)),
                             Eigen::Isometry3d::Identity(),
-                            (tolerance < kFarthestTolerance ? body.fine : body.coarse)->solid()});
+                            (tolerance < kMaxTolerance ? body.fine : body.coarse)->solid()});
   }
   return result;
 }

@@ -25,7 +25,7 @@ struct TrainParts {
 };
 
 /// The solids of all gears, then of all bodies, as parts of their links, for views and files. `tolerance` in
-/// modules; bodies have kBodyTolerance, or kFarthestTolerance for a tolerance from there on. Incomplete if
+/// modules; bodies have kBodyTolerance, or kMaxTolerance for a tolerance from there on. Incomplete if
 /// `stop` was requested meanwhile.
 [[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
                                     double tolerance, const std::stop_token& stop = {});

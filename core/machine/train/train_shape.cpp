@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDefaultBacklash = 0.04;  // modules, of a pair
 constexpr double kDefaultSpurFace = 8;     // modules
-constexpr double kMostBevelFace = 10;      // modules
+constexpr double kMaxBevelFace = 10;       // modules
 
 /// Wheels that mesh with each other on parallel axes, so that one module is theirs.
 class Groups {
@@ -88,9 +88,9 @@ std::vector<std::size_t> equalWheels(const TrainWheels& train, const std::vector
     const GearSpec& spec = train.wheels[w].spec;
     return std::tuple(spec.kind, spec.teeth, spec.module, bool{fixed[w]}, fixed[w] ? spec.profileShift : 0.0);
   });
-  constexpr int kMostRounds = 50;
+  constexpr int kMaxRounds = 50;
   std::size_t before = 0;
-  for (int round = 0; classes != before && round < kMostRounds; ++round) {
+  for (int round = 0; classes != before && round < kMaxRounds; ++round) {
     before = classes;
     std::vector<std::set<std::pair<std::size_t, double>>> partners(count);
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
@@ -209,7 +209,7 @@ void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
 
 double defaultFace(const GearSpec& spec) {
   if (spec.kind != GearKind::bevel) return kDefaultSpurFace * spec.module;
-  return std::min(coneDistance(spec) / 3, kMostBevelFace * spec.module);
+  return std::min(coneDistance(spec) / 3, kMaxBevelFace * spec.module);
 }
 
 /// What the meshes of a wheel cover of its axis, from its origin.

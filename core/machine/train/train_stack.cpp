@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 constexpr double kPlaneGap = 5;
 constexpr double kLinkedGap = 12;
 constexpr int kNearTries = 60;  // plane by plane, then in strides
-constexpr int kMostTries = 120;
+constexpr int kMaxTries = 120;
 constexpr double kStride = 1.0 / 12;  // of the way
 
 /// Wheels that lie in one plane because they mesh.
@@ -68,8 +68,8 @@ Vector3d middleOf(const TrainWheel& wheel) {
 /// they are not parallel.
 std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<Plane>& planes,
                                    const Placement& placement, const WheelEnvelopes& envelopes) {
-  constexpr std::size_t kMostPlanes = 40;
-  if (planes.size() < 2 || planes.size() > kMostPlanes || !planes.back().movable) return std::nullopt;
+  constexpr std::size_t kMaxPlanes = 40;
+  if (planes.size() < 2 || planes.size() > kMaxPlanes || !planes.back().movable) return std::nullopt;
   const Vector3d axis = train.wheels[static_cast<std::size_t>(planes.back().wheels.front())].axis;
   const AxisClasses& classes = *placement.classes;
   StackPlanes stack;
@@ -138,7 +138,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
         if (envelopes.mayIntersect(w, standing[s])) near.emplace_back(w, standing[s]);
     }
     double at = 0, far = 0;
-    for (int attempt = 1; attempt < kMostTries && blocked(); ++attempt) {
+    for (int attempt = 1; attempt < kMaxTries && blocked(); ++attempt) {
       if (stop.stop_requested()) return moves;
       const bool isFirst = attempt % 2 == 1 || sides != Sides::both;
       if (isFirst) far += attempt < kNearTries ? step : std::max(step, kStride * far);
@@ -230,12 +230,12 @@ class PlaneStacker {
   /// Every order of the few that can be moved, past the others, to both sides and to either.
   template <class Consider>
   void eachOrder(const Consider& consider) const {
-    constexpr std::size_t kMost = 4;
+    constexpr std::size_t kMax = 4;
     std::vector<std::size_t> order(m_planes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto first =
         std::find_if(order.begin(), order.end(), [&](std::size_t p) { return m_planes[p].movable; });
-    if (static_cast<std::size_t>(order.end() - first) > kMost) return;
+    if (static_cast<std::size_t>(order.end() - first) > kMax) return;
     do {
       for (const Sides sides : {Sides::both, Sides::thisOne, Sides::other}) {
         Moves moves = nearestMoves(m_train, m_planes, order, sides, m_envelopes, m_gap, m_stop);

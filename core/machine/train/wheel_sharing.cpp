@@ -6,7 +6,7 @@ namespace geargraph::inline train {
 namespace {
 
 /// In larger planes wheels share what is equal, whether all pass or not.
-constexpr std::size_t kMostAsked = 200;
+constexpr std::size_t kMaxAsked = 200;
 constexpr double kTip = 1;  // modules beyond the pitch circle
 constexpr double kRim = 3;  // the same of a ring's rim
 
@@ -58,7 +58,7 @@ bool WheelSharing::passWith(std::optional<GearOrdinal> tail, const TrainWheel& t
                             std::optional<GearOrdinal> head, const TrainWheel& headWheel) const {
   const auto tails = planeOf(tail), heads = planeOf(head);
   if (!tails.empty() && tails.data() == heads.data()) return true;
-  if (tails.size() + heads.size() > kMostAsked) return true;
+  if (tails.size() + heads.size() > kMaxAsked) return true;
   const Round newTail = roundOf(tailWheel), newHead = roundOf(headWheel);
   const auto passes = [&](GearOrdinal tailAt, GearOrdinal headAt) {
     if (tailAt == tail.value_or(-1) && headAt == head.value_or(-1)) return true;

@@ -75,8 +75,8 @@ void readMembers(JsonObject& from, TurningJoint& joint) {
 void readMembers(JsonObject& from, GearMesh& mesh) {
   mesh.tail = LinkId(from.requiredId("tail"));
   mesh.head = LinkId(from.requiredId("head"));
-  mesh.tailTeeth = from.requiredWhole("tailTeeth", kFewestTeeth, kMostTeeth);
-  mesh.headTeeth = from.requiredWhole("headTeeth", kFewestTeeth, kMostTeeth);
+  mesh.tailTeeth = from.requiredWhole("tailTeeth", kMinTeeth, kMaxTeeth);
+  mesh.headTeeth = from.requiredWhole("headTeeth", kMinTeeth, kMaxTeeth);
   mesh.pitchPoint = from.triple("pitchPoint");
   mesh.kind = meshKindOf(from);
   mesh.faceWidth = from.number("faceWidth");

@@ -72,7 +72,7 @@ class Walk {
 
   void array(JsonValue value) {
     const std::size_t size = value.size();
-    if (size > kLongestList) {
+    if (size > kMaxListLength) {
       add(translated("A list has at most 100,000 elements; this one has %1.", {std::to_string(size)}), value);
       return;
     }

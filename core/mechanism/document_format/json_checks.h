@@ -40,8 +40,8 @@ class JsonDiagnostics {
   std::unordered_set<std::string> m_pointers;
 };
 
-/// Checks that apply whatever the members mean: lists of more than kLongestList elements, a member name twice
-/// in one object, numbers too large for a double. One `schema` diagnostic each. Cost: O(values).
+/// Checks that apply whatever the members mean: lists of more than kMaxListLength elements, a member name
+/// twice in one object, numbers too large for a double. One `schema` diagnostic each. Cost: O(values).
 void checkJson(const JsonDocument& document, JsonDiagnostics& diagnostics);
 
 /// One step of a JSON pointer (RFC 6901), with its slash.

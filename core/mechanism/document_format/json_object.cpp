@@ -9,11 +9,11 @@
 namespace geargraph::inline document_format {
 namespace {
 
-constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kMaxQuoteLength = 40;
 
 /// What stands in the file, for a sentence: the number 1.5, the string "abc", a list of 3 elements.
 std::string described(JsonValue value) {
-  std::string slice(value.slice().substr(0, kLongestQuote));
+  std::string slice(value.slice().substr(0, kMaxQuoteLength));
   if (slice.size() < value.slice().size()) {
     while (!slice.empty() && (static_cast<unsigned char>(slice.back()) & 0xC0U) == 0x80U) slice.pop_back();
     if (!slice.empty() && static_cast<unsigned char>(slice.back()) >= 0x80U) slice.pop_back();
@@ -81,9 +81,9 @@ std::optional<JsonValue> JsonObject::required(std::string_view name, std::string
 std::optional<Atom> JsonObject::idOf(JsonValue value, const std::string& pointer) {
   if (value.is(JsonKind::string)) {
     const std::string text = value.string();
-    if (!text.empty() && utf8Count(text) <= kLongestName) return Atom(text);
+    if (!text.empty() && utf8Count(text) <= kMaxNameLength) return Atom(text);
   } else if (value.is(JsonKind::number) && isWholeNumber(value.slice()) &&
-             value.slice().size() <= kLongestName) {
+             value.slice().size() <= kMaxNameLength) {
     return Atom(value.slice() == "-0" ? "0" : value.slice());
   }
   wrongAt(pointer, value, kId);
@@ -125,7 +125,7 @@ std::optional<std::string> JsonObject::text(std::string_view name) {
 
 std::optional<std::string> JsonObject::shortText(std::string_view name) {
   auto result = text(name);
-  if (!result || utf8Count(*result) <= kLongestName) return result;
+  if (!result || utf8Count(*result) <= kMaxNameLength) return result;
   m_diagnostics.add(
       Code::schema,
       translated("expected at most 1,000 characters, found %1.", {std::to_string(utf8Count(*result))}),

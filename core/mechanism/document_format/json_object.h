@@ -37,7 +37,7 @@ class JsonObject {
   [[nodiscard]] std::optional<Atom> id(std::string_view name);
   [[nodiscard]] std::optional<std::vector<Atom>> ids(std::string_view name);
   [[nodiscard]] std::optional<std::string> text(std::string_view name);
-  /// A text of at most kLongestName characters.
+  /// A text of at most kMaxNameLength characters.
   [[nodiscard]] std::optional<std::string> shortText(std::string_view name);
   [[nodiscard]] std::optional<Number> number(std::string_view name);
   [[nodiscard]] std::optional<NumberTriple> triple(std::string_view name);

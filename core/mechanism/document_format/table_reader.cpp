@@ -91,7 +91,7 @@ class TableReader {
       m_diagnostics.add(
           Code::schema,
           translated("There is no column \"%1\": %2.",
-                     {field.text.substr(0, kLongestName), listed(names, kAllNames, toTranslate("or"))}),
+                     {field.text.substr(0, kMaxNameLength), listed(names, kAllNames, toTranslate("or"))}),
           {}, field.line, field.column);
     } else if (!m_header.emplace(*known, position).second) {
       m_diagnostics.add(Code::schema, translated("The column \"%1\" occurs twice.", {field.text}), {},
@@ -113,7 +113,7 @@ class TableReader {
               ? translated("The column \"element\" is empty; it says what the row is about.")
               : translated("There is no element \"%1\": document, link, axis, turningJoint, gearMesh, wheel, "
                            "input, brake, clutch, state, load or balance.",
-                           {element.substr(0, kLongestName)}));
+                           {element.substr(0, kMaxNameLength)}));
       return;
     }
     row.rejectOtherCells(element);
@@ -184,7 +184,7 @@ class TableReader {
 
   template <class Element, class Read>
   void add(const char* list, std::vector<Element>& elements, TableRowReader& row, const Read& read) {
-    if (elements.size() == kLongestList) {
+    if (elements.size() == kMaxListLength) {
       m_isBeyondLimits = true;
       return row.wrongRow(translated("A document has at most 100,000 %1.", {list}));
     }

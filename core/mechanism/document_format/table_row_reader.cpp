@@ -13,10 +13,10 @@ namespace {
 
 /// A cell in a message, cut where it is long.
 std::string quoted(const std::string& cell) {
-  constexpr std::size_t kMostShown = 60;
-  if (cell.size() <= kMostShown) return '"' + cell + '"';
+  constexpr std::size_t kMaxShown = 60;
+  if (cell.size() <= kMaxShown) return '"' + cell + '"';
   std::size_t end = 0;
-  while (end < kMostShown) end += std::max<std::size_t>(utf8Length(cell, end), 1);
+  while (end < kMaxShown) end += std::max<std::size_t>(utf8Length(cell, end), 1);
   return '"' + cell.substr(0, end) + "...\"";
 }
 
@@ -105,13 +105,13 @@ void TableRowReader::text(std::string_view column, std::string& text) {
 
 std::string TableRowReader::shortId() {
   const std::string& text = cell("id");
-  return text.size() <= kLongestName ? unguardedText(text) : std::string();
+  return text.size() <= kMaxNameLength ? unguardedText(text) : std::string();
 }
 
 std::optional<Atom> TableRowReader::atom(std::string_view column) {
   const std::string text = unguardedText(cell(column));
   if (text.empty()) return std::nullopt;
-  if (text.size() > kLongestName && utf8Count(text) > kLongestName) {
+  if (text.size() > kMaxNameLength && utf8Count(text) > kMaxNameLength) {
     unexpected(column, toTranslate("an id of at most 1,000 characters"));
     return std::nullopt;
   }
@@ -121,8 +121,8 @@ std::optional<Atom> TableRowReader::atom(std::string_view column) {
 template <class Tag>
 void TableRowReader::ids(std::string_view column, std::vector<Id<Tag>>& ids) {
   for (const std::string& text : splitTexts(unguardedText(cell(column)))) {
-    if (ids.size() == kLongestList || text.empty() ||
-        (text.size() > kLongestName && utf8Count(text) > kLongestName))
+    if (ids.size() == kMaxListLength || text.empty() ||
+        (text.size() > kMaxNameLength && utf8Count(text) > kMaxNameLength))
       return unexpected(column,
                         toTranslate("at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between"));
     ids.emplace_back(text);
@@ -155,7 +155,7 @@ void TableRowReader::teeth(std::string_view column, int& teeth) {
   if (text.empty()) return missing(column, toTranslate("a number of teeth"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), teeth);
   const bool isWhole = error == std::errc() && end == text.data() + text.size();
-  if (!isWhole || teeth < kFewestTeeth || teeth > kMostTeeth)
+  if (!isWhole || teeth < kMinTeeth || teeth > kMaxTeeth)
     unexpected(column, toTranslate("a whole number from 1 to 100,000"));
 }
 

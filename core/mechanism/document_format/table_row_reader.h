@@ -14,13 +14,13 @@
 
 namespace geargraph::inline document_format {
 
-/// Collects at most kMost diagnostics about a table, so that a malicious file cannot exhaust the memory.
+/// Collects at most kMax diagnostics about a table, so that a malicious file cannot exhaust the memory.
 class TableDiagnostics {
  public:
-  static constexpr std::size_t kMost = 100;
+  static constexpr std::size_t kMax = 100;
 
   void add(Code code, std::string message, std::vector<ElementId> elements, int line, int column);
-  [[nodiscard]] bool isFull() const { return m_found.size() >= kMost; }
+  [[nodiscard]] bool isFull() const { return m_found.size() >= kMax; }
   [[nodiscard]] bool empty() const { return m_found.empty(); }
   /// All diagnostics, with a last one if more were dropped.
   [[nodiscard]] Diagnostics all() const;

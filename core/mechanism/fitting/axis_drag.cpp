@@ -198,7 +198,7 @@ std::vector<TeethOffer> teethNear(const PlacedMechanism& placed, AxisId axis, do
       const int teeth = geometry.kind != MeshKind::internal ? other - kept
                         : isRing                            ? kept + other
                                                             : kept - other;
-      if (teeth < kFewestTeeth || teeth > kMostTeeth) continue;
+      if (teeth < kMinTeeth || teeth > kMaxTeeth) continue;
       offers.push_back({mesh.id, tailMoves ? teeth : kept, tailMoves ? kept : teeth, perTooth * other});
     }
   }

@@ -20,9 +20,9 @@ bool isZero(const ExactVector3& v) {
 
 /// A coordinate as a person would write it: exact where that is short, else the nearest double.
 Number written(const Rational& value) {
-  constexpr std::size_t kLongest = 24;
+  constexpr std::size_t kMaxLength = 24;
   Number exact(value);
-  return exact.text().size() <= kLongest ? exact : Number::fromDouble(value.toDouble());
+  return exact.text().size() <= kMaxLength ? exact : Number::fromDouble(value.toDouble());
 }
 
 /// The new coordinates; one that is what it was keeps its spelling.

@@ -11,10 +11,10 @@ namespace geargraph::inline fitting {
 // planets, a bevel keeps its apex, identical planets change together. Places and pitch points that the
 // document leaves open follow by themselves, stated ones are moved, pinned ones (pins.h) stay. An edit that
 // cannot be satisfied is rejected with the elements to blame. Where the document has no consistent geometry
-// (its joints form no tree, a mesh contradicts its axes), or more than kMostFittedMeshes meshes, these are
+// (its joints form no tree, a mesh contradicts its axes), or more than kMaxFittedMeshes meshes, these are
 // the plain edits of edits.h.
 
-constexpr int kMostFittedMeshes = 500;  ///< with more, fitting is too slow for typing
+constexpr int kMaxFittedMeshes = 500;  ///< with more, fitting is too slow for typing
 
 /// Sets the tooth counts of a mesh, with all consequences (TeethFit). Rejects unknown-id, schema,
 /// teeth-geometry and pitch-geometry.

@@ -32,7 +32,7 @@ Diagnostics brokenPins(const PlacedMechanism& placedBefore, const PlacedMechanis
 }  // namespace
 
 bool canBeFitted(const Placement& placement) {
-  if (placement.meshes.size() > kMostFittedMeshes) return false;
+  if (placement.meshes.size() > kMaxFittedMeshes) return false;
   return placement.tree && std::all_of(placement.meshes.begin(), placement.meshes.end(),
                                        [](const auto& mesh) { return mesh.has_value(); });
 }

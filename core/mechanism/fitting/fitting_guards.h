@@ -5,7 +5,7 @@
 
 namespace geargraph::inline fitting {
 
-/// Is the document's geometry consistent, and small enough (kMostFittedMeshes) to be fitted?
+/// Is the document's geometry consistent, and small enough (kMaxFittedMeshes) to be fitted?
 [[nodiscard]] bool canBeFitted(const Placement& placement);
 
 /// Returns the edited document with its placement; an error if the edit made a consistent geometry

@@ -71,7 +71,7 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
     return rejection(mesh,
                      translated("Modules can be set where every mesh has its place, in trains of up to %1 "
                                 "meshes. Resolve the reported problems first.",
-                                {std::to_string(kMostFittedMeshes)}));
+                                {std::to_string(kMaxFittedMeshes)}));
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
   const std::vector<int> along =

@@ -11,7 +11,7 @@
 namespace geargraph::inline fitting {
 namespace {
 
-constexpr int kFewestFollowing = 4;  ///< fewer teeth nobody cuts
+constexpr int kMinFollowing = 4;  ///< fewer teeth nobody cuts
 
 class TeethFitter {
  public:
@@ -143,7 +143,7 @@ class TeethFitter {
         const auto [signM, restM] = reachOver(end);
         const int slope = signB * oldReach(mesh) - signM * oldReach(base);
         const int rest = restM * oldReach(base) - restB * oldReach(mesh);
-        const bool whole = slope != 0 && rest % slope == 0 && rest / slope >= kFewestFollowing;
+        const bool whole = slope != 0 && rest % slope == 0 && rest / slope >= kMinFollowing;
         return whole ? setTeeth(wheel, rest / slope) : rejectPinned(mesh);
       }
     }
@@ -171,7 +171,7 @@ class TeethFitter {
     }
     const auto [sign, rest] = reachOver(end);
     const int teeth = sign * (reachWanted - rest);
-    if (teeth < kFewestFollowing || teeth > kMostTeeth) {
+    if (teeth < kMinFollowing || teeth > kMaxTeeth) {
       const LinkOrdinal link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;
       return reject(mesh,
                     translated("gear %1 would need %2 teeth to stay coaxial. What fits: a smaller change.",

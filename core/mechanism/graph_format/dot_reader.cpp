@@ -340,7 +340,7 @@ class DotReader {
       next();
       if (m_token.is('{') || m_token.isWord("subgraph")) return edgesOfGroup();
       if (!readId(ids.emplace_back()) || !skipPort()) return false;
-      if (ids.size() > kMostEdges) return tooManyEdges(offset);
+      if (ids.size() > kMaxEdges) return tooManyEdges(offset);
     }
     Given given;
     if (!readAttributes(given)) return false;
@@ -348,7 +348,7 @@ class DotReader {
       if (nodeOf(end, offset) == nullptr) return false;
     }
     for (std::size_t i = 0; i + 1 < ids.size(); ++i) {
-      if (m_parts.edges.size() == kMostEdges) return tooManyEdges(offset);
+      if (m_parts.edges.size() == kMaxEdges) return tooManyEdges(offset);
       if (m_isStrict && !m_pairs.emplace(ids[i], ids[i + 1]).second) {
         m_failure =
             makeDiagnostics(Code::schema,
@@ -375,7 +375,7 @@ class DotReader {
   ReadNode* nodeOf(const std::string& id, std::size_t offset) {
     const auto [known, isNew] = m_positions.try_emplace(id, m_parts.nodes.size());
     if (isNew) {
-      if (m_parts.nodes.size() == kMostNodes) {
+      if (m_parts.nodes.size() == kMaxNodes) {
         m_failure =
             makeDiagnostics(Code::schema, translated("A graph of at most 100,000 nodes is read."), offset);
         return nullptr;

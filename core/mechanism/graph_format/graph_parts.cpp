@@ -34,9 +34,9 @@ void GraphParts::set(AttributeOwner owner, GraphAttributes& into, std::string_vi
 
 void GraphParts::addUnread(std::string_view attribute) {
   if (attribute == "id" || attribute == "key") return;  // NetworkX' names of edges
-  constexpr std::size_t kMostNames = 20;
-  constexpr std::size_t kLongest = 100;  // bytes
-  if (unread.size() < kMostNames && attribute.size() <= kLongest) unread.emplace(attribute);
+  constexpr std::size_t kMaxNames = 20;
+  constexpr std::size_t kMaxLength = 100;  // bytes
+  if (unread.size() < kMaxNames && attribute.size() <= kMaxLength) unread.emplace(attribute);
 }
 
 void GraphDiagnostics::add(Code code, std::string message, std::size_t offset,
@@ -70,10 +70,10 @@ Diagnostics GraphDiagnostics::inOrder() const {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t kMostBytes = 60;
+  constexpr std::size_t kMaxBytes = 60;
   std::string shown = "\"";
   std::size_t at = 0;
-  while (at < text.size() && at < kMostBytes) {
+  while (at < text.size() && at < kMaxBytes) {
     const std::size_t length = std::max<std::size_t>(utf8Length(text, at), 1);
     const bool isControl = static_cast<unsigned char>(text[at]) < 0x20;
     shown += isControl ? " " : std::string(text.substr(at, length));

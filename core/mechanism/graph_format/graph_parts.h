@@ -13,8 +13,8 @@
 
 namespace geargraph::inline graph_format {
 
-constexpr std::size_t kMostNodes = 100'000;
-constexpr std::size_t kMostEdges = 200'000;
+constexpr std::size_t kMaxNodes = 100'000;
+constexpr std::size_t kMaxEdges = 200'000;
 constexpr int kDeepestNesting = 64;  ///< of groups and elements
 
 struct AttributeText {
@@ -69,12 +69,12 @@ class GraphDiagnostics {
 
   void add(Code code, std::string message, std::size_t offset, std::vector<ElementId> elements = {});
   [[nodiscard]] bool empty() const { return m_diagnostics.empty(); }
-  [[nodiscard]] bool isFull() const { return m_diagnostics.size() >= kMost; }
+  [[nodiscard]] bool isFull() const { return m_diagnostics.size() >= kMax; }
   /// All diagnostics in the order of the text, with line and column. Cost: O(text).
   [[nodiscard]] Diagnostics inOrder() const;
 
  private:
-  static constexpr std::size_t kMost = 100;
+  static constexpr std::size_t kMax = 100;
   std::string_view m_text;
   std::vector<std::pair<std::size_t, Diagnostic>> m_diagnostics;
 };

@@ -148,7 +148,7 @@ class GraphMlReader {
   void readNode(const char** attributes) {
     auto id = needed(attributes, "id", "node");
     if (!id) return;
-    if (m_parts.nodes.size() == kMostNodes)
+    if (m_parts.nodes.size() == kMaxNodes)
       return fail(Code::schema, translated("A graph of at most 100,000 nodes is read."));
     m_inside.back() = Inside::node;
     m_parts.nodes.push_back({std::move(*id), offset()});
@@ -165,7 +165,7 @@ class GraphMlReader {
       XML_StopParser(m_parser.get(), XML_FALSE);
       return;
     }
-    if (m_parts.edges.size() == kMostEdges)
+    if (m_parts.edges.size() == kMaxEdges)
       return fail(Code::schema, translated("A graph of at most 200,000 edges is read."));
     m_inside.back() = Inside::edge;
     m_parts.edges.push_back({std::move(*source), std::move(*target), offset()});

@@ -232,7 +232,7 @@ class MechanismGraphReader {
     const std::string text = lineOf(label->text);
     if (text.empty() || text == key || text == "\\N" || text == "\\G") return std::nullopt;
     const AttributeText* const name = attributes.find(kNameAttribute);
-    if (name == nullptr && utf8Count(text) <= kLongestName) return text;
+    if (name == nullptr && utf8Count(text) <= kMaxNameLength) return text;
     if (name == nullptr || name->text != text) m_parts.addUnread(kLabel);
     return std::nullopt;
   }
@@ -289,22 +289,22 @@ class MechanismGraphReader {
   /// Without `axes` of the graph: those that joints name, without a place.
   void writeAxes() {
     if (m_parts.attributes.find("axes") != nullptr) return;
-    constexpr std::size_t kLongestId = 4 * kLongestName;  // bytes
+    constexpr std::size_t kMaxIdLength = 4 * kMaxNameLength;  // bytes
     std::unordered_set<std::string> known;
     std::vector<std::string> names;
     (void)append(",\"axes\":[");
     for (const ReadEdge* const joint : m_joints) {
       const AttributeText* const axis = joint->attributes.find("axis");
       // What is too long for an id is reported at the joint.
-      if (axis == nullptr || axis->text.size() > kLongestId || !known.insert(axis->text).second) continue;
+      if (axis == nullptr || axis->text.size() > kMaxIdLength || !known.insert(axis->text).second) continue;
       if (!append((names.empty() ? "{\"id\":" : ",{\"id\":") + jsonString(axis->text) + "}")) return;
       names.push_back(axis->text);
     }
     (void)append("]");
-    constexpr std::size_t kMostNames = 10;
+    constexpr std::size_t kMaxNames = 10;
     if (!names.empty())
       m_notes.push_back(translated("The graph has no places of axes: %1 are placed from the tooth counts.",
-                                   {listed(names, kMostNames)}));
+                                   {listed(names, kMaxNames)}));
   }
 
   void writeEdges(GraphPart part, const char* list, const std::vector<const ReadEdge*>& edges) {
@@ -401,11 +401,11 @@ class MechanismGraphReader {
   }
 
   void addUnread() {
-    constexpr std::size_t kMostNames = 10;
+    constexpr std::size_t kMaxNames = 10;
     const std::vector<std::string> names(m_parts.unread.begin(), m_parts.unread.end());
     if (!names.empty())
       m_notes.push_back(translated("Attributes without a meaning for the mechanism were not read: %1.",
-                                   {listed(names, kMostNames)}));
+                                   {listed(names, kMaxNames)}));
   }
 
   std::string_view m_text;

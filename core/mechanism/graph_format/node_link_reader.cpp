@@ -29,9 +29,9 @@ class NodeLinkReader {
       m_parts.offset = graph->offset();
       readMembers(AttributeOwner::graph, *graph, m_parts.attributes, {});
     }
-    if (nodes->size() > kMostNodes || (edges && edges->size() > kMostEdges)) {
+    if (nodes->size() > kMaxNodes || (edges && edges->size() > kMaxEdges)) {
       return makeDiagnostics(translated("A graph of at most 100,000 nodes and 200,000 edges is read."),
-                             nodes->size() > kMostNodes ? *nodes : *edges);
+                             nodes->size() > kMaxNodes ? *nodes : *edges);
     }
     nodes->forEachElement([&](JsonValue node, std::size_t) { readNode(node); });
     if (edges) edges->forEachElement([&](JsonValue edge, std::size_t) { readEdge(edge); });

@@ -184,7 +184,7 @@ Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head)
   if (!fitting) return fitting;
   const Guess guess = guessOf(*fitting, tail, head);
   const auto teeth = [](const std::optional<int>& guessed) {
-    return std::clamp(guessed.value_or(kTeeth), kFewestTeeth, kMostTeeth);
+    return std::clamp(guessed.value_or(kTeeth), kMinTeeth, kMaxTeeth);
   };
   Expected<Mechanism> drawn =
       withGearMesh(std::move(fitting).value(), tail, head, teeth(guess.tailTeeth), teeth(guess.headTeeth));

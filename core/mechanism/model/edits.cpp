@@ -17,7 +17,7 @@
 namespace geargraph::inline model {
 namespace {
 
-constexpr std::size_t kMostNamedInALoop = 8;
+constexpr std::size_t kMaxNamedInALoop = 8;
 
 Diagnostic unknown(const ElementId& element) {
   return {Code::unknownId,
@@ -104,7 +104,7 @@ std::string loopRejection(const Mechanism& edited, JointId added, const std::vec
   }
   const std::string tail = *labelOf(edited, joint.tail);
   const std::string head = *labelOf(edited, joint.head);
-  const std::string others = listed(with, kMostNamedInALoop);
+  const std::string others = listed(with, kMaxNamedInALoop);
   if (with.empty())
     return translated(
         "A turning joint from link %1 to link %2 would close a loop. The turning joints have to be a "
@@ -307,7 +307,7 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
   found->tailTeeth = tailTeeth;
   found->headTeeth = headTeeth;
   for (const int teeth : {tailTeeth, headTeeth}) {
-    if (teeth < kFewestTeeth || teeth > kMostTeeth) {
+    if (teeth < kMinTeeth || teeth > kMaxTeeth) {
       return rejection(Code::schema,
                        translated("A gear has 1 to 100,000 teeth, not %1.", {std::to_string(teeth)}), {mesh});
     }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStep = 30;   // px that a copy is moved right and down
 constexpr double kOnTop = 12;  // px: nodes nearer than this hide each other
-constexpr int kMostSteps = 200;
+constexpr int kMaxSteps = 200;
 
 /// The links that come along.
 std::unordered_set<LinkId> linksOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
@@ -101,7 +101,7 @@ double shiftFor(const View& there, const Mechanism& fragment) {
   for (const auto& [link, point] : there.nodes) taken.insert(cell(point.x, point.y));
   for (const SheetNote& note : there.notes) taken.insert(cell(note.at.x, note.at.y));
   const LinkId ground = fragment.links.front().id;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double shift = step * kStep;
     const auto isTaken = [&](SheetPoint at) { return taken.contains(cell(at.x + shift, at.y + shift)); };
     const bool hides =
@@ -111,7 +111,7 @@ double shiftFor(const View& there, const Mechanism& fragment) {
                     [&](const SheetNote& note) { return isTaken(note.at); });
     if (!hides) return shift;
   }
-  return kMostSteps * kStep;
+  return kMaxSteps * kStep;
 }
 
 template <class Element>

@@ -22,7 +22,7 @@ std::size_t characters(const std::string& text) {
 }
 
 bool isTooLong(const std::string& text) {
-  return text.size() > kLongestName && characters(text) > kLongestName;  // bytes are at least as many
+  return text.size() > kMaxNameLength && characters(text) > kMaxNameLength;  // bytes are at least as many
 }
 
 std::string pointerTo(ElementKind list, std::size_t position, const char* member) {
@@ -40,7 +40,7 @@ Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<Ele
 }
 
 void checkLength(std::size_t size, const std::string& name, Diagnostics& diagnostics) {
-  if (size <= kLongestList) return;
+  if (size <= kMaxListLength) return;
   diagnostics.push_back(makeDiagnostic(
       translated("A document has at most 100,000 %1; this one has %2.", {name, std::to_string(size)}),
       "/" + name));
@@ -137,7 +137,7 @@ class RangeCheck {
   Diagnostics found;
 
  private:
-  static constexpr double kMost = static_cast<double>(kLargestLength);
+  static constexpr double kMax = static_cast<double>(kLargestLength);
   static constexpr const char* kCoordinate = toTranslate("expected a coordinate from -1e15 to 1e15.");
   static constexpr const char* kNumber = toTranslate("expected a number from -1e15 to 1e15.");
   static constexpr const char* kComponent = toTranslate("expected a component from -1e15 to 1e15.");
@@ -148,7 +148,7 @@ class RangeCheck {
   static constexpr const char* kTorque = toTranslate("expected a torque from -1e15 to 1e15.");
   static constexpr const char* kForce = toTranslate("expected a force from -1e15 to 1e15.");
 
-  static bool isWithin(double value) { return std::abs(value) <= kMost; }
+  static bool isWithin(double value) { return std::abs(value) <= kMax; }
   void number(const std::optional<ElementId>& element, double value, const char* what,
               const JsonPointer& pointer) {
     if (isWithin(value)) return;
@@ -199,7 +199,7 @@ class RangeCheck {
   void notTooShort(const Axis& axis, const JsonPointer& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
-    if (longest >= 1 / kMost || isZero(*axis.direction))
+    if (longest >= 1 / kMax || isZero(*axis.direction))
       return;  // that of length 0 has a diagnostic of its own
     found.push_back(makeDiagnostic(translated("expected a direction with a component of at least 1e-15."),
                                    pointer.text(), {axis.id}));

@@ -9,8 +9,8 @@
 
 namespace geargraph::inline model {
 
-constexpr std::size_t kLongestName = 1'000;    ///< characters of a name, a unit or an id
-constexpr std::size_t kLongestList = 100'000;  ///< elements of a list
+constexpr std::size_t kMaxNameLength = 1'000;    ///< characters of a name, a unit or an id
+constexpr std::size_t kMaxListLength = 100'000;  ///< elements of a list
 
 /// Lengths, coordinates and components of directions are no larger than this, in whatever unit: their squares
 /// and products stay far below the largest double or float, and every search over them terminates.

@@ -81,8 +81,8 @@ struct TurningJoint {
 enum class MeshKind : std::uint8_t { external, internal, bevel };
 [[nodiscard]] std::string_view meshKindName(MeshKind kind);
 
-constexpr int kFewestTeeth = 1;
-constexpr int kMostTeeth = 100'000;
+constexpr int kMinTeeth = 1;
+constexpr int kMaxTeeth = 100'000;
 
 /// A gear pair: two toothed wheels, one on each link. The paper's ratio i of the mesh is tailTeeth /
 /// headTeeth.

@@ -112,25 +112,25 @@ Diagnostics noteDiagnostics(const Mechanism& mechanism) {
   const auto add = [&](std::string message, std::vector<ElementId> elements, std::string pointer) {
     diagnostics.push_back({Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0});
   };
-  if (notes.size() > kMostNotes)
+  if (notes.size() > kMaxNotes)
     add(translated("A document has at most 1,000 notes; this one has %1.", {std::to_string(notes.size())}),
         {}, "/view/notes");
   for (std::size_t i = 0; i < notes.size(); ++i) {
     const SheetNote& note = notes[i];
     const std::string at = pointerTo(ElementKind::note, i);
-    if (characters(note.id.text()) > kLongestName)
+    if (characters(note.id.text()) > kMaxNameLength)
       add(translated("A name has at most 1,000 characters; this one has %1.",
                      {std::to_string(characters(note.id.text()))}),
           {note.id}, at + "/id");
-    if (characters(note.text) > kLongestNote)
+    if (characters(note.text) > kMaxNoteLength)
       add(translated("A note has at most 1,000 characters; this one has %1.",
                      {std::to_string(characters(note.text))}),
           {note.id}, at + "/text");
     if (isBlank(note.text)) add(translated("A note needs a text."), {note.id}, at + "/text");
     if (hasControls(note.text))
       add(translated("A note is lines of text without control characters."), {note.id}, at + "/text");
-    constexpr double kMost = static_cast<double>(kLargestLength);
-    const bool isNear = std::abs(note.at.x) <= kMost && std::abs(note.at.y) <= kMost;
+    constexpr double kMax = static_cast<double>(kLargestLength);
+    const bool isNear = std::abs(note.at.x) <= kMax && std::abs(note.at.y) <= kMax;
     if (!isNear) add(translated("expected a coordinate from -1e15 to 1e15."), {note.id}, at + "/at");
   }
   return diagnostics;

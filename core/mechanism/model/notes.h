@@ -13,8 +13,8 @@ namespace geargraph::inline model {
 // Notes on the digraph's sheet and their edits: pure functions, as in edits.h. withoutElements() also removes
 // notes. No number of the analysis depends on them.
 
-constexpr std::size_t kLongestNote = 1'000;  ///< characters of a note, including line ends
-constexpr std::size_t kMostNotes = 1'000;    ///< in a document
+constexpr std::size_t kMaxNoteLength = 1'000;  ///< characters of a note, including line ends
+constexpr std::size_t kMaxNotes = 1'000;       ///< in a document
 
 /// Normalizes a typed or pasted text for a note: line ends become "\n", other control characters spaces;
 /// leading and trailing spaces and empty lines are removed. The length is not limited.

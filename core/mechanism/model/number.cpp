@@ -8,13 +8,13 @@
 namespace geargraph::inline model {
 namespace {
 
-constexpr int kMostDecimals = 6;
+constexpr int kMaxDecimals = 6;
 
-/// "5", "0.125" where at most kMostDecimals decimals give the exact value, else "22/7".
+/// "5", "0.125" where at most kMaxDecimals decimals give the exact value, else "22/7".
 std::string spelled(const Rational& exact) {
   if (exact.isInteger()) return exact.toString();
   Rational scaled = exact;
-  for (int decimals = 1; decimals <= kMostDecimals; ++decimals) {
+  for (int decimals = 1; decimals <= kMaxDecimals; ++decimals) {
     scaled *= 10;
     if (!scaled.isInteger()) continue;
     std::string digits = scaled.abs().toString();

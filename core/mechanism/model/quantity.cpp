@@ -121,9 +121,9 @@ std::optional<std::string_view> beforeUnit(std::string_view text, std::string_vi
 
 /// As a decimal where it ends, else as a fraction; std::nullopt beyond the range of doubles.
 std::optional<Number> spelledNumber(const Rational& value) {
-  constexpr int kMostPlaces = 40;
+  constexpr int kMaxPlaces = 40;
   Rational scaled = value;
-  for (int decimals = 0; decimals <= kMostPlaces; ++decimals, scaled *= Rational(10)) {
+  for (int decimals = 0; decimals <= kMaxPlaces; ++decimals, scaled *= Rational(10)) {
     if (!scaled.isInteger()) continue;
     std::string digits = scaled.abs().toString();
     const auto places = static_cast<std::size_t>(decimals);

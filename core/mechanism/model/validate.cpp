@@ -156,7 +156,7 @@ class WellFormedCheck {
   }
 
   void teeth(const GearMesh& mesh, int count, const std::string& pointer) {
-    if (count >= kFewestTeeth && count <= kMostTeeth) return;
+    if (count >= kMinTeeth && count <= kMaxTeeth) return;
     add(Code::schema,
         translated("A gear has 1 to 100,000 teeth; mesh \"%1\" says %2.",
                    {mesh.id.text(), std::to_string(count)}),
@@ -344,10 +344,10 @@ class Forest {
   std::vector<std::size_t> m_depth;
 };
 
-constexpr std::size_t kMostNamesInASentence = 8;
+constexpr std::size_t kMaxNamesInASentence = 8;
 
 /// A drawing has few loops, all of which are named; a hostile file may have 50,000 of 50,000 joints each.
-constexpr std::size_t kMostNamedInLoops = 1'000'000;
+constexpr std::size_t kMaxNamedInLoops = 1'000'000;
 
 /// `path`: the joints that the closing one makes a loop with; empty where too many were named already.
 Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
@@ -365,7 +365,7 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
   std::string message = path.empty() ? translated("Turning joint %1 closes a loop.", {label})
                                      : translated("Turning joint %1 closes a loop with %2.",
-                                                  {label, listed(names, kMostNamesInASentence)});
+                                                  {label, listed(names, kMaxNamesInASentence)});
   const bool isRedundant = oneAxis && !path.empty();
   message += ' ';
   message +=
@@ -412,7 +412,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   for (const std::size_t j : closing) {
     const TurningJoint& joint = mechanism.turningJoints[j];
     std::vector<std::size_t> path;
-    if (named < kMostNamedInLoops) path = forest.path(position.at(joint.tail), position.at(joint.head));
+    if (named < kMaxNamedInLoops) path = forest.path(position.at(joint.tail), position.at(joint.head));
     named += path.size();
     diagnostics.push_back(loopDiagnostic(mechanism, j, path));
   }
@@ -435,7 +435,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
                       {labels.front()})
                 : translated(
                       "Links %1 are not tied to the ground by turning joints: draw a turning joint to them.",
-                      {listed(labels, kMostNamesInASentence)}),
+                      {listed(labels, kMaxNamesInASentence)}),
             std::move(loose)));
   }
   return diagnostics;

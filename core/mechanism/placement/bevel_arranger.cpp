@@ -7,23 +7,23 @@
 namespace geargraph::inline placement {
 namespace {
 
-constexpr int kMostSteps = 60;           // to either side, one by one; then in strides,
-constexpr int kFarthestStep = 2000;      // to here
-constexpr double kAgainst = 1.5;         // a place on the negative half counts as so much farther,
-constexpr double kBehindRoot = 100;      // and where the axis begins at the point
-constexpr int kLargestSize = 400;        // halves of the module
-constexpr int kTurns = 12;               // poses of a carrier that are looked at
-constexpr double kMargin = 1;            // modules between wheels
-constexpr std::size_t kMostWheels = 64;  // of larger trains no room is sought
+constexpr int kMaxSteps = 60;           // to either side, one by one; then in strides,
+constexpr int kMaxStep = 2000;          // to here
+constexpr double kAgainst = 1.5;        // a place on the negative half counts as so much farther,
+constexpr double kBehindRoot = 100;     // and where the axis begins at the point
+constexpr int kLargestSize = 400;       // halves of the module
+constexpr int kTurns = 12;              // poses of a carrier that are looked at
+constexpr double kMargin = 1;           // modules between wheels
+constexpr std::size_t kMaxWheels = 64;  // of larger trains no room is sought
 
 // The wheels' measures as core/gears chooses them where the document says nothing.
-constexpr double kMostFace = 10;  // modules
-constexpr double kBelow = 2.45;   // dedendum and body, modules
+constexpr double kMaxFace = 10;  // modules
+constexpr double kBelow = 2.45;  // dedendum and body, modules
 
 /// Tips and body of the wheel whose pitch circle of radius r lies at height h above the apex.
 DiscHull bevelHull(const Vector3& apex, const Vector3& axis, double r, double h, double module) {
   const double distance = std::hypot(r, h);
-  const double face = std::min(distance / 3, kMostFace * module);
+  const double face = std::min(distance / 3, kMaxFace * module);
   const double sine = r / distance, cosine = h / distance;
   const double front = (distance - face) / distance;
   const auto disc = [&](double radius, double height) {
@@ -187,13 +187,13 @@ int BevelArranger::place(int from, int to, const Vector3& direction, double modu
     return wheelsBetween(from, to, a.point + (module * kStep * step) * a.direction, a, b, module);
   };
   std::vector<int> steps{first};
-  for (int i = -kMostSteps; i <= kMostSteps; ++i) steps.push_back(i);
-  for (int i = kMostSteps; i < kFarthestStep; steps.insert(steps.end(), {i, -i})) i += i / 6;
+  for (int i = -kMaxSteps; i <= kMaxSteps; ++i) steps.push_back(i);
+  for (int i = kMaxSteps; i < kMaxStep; steps.insert(steps.end(), {i, -i})) i += i / 6;
   const double against = m_rooted.contains(from) ? kBehindRoot : kAgainst;
   const auto cost = [&](int step) { return step < 0 ? -against * step : step; };
   std::stable_sort(steps.begin() + 1, steps.end(), [&](int x, int y) { return cost(x) < cost(y); });
   int chosen = first;
-  if (m_standing.size() <= kMostWheels) {
+  if (m_standing.size() <= kMaxWheels) {
     const auto free = std::find_if(steps.begin(), steps.end(), [&](int step) { return fits(at(step)); });
     if (free != steps.end()) chosen = *free;
   }

@@ -10,7 +10,7 @@
 namespace geargraph::inline placement {
 namespace {
 
-constexpr int kMostSteps = 60;
+constexpr int kMaxSteps = 60;
 constexpr double kTouch = 1e-9;  // of both sizes: hulls that touch are near, however rounding has it
 
 /// Across a disc's axis, relative to the direction: less is rounding, which must not choose a point of the
@@ -127,7 +127,7 @@ bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
   Vector3 nearest = sphereA.centre - sphereB.centre;  // no point of the difference, but a direction
   if (length(nearest) == 0) return true;
   simplex.add(farthest(a, -1.0 * nearest) - farthest(b, nearest));
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const auto p = simplex.nearest();
     if (!p) return true;
     nearest = *p;

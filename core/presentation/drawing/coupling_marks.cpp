@@ -20,7 +20,7 @@ constexpr double kPlateHalf = 8;  ///< of their length
 constexpr double kNameSizeOf = 11;
 constexpr double kLineWidth = 1.5;
 constexpr double kPlateWidth = 2.2;
-constexpr std::size_t kLongestName = 10;
+constexpr std::size_t kMaxNameLength = 10;
 
 double halfWidthOf(const std::string& name) {
   return textWidth(name, kNameSizeOf, true) / 2;
@@ -133,7 +133,7 @@ std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Dig
     CouplingPlace place;
     place.coupling = coupling.id;
     place.kind = coupling.kind;
-    place.name = elided(coupling.id.text(), kLongestName);
+    place.name = elided(coupling.id.text(), kMaxNameLength);
     place.isEngaged = isEngaged(mechanism, coupling.id);
     if (coupling.kind == CouplingKind::brake) {
       place = placedBrake(place, *centers[static_cast<std::size_t>(ends[0])], ends[0], taken);

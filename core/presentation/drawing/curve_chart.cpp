@@ -18,11 +18,11 @@ constexpr double kTextSize = 11;
 constexpr double kTick = 4;
 constexpr double kMark = 3.2;
 constexpr double kLegendLine = 26;
-constexpr int kMostXParts = 5;
-constexpr int kMostYParts = 5;
+constexpr int kMaxXParts = 5;
+constexpr int kMaxYParts = 5;
 
-constexpr std::array<Dash, kMostChartCurves> kDashes = {Dash::solid, Dash::dashed, Dash::dotted,
-                                                        Dash::dashDotted};
+constexpr std::array<Dash, kMaxChartCurves> kDashes = {Dash::solid, Dash::dashed, Dash::dotted,
+                                                       Dash::dashDotted};
 
 Tint tintOf(std::size_t curve) {
   return Tint::ofLink(static_cast<int>(curve) + 1);
@@ -36,7 +36,7 @@ class ChartMaker {
  public:
   DisplayList make(const std::vector<CurveChart>& charts) {
     for (std::size_t i = 0; i < charts.size(); ++i) {
-      GEARGRAPH_REQUIRE(charts[i].curves.size() <= kMostChartCurves);
+      GEARGRAPH_REQUIRE(charts[i].curves.size() <= kMaxChartCurves);
       m_left = static_cast<double>(i) * (kWidth + kGap);
       addChart(charts[i]);
     }
@@ -83,13 +83,13 @@ class ChartMaker {
   }
 
   void addAxes(const CurveChart& chart, double mostX, double mostY) {
-    const double stepX = tickStep(mostX, kMostXParts);
+    const double stepX = tickStep(mostX, kMaxXParts);
     for (double x = 0; x <= mostX; x += stepX) {
       const double at = m_left + kWidth * x / mostX;
       addLine({{at, 0}, {at, kTick}}, ColorRole::secondary, 1);
       addText(numberText(x), {at, kTick + kTextSize});
     }
-    const double stepY = tickStep(mostY, kMostYParts);
+    const double stepY = tickStep(mostY, kMaxYParts);
     for (double y = 0; y <= mostY; y += stepY) {
       const double at = -kHeight * y / mostY;
       addLine({{m_left, at}, {m_left + kWidth, at}}, ColorRole::hairline, 1);

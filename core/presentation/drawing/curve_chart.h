@@ -17,10 +17,10 @@ struct ChartCurve {
 struct CurveChart {
   std::string title;
   std::string xTitle;
-  std::vector<ChartCurve> curves;  ///< at most kMostChartCurves
+  std::vector<ChartCurve> curves;  ///< at most kMaxChartCurves
 };
 
-constexpr std::size_t kMostChartCurves = 4;
+constexpr std::size_t kMaxChartCurves = 4;
 
 /// Charts side by side, with axes, round numbers at their ticks, a mark at each point (of a different shape
 /// for each curve, so that curves are distinguishable without colours), and one legend for the names of all.

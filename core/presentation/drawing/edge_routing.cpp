@@ -12,12 +12,12 @@ constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
 constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that it passes
 constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
 constexpr double kDetourStep = 16;
-constexpr double kLongestDetourStep = 60;
+constexpr double kMaxDetourStep = 60;
 constexpr int kDetours = 12;           ///< sizes that are tried
 constexpr int kDetoursInACrowd = 3;    ///< where there are many arrows, few of them can be helped
 constexpr std::size_t kCrowd = 400;    ///< arrows
-constexpr double kMostAside = 1.25;    ///< times its size: how far a detour is off the straight line
-constexpr int kMostHits = 4;           ///< more count as many
+constexpr double kMaxAside = 1.25;     ///< times its size: how far a detour is off the straight line
+constexpr int kMaxHits = 4;            ///< more count as many
 constexpr std::size_t kFewMoved = 16;  ///< places, for which looking at what they concern pays
 constexpr double kTrimRadius = kNodeRadius + kRingWidth / 2 + kGapToRim;
 
@@ -50,7 +50,7 @@ std::vector<double> parallelHeights(const Digraph& graph) {
 
 /// Long arrows may go farther round, but not without end.
 double detourStep(SheetPoint from, SheetPoint to) {
-  return std::clamp(0.02 * distance(from, to), kDetourStep, kLongestDetourStep);
+  return std::clamp(0.02 * distance(from, to), kDetourStep, kMaxDetourStep);
 }
 
 /// What a detour of size 1 adds to the pull at both thirds: bows, bumps near one end, and the two S.
@@ -65,7 +65,7 @@ constexpr std::array<Pull, 8> kPulls{
 Course detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
               const DigraphEdge& edge, int mostSteps) {
   Curve best = Curve::pulled(from, to, height, height);
-  int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMostHits);
+  int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMaxHits);
   int step = 0;
   while (fewest > 0 && step < mostSteps) {
     const double size = ++step * detourStep(from, to);
@@ -127,7 +127,7 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
     if (!from || !to) continue;
     // No course that was looked at lies farther from the straight line than this.
     const auto concerns = [&](SheetPoint place) {
-      const double aside = kMostAside * former[e]->looked * detourStep(*from, *to);
+      const double aside = kMaxAside * former[e]->looked * detourStep(*from, *to);
       const double reach = std::abs(heights[e]) + aside + kGapToOtherNode + 2 * kNodeRadius;
       return distanceToSegment(place, *from, *to) <= reach;
     };

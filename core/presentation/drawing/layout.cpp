@@ -11,10 +11,10 @@
 namespace geargraph::inline drawing {
 namespace {
 
-constexpr double kColumn = 170;        ///< between a link and the one it carries
-constexpr double kRow = 110;           ///< between neighbours of a column
-constexpr int kMostForGraphviz = 300;  ///< nodes; its time grows with their square, and it cannot be stopped
-constexpr int kLongestMesh = 6;        ///< columns, of those that Graphviz is told of
+constexpr double kColumn = 170;       ///< between a link and the one it carries
+constexpr double kRow = 110;          ///< between neighbours of a column
+constexpr int kMaxForGraphviz = 300;  ///< nodes; its time grows with their square, and it cannot be stopped
+constexpr int kMaxMeshLength = 6;     ///< columns, of those that Graphviz is told of
 constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;  ///< centres, at least
 constexpr double kClosest = 80;     ///< columns and rows, of drawings that fill the sheet
@@ -188,7 +188,7 @@ void addEdges(Graphviz& graphviz, const Digraph& graph) {
     const auto tail = static_cast<std::size_t>(edge.tail);
     const auto head = static_cast<std::size_t>(edge.head);
     const bool isMesh = e >= graph.t();
-    if (isMesh && std::abs(order.depth[tail] - order.depth[head]) > kLongestMesh) continue;
+    if (isMesh && std::abs(order.depth[tail] - order.depth[head]) > kMaxMeshLength) continue;
     if (order.rank[tail] > order.rank[head]) std::swap(edge.tail, edge.head);
     graphviz.addEdge(edge.tail, edge.head, isMesh);
   }
@@ -196,7 +196,7 @@ void addEdges(Graphviz& graphviz, const Digraph& graph) {
 
 /// Places by ordinal; the ground stands at (0, 0).
 Places placesOf(const Digraph& graph) {
-  if (graph.nodeCount() > kMostForGraphviz) return asTree(graph);
+  if (graph.nodeCount() > kMaxForGraphviz) return asTree(graph);
   Graphviz graphviz;
   for (int v = 0; v < graph.nodeCount(); ++v) graphviz.addNode();
   addEdges(graphviz, graph);

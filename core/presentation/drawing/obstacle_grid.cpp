@@ -4,8 +4,8 @@ namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kSmallestCell = 48;
-constexpr double kMostCells = 1 << 19;
-constexpr double kMostAlong = 1 << 16;  // cells of a side
+constexpr double kMaxCells = 1 << 19;
+constexpr double kMaxAlong = 1 << 16;  // cells of a side
 
 }  // namespace
 
@@ -13,7 +13,7 @@ ObstacleGrid::ObstacleGrid(const Extent& area) : m_origin{area.left(), area.top(
   // As many cells as memory bears: a drawing of thousands of links is long, and must not crowd into a few.
   const double sides = 4 * (area.halfWidth + kSmallestCell) * (area.halfHeight + kSmallestCell);
   const double longest = 2 * std::max(area.halfWidth, area.halfHeight);
-  m_cell = std::max({kSmallestCell, std::sqrt(sides / kMostCells), longest / kMostAlong});
+  m_cell = std::max({kSmallestCell, std::sqrt(sides / kMaxCells), longest / kMaxAlong});
   m_columns = 1 + static_cast<int>(2 * area.halfWidth / m_cell);
   m_rows = 1 + static_cast<int>(2 * area.halfHeight / m_cell);
   m_first.assign(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), -1);

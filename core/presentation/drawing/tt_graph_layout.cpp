@@ -18,9 +18,9 @@ constexpr double kSlot = 100;        ///< for a link without children
 constexpr double kBesideLines = 64;  ///< of a slot, besides the lines that lead to it
 constexpr double kLineRoom = 38;     ///< for one of them with its label
 constexpr double kGrid = 10;
-constexpr double kNodesApart = 75;        ///< centres, at least
-constexpr std::size_t kMostTried = 6;     ///< children whose every order is tried
-constexpr std::size_t kMostSwapped = 60;  ///< children whose order is improved by swaps
+constexpr double kNodesApart = 75;       ///< centres, at least
+constexpr std::size_t kMaxTried = 6;     ///< children whose every order is tried
+constexpr std::size_t kMaxSwapped = 60;  ///< children whose order is improved by swaps
 
 /// The turning joints as a forest: from the ground, then from the first link that is not reached yet, ...
 struct Forest {
@@ -109,10 +109,10 @@ std::size_t stretch(const std::vector<std::size_t>& order, const Ties& ties) {
 std::vector<std::size_t> calmOrder(std::size_t count, const Ties& ties) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (ties.empty() || count < 3 || count > kMostSwapped) return order;
+  if (ties.empty() || count < 3 || count > kMaxSwapped) return order;
   std::vector<std::size_t> best = order;
   std::size_t least = stretch(best, ties);
-  if (count <= kMostTried) {
+  if (count <= kMaxTried) {
     while (std::next_permutation(order.begin(), order.end())) {
       const std::size_t length = stretch(order, ties);
       if (length >= least) continue;
@@ -262,7 +262,7 @@ NodePositions ttLayout(const Mechanism& mechanism, const TtGraph* graph) {
     for (int v = 0; v < digraph.nodeCount(); ++v) {
       positions[digraph.nodeId(v)] = onGrid(stretch * places[static_cast<std::size_t>(v)]);
     }
-    if (lines.size() > kMostLinesChecked) return true;
+    if (lines.size() > kMaxLinesChecked) return true;
     const TtGraphGeometry geometry = ttGraphGeometry(mechanism, graph, positions);
     return !isCrowded(geometry) && (!wantsClear || isClear(geometry));
   };

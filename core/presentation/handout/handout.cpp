@@ -149,15 +149,15 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   parts.still = base64(train.still);
   std::string note;
   std::size_t bytes = 0;
-  for (const double tolerance : {kFarTolerance, kFarthestTolerance}) {
+  for (const double tolerance : {kFarTolerance, kMaxTolerance}) {
     if (stop.stop_requested()) return std::string();
     if (hasScene) parts.geometry = pageGeometry(train.stage->scene, tolerance);
     parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, stop);
     bytes = parts.bytes() + pageStyle().size() + pageScript().size() + (hasScene ? pageLibrary().size() : 0);
-    if (bytes <= kMostHandoutBytes || !hasScene) break;
+    if (bytes <= kMaxHandoutBytes || !hasScene) break;
     note = translated("The wheels are coarse: finer ones would make the file too large.");
   }
-  if (bytes > kMostHandoutBytes) {
+  if (bytes > kMaxHandoutBytes) {
     return Diagnostic{
         Code::graphics,
         translated("The handout would have %1 MB; a page has at most 3 MB. The largest part: %2.",

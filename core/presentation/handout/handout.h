@@ -13,7 +13,7 @@
 namespace geargraph::inline handout {
 
 /// The largest size of a page in bytes, for learning platforms and e-mail.
-constexpr std::size_t kMostHandoutBytes = 3'000'000;
+constexpr std::size_t kMaxHandoutBytes = 3'000'000;
 
 /// The train in three dimensions.
 struct HandoutTrain {
@@ -37,10 +37,10 @@ enum class HandoutUse { alone, learningPlatform };
 /// and reason of mistakes, and saves files of answers that the program can grade.
 ///
 /// `drawings`: in SVG, whose elements have the attributes data-list and data-id. Coarser solids are used
-/// where the page would be too large, and the page notes it; beyond kMostHandoutBytes it fails with
+/// where the page would be too large, and the page notes it; beyond kMaxHandoutBytes it fails with
 /// `graphics` and the name of the largest part. The result is meaningless if `stop` was requested meanwhile.
 /// Cost: that of the derivation, and of finer solids.
-/// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
+/// @pre the snapshot is complete (analyze()); no more than kMaxReportLinks links
 [[nodiscard]] Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
                                                 const HandoutTrain& train = {},
                                                 HandoutUse use = HandoutUse::alone,

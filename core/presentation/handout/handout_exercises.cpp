@@ -14,7 +14,7 @@
 namespace geargraph::inline handout {
 namespace {
 
-constexpr std::size_t kMostOptions = 24;  ///< that are listed beside a blank
+constexpr std::size_t kMaxOptions = 24;  ///< that are listed beside a blank
 
 std::string blank(std::size_t field, bool beginsPart) {
   return "<td data-field=\"" + std::to_string(field) + "\"" + (beginsPart ? " class=\"part\"" : "") +
@@ -51,10 +51,10 @@ std::string blankTable(const Question& question) {
 
 /// What goes into a blank.
 std::string noteOf(const AnswerField& field) {
-  if (field.options.empty() || field.options.size() > kMostOptions) return {};
+  if (field.options.empty() || field.options.size() > kMaxOptions) return {};
   return field.kind == FieldKind::set
-             ? translated("some of %1", {listed(field.options, kMostOptions)})
-             : translated("one of %1", {listed(field.options, kMostOptions, toTranslate("or"))});
+             ? translated("some of %1", {listed(field.options, kMaxOptions)})
+             : translated("one of %1", {listed(field.options, kMaxOptions, toTranslate("or"))});
 }
 
 /// Blanks with their names, one below the other.

@@ -100,8 +100,8 @@ std::string rowEquation(const Digraph& graph, const CoefficientMatrix& matrix, M
 
 /// What the rows of P say, an equation for each mesh; nothing where they would be a long list.
 std::string rowEquations(const AnalysisSnapshot& snapshot, const CoefficientMatrix& matrix) {
-  constexpr int kMostListed = 100;
-  if (matrix.rows() == 0 || matrix.rows() > kMostListed) return {};
+  constexpr int kMaxListed = 100;
+  if (matrix.rows() == 0 || matrix.rows() > kMaxListed) return {};
   const Digraph& graph = *snapshot.graph;
   std::vector<ReportBlock> blocks{ReportHeading{2, translated("Rows of P times the rates (17)")}};
   for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh)

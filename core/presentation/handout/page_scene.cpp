@@ -12,9 +12,9 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr double kSteps = 65'535;           // of a coordinate
-constexpr double kNormalSteps = 127;        // of half a side of the octahedron
-constexpr std::size_t kMostShort = 65'536;  // vertices that two bytes count
+constexpr double kSteps = 65'535;          // of a coordinate
+constexpr double kNormalSteps = 127;       // of half a side of the octahedron
+constexpr std::size_t kMaxShort = 65'536;  // vertices that two bytes count
 
 class Blocks {
  public:
@@ -55,7 +55,7 @@ void appendSolid(Blocks& blocks, const Solid& solid) {
       blocks.number(static_cast<std::uint32_t>(std::lround(kNormalSteps * side)), 1);
   }
   blocks.endBlock();
-  const int bytes = solid.positions.size() > kMostShort ? 4 : 2;
+  const int bytes = solid.positions.size() > kMaxShort ? 4 : 2;
   for (const Triangle& triangle : solid.triangles) {
     for (const std::uint32_t vertex : triangle) blocks.number(vertex, bytes);
   }

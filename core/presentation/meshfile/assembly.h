@@ -47,7 +47,7 @@ struct Assembly {
   std::vector<std::vector<Eigen::Isometry3d>> frames;  ///< pose of each gear to the base frame
 };
 
-constexpr std::size_t kFewestFrames = 12;
+constexpr std::size_t kMinFrames = 12;
 
 /// The names of the gears' STL files, all different: the gears' names with "-" for characters that file
 /// systems may reject.

@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kLongestReport = 4096;   // bytes that the reader writes about what went wrong
-constexpr std::size_t kLongestSentence = 300;  // characters of it that are shown
+constexpr std::size_t kMaxReport = 4096;         // bytes that the reader writes about what went wrong
+constexpr std::size_t kMaxSentenceLength = 300;  // characters of it that are shown
 
 MeshFileError rejected(const std::string& why, MeshFileError::Kind kind = MeshFileError::Kind::file) {
   return {kind, why};
@@ -34,7 +34,7 @@ MeshFileError tooSlow(const ForeignLimits& limits) {
 std::string sentenceOf(std::string_view report) {
   std::string sentence;
   std::size_t characters = 0;
-  for (std::size_t i = 0; i < report.size() && characters < kLongestSentence; ++characters) {
+  for (std::size_t i = 0; i < report.size() && characters < kMaxSentenceLength; ++characters) {
     const std::size_t length = utf8Length(report, i);
     const auto first = static_cast<unsigned char>(report[i]);
     const bool isShown = length > 1 ? first != 0xC2 || static_cast<unsigned char>(report[i + 1]) >= 0xA0
@@ -46,7 +46,7 @@ std::string sentenceOf(std::string_view report) {
     }
     i += std::max<std::size_t>(length, 1);
   }
-  if (characters == kLongestSentence) sentence += "...";
+  if (characters == kMaxSentenceLength) sentence += "...";
   return sentence;
 }
 
@@ -133,7 +133,7 @@ std::variant<Solid, MeshFileError> readForeignMesh(const fs::path& reader, const
   child.mostInput = limits.mostBytes;
   // A triangle has at most three vertices of its own.
   child.mostOutput = 64 + limits.mostTriangles * (6 * sizeof(Float3) + sizeof(Triangle));
-  child.mostErrors = kLongestReport;
+  child.mostErrors = kMaxReport;
   child.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(limits.mostSeconds));
   const ChildResult result = runChild(child, stop);

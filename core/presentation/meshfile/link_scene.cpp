@@ -48,7 +48,7 @@ std::variant<Period, MeshFileError> boundedOf(const UniformMotion& motion) {
     period.rates.push_back(rate.toDouble());
     keys += std::abs(period.rates.back()) * ofMotion * 2 / std::numbers::pi + 4;
   }
-  if (keys <= static_cast<double>(kMostKeys)) return period;
+  if (keys <= static_cast<double>(kMaxKeys)) return period;
   return MeshFileError{MeshFileError::Kind::limit,
                        translated("The motion is too fast for an animation that long.")};
 }
@@ -80,7 +80,7 @@ std::variant<Period, MeshFileError> periodOf(const UniformMotion& motion) {
   for (const Rational& rate : motion.rates) {
     const double quarters = 4 * (rate * *turns).toDouble();
     keys += std::abs(quarters) + 1;
-    if (!(keys <= static_cast<double>(kMostKeys))) return tooLong(*turns);
+    if (!(keys <= static_cast<double>(kMaxKeys))) return tooLong(*turns);
     period.quarters.push_back(std::llround(quarters));  // whole already, and small
   }
   period.seconds = motion.seconds.value_or(2 * std::numbers::pi * turns->toDouble());

@@ -35,7 +35,7 @@ struct UniformMotion {
 };
 
 /// The most rotation keys of an animation. Tooth counts without common factors have long periods.
-constexpr std::size_t kMostKeys = 1'000'000;
+constexpr std::size_t kMaxKeys = 1'000'000;
 
 /// The tree of links as nodes, each with its parts below it, in the reference pose. A link's frame has its
 /// origin on the line of its joint and is parallel to the base frame, so that motion is rotation only. With a
@@ -44,7 +44,7 @@ constexpr std::size_t kMostKeys = 1'000'000;
 ///
 /// Nodes and materials have the names of the links, "link 3" for a link without a name; parts have their own.
 /// Identity: worldPosesAt() of a part is the pose of its link by ForwardKinematics times the part's own.
-/// Fails with `limit` where a period, the stretch or the range takes more than kMostKeys keys; the message
+/// Fails with `limit` where a period, the stretch or the range takes more than kMaxKeys keys; the message
 /// says how many turns a period has. Cost: O(links + parts + keys).
 [[nodiscard]] std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
                                                                const std::optional<UniformMotion>& motion);

@@ -8,7 +8,7 @@ namespace geargraph::inline meshfile {
 
 struct MeshReadLimits {
   std::size_t mostBytes = std::size_t{512} << 20U;
-  std::size_t mostTriangles = kMostTriangles;
+  std::size_t mostTriangles = kMaxTriangles;
   std::size_t mostNodes = 100'000;
 };
 

@@ -28,12 +28,12 @@ struct MeshFileError {
 /// Called with the fraction done, increasing from 0 to 1, on the caller's thread.
 using Progress = std::function<void(double)>;
 
-constexpr std::size_t kMostTriangles = 10'000'000;
+constexpr std::size_t kMaxTriangles = 10'000'000;
 
 struct MeshWriteOptions {
   Progress progress;
   std::stop_token stop;
-  std::size_t mostTriangles = kMostTriangles;
+  std::size_t mostTriangles = kMaxTriangles;
 };
 
 /// A file in memory. OBJ has two, the second with the materials.

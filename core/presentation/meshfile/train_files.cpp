@@ -131,7 +131,7 @@ std::vector<double> pitchRates(const PlacedTrain& placed, std::span<const Ration
 
 Expected<Assembly> assemblyOf(const PlacedTrain& placed, GearCache& cache, double tolerance,
                               std::span<const std::vector<Rational>> motions, std::size_t frames) {
-  GEARGRAPH_REQUIRE(frames >= kFewestFrames);
+  GEARGRAPH_REQUIRE(frames >= kMinFrames);
   Assembly assembly;
   assembly.unit = placed.mechanism.unit;
   Diagnostics failures;

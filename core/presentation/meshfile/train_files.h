@@ -40,7 +40,7 @@ struct PlacedTrain {
 /// The assembly export of a train: all gears, plain below their teeth so that bore and width describe them,
 /// and `frames` poses in uniform motion (frameTimes()). Of several motions, each the rates of all joints, the
 /// first one that moves the most meshes is used. Fails if a gear cannot be made.
-/// @pre frames >= kFewestFrames, at least one motion
+/// @pre frames >= kMinFrames, at least one motion
 [[nodiscard]] Expected<Assembly> assemblyOf(const PlacedTrain& placed, GearCache& cache, double tolerance,
                                             std::span<const std::vector<Rational>> motions,
                                             std::size_t frames);

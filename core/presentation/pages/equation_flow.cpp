@@ -14,7 +14,7 @@ constexpr double kGapOfLines = 0.45;     // em, between the lines of one equatio
 constexpr double kGapOfParts = 1;        // em, between the parts of a matrix
 constexpr double kTallLine = 4;          // em: nothing but a matrix is as tall
 constexpr double kLeastUnbroken = 0.75;  // smaller than this a formula is broken first
-constexpr std::size_t kMostKept = 12;    // lines of an equation that stay on one page
+constexpr std::size_t kMaxKept = 12;     // lines of an equation that stay on one page
 
 double widthOf(const Lines& lines) {
   double width = 0;
@@ -117,14 +117,14 @@ std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const Rep
     line.height = ascent + descent;
     line.formulas.push_back({fit.lines[i].box, x, ascent, em});
     line.element = elementOf(equation, fit.lines[i].row);
-    const bool kept = fit.lines.size() <= kMostKept || i == 0 || i + 2 == fit.lines.size();
+    const bool kept = fit.lines.size() <= kMaxKept || i == 0 || i + 2 == fit.lines.size();
     line.keepsWithNext = kept && i + 1 < fit.lines.size();
     lines.push_back(std::move(line));
   }
   if (number.empty()) return lines;
-  const std::size_t at = lines.size() <= kMostKept ? (lines.size() - 1) / 2 : lines.size() - 1;
+  const std::size_t at = lines.size() <= kMaxKept ? (lines.size() - 1) / 2 : lines.size() - 1;
   double y = lines[at].formulas.front().y;
-  if (lines.size() <= kMostKept && lines.size() % 2 == 0) y += (lines[at].height + kGapOfLines * em) / 2;
+  if (lines.size() <= kMaxKept && lines.size() % 2 == 0) y += (lines[at].height + kGapOfLines * em) / 2;
   lines[at].words.push_back({number, flow.width - numberWidth, y, numberStyle});
   return lines;
 }

@@ -14,7 +14,7 @@ constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kHalfOpening = 13.0 * std::numbers::pi / 180;  // vertical
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kNearest = 1e-3;
-constexpr double kFarthest = 1e7;
+constexpr double kMaxDistance = 1e7;
 
 /// The lowest eye position along the line of sight that sees all points between two mirrored planes of slope
 /// `slope`, and where across it stands: x_i - x <= slope (z_i - z) and the same mirrored.
@@ -78,7 +78,7 @@ Camera Camera::placedAt(const Eigen::Vector3d& target, double distance) const {
   GEARGRAPH_REQUIRE(distance > 0);
   Camera camera = *this;
   camera.m_target = target;
-  camera.m_distance = std::clamp(distance, kNearest, kFarthest);
+  camera.m_distance = std::clamp(distance, kNearest, kMaxDistance);
   return camera;
 }
 
@@ -113,7 +113,7 @@ Camera Camera::panned(double pixelsRight, double pixelsDown, const Viewport& vie
 Camera Camera::zoomed(double factor, const Eigen::Vector3d& fixed) const {
   GEARGRAPH_REQUIRE(factor > 0);
   Camera next = *this;
-  next.m_distance = std::clamp(m_distance / factor, kNearest, kFarthest);
+  next.m_distance = std::clamp(m_distance / factor, kNearest, kMaxDistance);
   const double shrink = next.m_distance / m_distance;
   next.m_target = fixed + shrink * (m_target - fixed);
   return next;
@@ -137,7 +137,7 @@ Camera Camera::fitted(std::span<const Eigen::Vector3d> points, const Viewport& v
   const double eyeAlong = std::min(rightward.along(slopeRight), upward.along(slopeUp));
   const double middle = (nearest + farthest) / 2;
   Camera next = *this;
-  next.m_distance = std::clamp(middle - eyeAlong, kNearest, kFarthest);
+  next.m_distance = std::clamp(middle - eyeAlong, kNearest, kMaxDistance);
   next.m_target = rightward.across() * aside + upward.across() * above + middle * ahead;
   return next;
 }

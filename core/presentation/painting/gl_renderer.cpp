@@ -21,7 +21,7 @@ constexpr float kCoveredMark = 0.25F;       // how much of a line is seen throug
 constexpr double kHaloReach = 4;            // logical pixels, and one more
 /// Samples of a picture that may be stopped that are painted at a time: a rasterizer in software takes some
 /// 30 ms to get memory for their colours, to clear and to resolve them, which cannot be stopped.
-constexpr std::size_t kMostStripSamples = 4'000'000;
+constexpr std::size_t kMaxStripSamples = 4'000'000;
 constexpr double kHatches = 90;          // lines across the scene
 constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
@@ -362,8 +362,8 @@ Image GlRenderer::picture(const Frame& frame) {
   const auto [width, height] = cut.viewport;
   const auto samplesOfRow = static_cast<std::size_t>(width) * static_cast<std::size_t>(samplesOf(cut));
   const bool isInStrips =
-      frame.stop.stop_possible() && samplesOfRow * static_cast<std::size_t>(height) > kMostStripSamples;
-  const int rows = isInStrips ? std::max(1, static_cast<int>(kMostStripSamples / samplesOfRow)) : height;
+      frame.stop.stop_possible() && samplesOfRow * static_cast<std::size_t>(height) > kMaxStripSamples;
+  const int rows = isInStrips ? std::max(1, static_cast<int>(kMaxStripSamples / samplesOfRow)) : height;
   const auto bytesOfRow = 4 * static_cast<std::size_t>(width);
   Image image{width, height, {}};
   image.rgba.reserve(bytesOfRow * static_cast<std::size_t>(height));

@@ -172,7 +172,7 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, V
 
 /// A picture that can be stopped waits for the driver after this many indices: queued work cannot be
 /// cancelled, and a software rasterizer takes some 50 ms for them.
-constexpr std::size_t kMostQueuedIndices = 250'000;
+constexpr std::size_t kMaxQueuedIndices = 250'000;
 
 // Batches are in the order of the scene, not of addresses, so that the same scene gives the same picture.
 template <class InstanceData>
@@ -196,12 +196,12 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Visibi
     if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
     while (!rest.empty() && !frame.stop.stop_requested()) {
       const std::size_t fitting =
-          frame.stop.stop_possible() ? (kMostQueuedIndices - queued) / each : rest.size();
+          frame.stop.stop_possible() ? (kMaxQueuedIndices - queued) / each : rest.size();
       const std::size_t count = std::clamp<std::size_t>(fitting, 1, rest.size());
       m_passes.draw(*batch.solid, part, rest.first(count));
       rest = rest.subspan(count);
       queued += each * count;
-      if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
+      if (!frame.stop.stop_possible() || queued < kMaxQueuedIndices) continue;
       m_gl->Finish();
       if (frame.pause) frame.pause();
       queued = 0;

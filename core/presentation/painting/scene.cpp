@@ -66,8 +66,8 @@ struct Directions {
 
 std::size_t outlineSamples(const Scene& scene) {
   // Among hundreds of solids each is a small part of the picture.
-  constexpr std::size_t kMostSamples = std::size_t{1} << 18U;
-  return std::clamp(kMostSamples / std::max(scene.solids.size(), std::size_t{1}), std::size_t{64},
+  constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;
+  return std::clamp(kMaxSamples / std::max(scene.solids.size(), std::size_t{1}), std::size_t{64},
                     std::size_t{4096});
 }
 

@@ -23,11 +23,11 @@ Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& pictu
   const double scale = picture.style.size ? picture.style.size->width / (2 * sheet.halfWidth) : picture.scale;
   const double width = std::round(2 * sheet.halfWidth * scale);
   const double height = std::round(2 * sheet.halfHeight * scale);
-  if (!(std::max(width, height) <= kMostDrawingPixels)) {
+  if (!(std::max(width, height) <= kMaxDrawingPixels)) {
     return failure(
         translated("The picture would be more than %1 pixels wide or high: give it a smaller size, or "
                    "write SVG or PDF.",
-                   {std::to_string(kMostDrawingPixels)}));
+                   {std::to_string(kMaxDrawingPixels)}));
   }
   CairoSurface surface =
       CairoSurface::image(static_cast<int>(std::max(width, 1.0)), static_cast<int>(std::max(height, 1.0)));
@@ -38,13 +38,13 @@ Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& pictu
 }
 
 Expected<std::string> pdfOf(const DisplayList& list, const DrawingPicture& picture) {
-  constexpr double kPoints = 0.75;         // a CSS pixel
-  constexpr double kLongestPage = 14'400;  // points: what readers take
+  constexpr double kPoints = 0.75;           // a CSS pixel
+  constexpr double kMaxPageLength = 14'400;  // points: what readers take
   const Extent sheet = sheetOf(list, picture.style);
   double scale = kPoints;
   if (picture.style.size) scale *= picture.style.size->width / (2 * sheet.halfWidth);
   const double longest = 2 * std::max(sheet.halfWidth, sheet.halfHeight);
-  scale = std::min(scale, kLongestPage / longest);
+  scale = std::min(scale, kMaxPageLength / longest);
   CairoSurface surface =
       CairoSurface::pdf(2 * sheet.halfWidth * scale, 2 * sheet.halfHeight * scale, picture.title);
   surface.play(list, sheet, scale, picture.style);

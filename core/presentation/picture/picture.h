@@ -20,7 +20,7 @@ enum class PictureForm { svg, pdf, png };
 [[nodiscard]] std::optional<PictureForm> pictureFormFromName(std::string_view name);
 
 /// Longest side of a PNG; an SVG or PDF may be as large as its drawing.
-constexpr int kMostDrawingPixels = 16'384;
+constexpr int kMaxDrawingPixels = 16'384;
 
 /// Paints a drawing over an image (red, green, blue, straight alpha), with `scale` pixels per unit, from its
 /// upper left corner. False if memory is exhausted.
@@ -36,7 +36,7 @@ struct DrawingPicture {
 };
 
 /// The bytes of the file. The drawing's unit is a CSS pixel, three quarters of a point in PDF. Fails with
-/// `graphics` if a PNG would be larger than kMostDrawingPixels or memory is exhausted.
+/// `graphics` if a PNG would be larger than kMaxDrawingPixels or memory is exhausted.
 /// Cost: linear in the marks, for PNG in the pixels too.
 [[nodiscard]] Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture);
 

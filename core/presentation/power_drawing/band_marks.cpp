@@ -190,8 +190,8 @@ void BandPainter::label(const Band& band) {
   const std::string part = band.isKnown ? shareText(m_picture, band.power) : std::string();
   const std::string value = flowText(band.power, band.isKnown, band.isAssumed);
   const double gap = (band.isKnown ? widthOf(band.power) : kHairline) / 2 + 4;
-  constexpr std::size_t kMostPieces = 14;
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i) {
+  constexpr std::size_t kMaxPieces = 14;
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMaxPieces); ++i) {
     const SheetPoint way = unit(pieces[i].to - pieces[i].from);
     for (const double t : {0.5, 0.3, 0.7, 0.15, 0.85})
       if (place(band.element, between(pieces[i].from, pieces[i].to, t), way, gap, value, part)) return;

@@ -12,7 +12,7 @@
 namespace geargraph::inline power_drawing {
 namespace {
 
-constexpr std::size_t kMostLoopsNamed = 3;
+constexpr std::size_t kMaxLoopsNamed = 3;
 
 std::string percentText(double part) {
   std::array<char, 32> buffer{};
@@ -23,8 +23,8 @@ std::string percentText(double part) {
 std::string labels(const std::vector<int>& numbers) {
   std::vector<std::string> names;
   for (const int number : numbers) names.push_back(std::to_string(number));
-  constexpr std::size_t kMostNames = 12;
-  return listed(names, kMostNames);
+  constexpr std::size_t kMaxNames = 12;
+  return listed(names, kMaxNames);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::vector<LegendLine> powerLegend(const PowerPicture& picture, double largest,
                    picture.observer == 0
                        ? base::translated("seen from the ground")
                        : base::translated("seen from link %1", {std::to_string(picture.observer)})});
-  for (std::size_t i = 0; i < std::min(picture.loops.size(), kMostLoopsNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(picture.loops.size(), kMaxLoopsNamed); ++i) {
     const DrawnLoop& loop = picture.loops[i];
     lines.push_back(
         {Mark::circulating, powerText(loop.power),

@@ -146,11 +146,11 @@ class ChipDrawer {
     constexpr double kGap = 4;
     constexpr double kStep = 6;
     constexpr double kNearest = 18;
-    constexpr double kFarthest = 400;
+    constexpr double kMaxDistance = 400;
     constexpr double kCrossing = 60;  // px of way that a crossed text is worth
     Extent best = size;
-    best.center = anchor - SheetPoint{0, kFarthest + size.halfHeight};
-    double least = kFarthest;
+    best.center = anchor - SheetPoint{0, kMaxDistance + size.halfHeight};
+    double least = kMaxDistance;
     for (double away = kNearest; away < least; away += kStep) {
       for (int i = 0; i < kDirections; ++i) {
         const double angle = 2 * M_PI * i / kDirections - M_PI / 2;

@@ -56,7 +56,7 @@ class ComparisonPart : private ReportPart {
         "equation with both circuits put in, times $N_{tail} / N_{head}$."));
     int listed = 0;
     for (const ComparedMesh& mesh : comparison.perMesh) {
-      if (isStopped() || ++listed > kMostListed) return;
+      if (isStopped() || ++listed > kMaxListed) return;
       equation(texLines({row(mesh, true), row(mesh, false)}), std::nullopt,
                {m_snapshot.mechanism->gearMeshes[mesh.mesh].id});
     }

@@ -130,7 +130,7 @@ class DigraphPart : private ReportPart {
   void matrix(MatrixKind kind, const std::string& symbol, const std::string& text) {
     const IntegerMatrixPtr& matrix = m_snapshot.matrix(kind);
     if (matrix == nullptr || matrix->rows() == 0 || matrix->columns() == 0) return;
-    if (matrix->rows() > kMostReportRows || matrix->columns() > kMostReportColumns) {
+    if (matrix->rows() > kMaxReportRows || matrix->columns() > kMaxReportColumns) {
       return paragraph(text + ' ' +
                        tooManyEntries(matrix->rows(), matrix->columns(), matrixCommandName(kind)));
     }

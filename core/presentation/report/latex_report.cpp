@@ -20,7 +20,7 @@ constexpr std::string_view kBegin = R"(\documentclass[a4paper,10pt]{article}
 \allowdisplaybreaks
 )";
 
-constexpr int kMostColumnsInFullSize = 18;  // of an A4 page
+constexpr int kMaxColumnsInFullSize = 18;  // of an A4 page
 
 /// Of the widest line of an array. Cost: its length.
 int columnsOf(std::string_view tex) {
@@ -93,7 +93,7 @@ struct LatexWriter {
   }
   std::string operator()(const ReportParagraph& paragraph) const { return words(paragraph.words) + "\n"; }
   std::string operator()(const ReportEquation& equation) const {
-    const bool wide = columnsOf(equation.tex) > kMostColumnsInFullSize;
+    const bool wide = columnsOf(equation.tex) > kMaxColumnsInFullSize;
     const std::string tag = equation.number ? " \\tag{" + equation.label() + "}" : "";
     return std::string(wide ? "{\\scriptsize" : "") + "\\begin{equation*}\n" + equation.tex + tag +
            "\n\\end{equation*}" + (wide ? "}" : "") + "\n";

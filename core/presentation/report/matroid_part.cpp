@@ -50,8 +50,8 @@ class MatroidPart : private ReportPart {
     return table ? table : quantityTable(m_pointer, kind, EntryForm::decimals);
   }
   static bool fits(const QuantityTable& table) {
-    return table.rows() > 0 && table.rows() <= kMostReportRows && table.columns() > 0 &&
-           table.columns() <= kMostReportColumns;
+    return table.rows() > 0 && table.rows() <= kMaxReportRows && table.columns() > 0 &&
+           table.columns() <= kMaxReportColumns;
   }
   void addTable(const QuantityTablePtr& table, const std::string& before, const std::string& after,
                 std::optional<int> number) {
@@ -154,7 +154,7 @@ class MatroidPart : private ReportPart {
                                    m_snapshot.kinematics->placement());
     std::vector<std::string> lines;
     std::vector<ElementId> meshes;
-    for (MeshOrdinal mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_graph.c() && mesh < kMaxListed; ++mesh) {
       const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[mesh];
       meshes.emplace_back(teeth.id);
       const DigraphEdge& gears = m_graph.meshEdge(mesh);
@@ -309,7 +309,7 @@ class MatroidPart : private ReportPart {
   void addRates() {
     if (!m_snapshot.solved || !m_snapshot.solved->exact) return;
     const ExactSolution& exact = *m_snapshot.solved->exact;
-    if (exact.outputs.size() > static_cast<std::size_t>(kMostListed)) return;
+    if (exact.outputs.size() > static_cast<std::size_t>(kMaxListed)) return;
     const auto lines = [&](const std::vector<int>& joints) {
       std::vector<std::string> texts;
       for (const JointOrdinal joint : joints) {

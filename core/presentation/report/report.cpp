@@ -25,7 +25,7 @@ std::string reportTitle(const Mechanism& mechanism) {
 
 Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(snapshot->isComplete);
-  GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
+  GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMaxReportLinks);
   Report report;
   report.title = reportTitle(*snapshot->mechanism);
   addDiagnostics(report, *snapshot);

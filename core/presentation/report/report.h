@@ -74,7 +74,7 @@ struct Report {
 };
 
 /// With more links a report would have thousands of pages.
-constexpr int kMostReportLinks = 200;
+constexpr int kMaxReportLinks = 200;
 
 /// The heading of the part that compares the methods, to be translated; none without a solution.
 inline constexpr const char* kComparisonHeading = toTranslate("Both methods compared");
@@ -85,7 +85,7 @@ inline constexpr const char* kComparisonHeading = toTranslate("Both methods comp
 /// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
 /// error of the geometry the digraph's matrices, and so on; the diagnostics explain what is missing. The
 /// result is meaningless if `stop` was requested meanwhile. Cost: that of the matrices' entries.
-/// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
+/// @pre the snapshot is complete (analyze()); no more than kMaxReportLinks links
 [[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop = {});
 
 /// The drawings in SVG; empty ones are left out.

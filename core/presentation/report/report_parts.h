@@ -8,7 +8,7 @@ namespace geargraph::inline report {
 // The parts of a report, each as far as the snapshot allows; meaningless if `stop` was requested meanwhile.
 
 /// The longest list of equations, with one per joint, mesh or step.
-constexpr int kMostListed = 100;
+constexpr int kMaxListed = 100;
 
 /// The mechanism itself, its digraph and the matrices of whole numbers, Eqs. (1)-(5).
 void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot);

@@ -20,8 +20,8 @@ namespace geargraph::inline report {
 
 /// Columns and rows of the largest matrix that is printed; for others the report says where they are
 /// available.
-constexpr int kMostReportColumns = 40;
-constexpr int kMostReportRows = 80;
+constexpr int kMaxReportColumns = 40;
+constexpr int kMaxReportRows = 80;
 
 /// A column vector of names in parentheses.
 [[nodiscard]] std::string texColumn(const std::vector<std::string>& names);

@@ -111,7 +111,7 @@ class StaticsPart : private ReportPart {
         "column of $P$; forces along the line of centres or along an axis do no work and are in no "
         "equation:"));
     dualEquation("P \\, \\dot{\\theta}_t = 0 \\quad (17) , \\quad \\tau + \\ell = P^T F", 17);
-    if (m_graph.t() > kMostListed) {
+    if (m_graph.t() > kMaxListed) {
       return paragraph(translated(
           "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them."));
     }
@@ -143,7 +143,7 @@ class StaticsPart : private ReportPart {
         "\\dot{\\theta}_r = K_r \\, \\dot{\\theta}_E \\quad (23) , \\quad \\tau_E = -K_r^T \\, \\tau_r", 23);
     const TorqueMatrix& matrix = *m_statics.matrix;
     const std::size_t columns = matrix.loaded.size();
-    if (columns == 0 || columns > kMostReportColumns || m_statics.balancedJoints.size() > kMostReportRows)
+    if (columns == 0 || columns > kMaxReportColumns || m_statics.balancedJoints.size() > kMaxReportRows)
       return;
     const std::string left = torqueColumn(m_statics.balancedJoints) + " =\n";
     const std::string right = " " + torqueColumn(matrix.loaded);
@@ -178,7 +178,7 @@ class StaticsPart : private ReportPart {
     for (std::size_t part = 0; part < m_statics.held.size(); ++part) {
       const int balance = m_statics.held[part].balance;
       const auto unknown = static_cast<std::size_t>(m_model.c()) + part;
-      if (balance < 0 || static_cast<int>(lines.size()) >= kMostListed) continue;
+      if (balance < 0 || static_cast<int>(lines.size()) >= kMaxListed) continue;
       const TorquePlace& place = m_statics.problem.balances[static_cast<std::size_t>(balance)];
       if (!place.inJoint() || m_statics.lossless.determined[unknown] == 0) continue;
       lines.push_back(torque(place.joint) + " = " + number(m_statics.lossless.values[unknown]));
@@ -195,7 +195,7 @@ class StaticsPart : private ReportPart {
   void addForces() {
     std::vector<std::string> lines;
     std::vector<ElementId> elements;
-    for (MeshOrdinal mesh = 0; mesh < m_model.c() && mesh < kMostListed; ++mesh) {
+    for (MeshOrdinal mesh = 0; mesh < m_model.c() && mesh < kMaxListed; ++mesh) {
       if (m_statics.forces.meshes.empty() || !m_statics.lossless.isDetermined(mesh)) continue;
       lines.push_back(force(mesh) + " = " +
                       spokenTexNumber(shortDecimal(m_statics.forces.meshes[mesh].tangential)));
@@ -220,7 +220,7 @@ class StaticsPart : private ReportPart {
     heading(2, toTranslate("The same by the T-T graph"));
     const EquationNumbers numbers(m_ttGraph, 0);
     const std::vector<RatioNames> names = ratioNames(m_graph);
-    if (m_graph.c() > kMostListed || m_graph.t() > kMostListed || m_graph.c() == 0) return;
+    if (m_graph.c() > kMaxListed || m_graph.t() > kMaxListed || m_graph.c() == 0) return;
     paragraph(translated(
         "A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in "
         "the inverse ratio of their speeds:"));
@@ -258,7 +258,7 @@ class StaticsPart : private ReportPart {
   void addCutsetMatrices() {
     const IntegerMatrixPtr& q = m_snapshot.matrix(MatrixKind::cutset);
     const int columns = m_graph.t() + 2 * m_graph.c();
-    if (!q || columns > kMostReportColumns || m_graph.t() > kMostReportRows) return;
+    if (!q || columns > kMaxReportColumns || m_graph.t() > kMaxReportRows) return;
     std::vector<std::string> torques;
     std::vector<std::vector<std::string>> rows(static_cast<std::size_t>(m_graph.t()));
     for (JointOrdinal joint = 0; joint < m_graph.t(); ++joint) {
@@ -302,7 +302,7 @@ class StaticsPart : private ReportPart {
         "terminal equation of its mesh the other torque."));
     int place = 0;
     for (const TtStaticStep& step : torques->steps) {
-      if (isStopped() || place >= kMostListed) return;
+      if (isStopped() || place >= kMaxListed) return;
       const std::string by =
           step.joint < 0 ? "" : " \\quad (" + std::to_string(firstCutset + step.joint) + "^*)";
       if (step.mesh >= 0) {

@@ -159,8 +159,8 @@ class TtGraphPart : private ReportPart {
   /// Eqs. (43)-(45).
   void addMatrices() {
     const SubstitutionPlan& plan = solved().ttPlan;
-    if (plan.inputs.empty() || plan.outputs.size() > static_cast<std::size_t>(kMostReportRows) ||
-        plan.inputs.size() > static_cast<std::size_t>(kMostReportColumns)) {
+    if (plan.inputs.empty() || plan.outputs.size() > static_cast<std::size_t>(kMaxReportRows) ||
+        plan.inputs.size() > static_cast<std::size_t>(kMaxReportColumns)) {
       return;
     }
     const EquationNumbers numbers(m_graph, unknowns());

@@ -136,7 +136,7 @@ class AnalysisJson {
 
   /// Too large to be written with all its zeros.
   [[nodiscard]] bool isTooLarge(int rows, int columns) const {
-    return !m_options.dense && static_cast<long long>(rows) * columns > kMostEntries;
+    return !m_options.dense && static_cast<long long>(rows) * columns > kMaxEntries;
   }
 
   void integerMatrix(const IntegerMatrix& matrix) {

@@ -6,7 +6,7 @@
 namespace geargraph::inline results {
 
 /// Matrices of more entries than this are written as triplets, unless `dense` is asked for.
-constexpr long long kMostEntries = 250'000;
+constexpr long long kMaxEntries = 250'000;
 
 struct AnalysisJsonOptions {
   bool dense = false;    ///< all entries, of matrices of any size

@@ -40,10 +40,10 @@ Float3 colourOfLink(int label) {
 /// None where gears that fine, or any at all, are within the limit.
 std::optional<ExportFailure> tooManyTriangles(const GearTrain& train, double tolerance) {
   const double triangles = expectedTriangles(train, tolerance);
-  if (triangles <= static_cast<double>(kMostTriangles)) return std::nullopt;
+  if (triangles <= static_cast<double>(kMaxTriangles)) return std::nullopt;
   return ExportFailure{Kind::triangles, translated("About %1 triangles are more than the limit of %2",
                                                    {std::to_string(static_cast<long long>(triangles)),
-                                                    std::to_string(kMostTriangles)})};
+                                                    std::to_string(kMaxTriangles)})};
 }
 
 /// The solids of a train at the tolerance chosen, and that tolerance.
@@ -51,18 +51,17 @@ std::pair<TrainParts, double> fittingParts(const ExportTrain& from, const Solids
                                            const std::stop_token& stop) {
   std::vector<double> tolerances{choice.tolerance.value_or(kExportTolerance)};
   if (!choice.tolerance)
-    tolerances.insert(tolerances.end(),
-                      {kScreenTolerance, kFarTolerance, kFarthestTolerance, kCoarsestTolerance});
+    tolerances.insert(tolerances.end(), {kScreenTolerance, kFarTolerance, kMaxTolerance, kCoarsestTolerance});
   std::pair<TrainParts, double> made;
   for (const double each : tolerances) {
     const bool isLast = each == tolerances.back();
-    if (!isLast && expectedTriangles(from.train, each) > static_cast<double>(kMostTriangles)) continue;
+    if (!isLast && expectedTriangles(from.train, each) > static_cast<double>(kMaxTriangles)) continue;
     made = {};  // before the next are made: they take most of the memory
     GearCache cache;
     made = {trainParts(from.mechanism(), from.train, cache, each, stop), each};
     std::size_t triangles = 0;
     for (const LinkPart& part : made.first.parts) triangles += part.solid->triangles.size();
-    if (isLast || triangles <= kMostTriangles || stop.stop_requested()) break;
+    if (isLast || triangles <= kMaxTriangles || stop.stop_requested()) break;
   }
   return made;
 }

@@ -88,8 +88,8 @@ struct TrainSolids {
 constexpr double kFinestTolerance = 1e-4;  ///< modules
 constexpr double kCoarsestTolerance = 0.2;
 constexpr double kShortestAnimation = 1e-3;  ///< s
-constexpr double kLongestAnimation = 1e6;
+constexpr double kMaxAnimation = 1e6;
 constexpr double kStretch = 60;  ///< s of a motion whose period is too long
-constexpr std::size_t kMostAssemblyFrames = 10'000;
+constexpr std::size_t kMaxAssemblyFrames = 10'000;
 
 }  // namespace geargraph::inline results

@@ -154,7 +154,7 @@ class CouplingPlacer {
   /// Two parallel lines with nothing between them.
   bool addFacing(int one, int other) {
     constexpr double kNearest = 16;
-    constexpr double kFarthest = 140;
+    constexpr double kMaxDistance = 140;
     Plates best;
     double gap = 0;
     for (const LinkLine& a : m_section.lines) {
@@ -163,7 +163,7 @@ class CouplingPlacer {
       for (const LinkLine& b : m_section.lines) {
         if (b.link != other || std::abs(dot(unit(b.to - b.from), turned(along))) > 1e-3) continue;
         const double away = dot(b.from - a.from, turned(along));
-        if (std::abs(away) < kNearest || std::abs(away) > std::min(kFarthest, best.cost)) continue;
+        if (std::abs(away) < kNearest || std::abs(away) > std::min(kMaxDistance, best.cost)) continue;
         const SheetPoint way = (away < 0 ? -1.0 : 1.0) * turned(along);
         const double b0 = dot(b.from - a.from, along);
         const double b1 = dot(b.to - a.from, along);
@@ -186,7 +186,7 @@ class CouplingPlacer {
 
   /// The second plate of the cheapest place on an arm of its link.
   void addRoundabout(int one, int other) {
-    constexpr std::size_t kMostTried = 10;
+    constexpr std::size_t kMaxTried = 10;
     struct Found {
       int holder = 0;
       int reacher = 0;
@@ -197,7 +197,7 @@ class CouplingPlacer {
     double least = 1e300;
     m_lanes.follow(m_section.lines);
     for (const auto& [holder, reacher] : {std::pair(one, other), std::pair(other, one)}) {
-      const std::vector<Plates> places = placesAt(holder, kBeyondPlate, kMostTried);
+      const std::vector<Plates> places = placesAt(holder, kBeyondPlate, kMaxTried);
       std::vector<SheetPoint> ends;
       std::vector<double> prices;
       for (const Plates& plates : places) {

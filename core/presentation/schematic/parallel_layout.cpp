@@ -176,7 +176,7 @@ class Roller {
 double scaleFor(const RadialSystem& system) {
   constexpr double kSheetHeight = 260;
   constexpr double kLeastRadius = 20;
-  constexpr double kMostHeight = 1500;
+  constexpr double kMaxHeight = 1500;
   double low = 0;
   double high = 0;
   double least = 1e300;
@@ -191,7 +191,7 @@ double scaleFor(const RadialSystem& system) {
   }
   const double extent = std::max(high - low, 1e-9);
   if (system.wheels.empty()) return high - low > 0 ? std::min(4.0, kSheetHeight / extent) : 3;
-  return std::min(std::max(kSheetHeight / extent, kLeastRadius / least), kMostHeight / extent);
+  return std::min(std::max(kSheetHeight / extent, kLeastRadius / least), kMaxHeight / extent);
 }
 
 /// Rolls out; axes whose wheels cannot touch after all are placed once more, out of each other's way.

@@ -88,7 +88,7 @@ void RadialSystem::settle(const std::stop_token& stop) {
     if (contact.kept && !fits(contact)) missing.push_back(&contact);
   }
   while (!missing.empty() && !stop.stop_requested()) {
-    if (wheels.size() <= kMostWheels && trySolve()) return;
+    if (wheels.size() <= kMaxWheels && trySolve()) return;
     missing.back()->kept = false;
     missing.pop_back();
   }

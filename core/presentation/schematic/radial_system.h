@@ -27,10 +27,10 @@ struct RadialSystem {
   /// Finds heights and radii for which wheels in mesh touch: the given ones if they fit, else those with the
   /// least sum of squared relative changes of the radii. Contacts that would shrink a wheel to a quarter are
   /// dropped, the last ones first. Cost: cubic in axes + wheels + contacts if they do not fit; beyond
-  /// kMostWheels contacts are dropped. The result is meaningless if `stop` was requested meanwhile.
+  /// kMaxWheels contacts are dropped. The result is meaningless if `stop` was requested meanwhile.
   void settle(const std::stop_token& stop = {});
 
-  static constexpr std::size_t kMostWheels = 150;
+  static constexpr std::size_t kMaxWheels = 150;
 
  private:
   [[nodiscard]] double error(const Contact& contact) const;

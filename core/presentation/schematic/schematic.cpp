@@ -47,7 +47,7 @@ SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_
 
 SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::stop_token& stop) {
   SchematicGeometry geometry;
-  geometry.isTooLarge = document.mechanism().links.size() > kMostDrawnLinks;
+  geometry.isTooLarge = document.mechanism().links.size() > kMaxDrawnLinks;
   if (geometry.isTooLarge) return geometry;
   const DrawnPart part = drawnPart(document.placed());
   const std::optional<DrawnTrain> train = drawnTrain(part, document, stop);

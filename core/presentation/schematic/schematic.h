@@ -23,7 +23,7 @@ struct SchematicGeometry {
   std::vector<std::string> notes;
   SheetFrame frame;  ///< for editing on the sheet
   std::vector<SheetRim> rims;
-  bool isTooLarge = false;  ///< more than kMostDrawnLinks: everything else is empty
+  bool isTooLarge = false;  ///< more than kMaxDrawnLinks: everything else is empty
 
   [[nodiscard]] bool isEmpty() const { return marks.empty(); }
 };
@@ -44,7 +44,7 @@ struct SchematicGeometry {
 [[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
                                                   const std::stop_token& stop = {});
 /// The most links, including the ground; with more, routing the arms takes too long.
-constexpr std::size_t kMostDrawnLinks = 201;
+constexpr std::size_t kMaxDrawnLinks = 201;
 
 /// The drawing with highlights: halos behind hovered elements, accent colour on selected ones. Equal planets
 /// are highlighted together.

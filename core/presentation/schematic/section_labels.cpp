@@ -79,8 +79,8 @@ class LabelPlacer {
   [[nodiscard]] std::optional<Place> find(const std::vector<SheetPoint>& anchors, double halfWidth,
                                           double halfHeight, bool mayCover) const {
     constexpr double kStep = 4;
-    constexpr double kFarthest = 400;
-    for (double away = 5 * m_scale; away < kFarthest * m_scale; away += kStep) {
+    constexpr double kMaxDistance = 400;
+    for (double away = 5 * m_scale; away < kMaxDistance * m_scale; away += kStep) {
       for (const SheetPoint anchor : anchors) {
         for (const SheetPoint way : directions()) {
           const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),

@@ -59,7 +59,7 @@ std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const Sheet
   const int before = ofTail ? mesh->tailTeeth : mesh->headTeeth;
   const double wanted = before * (1 + dot(to - from, rim.out) / rim.height);
   const int teeth = static_cast<int>(
-      std::lround(std::clamp(wanted, static_cast<double>(kFewestTeeth), static_cast<double>(kMostTeeth))));
+      std::lround(std::clamp(wanted, static_cast<double>(kMinTeeth), static_cast<double>(kMaxTeeth))));
   return DraggedTeeth{mesh->id, ofTail ? teeth : mesh->tailTeeth, ofTail ? mesh->headTeeth : teeth, teeth};
 }
 

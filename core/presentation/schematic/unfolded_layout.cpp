@@ -243,7 +243,7 @@ void setBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& axis, do
 double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   constexpr double kSheet = 340;
   constexpr double kLeastRadius = 24;
-  constexpr double kMost = 1800;
+  constexpr double kMax = 1800;
   Extent all{layout.axes.front().origin, 0, 0};
   double least = 1e300;
   for (const TrainWheel& wheel : train.wheels) {
@@ -261,7 +261,7 @@ double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   for (const SheetAxis& axis : layout.axes) all = all.united({axis.origin, 0, 0});
   const double size = std::max({2 * all.halfWidth, 2 * all.halfHeight, 1e-9});
   if (train.wheels.empty()) return std::min(3.0, kSheet / size);
-  return std::min(std::max(kSheet / size, kLeastRadius / least), kMost / size);
+  return std::min(std::max(kSheet / size, kLeastRadius / least), kMax / size);
 }
 
 /// Do the pitch lines of a pair lie side by side anywhere?

@@ -8,7 +8,7 @@
 namespace geargraph::inline sheets {
 namespace {
 
-constexpr std::size_t kMostOptions = 12;  ///< that are listed beside a blank
+constexpr std::size_t kMaxOptions = 12;  ///< that are listed beside a blank
 
 /// An answer as print sets it: a minus sign, a blank after each comma of a set.
 std::string printed(const AnswerField& field, const std::string& answer) {
@@ -138,9 +138,9 @@ class SheetWriter {
     ReportTable table{{"", translated("Answer"), ""}, {}, true};
     for (std::size_t field = 0; field < question.fields.size(); ++field) {
       const AnswerField& asked = question.fields[field];
-      const bool isShort = asked.kind == FieldKind::choice && asked.options.size() <= kMostOptions;
+      const bool isShort = asked.kind == FieldKind::choice && asked.options.size() <= kMaxOptions;
       std::string note =
-          isShort ? translated("one of %1", {listed(asked.options, kMostOptions, toTranslate("or"))})
+          isShort ? translated("one of %1", {listed(asked.options, kMaxOptions, toTranslate("or"))})
                   : std::string();
       if (asked.kind == FieldKind::set) note = translated("a list");
       ReportWords answer = cell(question, field);

@@ -124,18 +124,17 @@ class UrdfWriter {
 }  // namespace
 
 std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model) {
-  constexpr std::size_t kMostNamed = 3;
+  constexpr std::size_t kMaxNamed = 3;
   std::vector<std::string> several;
   std::size_t count = 0;
   for (std::size_t joint = 0; joint < model.gains.size(); ++joint) {
     if (leadersOf(model.gains[joint]).size() < 2) continue;
-    if (++count <= kMostNamed) several.push_back(severalLeaders(model, joint));
+    if (++count <= kMaxNamed) several.push_back(severalLeaders(model, joint));
   }
   if (count > 0) {
     std::string named;
     for (const std::string& each : several) named += (named.empty() ? "" : "; ") + each;
-    if (count > kMostNamed)
-      named = translated("%1; and %2 more", {named, std::to_string(count - kMostNamed)});
+    if (count > kMaxNamed) named = translated("%1; and %2 more", {named, std::to_string(count - kMaxNamed)});
     return SimulatorError{
         SimulatorError::Kind::model,
         translated(

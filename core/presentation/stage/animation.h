@@ -12,7 +12,7 @@ namespace geargraph::inline stage {
 /// The kind of an animation: the camera once around the train, or the train through its period.
 enum class AnimationKind : std::uint8_t { turntable, motion };
 
-constexpr int kMostAnimationFrames = 10'000;
+constexpr int kMaxAnimationFrames = 10'000;
 
 /// An animation of a view. It loops seamlessly: the first picture follows the last one, if the motion has a
 /// period.

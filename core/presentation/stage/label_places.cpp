@@ -6,7 +6,7 @@
 namespace geargraph::inline stage {
 namespace {
 
-constexpr std::size_t kMostLabels = 60;  // beyond, plates would hide the train
+constexpr std::size_t kMaxLabels = 60;  // beyond, plates would hide the train
 constexpr int kRounds = 12;
 
 /// Where plates may lie.
@@ -67,7 +67,7 @@ std::vector<LabelPlate> LabelPlaces::find(const LabelGround& ground) {
   const auto count = std::count_if(labels.begin(), labels.end(), [&](const StageLabel& label) {
     return isShown(label.kind) && ground.isShown(label);
   });
-  if (count == 0 || static_cast<std::size_t>(count) > kMostLabels) return {};
+  if (count == 0 || static_cast<std::size_t>(count) > kMaxLabels) return {};
   if (ground.seen != nullptr && isShown(LabelKind::link)) m_anchors.renew(ground);
   std::vector<LabelPlate> plates;
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -11,9 +11,9 @@
 namespace geargraph::inline stage {
 namespace {
 
-constexpr std::size_t kMostTimes = 2881, kFewestTimes = 61;
-constexpr std::size_t kMostTwists = 200'000;
-constexpr std::size_t kMostJoints = 12;  // that are plotted where nothing is chosen
+constexpr std::size_t kMaxTimes = 2881, kMinTimes = 61;
+constexpr std::size_t kMaxTwists = 200'000;
+constexpr std::size_t kMaxJoints = 12;  // that are plotted where nothing is chosen
 constexpr double kSameDirection = 1e-9;
 constexpr std::array kCoordinates = {", x", ", y", ", z"};
 
@@ -23,7 +23,7 @@ class Sampler {
   Sampler(const Stage& stage, const StageView& view, const CurveChoice& choice)
       : m_stage(stage), m_view(view), m_choice(choice) {
     const std::size_t parts = std::max<std::size_t>(stage.scene.instances.size(), 1);
-    const std::size_t count = std::clamp(kMostTwists / parts, kFewestTimes, kMostTimes);
+    const std::size_t count = std::clamp(kMaxTwists / parts, kMinTimes, kMaxTimes);
     for (std::size_t i = 0; i < count; ++i)
       m_times.push_back(choice.span * static_cast<double>(i) / static_cast<double>(count - 1));
   }
@@ -109,7 +109,7 @@ class Sampler {
     }
     const bool all = orAll && std::none_of(m_stage.joints.begin(), m_stage.joints.end(), isChosen);
     for (const StageJoint& joint : m_stage.joints) {
-      const bool chosen = all ? sheet.curves.size() < kMostJoints : isChosen(joint);
+      const bool chosen = all ? sheet.curves.size() < kMaxJoints : isChosen(joint);
       if (!chosen) continue;
       sheet.curves.push_back({translated("joint %1", {joint.text}),
                               joint.colour,

@@ -11,8 +11,8 @@
 namespace geargraph::inline stage {
 namespace {
 
-constexpr double kLongest = 0.34;  // share of the scene's radius
-constexpr double kLeast = 1e-3;    // share of the greatest force
+constexpr double kMaxLength = 0.34;  // share of the scene's radius
+constexpr double kLeast = 1e-3;      // share of the greatest force
 constexpr float kWidth = 2.8F;
 constexpr float kCasing = 5.6F;
 constexpr double kHeadShare = 0.3;  // of an arrow: its head is painted over the picture
@@ -58,7 +58,7 @@ std::vector<ForceArrow> forceArrows(const Stage& stage, std::span<const StageFor
   std::map<ElementId, std::size_t> instances;  // the first of each link
   for (std::size_t i = 0; i < stage.scene.instances.size(); ++i)
     instances.try_emplace(stage.scene.instances[i].element, i);
-  const double scale = kLongest * boundsOf(stage.scene).radius() / greatest;
+  const double scale = kMaxLength * boundsOf(stage.scene).radius() / greatest;
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const StageForce& each = forces[i];
     if (each.force.norm() < kLeast * greatest) continue;
@@ -112,7 +112,7 @@ std::vector<ForceLabel> placeForceLabels(std::span<const StageForce> forces,
   std::vector<ForceLabel> labels;
   std::vector<Box> taken;
   for (const std::size_t at : order) {
-    if (labels.size() >= kMostForceLabels && !isHighlighted(at)) break;
+    if (labels.size() >= kMaxForceLabels && !isHighlighted(at)) break;
     const Eigen::Vector2d half(widthOf(forces[arrows[at].force].text) / 2 + 6, 9);
     const auto& [from, tip] = seen[at];
     const Eigen::Vector2d way = (tip - from).norm() > 1 ? (tip - from).normalized() : Eigen::Vector2d(0, -1);

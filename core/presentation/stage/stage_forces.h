@@ -57,7 +57,7 @@ struct ForceLabel {
   Eigen::Vector2d tip{0, 0};
 };
 
-constexpr std::size_t kMostForceLabels = 6;
+constexpr std::size_t kMaxForceLabels = 6;
 
 /// Labels of the greatest forces, and of those whose elements are in `highlighted`: beside the tips of their
 /// arrows, clear of all arrows and of each other; labels without room are left out. `widthOf`: width of a

@@ -7,7 +7,7 @@
 namespace geargraph::inline stage {
 namespace {
 
-constexpr double kLongestArrow = 0.34;  // of the scene's radius
+constexpr double kMaxArrowLength = 0.34;  // of the scene's radius
 constexpr double kCross = 0.022;
 constexpr double kInstantAxis = 0.8;
 constexpr double kMeshAxis = 0.3;
@@ -154,7 +154,7 @@ void LineMaker::addVelocities() {
   for (const Arrow& arrow : arrows) fastest = std::max(fastest, arrow.velocity.norm());
   for (const Arrow& arrow : arrows) {
     if (arrow.velocity.norm() <= 1e-6 * fastest || isCut(arrow.from)) continue;
-    addArrow(arrow.from, kLongestArrow * m_size / fastest * arrow.velocity);
+    addArrow(arrow.from, kMaxArrowLength * m_size / fastest * arrow.velocity);
   }
 }
 

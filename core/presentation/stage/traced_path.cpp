@@ -10,7 +10,7 @@ namespace geargraph::inline stage {
 namespace {
 
 constexpr std::size_t kFirstSteps = 256;
-constexpr std::size_t kMostPoses = 1 << 17;
+constexpr std::size_t kMaxPoses = 1 << 17;
 constexpr double kFineEnough = 1e-4;
 
 TracedPath sampled(const Stage& stage, const TracedPoint& point, std::span<const double> start,
@@ -53,7 +53,7 @@ TracedPath tracedPath(const Stage& stage, const TracedPoint& point, std::span<co
   std::size_t steps = kFirstSteps;
   double gain = 0;
   TracedPath path = sampled(stage, point, start, seconds, trajectory, steps, stop);
-  while (2 * steps * stage.scene.instances.size() <= kMostPoses && !stop.stop_requested()) {
+  while (2 * steps * stage.scene.instances.size() <= kMaxPoses && !stop.stop_requested()) {
     steps *= 2;
     TracedPath finer = sampled(stage, point, start, seconds, trajectory, steps, stop);
     gain = finer.length - path.length;

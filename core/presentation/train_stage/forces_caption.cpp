@@ -11,7 +11,7 @@
 namespace geargraph::inline train_stage {
 namespace {
 
-constexpr std::size_t kMostNamed = 8;
+constexpr std::size_t kMaxNamed = 8;
 
 /// The labels of what is shared in unknown parts.
 struct SharedForces {
@@ -33,8 +33,8 @@ SharedForces sharedOf(const Mechanism& mechanism, const StaticsReport& report) {
 }
 
 std::string sharedText(const SharedForces& shared) {
-  const std::string meshes = listed(shared.meshes, kMostNamed);
-  const std::string joints = listed(shared.joints, kMostNamed);
+  const std::string meshes = listed(shared.meshes, kMaxNamed);
+  const std::string joints = listed(shared.joints, kMaxNamed);
   if (shared.joints.empty())
     return base::translated(
         "Not drawn, as shared in unknown parts: forces at meshes %1. Choose Share by stiffness in Forces to "
@@ -96,7 +96,7 @@ std::string loadsCaption(const Mechanism& mechanism, const StaticsReport* report
   if (report == nullptr || report->loads.empty()) return {};
   std::vector<std::string> texts;
   for (const LoadReport& load : report->loads) texts.push_back(loadText(mechanism, load.load));
-  return base::translated("Loads: %1.", {listed(texts, kMostNamed)});
+  return base::translated("Loads: %1.", {listed(texts, kMaxNamed)});
 }
 
 }  // namespace geargraph::inline train_stage

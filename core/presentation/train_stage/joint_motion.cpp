@@ -10,7 +10,7 @@ namespace geargraph::inline train_stage {
 namespace {
 
 /// Joints times inputs up to which fractions are worth their time: they are needed for the period only.
-constexpr std::size_t kMostExactGains = 20'000;
+constexpr std::size_t kMaxExactGains = 20'000;
 
 double periodOf(const KinematicModel& model, const MatroidAnalysis& analysis, const std::stop_token& stop) {
   const auto exact = solveExact(model, analysis.choice.joints, analysis.speeds, stop);
@@ -49,7 +49,7 @@ std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot, const s
       motion.gains[output * columns + k] = solution.matrix[row * columns + k];
     }
   }
-  if (motion.gains.size() <= kMostExactGains)
+  if (motion.gains.size() <= kMaxExactGains)
     motion.period = periodOf(*snapshot.kinematics->model, *analysis, stop);
   return motion;
 }

@@ -19,7 +19,7 @@ constexpr double kLeastLength = 4;  // px: what points along the line of sight i
 constexpr double kTextSize = 12;
 constexpr double kLine = 20;  // of the legend
 constexpr double kFromEdge = 16;
-constexpr std::size_t kMostLabels = 40;
+constexpr std::size_t kMaxLabels = 40;
 
 SheetPoint sheetPoint(const Eigen::Vector2d& point) {
   return {point.x(), point.y()};
@@ -190,7 +190,7 @@ class Painter {
     for (const std::size_t at : order) {
       const PowerArrow& arrow = m_power.arrows[at];
       const bool isSmall = arrow.isKnown && arrow.power() < kLeastShownPower * m_largest;
-      if ((isSmall || arrows.size() >= kMostLabels) && !highlighted.contains(arrow.element)) continue;
+      if ((isSmall || arrows.size() >= kMaxLabels) && !highlighted.contains(arrow.element)) continue;
       arrows.push_back(m_placed.arrows[at]);
       named.insert(arrow.element);
     }

@@ -8,7 +8,7 @@ namespace geargraph::inline train_stage {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kMostKept = 64;
+constexpr std::size_t kMaxKept = 64;
 
 Solid scaled(Solid solid, double scale) {
   for (Float3& point : solid.positions) {
@@ -50,7 +50,7 @@ std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const f
     found = why.message;
     if (why.kind == MeshFileError::Kind::stopped) return found;
   }
-  if (m_known.size() >= kMostKept) m_known.clear();
+  if (m_known.size() >= kMaxKept) m_known.clear();
   return m_known[key] = std::move(found);
 }
 

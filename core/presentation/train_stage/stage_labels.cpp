@@ -17,7 +17,7 @@ namespace {
 constexpr double kTextSize = 12;
 constexpr double kRing = 2.2;
 constexpr double kLine = 1.4, kDot = 2.2, kRim = 1;  // of a label's line; its rim sets it off from any part
-constexpr double kLongestBar = 110, kFromEdge = 16, kFromBelow = 24, kTick = 4;
+constexpr double kMaxBarLength = 110, kFromEdge = 16, kFromBelow = 24, kTick = 4;
 
 /// The tint that a label's colour is: that of a link.
 Tint tintOf(const Stage& stage, const StageLabel& label) {
@@ -80,7 +80,7 @@ void addScaleBar(DisplayList& list, const StagePainter& painter) {
   const Viewport& size = painter.rendering().size;
   const double ratio = painter.pixelRatio();
   const double perPixel = painter.view().camera.millimetresPerPixel(size) * ratio;
-  const double length = niceLength(perPixel, kLongestBar);
+  const double length = niceLength(perPixel, kMaxBarLength);
   const double right = size.width / ratio - kFromEdge, left = right - length / perPixel;
   const double y = size.height / ratio - kFromBelow;
   const auto bar = [&](SheetPoint from, SheetPoint to) {

@@ -19,7 +19,7 @@ namespace geargraph::inline train_stage {
 
 /// Sides of a picture in pixels.
 constexpr int kLeastPictureSide = 16;
-constexpr int kMostPictureSide = 8192;
+constexpr int kMaxPictureSide = 8192;
 
 /// The theme's render style for files: with more samples; `transparent`: without background and floor disc,
 /// only the shadow shows the floor.

@@ -15,7 +15,7 @@ constexpr double kThrough = 0.34;    ///< length over the scene's radius: from o
 constexpr double kOneSide = 0.24;    ///< of one that ends or begins where teeth meet
 constexpr double kEnd = 0.3;         ///< of one at the end of a shaft
 constexpr double kNextBeyond = 1.2;  ///< lengths from one end arrow to the next one beyond it
-constexpr int kMostBeyond = 4;
+constexpr int kMaxBeyond = 4;
 
 Eigen::Vector3d vectorOf(const Vector3& vector) {
   return {vector[0], vector[1], vector[2]};
@@ -245,7 +245,7 @@ class ArrowMaker {
     const bool isHigh = reach.high - middle >= middle - reach.low;
     Eigen::Vector3d end = line.point;
     Eigen::Vector3d out = line.direction;
-    for (int tried = 0; tried < 2 * kMostBeyond; ++tried) {
+    for (int tried = 0; tried < 2 * kMaxBeyond; ++tried) {
       const bool atHigh = (tried % 2 == 0) == isHigh;
       out = atHigh ? line.direction : Eigen::Vector3d(-line.direction);
       const double beyond = kNextBeyond * length * (tried / 2);

@@ -20,9 +20,9 @@
 namespace geargraph::inline train_stage {
 namespace {
 
-constexpr int kMostCloseMeshes = 100;
+constexpr int kMaxCloseMeshes = 100;
 constexpr std::size_t kLevelsOfGear = 4;
-constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to come round
+constexpr double kMaxPeriod = 3600;  // s; beyond, nobody waits for it to come round
 
 Rgb colourOf(LinkOrdinal link) {
   const Color color = linkColor(link);
@@ -98,7 +98,7 @@ DetailLevels& StageBuilder::levelsOf(std::size_t solid) {
 // The link's number stands beside its largest wheel. Gears that cannot be made are left out; the train's
 // diagnostics say why.
 void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
-  const bool isToothless = gear.spec.teeth > kMostShownTeeth;
+  const bool isToothless = gear.spec.teeth > kMaxShownTeeth;
   const auto detail = [&](double tolerance) -> Expected<std::shared_ptr<const DeferredSolid>> {
     if (!isToothless) return m_cache.deferred(gear.spec, tolerance);
     return std::make_shared<const DeferredSolid>(
@@ -106,13 +106,13 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
   };
   if (!specDiagnostics(gear.spec).empty()) return;
   if (isToothless) noteToothless(gear);
-  Instance& instance = add(gear.link, (*detail(kFarthestTolerance))->solid(), gear.pose);
+  Instance& instance = add(gear.link, (*detail(kMaxTolerance))->solid(), gear.pose);
   if (DetailLevels& levels = levelsOf(instance.solid); levels.finer.empty()) {
     levels.unit = gear.spec.module;
-    levels.error = kFarthestTolerance;
+    levels.error = kMaxTolerance;
     std::vector<double> finer{kFarTolerance, kScreenTolerance};
     // Of a large train who sees a wheel from close by sees few of them, and all would have to be made.
-    if (m_mechanism.c() <= kMostCloseMeshes) finer.push_back(kExportTolerance);
+    if (m_mechanism.c() <= kMaxCloseMeshes) finer.push_back(kExportTolerance);
     for (const double error : finer) levels.finer.push_back({error, *detail(error)});
   }
   m_instanceOfGear[position] = m_stage->scene.instances.size() - 1;
@@ -138,11 +138,11 @@ void StageBuilder::noteToothless(const TrainGear& gear) {
 
 void StageBuilder::addBody(const LinkBody& body) {
   const bool keeps = m_memory != nullptr;
-  const auto coarse = keeps ? m_memory->bodies().deferred(*body.recipe, kFarthestTolerance) : body.coarse;
+  const auto coarse = keeps ? m_memory->bodies().deferred(*body.recipe, kMaxTolerance) : body.coarse;
   const auto fine = keeps ? m_memory->bodies().deferred(*body.recipe, kBodyTolerance) : body.fine;
   const Solid& solid = *coarse->solid();
   Instance& instance = add(body.link, coarse->solid(), Pose::Identity());
-  levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, fine}}};
+  levelsOf(instance.solid) = {body.module, kMaxTolerance, {{kBodyTolerance, fine}}};
   const JointOrdinal joint = m_placement.tree->joint[body.link];
   if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[joint].id);
   StageLabel& label = m_labelOf[body.link];
@@ -203,7 +203,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
          translated(
              "A train of %1 gears: its wheels are plain discs, its shafts and arms are straight and pass "
              "through what they meet (up to %2 gears they are routed past it).",
-             {std::to_string(train.gears.size()), std::to_string(kMostRoutedGears)})});
+             {std::to_string(train.gears.size()), std::to_string(kMaxRoutedGears)})});
   }
   m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());
   // Two details, of this edit and the one before.
@@ -312,7 +312,7 @@ void StageMemory::addFactsTo(Scene& scene, const std::stop_token& stop) {
 StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
                     StageMemory* memory, const std::stop_token& stop) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
+  if (mechanism.n() > kMaxStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
   const Placement& placement = snapshot.kinematics->placement();
   const SpanningTree& tree = *snapshot.tree;
   StageBuilder builder(*snapshot.geometry, cache, shapes, memory, stop);
@@ -324,7 +324,7 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const Sh
   std::vector<Pose> reference;
   for (const Instance& instance : stage->scene.instances) reference.push_back(instance.pose);
   stage->inputSpeeds = motion->speeds;
-  stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
+  stage->period = motion->period <= kMaxPeriod ? motion->period : 0;
   const auto mover =
       std::make_shared<const Mover>(Mover{tree, ForwardKinematics(tree, turningLines(placement)), *motion,
                                           builder.linkOfInstance(), std::move(reference)});

@@ -17,7 +17,7 @@ class BodyCache;
 namespace geargraph::inline train_stage {
 
 /// Larger trains get no 3D picture: their teeth would exhaust the memory and be indistinguishable.
-constexpr int kMostStageLinks = 4'000;
+constexpr int kMaxStageLinks = 4'000;
 
 /// The caches from one edit to the next, in addition to the solids of wheels. Not thread-safe.
 class StageMemory {
@@ -41,8 +41,8 @@ class StageMemory {
 /// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the
 /// links, turning with the inputs. What the document leaves open is placed automatically; meshes for which no
 /// wheels can be made are left out; without valid inputs nothing moves. The scene is empty if the turning
-/// joints are no spanning tree, or the mechanism has more than kMostStageLinks. Trains of more than
-/// kMostRoutedGears have simple bodies, with a note in Stage::notes.
+/// joints are no spanning tree, or the mechanism has more than kMaxStageLinks. Trains of more than
+/// kMaxRoutedGears have simple bodies, with a note in Stage::notes.
 ///
 /// A click on a part selects its link. Wheels are also highlighted with their meshes, shafts with their
 /// joints.
@@ -54,7 +54,7 @@ class StageMemory {
 /// `memory`: caches bodies and derived data of solids (SolidProperties), which are then part of the scene.
 ///
 /// `shapes`: where attached 3D files are read from; null: they are left out. Files that cannot be shown are
-/// noted in Stage::notes. Wheels of more than kMostShownTeeth are shown without teeth, with a note too.
+/// noted in Stage::notes. Wheels of more than kMaxShownTeeth are shown without teeth, with a note too.
 ///
 /// Null, within some milliseconds, if `stop` was requested meanwhile.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,

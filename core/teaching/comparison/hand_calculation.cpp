@@ -49,7 +49,7 @@ class CountedFunctions {
   [[nodiscard]] Value inverseRatio(const TerminalPair& pair) const {
     return RationalFunction::power(m_ring, 1, pair.mesh, 1);
   }
-  [[nodiscard]] static bool isTooLong(const Value& value) { return value.termCount() > kMostHandTerms; }
+  [[nodiscard]] static bool isTooLong(const Value& value) { return value.termCount() > kMaxHandTerms; }
 
  private:
   RatioRingPtr m_ring;

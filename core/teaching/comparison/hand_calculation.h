@@ -27,9 +27,9 @@ struct Operations {
 
 // Both methods as carried out on paper, with their operations counted. Each computes the solution matrix,
 // outputs x inputs, from given equations. The values are fractions, or functions of the gear ratios (then
-// std::nullopt if an entry exceeds kMostHandTerms terms).
+// std::nullopt if an entry exceeds kMaxHandTerms terms).
 
-constexpr long long kMostHandTerms = 100;
+constexpr long long kMaxHandTerms = 100;
 
 template <class Value>
 struct HandSolution {

@@ -237,7 +237,7 @@ std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot,
   const MatroidAnalysis* const matroid = snapshot.matroid();
   const bool isDefined = matroid != nullptr && matroid->solution &&
                          snapshot.kinematics->ttGraph->isComplete() &&
-                         snapshot.mechanism->n() <= kMostComparedLinks && snapshot.mechanism->c() > 0;
+                         snapshot.mechanism->n() <= kMaxComparedLinks && snapshot.mechanism->c() > 0;
   if (!isDefined) return std::nullopt;
   const SubstitutionPlan plan = substitutionPlan(*snapshot.kinematics->ttGraph, matroid->solution->inputs);
   if (plan.byLevels) return std::nullopt;

@@ -77,11 +77,11 @@ struct MethodComparison {
 };
 
 /// With more links the hand calculations are not carried out.
-constexpr int kMostComparedLinks = 60;
+constexpr int kMaxComparedLinks = 60;
 
 /// Which hand calculations are carried out: in fractions only, or also in symbols.
 enum class ComparisonDepth { numbers, symbols };
-/// Compares the methods on a mechanism. std::nullopt if it has more than kMostComparedLinks links, a method
+/// Compares the methods on a mechanism. std::nullopt if it has more than kMaxComparedLinks links, a method
 /// has no solution for it, or `stop` was requested.
 /// Cost: O(n^3) operations on fractions and on functions of the ratios.
 /// The first step of the analysis suffices (analyzeLive()).

@@ -154,7 +154,7 @@ ValueTable equationTable(const Mechanism& mechanism, const MechanismDynamics& dy
 std::string equationTex(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                         const DynamicState& state) {
   const std::size_t inputs = dynamics.inputs.size();
-  if (inputs == 0 || inputs > static_cast<std::size_t>(kMostTypesetInputs)) return {};
+  if (inputs == 0 || inputs > static_cast<std::size_t>(kMaxTypesetInputs)) return {};
   std::string accelerations = "\\begin{pmatrix}";
   std::string torques = "\\begin{pmatrix}";
   std::string matrix = "\\begin{pmatrix}";

@@ -29,10 +29,10 @@ enum class MassColumn { link, mass, centerX, centerY, centerZ, inertiaX, inertia
 /// speeds, h - load.
 [[nodiscard]] ValueTable equationTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                                        const DynamicState& state);
-/// The equation in TeX, with its numbers as matrices; empty for more than kMostTypesetInputs inputs.
+/// The equation in TeX, with its numbers as matrices; empty for more than kMaxTypesetInputs inputs.
 [[nodiscard]] std::string equationTex(const Mechanism& mechanism, const MechanismDynamics& dynamics,
                                       const DynamicState& state);
-constexpr int kMostTypesetInputs = 6;
+constexpr int kMaxTypesetInputs = 6;
 
 /// The source of a link's mass in words: "from its solids", "stated", ...
 [[nodiscard]] std::string massSourceText(MassSource source);

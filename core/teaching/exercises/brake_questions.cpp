@@ -10,7 +10,7 @@ namespace geargraph::inline exercises {
 namespace {
 
 constexpr int kLeastTorque = 5;  ///< N m at the drive
-constexpr int kMostTorque = 60;
+constexpr int kMaxTorque = 60;
 
 /// One torque of a comparison: of a coupling in a state.
 struct Carried {
@@ -303,7 +303,7 @@ bool hasBrakeComparison(const ExerciseSource& source) {
 Question brakeTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const std::vector<StateTorques> states = allTorques(source);
   Comparison comparison = random.oneOf(comparisonsOf(source, states));
-  const int drive = random.between(kLeastTorque, kMostTorque);
+  const int drive = random.between(kLeastTorque, kMaxTorque);
   return BrakeQuestion(source, std::move(comparison), drive).make();
 }
 

@@ -8,7 +8,7 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostCoefficients = 12;
+constexpr int kMaxCoefficients = 12;
 
 std::vector<std::string> picked(const std::vector<Rational>& row, const std::vector<int>& joints) {
   std::vector<Rational> some;
@@ -29,7 +29,7 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
   for (JointOrdinal joint = 0; joint < graph.t(); ++joint)
     (row[joint].isZero() ? others : joints).push_back(joint);
   for (const JointOrdinal joint :
-       random.someOf(others, std::max(0, kMostCoefficients - static_cast<int>(joints.size()))))
+       random.someOf(others, std::max(0, kMaxCoefficients - static_cast<int>(joints.size()))))
     joints.push_back(joint);
   std::sort(joints.begin(), joints.end());
 

@@ -8,13 +8,13 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostEdges = 4;
-constexpr int kMostRows = 12;
+constexpr int kMaxEdges = 4;
+constexpr int kMaxRows = 12;
 
 /// Some edges, one mesh among them where there is one, ascending.
 std::vector<int> someEdges(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
-  std::vector<int> edges = random.someOf(firstNumbers(graph.edgeCount()), kMostEdges);
+  std::vector<int> edges = random.someOf(firstNumbers(graph.edgeCount()), kMaxEdges);
   if (graph.c() > 0 && edges.back() < graph.t()) edges.back() = graph.t() + random.below(graph.c());
   return edges;
 }
@@ -34,7 +34,7 @@ std::vector<int> rowsFor(const ExerciseSource& source, const std::vector<int>& e
   for (LinkOrdinal node = 0; node < graph.nodeCount(); ++node) {
     if (!std::binary_search(rows.begin(), rows.end(), node)) others.push_back(node);
   }
-  for (const LinkOrdinal node : random.someOf(others, kMostRows - static_cast<int>(rows.size())))
+  for (const LinkOrdinal node : random.someOf(others, kMaxRows - static_cast<int>(rows.size())))
     rows.push_back(node);
   std::sort(rows.begin(), rows.end());
   return rows;

@@ -8,8 +8,8 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostEntries = 180;
-constexpr int kMostWide = 20;
+constexpr int kMaxEntries = 180;
+constexpr int kMaxWide = 20;
 
 /// "C15", a letter with digits, becomes "C_{15}".
 std::string texLabel(const std::string& text) {
@@ -61,8 +61,8 @@ std::vector<MatrixKind> searchableMatrices(const ExerciseSource& source) {
   std::vector<MatrixKind> kinds;
   for (const MatrixKind kind : {MatrixKind::incidence, MatrixKind::path, MatrixKind::cycleBasis}) {
     const IntegerMatrixPtr& matrix = source.matrix(kind);
-    if (matrix && matrix->rows() > 1 && matrix->columns() > 1 && matrix->columns() <= kMostWide &&
-        matrix->rows() * matrix->columns() <= kMostEntries)
+    if (matrix && matrix->rows() > 1 && matrix->columns() > 1 && matrix->columns() <= kMaxWide &&
+        matrix->rows() * matrix->columns() <= kMaxEntries)
       kinds.push_back(kind);
   }
   return kinds;

@@ -12,9 +12,9 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostTreeEdges = 24;
-constexpr int kMostAnyCycles = 3;
-constexpr int kMostAnyEdges = 14;
+constexpr int kMaxTreeEdges = 24;
+constexpr int kMaxAnyCycles = 3;
+constexpr int kMaxAnyEdges = 14;
 
 /// What a kind needs, each the reason where it is missing.
 using Reason = std::optional<std::string>;
@@ -40,12 +40,12 @@ Reason withoutEquations(const ExerciseSource& source) {
 }
 Reason withoutOneCycle(const ExerciseSource& source) {
   if (const Reason reason = withoutMeshes(source)) return reason;
-  const bool isSmall = source.graph().c() <= kMostAnyCycles && source.graph().edgeCount() <= kMostAnyEdges;
+  const bool isSmall = source.graph().c() <= kMaxAnyCycles && source.graph().edgeCount() <= kMaxAnyEdges;
   return isSmall ? Reason() : translated("too many cycles");
 }
 Reason withoutSmallGraph(const ExerciseSource& source) {
   if (const Reason reason = withoutMeshes(source)) return reason;
-  return source.graph().edgeCount() <= kMostTreeEdges ? Reason() : translated("too many edges");
+  return source.graph().edgeCount() <= kMaxTreeEdges ? Reason() : translated("too many edges");
 }
 Reason withoutSearchable(const ExerciseSource& source) {
   if (const Reason reason = withoutEdges(source)) return reason;
@@ -62,8 +62,8 @@ Reason withoutFreedom(const ExerciseSource& source) {
 }
 Reason withoutPredictable(const ExerciseSource& source) {
   if (const Reason reason = withoutFreedom(source)) return reason;
-  constexpr int kMostInputs = 6;
-  if (source.matroid()->dof > kMostInputs) return translated("too many inputs");
+  constexpr int kMaxInputs = 6;
+  if (source.matroid()->dof > kMaxInputs) return translated("too many inputs");
   return predictableJoints(source).empty() ? Reason(translated("no speed follows from the inputs"))
                                            : std::nullopt;
 }

@@ -5,7 +5,7 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostDraws = 20;  ///< until a question differs from those before it
+constexpr int kMaxDraws = 20;  ///< until a question differs from those before it
 
 }  // namespace
 
@@ -31,7 +31,7 @@ SheetVariant makeVariant(const ExerciseSource& source, const SheetPlan& plan, in
     const auto isAsked = [&] {
       return std::find(sheet.questions.begin(), sheet.questions.end(), question) != sheet.questions.end();
     };
-    for (int draw = 1; draw < kMostDraws && isAsked(); ++draw)
+    for (int draw = 1; draw < kMaxDraws && isAsked(); ++draw)
       question = makeQuestion(source, plan.kinds[place], random);
     question.comma = plan.comma;
     sheet.questions.push_back(std::move(question));

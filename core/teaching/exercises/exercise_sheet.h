@@ -10,8 +10,8 @@
 
 namespace geargraph::inline exercises {
 
-constexpr int kMostVariants = 1'000;
-constexpr int kMostQuestions = 100;
+constexpr int kMaxVariants = 1'000;
+constexpr int kMaxQuestions = 100;
 
 /// The version of the generator, increased when the same seed gives other questions.
 constexpr int kGeneratorVersion = 2;

@@ -9,7 +9,7 @@
 namespace geargraph::inline exercises {
 namespace {
 
-/// All sets of couplings of at most `most`, small ones first; at most kMostEngagedSets, but always the given
+/// All sets of couplings of at most `most`, small ones first; at most kMaxEngagedSets, but always the given
 /// ones.
 std::vector<std::vector<int>> setsOf(int couplings, std::size_t most,
                                      const std::vector<std::vector<int>>& given) {
@@ -18,7 +18,7 @@ std::vector<std::vector<int>> setsOf(int couplings, std::size_t most,
   for (std::size_t size = 0; size <= most && !last.empty(); ++size) {
     std::vector<std::vector<int>> larger;
     for (const std::vector<int>& set : last) {
-      if (sets.size() >= ExerciseSource::kMostEngagedSets) return sets;
+      if (sets.size() >= ExerciseSource::kMaxEngagedSets) return sets;
       if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
       for (int next = set.empty() ? 0 : set.back() + 1; next < couplings; ++next) {
         larger.push_back(set);
@@ -42,7 +42,7 @@ std::vector<int> positionsOf(const Mechanism& mechanism, const std::vector<Coupl
 }  // namespace
 
 ExerciseSource::ExerciseSource(const Mechanism& mechanism) {
-  GEARGRAPH_REQUIRE(mechanism.n() <= kMostExerciseLinks);
+  GEARGRAPH_REQUIRE(mechanism.n() <= kMaxExerciseLinks);
   Mechanism released = mechanism;
   released.engaged.clear();
   m_snapshot = analyzeLive(std::make_shared<const Mechanism>(std::move(released)));

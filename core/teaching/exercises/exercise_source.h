@@ -10,7 +10,7 @@
 namespace geargraph::inline exercises {
 
 /// With more moving links, exercises cannot be answered on paper.
-constexpr int kMostExerciseLinks = 60;
+constexpr int kMaxExerciseLinks = 60;
 
 /// A typical mistake in a row of P: with the teeth exchanged, or with the wrong sign of the head.
 enum class RowChange { none, upsideDown, signOfHead };
@@ -26,7 +26,7 @@ struct EngagedSet {
 class ExerciseSource {
  public:
   /// Cost: a live analysis, an exact solution; with states the solutions of all sets of couplings that are
-  /// considered (kMostEngagedSets). @pre at most kMostExerciseLinks moving links
+  /// considered (kMaxEngagedSets). @pre at most kMaxExerciseLinks moving links
   explicit ExerciseSource(const Mechanism& mechanism);
 
   [[nodiscard]] const Mechanism& mechanism() const { return *m_snapshot->mechanism; }
@@ -49,7 +49,7 @@ class ExerciseSource {
   [[nodiscard]] std::vector<Rational> teethRow(MeshOrdinal mesh, RowChange change = RowChange::none) const;
 
   /// The most sets of couplings that are considered.
-  static constexpr std::size_t kMostEngagedSets = 256;
+  static constexpr std::size_t kMaxEngagedSets = 256;
   /// By state of the document: the considered sets of couplings with their results. @pre there is such a
   /// state
   [[nodiscard]] const std::vector<EngagedSet>& engagedSets(int state) const {

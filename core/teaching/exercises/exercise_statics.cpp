@@ -142,7 +142,7 @@ std::vector<DrivenTrain> drivenTrains(const ExerciseSource& source) {
       source.mechanism().states.empty() ? trainsOfInputs(source) : trainsOfStates(source);
   std::vector<DrivenTrain> trains;
   for (DrivenTrain& train : all) {
-    if (train.rolling.empty() || static_cast<int>(train.rolling.size()) > kMostRollingMeshes) continue;
+    if (train.rolling.empty() || static_cast<int>(train.rolling.size()) > kMaxRollingMeshes) continue;
     const auto efficiency = efficiencyOf(source, train, Rational(99, 100));
     if (efficiency && efficiency->forward) trains.push_back(std::move(train));
   }

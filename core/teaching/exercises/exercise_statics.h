@@ -32,11 +32,11 @@ struct DrivenTrain {
   std::vector<int> rolling;  ///< meshes whose gears turn against their carrier
 };
 
-/// The trains with at most kMostRollingMeshes rolling meshes whose torques are determinate, and which
+/// The trains with at most kMaxRollingMeshes rolling meshes whose torques are determinate, and which
 /// transmit power through a mesh from the drive to the driven part at an efficiency of 99/100 per mesh.
 /// Cost: a few exact eliminations for each state, or for each pair of an input and a joint on the ground.
 [[nodiscard]] std::vector<DrivenTrain> drivenTrains(const ExerciseSource& source);
-constexpr int kMostRollingMeshes = 6;
+constexpr int kMaxRollingMeshes = 6;
 
 /// The efficiencies of a train in both directions, in fractions.
 struct TrainEfficiency {
@@ -48,7 +48,7 @@ struct TrainEfficiency {
 };
 
 /// With this efficiency in each mesh. std::nullopt if the torques are indeterminate or irrational, or no mesh
-/// transmits power. Cost: some exact eliminations; if self-locking, 2^kMostRollingMeshes of them.
+/// transmits power. Cost: some exact eliminations; if self-locking, 2^kMaxRollingMeshes of them.
 [[nodiscard]] std::optional<TrainEfficiency> efficiencyOf(const ExerciseSource& source,
                                                           const DrivenTrain& train,
                                                           const Rational& meshEfficiency);

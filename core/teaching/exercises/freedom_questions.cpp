@@ -8,7 +8,7 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostPairs = 40;  ///< of proportional joints that are named
+constexpr int kMaxPairs = 40;  ///< of proportional joints that are named
 
 /// The factor f with a = f b, if there is one and neither is 0.
 std::optional<Rational> factorBetween(const std::vector<Rational>& a, const std::vector<Rational>& b) {
@@ -141,7 +141,7 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
   }
   int pairs = 0;
   for (int a = 0; a < t; ++a) {
-    for (int b = 0; b < a && pairs < kMostPairs; ++b) {
+    for (int b = 0; b < a && pairs < kMaxPairs; ++b) {
       const auto factor =
           factorBetween(rates[static_cast<std::size_t>(a)], rates[static_cast<std::size_t>(b)]);
       if (!factor) continue;

@@ -10,7 +10,7 @@ namespace geargraph::inline exercises {
 namespace {
 
 constexpr int kLeastTorque = 5;  ///< N m at the drive
-constexpr int kMostTorque = 60;
+constexpr int kMaxTorque = 60;
 constexpr const char* kWith = toTranslate("as the drive's torque");
 constexpr const char* kAgainst = toTranslate("against the drive's torque");
 
@@ -167,7 +167,7 @@ bool hasBrakeReaction(const ExerciseSource& source) {
 
 Question brakeReactionQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   HoldingBrake brake = random.oneOf(holdingBrakes(source));
-  const int drive = random.between(kLeastTorque, kMostTorque);
+  const int drive = random.between(kLeastTorque, kMaxTorque);
   return ReactionQuestion(source, std::move(brake), drive).make();
 }
 

@@ -86,21 +86,21 @@ Expected<SheetFile> readSheet(std::string_view text) {
   sheet.plan.seed = seedFrom(reader, root);
   sheet.plan.variants = reader.memberNumber(root, "variants", "").value_or(0);
   sheet.plan.comma = reader.text(root, "decimal", "", false) == "," ? CommaUse::decimal : CommaUse::ambiguous;
-  if (sheet.plan.variants < 1 || sheet.plan.variants > kMostVariants)
+  if (sheet.plan.variants < 1 || sheet.plan.variants > kMaxVariants)
     reader.fail("/variants", translated("A sheet has 1 to 1,000 variants."));
   for (const std::string& name : reader.texts(root, "kinds", "", true)) {
     const auto kind = kindFromName(name);
     if (!kind) reader.fail("/kinds", translated("There is no kind of question \"%1\".", {name}));
     if (kind) sheet.plan.kinds.push_back(*kind);
   }
-  if (sheet.plan.kinds.empty() || static_cast<int>(sheet.plan.kinds.size()) > kMostQuestions)
+  if (sheet.plan.kinds.empty() || static_cast<int>(sheet.plan.kinds.size()) > kMaxQuestions)
     reader.fail("/kinds", translated("A sheet has 1 to 100 questions."));
   const auto mechanism = reader.member(root, "mechanism", JsonKind::object, "");
   if (reader.fault()) return *reader.fault();
   auto read = readMechanism(mechanism->slice());
   if (!read) return read.error();
   sheet.mechanism = std::move(read).value();
-  if (sheet.mechanism.n() > kMostExerciseLinks)
+  if (sheet.mechanism.n() > kMaxExerciseLinks)
     return Diagnostic{Code::schema,
                       translated("Exercises are made of mechanisms of at most %1 moving links.", {"60"}),
                       {},

@@ -10,8 +10,8 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kFastest = 6;      ///< rad/s of an input
-constexpr int kMostMeshes = 12;  ///< whose mistakes are tried
+constexpr int kFastest = 6;     ///< rad/s of an input
+constexpr int kMaxMeshes = 12;  ///< whose mistakes are tried
 
 using Speeds = std::vector<std::pair<int, Rational>>;
 
@@ -102,7 +102,7 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
                    {name, inWords(right)}),
         {source.edgeId(joint)});
   }
-  const int meshes = std::min(source.graph().c(), kMostMeshes);
+  const int meshes = std::min(source.graph().c(), kMaxMeshes);
   for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
     const std::string label = source.meshLabel(mesh);
     add("ratio-upside-down", ratesFrom(rowsWith(source, mesh, RowChange::upsideDown), speeds),

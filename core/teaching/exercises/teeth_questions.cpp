@@ -8,8 +8,8 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kFewestTeethAsked = 15;
-constexpr int kMostTeethAsked = 120;
+constexpr int kMinTeethAsked = 15;
+constexpr int kMaxTeethAsked = 120;
 constexpr int kLargestTerm = 5;  ///< of a ratio
 
 }  // namespace
@@ -29,9 +29,9 @@ Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Rational ratio(above, below);
   const std::string tail = source.linkLabel(source.graph().meshEdge(mesh).tail);
   const std::string head = source.linkLabel(source.graph().meshEdge(mesh).head);
-  const int factor = (kFewestTeethAsked + std::min(above, below) - 1) / std::min(above, below);
-  const std::string least = asText(kFewestTeethAsked);
-  const std::string most = asText(kMostTeethAsked);
+  const int factor = (kMinTeethAsked + std::min(above, below) - 1) / std::min(above, below);
+  const std::string least = asText(kMinTeethAsked);
+  const std::string most = asText(kMaxTeethAsked);
   QuestionBuilder build(ExerciseKind::teeth, 2);
   build.question.prompt = translated(
       "Choose numbers of teeth between $%1$ and $%2$ for mesh $%3$ so that $i_{%3} = \\frac{N_{%4}}{N_{%5}} "

@@ -11,7 +11,7 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostBranches = 12;
+constexpr int kMaxBranches = 12;
 
 std::vector<std::string> linkLabels(const ExerciseSource& source) {
   std::vector<std::string> labels;
@@ -232,7 +232,7 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
     (row[i] != 0 || other[i] != 0 || toGround[i] != 0 ? joints : rest).push_back(joint);
   }
   for (const JointOrdinal joint :
-       random.someOf(rest, std::max(0, kMostBranches - static_cast<int>(joints.size()))))
+       random.someOf(rest, std::max(0, kMaxBranches - static_cast<int>(joints.size()))))
     joints.push_back(joint);
   std::sort(joints.begin(), joints.end());
 

@@ -9,10 +9,10 @@ namespace geargraph::inline exercises {
 namespace {
 
 constexpr std::uint64_t kMechanismStream = 1'000'000;  ///< of random numbers; questions have those from 0 on
-constexpr int kMostAttempts = 6;
-constexpr int kMostChangedMeshes = 2;
-constexpr int kFewestTeeth = 12;
-constexpr int kMostAdded = 9;
+constexpr int kMaxAttempts = 6;
+constexpr int kMaxChangedMeshes = 2;
+constexpr int kMinTeeth = 12;
+constexpr int kMaxAdded = 9;
 
 /// Errors and warnings, the complete analysis included.
 std::size_t faultsOf(const ExerciseSource& source) {
@@ -53,23 +53,23 @@ struct TeethChange {
 /// For each variant another one, as long as there are any.
 TeethChange changeOf(const SheetPlan& plan, int variant) {
   constexpr int kStep = 97;  // has no factor in common with their number
-  constexpr int kWidth = 2 * kMostAdded + 1;
+  constexpr int kWidth = 2 * kMaxAdded + 1;
   const int first = ExerciseRandom(plan.seed, 0, kMechanismStream).below(kWidth * kWidth);
   const int place = (first + kStep * variant) % (kWidth * kWidth);
-  return {place % kWidth - kMostAdded, place / kWidth - kMostAdded};
+  return {place % kWidth - kMaxAdded, place / kWidth - kMaxAdded};
 }
 
 /// Other teeth in one mesh, and by chance in a second one, where they fit.
 Mechanism withOtherTeeth(const Mechanism& mechanism, TeethChange change, ExerciseRandom& random) {
   PlacedMechanism placed(mechanism);
   const int meshes = mechanism.c();
-  const auto other = [](int teeth, int added) { return std::max(kFewestTeeth, teeth + added); };
-  for (int changes = random.between(1, kMostChangedMeshes); changes > 0 && meshes > 0; --changes) {
+  const auto other = [](int teeth, int added) { return std::max(kMinTeeth, teeth + added); };
+  for (int changes = random.between(1, kMaxChangedMeshes); changes > 0 && meshes > 0; --changes) {
     const GearMesh& mesh = placed.mechanism().gearMeshes[static_cast<std::size_t>(random.below(meshes))];
     const auto edited = withTeethFitted(placed, mesh.id, other(mesh.tailTeeth, change.tail),
                                         other(mesh.headTeeth, change.head));
     if (edited) placed = *edited;
-    change = {random.between(-kMostAdded, kMostAdded), 0};
+    change = {random.between(-kMaxAdded, kMaxAdded), 0};
     if (meshes == 1) break;
   }
   return placed.mechanism();
@@ -92,9 +92,9 @@ ExerciseSource variantSource(const ExerciseSource& source, const SheetPlan& plan
   ExerciseRandom random(plan.seed, static_cast<std::uint64_t>(variant), kMechanismStream);
   const bool hasGeometry = source.matroid() != nullptr && source.graph().c() > 0;
   const std::size_t faults = hasGeometry ? faultsOf(source) : 0;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     // The last attempts leave the teeth as they are.
-    const bool changesTeeth = hasGeometry && attempt < kMostAttempts - 2;
+    const bool changesTeeth = hasGeometry && attempt < kMaxAttempts - 2;
     const Mechanism teeth = changesTeeth ? withOtherTeeth(source.mechanism(), changeOf(plan, variant), random)
                                          : source.mechanism();
     ExerciseSource varied(relabelled(teeth, random));

@@ -8,9 +8,9 @@
 namespace geargraph::inline exercises {
 namespace {
 
-constexpr int kMostWidth = 16;  ///< columns of a row to fill in
-constexpr int kBlock = 4;       ///< rows and columns of a block of Z
-constexpr int kMostTreeRows = 2;
+constexpr int kMaxWidth = 16;  ///< columns of a row to fill in
+constexpr int kBlock = 4;      ///< rows and columns of a block of Z
+constexpr int kMaxTreeRows = 2;
 
 /// A rectangle of a matrix as a question.
 class WalkTable {
@@ -98,7 +98,7 @@ class WalkTable {
   std::vector<int> m_values;
 };
 
-/// The non-zero columns of these rows and others, at most kMostWidth unless more are not zero.
+/// The non-zero columns of these rows and others, at most kMaxWidth unless more are not zero.
 std::vector<int> columnsFor(const IntegerMatrix& matrix, const std::vector<int>& rows,
                             ExerciseRandom& random) {
   std::vector<int> columns;
@@ -108,7 +108,7 @@ std::vector<int> columnsFor(const IntegerMatrix& matrix, const std::vector<int>&
         std::any_of(rows.begin(), rows.end(), [&](int row) { return matrix.entry(row, column) != 0; });
     (isUsed ? columns : others).push_back(column);
   }
-  const int room = std::max(0, kMostWidth - static_cast<int>(columns.size()));
+  const int room = std::max(0, kMaxWidth - static_cast<int>(columns.size()));
   for (const int column : random.someOf(others, room)) columns.push_back(column);
   std::sort(columns.begin(), columns.end());
   return columns;
@@ -240,7 +240,7 @@ Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
 }
 
 Question treeMatrixQuestion(const ExerciseSource& source, ExerciseRandom& random) {
-  const std::vector<int> meshes = random.someOf(firstNumbers(source.graph().c()), kMostTreeRows);
+  const std::vector<int> meshes = random.someOf(firstNumbers(source.graph().c()), kMaxTreeRows);
   const std::vector<int> columns = columnsFor(*source.matrix(MatrixKind::spanningTree), meshes, random);
   QuestionBuilder build(ExerciseKind::treeMatrix, 4);
   build.question.prompt = meshes.size() == 1

@@ -8,7 +8,7 @@
 namespace geargraph::inline force_tables {
 namespace {
 
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 /// The equation of a sum that is determined, or not.
 std::string equationOf(const std::string& symbols, const std::string& numbers, bool isDetermined) {
@@ -19,8 +19,8 @@ std::string equationOf(const std::string& symbols, const std::string& numbers, b
 /// Which links a joint cuts off, and which meshes cross.
 std::string sentenceOf(const std::string& joint, const std::vector<std::string>& links,
                        const std::vector<std::string>& meshes) {
-  const std::string beyond = listed(links, kMostNames);
-  const std::string crossing = listed(meshes, kMostNames);
+  const std::string beyond = listed(links, kMaxNames);
+  const std::string crossing = listed(meshes, kMaxNames);
   if (links.size() == 1) {
     if (meshes.empty()) return translated("Joint %1 cuts off link %2: no mesh crosses.", {joint, beyond});
     if (meshes.size() == 1)

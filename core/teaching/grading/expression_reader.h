@@ -177,7 +177,7 @@ class ExpressionReader {
   /// digits than were asked for: it stands for everything nearer than one unit of its last place, or nearer
   /// than a two-thousandth of itself.
   Value literal() {
-    constexpr std::size_t kFewestDigits = 3;
+    constexpr std::size_t kMinDigits = 3;
     const std::size_t begin = m_at;
     const std::string whole = digits();
     std::string places;
@@ -203,7 +203,7 @@ class ExpressionReader {
     for (int i = static_cast<int>(places.size()); i > *power; --i) unit /= 10;
     for (int i = static_cast<int>(places.size()); i < *power; ++i) unit *= 10;
     const Rational value = *Rational::fromText(all.substr(std::min(zeros, all.size() - 1))) * unit;
-    const bool isRounded = !places.empty() && all.size() - zeros >= kFewestDigits;
+    const bool isRounded = !places.empty() && all.size() - zeros >= kMinDigits;
     return m_domain.constant(value, isRounded ? std::max(unit, value / 2'000) : Rational(0));
   }
 

@@ -10,15 +10,15 @@
 namespace geargraph::inline grading {
 namespace {
 
-constexpr std::size_t kLongestQuote = 40;  ///< characters of an answer that a sentence repeats
-constexpr std::size_t kMostNamed = 6;      ///< empty fields
+constexpr std::size_t kMaxQuoteLength = 40;  ///< characters of an answer that a sentence repeats
+constexpr std::size_t kMaxNamed = 6;         ///< empty fields
 
 /// The text, cut after some characters.
 std::string quoted(const std::string& text) {
   std::size_t characters = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool isFirstByte = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-    if (isFirstByte && ++characters > kLongestQuote) return text.substr(0, at) + "\u2026";
+    if (isFirstByte && ++characters > kMaxQuoteLength) return text.substr(0, at) + "\u2026";
   }
   return text;
 }
@@ -81,9 +81,9 @@ FoundMistake unanswered(const Question& question, const std::vector<int>& fields
     return {"unanswered", fields, fieldAt(0).elements,
             translated("The field %1 is empty.", {fieldAt(0).shownName()})};
   std::string names;
-  for (std::size_t i = 0; i < std::min(fields.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(fields.size(), kMaxNamed); ++i)
     names += (i > 0 ? "; " : "") + fieldAt(i).shownName();
-  if (fields.size() > kMostNamed) names += "; \u2026";
+  if (fields.size() > kMaxNamed) names += "; \u2026";
   return {"unanswered",
           fields,
           {},

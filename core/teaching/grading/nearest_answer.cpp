@@ -11,7 +11,7 @@ namespace {
 using Row = std::vector<std::string>;
 using Agreement = std::vector<char>;  ///< by field of the condition
 
-constexpr std::size_t kFewestOfMultiple = 2;  ///< cells that fix the factor of a row
+constexpr std::size_t kMinOfMultiple = 2;  ///< cells that fix the factor of a row
 
 Agreement agreementWith(const ReadAnswer& answer, const std::vector<int>& fields, const Row& row) {
   Agreement agrees;
@@ -29,7 +29,7 @@ Agreement agreementWithMultiple(const ReadAnswer& answer, const std::vector<int>
     return number(i).fault == AnswerFault::none && !number(i).isEmpty;
   };
   Agreement best;
-  std::size_t most = kFewestOfMultiple - 1;
+  std::size_t most = kMinOfMultiple - 1;
   for (std::size_t pivot = 0; pivot < row.size(); ++pivot) {
     const Rational expected = *Rational::fromText(row[pivot]);
     if (!isRead(pivot) || expected.isZero() || number(pivot).number.value.isZero()) continue;

@@ -10,8 +10,8 @@
 namespace geargraph::inline grading {
 namespace {
 
-constexpr std::size_t kLongest = 200;
-constexpr std::size_t kMostDigits = 1'000;  ///< of numerator and denominator
+constexpr std::size_t kMaxLength = 200;
+constexpr std::size_t kMaxDigits = 1'000;  ///< of numerator and denominator
 
 struct Amount {
   Rational value;
@@ -66,7 +66,7 @@ class NumberDomain {
 
  private:
   Amount bounded(Amount amount) {
-    if (amount.value.toString().size() > kMostDigits) m_failed = true;
+    if (amount.value.toString().size() > kMaxDigits) m_failed = true;
     return amount;
   }
 
@@ -132,7 +132,7 @@ CommaUse commaUse() {
 }
 
 WrittenNumber readNumber(std::string_view text, const NumberNotation& notation) {
-  if (text.size() > kLongest || text.find('\0') != std::string_view::npos)
+  if (text.size() > kMaxLength || text.find('\0') != std::string_view::npos)
     return {NumberFault::notANumber, {}, {}, {}};
   std::string plain = plainNotation(text);
   while (plain.ends_with(' ')) plain.pop_back();

@@ -13,7 +13,7 @@
 namespace geargraph::inline grading {
 namespace {
 
-constexpr std::size_t kMostFields = 10'000;
+constexpr std::size_t kMaxFields = 10'000;
 
 template <class Value, class NameOf>
 Value named(MemberReader& reader, const std::string& name, int count, NameOf nameOf,
@@ -159,7 +159,7 @@ std::vector<Condition> readConditions(MemberReader& reader, const JsonValue& obj
 }
 
 std::optional<std::string> unsoundPart(const Question& question) {
-  if (question.fields.empty() || question.fields.size() > kMostFields) return "fields";
+  if (question.fields.empty() || question.fields.size() > kMaxFields) return "fields";
   const std::size_t cells = question.table.rows.size() * question.table.columns.size();
   if (!question.table.columns.empty() && cells != question.fields.size()) return "table";
   if (question.solution.size() != question.fields.size()) return "solution";

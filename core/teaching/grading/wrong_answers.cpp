@@ -11,8 +11,8 @@ namespace {
 using Answer = std::vector<std::string>;
 using Answers = std::vector<Answer>;
 
-constexpr std::size_t kMostCandidates = 20'000;
-constexpr std::size_t kMostCombined = 12;  ///< options of a set of which all subsets are tried
+constexpr std::size_t kMaxCandidates = 20'000;
+constexpr std::size_t kMaxCombined = 12;  ///< options of a set of which all subsets are tried
 
 std::vector<int> fieldsOf(const Condition& condition, const Question& question) {
   if (!condition.fields.empty()) return condition.fields;
@@ -60,7 +60,7 @@ std::vector<std::string> setsNear(const AnswerField& field, const std::string& t
     texts.push_back(setText(more));
   }
   for (std::size_t mask = 1;
-       field.options.size() <= kMostCombined && mask < (std::size_t{1} << field.options.size()); ++mask) {
+       field.options.size() <= kMaxCombined && mask < (std::size_t{1} << field.options.size()); ++mask) {
     std::vector<std::string> some;
     for (std::size_t i = 0; i < field.options.size(); ++i) {
       if ((mask >> i & 1U) != 0) some.push_back(field.options[i]);
@@ -138,7 +138,7 @@ std::optional<std::vector<std::string>> wrongAnswer(const Question& question, co
   for (const Condition& condition : mistake.when) {
     Answers next;
     for (const Answer& candidate : candidates) {
-      if (next.size() < kMostCandidates) addCandidates(next, candidate, condition, question);
+      if (next.size() < kMaxCandidates) addCandidates(next, candidate, condition, question);
     }
     candidates = std::move(next);
   }

@@ -147,7 +147,7 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-constexpr int kMostLessonWords = 60;  ///< of a step's text
-constexpr std::size_t kMostLessonSteps = 40;
+constexpr int kMaxLessonWords = 60;  ///< of a step's text
+constexpr std::size_t kMaxLessonSteps = 40;
 
 }  // namespace geargraph::inline lessons

@@ -11,12 +11,12 @@
 namespace geargraph::inline lessons {
 namespace {
 
-constexpr int kFewestMinutes = 1;
-constexpr int kMostMinutes = 60;
+constexpr int kMinMinutes = 1;
+constexpr int kMaxMinutes = 60;
 
 bool isLessonId(const std::string& id) {
-  constexpr std::size_t kLongest = 60;
-  return !id.empty() && id.size() <= kLongest && std::all_of(id.begin(), id.end(), [](char c) {
+  constexpr std::size_t kMaxLength = 60;
+  return !id.empty() && id.size() <= kMaxLength && std::all_of(id.begin(), id.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
   });
 }
@@ -70,15 +70,15 @@ class LessonReader {
     lesson.title = sentence(m_reader, m_root, "title", "");
     lesson.goal = sentence(m_reader, m_root, "goal", "");
     lesson.minutes = m_reader.memberNumber(m_root, "minutes", "").value_or(0);
-    if (lesson.minutes < kFewestMinutes || lesson.minutes > kMostMinutes)
+    if (lesson.minutes < kMinMinutes || lesson.minutes > kMaxMinutes)
       m_reader.fail("/minutes", translated("A lesson takes 1 to 60 minutes."));
     lesson.terms = m_reader.texts(m_root, "terms", "", false);
     const LessonDocument common = documentOf(m_root, "");
     m_reader.each(m_root, "steps", "", true, [&](const JsonValue& step, const std::string& pointer) {
       if (!m_reader.fault()) lesson.steps.push_back(readStep(step, pointer, common));
     });
-    if (lesson.steps.empty() || lesson.steps.size() > kMostLessonSteps)
-      m_reader.fail("/steps", translated("A lesson has 1 to %1 steps.", {std::to_string(kMostLessonSteps)}));
+    if (lesson.steps.empty() || lesson.steps.size() > kMaxLessonSteps)
+      m_reader.fail("/steps", translated("A lesson has 1 to %1 steps.", {std::to_string(kMaxLessonSteps)}));
     return lesson;
   }
 
@@ -100,10 +100,10 @@ class LessonReader {
     if (m_reader.fault()) return step;
     step.title = sentence(m_reader, object, "title", pointer);
     step.text = sentence(m_reader, object, "text", pointer);
-    if (wordsIn(step.text) > kMostLessonWords)
+    if (wordsIn(step.text) > kMaxLessonWords)
       m_reader.fail(pointer + "/text",
                     translated("A step explains in at most %1 words; these are %2.",
-                               {std::to_string(kMostLessonWords), std::to_string(wordsIn(step.text))}));
+                               {std::to_string(kMaxLessonWords), std::to_string(wordsIn(step.text))}));
     step.formula = m_reader.text(object, "formula", pointer, false);
     step.equation = m_reader.text(object, "equation", pointer, false);
     step.view = readView(m_reader, object, pointer);

@@ -28,7 +28,7 @@ LessonView viewOf(ExerciseKind kind) {
 }  // namespace
 
 Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant) {
-  GEARGRAPH_REQUIRE(!plan.kinds.empty() && plan.kinds.size() <= kMostLessonSteps);
+  GEARGRAPH_REQUIRE(!plan.kinds.empty() && plan.kinds.size() <= kMaxLessonSteps);
   const auto mechanism = std::make_shared<const Mechanism>(source.mechanism());
   SheetVariant sheet = makeVariant(source, plan, variant);
   Lesson lesson;

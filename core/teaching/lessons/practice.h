@@ -7,7 +7,7 @@ namespace geargraph::inline lessons {
 
 /// A variant of a sheet as a lesson on its mechanism, with one step per question: with hints, feedback and a
 /// score like any lesson. Progress is not stored. Cost: that of makeVariant().
-/// @pre every kind of the plan is offered, 1 to kMostLessonSteps of them; 1 <= variant
+/// @pre every kind of the plan is offered, 1 to kMaxLessonSteps of them; 1 <= variant
 [[nodiscard]] Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant);
 
 }  // namespace geargraph::inline lessons

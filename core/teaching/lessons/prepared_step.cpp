@@ -11,7 +11,7 @@
 namespace geargraph::inline lessons {
 namespace {
 
-constexpr std::uint64_t kMostSeeds = 500;  ///< that are tried for a question about an element
+constexpr std::uint64_t kMaxSeeds = 500;  ///< that are tried for a question about an element
 
 Diagnostic taskFault(const std::string& pointer, const std::string& message) {
   return {Code::schema, message, {}, pointer};
@@ -155,14 +155,14 @@ class QuestionMaker {
 
 Expected<Question> exerciseQuestion(const LessonStep& step, const ExerciseTask& task,
                                     const Mechanism& mechanism, const std::string& pointer) {
-  if (mechanism.n() > kMostExerciseLinks)
+  if (mechanism.n() > kMaxExerciseLinks)
     return taskFault(pointer, translated("Exercises are made of mechanisms of at most %1 moving links.",
-                                         {std::to_string(kMostExerciseLinks)}));
+                                         {std::to_string(kMaxExerciseLinks)}));
   const ExerciseSource source(mechanism);
   if (const auto reason = reasonAgainst(source, task.kind))
     return taskFault(pointer + "/exercise",
                      translated("The document gives no exercise of this kind: %1.", {*reason}));
-  for (std::uint64_t seed = task.seed; seed < task.seed + kMostSeeds; ++seed) {
+  for (std::uint64_t seed = task.seed; seed < task.seed + kMaxSeeds; ++seed) {
     ExerciseRandom random(seed);
     Question question = makeQuestion(source, task.kind, random);
     const auto& elements = question.elements;

@@ -9,7 +9,7 @@
 namespace geargraph::inline paper_check {
 namespace {
 
-constexpr int kMostSteps = 200'000;
+constexpr int kMaxSteps = 200'000;
 
 /// A row as positions in a list of values that the other row has too; -1: none of them.
 using Codes = std::vector<int>;
@@ -101,7 +101,7 @@ class AlignmentSearch {
               const std::vector<int>& ofDerived) {
     Codes written;
     for (int turn = 0; code(row, candidate, turn, written); ++turn) {
-      if (++m_steps > kMostSteps || m_stop.stop_requested()) return false;
+      if (++m_steps > kMaxSteps || m_stop.stop_requested()) return false;
       if (std::find(written.begin(), written.end(), -1) != written.end()) continue;
       std::vector<int> nextWritten = ofWritten;
       std::vector<int> nextDerived = ofDerived;

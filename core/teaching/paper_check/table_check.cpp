@@ -10,7 +10,7 @@
 namespace geargraph::inline paper_check {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;
+constexpr std::size_t kMaxNamed = 12;
 
 Diagnostic faultAt(const WrittenCell& cell, std::string message) {
   Diagnostic fault{Code::syntax, std::move(message), {}, {}};
@@ -156,7 +156,7 @@ class TableCheck {
     const auto names = [](const std::vector<Heading>& headings) {
       std::vector<std::string> all;
       for (const Heading& heading : headings) all.push_back(heading.text);
-      return listed(all, kMostNamed);
+      return listed(all, kMaxNamed);
     };
     return faultAt(
         label,

@@ -8,7 +8,7 @@
 namespace geargraph::inline paper_check {
 namespace {
 
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxListed = 12;
 
 /// The place of each label among the headings; nothing where one is not among them or named twice.
 std::optional<std::vector<int>> placesOf(const Vocabulary& vocabulary, const std::vector<WrittenCell>& labels,
@@ -144,7 +144,7 @@ void TableTrial::addNotes(const DerivedTable& table, const Alignment& alignment)
     if (std::is_sorted(order.begin(), order.end())) return;
     std::vector<std::string> names;
     for (const int place : order) names.push_back(headings[static_cast<std::size_t>(place)].text);
-    m_verdict.notes.push_back(filled(translated(sentence), {listed(names, kMostListed)}));
+    m_verdict.notes.push_back(filled(translated(sentence), {listed(names, kMaxListed)}));
   };
   note(toTranslate("Your rows are in another order: %1."), alignment.rows, table.rows);
   note(toTranslate("Your columns are in another order: %1."), alignment.columns, table.columns);
@@ -156,7 +156,7 @@ void TableTrial::addNotes(const DerivedTable& table, const Alignment& alignment)
   if (turned.empty()) return;
   m_verdict.notes.push_back(
       translated("You walk %1 the other way, which is as good: all signs of the row change.",
-                 {listed(turned, kMostListed)}));
+                 {listed(turned, kMaxListed)}));
 }
 
 void TableTrial::acceptTree(const std::vector<int>& tree) {

@@ -9,8 +9,8 @@
 namespace geargraph::inline paper_check {
 namespace {
 
-constexpr std::size_t kLongest = 2'000;
-constexpr std::size_t kMostTerms = 500;
+constexpr std::size_t kMaxLength = 2'000;
+constexpr std::size_t kMaxTerms = 500;
 constexpr std::int64_t kLargestFunction = 20'000;
 
 /// What the numbers and symbols of a cell are: functions of the ratios, and velocities with such
@@ -37,7 +37,7 @@ class FormulaDomain {
     to.hasRatios = to.hasRatios || part.amount.hasRatios;
     to.hasNumbers = to.hasNumbers || part.amount.hasNumbers;
     to.slack += part.amount.slack;
-    if (whole.terms.size() + part.terms.size() > kMostTerms || isTooLarge(to)) return tooLong(whole);
+    if (whole.terms.size() + part.terms.size() > kMaxTerms || isTooLarge(to)) return tooLong(whole);
     for (const WrittenFormula::Term& term : part.terms) {
       whole.terms.push_back(term);
       if (isNegative) whole.terms.back().coefficient.value = -term.coefficient.value;
@@ -159,7 +159,7 @@ std::optional<WrittenName> readName(const std::string& text) {
 
 Expected<WrittenFormula> readFormula(const Vocabulary& vocabulary, const WrittenCell& cell) {
   std::string plain = plainNotation(cell.text);
-  if (plain.size() > kLongest) return faultAt(cell, translated("This formula is too long."));
+  if (plain.size() > kMaxLength) return faultAt(cell, translated("This formula is too long."));
   FormulaDomain domain(vocabulary);
   ExpressionReader<FormulaDomain> reader(domain, std::move(plain), commaUse());
   WrittenFormula whole = reader.read();

@@ -10,7 +10,7 @@
 namespace geargraph::inline paper_check {
 namespace {
 
-constexpr std::size_t kMostCells = 100'000;
+constexpr std::size_t kMaxCells = 100'000;
 
 /// A matrix environment of LaTeX, or the brackets of MATLAB, by the ranges of its cells.
 struct Grid {
@@ -204,9 +204,9 @@ class PaperReader {
     for (const auto& row : rows) {
       table.cells.emplace_back();
       cells += row.size();
-      if (cells > kMostCells)
+      if (cells > kMaxCells)
         return m_text.fault(row.front().begin,
-                            translated("The matrix has more than %1 entries.", {std::to_string(kMostCells)}));
+                            translated("The matrix has more than %1 entries.", {std::to_string(kMaxCells)}));
       for (const TextRange& cell : row) table.cells.back().push_back(m_text.piece(cell));
       // A separator at the end of every line begins no column.
       if (row.size() > 1 && table.cells.back().back().text.empty() && row.size() > rows.front().size())

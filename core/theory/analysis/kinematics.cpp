@@ -22,7 +22,7 @@ class SymbolicPass {
   bool run() {
     const ExactSolution& exact = *m_result.exact;
     const std::size_t entries = exact.inputs.size() * exact.outputs.size();
-    if (entries > SolvedKinematics::kMostSymbolicEntries) {
+    if (entries > SolvedKinematics::kMaxSymbolicEntries) {
       m_result.diagnostics.push_back(skipped(
           translated("The symbolic solution has %1 entries; it was left out.", {std::to_string(entries)})));
       return true;

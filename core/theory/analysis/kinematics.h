@@ -45,12 +45,12 @@ struct SolveOptions {
 struct SolvedKinematics {
   /// With more entries than this (outputs x inputs) there is no symbolic solution, and a diagnostic
   /// symbolic-skipped.
-  static constexpr std::size_t kMostSymbolicEntries = 20'000;
+  static constexpr std::size_t kMaxSymbolicEntries = 20'000;
 
   std::optional<ExactSolution> exact;
   std::optional<SymbolicSolution> symbolic;  ///< none if switched off or over its budget
   SubstitutionPlan ttPlan;
-  std::optional<RateMatrix<Rational>> ttExact;  ///< none above ExactSolution::kMostExactEntries
+  std::optional<RateMatrix<Rational>> ttExact;  ///< none above ExactSolution::kMaxExactEntries
   std::optional<RateMatrix<std::optional<RationalFunction>>>
       ttSymbolic;  ///< in the names i_k; with `symbolic`
   /// The chain (39)-(42) in the T-T graph's own names; with ttSymbolic.

@@ -11,7 +11,7 @@ namespace {
 /// The gear in its own frame. Teeth too fine to be seen are a cylinder: it has their volume but for some
 /// parts in a thousand.
 MassProperties gearMass(const TrainGear& gear, bool withTeeth, GearCache& cache, double density) {
-  const bool isToothless = !withTeeth || gear.spec.teeth > kMostShownTeeth;
+  const bool isToothless = !withTeeth || gear.spec.teeth > kMaxShownTeeth;
   if (isToothless) return massProperties(toothlessGear(gear.spec, kScreenTolerance), density);
   const auto solid = cache.solid(gear.spec, kScreenTolerance);
   return solid ? massProperties(**solid, density) : MassProperties{};

@@ -24,7 +24,7 @@ class Run {
     GEARGRAPH_REQUIRE(static_cast<Eigen::Index>(options.motors.size()) == m_inputs);
     GEARGRAPH_REQUIRE(options.angles.size() == m_inputs && options.speeds.size() == m_inputs);
     GEARGRAPH_REQUIRE(options.seconds > 0 && options.interval > 0 && options.tolerance > 0);
-    GEARGRAPH_REQUIRE(options.seconds / options.interval < static_cast<double>(kMostSamples));
+    GEARGRAPH_REQUIRE(options.seconds / options.interval < static_cast<double>(kMaxSamples));
   }
 
   Simulation result(const std::stop_token& stop, const std::function<void(double)>& progress) {
@@ -40,7 +40,7 @@ class Run {
     const auto derivative = [this](const State& at, State& change, double) { derive(at, change); };
     for (int steps = 0; m_time < m_options.seconds; ++steps) {
       if (stop.stop_requested()) return ended(SimulationEnd::stopped);
-      if (steps == kMostSteps) return ended(SimulationEnd::unbounded);
+      if (steps == kMaxSteps) return ended(SimulationEnd::unbounded);
       try {
         stepper.do_step(derivative);
       } catch (const odeint::odeint_error&) {  // no step is small enough

@@ -46,7 +46,7 @@ enum class SimulationEnd : std::uint8_t {
   complete,
   atLimit,    ///< a joint reached the end of its range
   massless,   ///< a motion of the inputs moves no mass, so torques determine no acceleration
-  unbounded,  ///< speeds beyond what doubles follow, or more than kMostSteps steps
+  unbounded,  ///< speeds beyond what doubles follow, or more than kMaxSteps steps
   stopped,    ///< `stop` was requested
 };
 
@@ -56,8 +56,8 @@ struct Simulation {
   JointOrdinal limitJoint = -1;  ///< with atLimit
 };
 
-constexpr int kMostSteps = 2'000'000;
-constexpr std::size_t kMostSamples = 1'000'000;
+constexpr int kMaxSteps = 2'000'000;
+constexpr std::size_t kMaxSamples = 1'000'000;
 
 /// Forward dynamics: the motion that the motors' torques, the loads and weight cause from a start. Integrated
 /// by the method of Dormand and Prince of order 5 with adaptive steps; samples are interpolated to order 4,
@@ -68,7 +68,7 @@ constexpr std::size_t kMostSamples = 1'000'000;
 /// Cost: a few steps per second of free motion, more with high speeds or strong damping; a step evaluates
 /// TrainDynamics::at() six times and solves an E x E system each time.
 /// @pre a motor, an angle and a speed for each input; seconds, interval and tolerance above 0; at most
-///      kMostSamples samples
+///      kMaxSamples samples
 [[nodiscard]] Simulation simulate(TrainDynamics& dynamics, const SimulationOptions& options,
                                   const std::stop_token& stop = {},
                                   const std::function<void(double)>& progress = {});

@@ -79,8 +79,8 @@ std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& mode
   const auto system =
       eliminate(field, multiplierRows(model, field), model.equations(), model.equations(), stop);
   if (!system) return std::nullopt;
-  constexpr std::size_t kMostEntries = 20'000'000;
-  const auto multipliers = expandSparse(field, *system, kMostEntries, stop);
+  constexpr std::size_t kMaxEntries = 20'000'000;
+  const auto multipliers = expandSparse(field, *system, kMaxEntries, stop);
   if (!multipliers) return std::nullopt;
   std::map<int, Vector> vectors;  // by free multiplier
   for (int equation = 0; equation < model.equations(); ++equation) {

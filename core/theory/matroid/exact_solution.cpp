@@ -21,7 +21,7 @@ std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<c
     solution.rates.push_back(model.rateOf(field, joint, x));
 
   const std::size_t columns = inputs.size();
-  if (solution.outputs.size() * columns > ExactSolution::kMostExactEntries) return solution;
+  if (solution.outputs.size() * columns > ExactSolution::kMaxExactEntries) return solution;
   solution.matrix.resize(solution.outputs.size() * columns);
   std::fill(x.begin(), x.end(), Rational(0));
   for (std::size_t j = 0; j < columns; ++j) {

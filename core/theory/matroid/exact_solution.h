@@ -14,10 +14,10 @@ struct ExactSolution {
   std::vector<int> inputs;   ///< joints, in column order
   std::vector<int> outputs;  ///< the other joints, by label
   std::vector<Rational>
-      matrix;  ///< theta_outputs = matrix * theta_inputs, row by row; empty above kMostExactEntries
+      matrix;  ///< theta_outputs = matrix * theta_inputs, row by row; empty above kMaxExactEntries
   ByJoint<Rational> rates;  ///< for the given speeds, rad/s
 
-  static constexpr std::size_t kMostExactEntries = 250'000;
+  static constexpr std::size_t kMaxExactEntries = 250'000;
 };
 
 /// std::nullopt if `stop` was requested.

@@ -83,8 +83,8 @@ bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted) {
 std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
                                         const Structure& structure, std::span<const int> wanted,
                                         const std::stop_token& stop) {
-  constexpr std::size_t kMostEntries = 20'000'000;
-  const auto phi = expandSparse(field, structure.system, kMostEntries, stop);
+  constexpr std::size_t kMaxEntries = 20'000'000;
+  const auto phi = expandSparse(field, structure.system, kMaxEntries, stop);
   if (!phi) return std::nullopt;
   IndependentRates rates(model, field, structure, *phi);
   InputChoice choice;

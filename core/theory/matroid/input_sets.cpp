@@ -10,8 +10,8 @@
 namespace geargraph::inline matroid {
 namespace {
 
-constexpr std::size_t kMostEntries = 20'000'000;
-constexpr std::size_t kMostListed = 2'000'000;
+constexpr std::size_t kMaxEntries = 20'000'000;
+constexpr std::size_t kMaxListed = 2'000'000;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<InputSets> InputSets::of(const KinematicModel& model, const FusedF
       eliminate(field, inputRows(model, field, allEquations(model), inputs), model.n(), columns, stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());
-  const auto phi = expandSparse(field, *system, kMostEntries, stop);
+  const auto phi = expandSparse(field, *system, kMaxEntries, stop);
   if (!phi) return std::nullopt;
 
   InputSets sets(field.prime());
@@ -70,7 +70,7 @@ std::optional<Rational> InputSets::count(const std::stop_token& stop) const {
 
 std::vector<std::vector<int>> InputSets::list(std::size_t limit, const std::stop_token& stop) const {
   if (limit == 0) return {};
-  if (m_rates.size() * m_inputs.size() > kMostListed) return neighbours(limit);
+  if (m_rates.size() * m_inputs.size() > kMaxListed) return neighbours(limit);
   auto sets = enumerateBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
   return sets ? std::move(*sets) : neighbours(limit);
 }

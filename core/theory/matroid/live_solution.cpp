@@ -67,9 +67,9 @@ class Solver {
     const std::size_t inputs = m_solution.inputs.size();
     m_solution.matrix.resize(m_solution.outputs.size() * inputs);
     m_rates.assign(static_cast<std::size_t>(m_model.t()), Fused());
-    for (std::size_t first = 0; first < inputs; first += kMostSideBySide) {
+    for (std::size_t first = 0; first < inputs; first += kMaxSideBySide) {
       if (stop.stop_requested()) return false;
-      if (!takeColumns(first, std::min(kMostSideBySide, inputs - first))) return false;
+      if (!takeColumns(first, std::min(kMaxSideBySide, inputs - first))) return false;
     }
     m_solution.rates.resize(m_rates.size());
     for (std::size_t joint = 0; joint < m_rates.size(); ++joint)
@@ -143,7 +143,7 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
   solution.rank = model.n() - static_cast<int>(inputs.size());
   solution.redundant = static_cast<int>(system->checks.size());
   Solver solver(model, field, *system, speeds, solution);
-  const bool small = solution.outputs.size() * inputs.size() <= LiveSolution::kMostLiveEntries;
+  const bool small = solution.outputs.size() * inputs.size() <= LiveSolution::kMaxLiveEntries;
   if (!(small ? solver.byColumns(stop) : solver.byMotions())) return std::nullopt;
   if (!system->checks.empty()) {
     const FusedField second(PrimeField::kSecondSeed);

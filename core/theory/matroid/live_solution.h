@@ -42,14 +42,14 @@ struct LiveSolution {
   std::vector<int> inputs;   ///< joints, in column order
   std::vector<int> outputs;  ///< the other joints, by label
   ByJoint<double> rates;     ///< for the given speeds, rad/s
-  /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMostLiveEntries.
+  /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMaxLiveEntries.
   std::vector<double> matrix;
 
   int rank = 0;
   ByJoint<char> dead;  ///< it can never turn; MatroidAnalysis takes it over
   int redundant = 0;   ///< equations that depend on others
 
-  static constexpr std::size_t kMostLiveEntries = 2'000'000;
+  static constexpr std::size_t kMaxLiveEntries = 2'000'000;
 };
 
 /// std::nullopt if the inputs are not valid, or `stop` was requested.

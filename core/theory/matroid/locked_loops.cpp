@@ -37,9 +37,9 @@ SparseRows<Fused> certificateRows(const KinematicModel& model, const FusedField&
 std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, const FusedField& field,
                                                    const std::vector<char>& dead,
                                                    const std::stop_token& stop) {
-  constexpr std::size_t kMostJoints = 200;
+  constexpr std::size_t kMaxJoints = 200;
   std::vector<int> joints;
-  for (JointOrdinal joint = 0; joint < model.t() && joints.size() < kMostJoints; ++joint) {
+  for (JointOrdinal joint = 0; joint < model.t() && joints.size() < kMaxJoints; ++joint) {
     if (dead[joint] != 0) joints.push_back(joint);
   }
   if (joints.empty()) return std::vector<LockedLoop>();

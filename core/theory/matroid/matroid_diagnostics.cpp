@@ -14,7 +14,7 @@
 namespace geargraph::inline matroid {
 namespace {
 
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 std::string countedMeshes(std::size_t count, const std::string& names) {
   return count == 1 ? translated("mesh %1", {names}) : translated("meshes %1", {names});
@@ -72,7 +72,7 @@ class Speaker {
       m_diagnostic.elements.emplace_back(coupling.id);
       texts.push_back(couplingName(coupling));
     }
-    return texts.empty() ? std::string() : listed(texts, kMostNames);
+    return texts.empty() ? std::string() : listed(texts, kMaxNames);
   }
   Diagnostic say(std::string message) {
     m_diagnostic.message = std::move(message);
@@ -87,7 +87,7 @@ class Speaker {
       collect(position);
       texts.push_back(std::to_string(label(position)));
     }
-    return listed(texts, kMostNames);
+    return listed(texts, kMaxNames);
   }
 
   const Mechanism& m_mechanism;
@@ -170,7 +170,7 @@ class SharedLoads {
     for (const PlanetGroup& group : groups) {
       for (const LinkOrdinal link : group.links) names.push_back(std::to_string(m_mechanism.linkLabel(link)));
     }
-    return listed(names, kMostNames);
+    return listed(names, kMaxNames);
   }
 
   const Mechanism& m_mechanism;
@@ -332,7 +332,7 @@ std::string relationText(const Mechanism& mechanism, JointOrdinal joint, const s
 Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
                          const MatroidAnalysis& analysis, std::span<const int> wanted,
                          const std::stop_token& stop) {
-  constexpr std::size_t kMostRelations = 4;
+  constexpr std::size_t kMaxRelations = 4;
   Speaker speaker(mechanism, Code::invalidInputs);
   const InputChoice& choice = analysis.choice;
   const std::string dof = std::to_string(analysis.dof);
@@ -346,7 +346,7 @@ Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model
           : (isOneInput ? translated("The mechanism has %1 degrees of freedom, and 1 input is chosen.", {dof})
                         : translated("The mechanism has %1 degrees of freedom, and %2 inputs are chosen.",
                                      {dof, inputs}));
-  for (std::size_t i = 0; i < choice.rejected.size() && i < kMostRelations; ++i) {
+  for (std::size_t i = 0; i < choice.rejected.size() && i < kMaxRelations; ++i) {
     const std::vector<int> joint{choice.rejected[i]};
     const std::string name = speaker.joints(joint);
     const auto twice = std::count(wanted.begin(), wanted.end(), joint[0]) > 1;
@@ -371,7 +371,7 @@ Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model
 std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
                            const Placement& placement, const MatroidAnalysis& analysis, JointOrdinal joint,
                            const std::stop_token& stop) {
-  constexpr int kMostSymbolicJoints = 200;
+  constexpr int kMaxSymbolicJoints = 200;
   constexpr int kShort = 12;
   const std::vector<int>& inputs = analysis.choice.joints;
   if (analysis.dead[joint] != 0) return relationText(mechanism, joint, {}, {});
@@ -380,7 +380,7 @@ std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& mod
       static_cast<std::size_t>(std::find(outputs.begin(), outputs.end(), joint) - outputs.begin());
   const std::size_t columns = inputs.size();
   std::vector<std::string> factors;
-  if (model.t() <= kMostSymbolicJoints) {
+  if (model.t() <= kMaxSymbolicJoints) {
     const CoefficientMatrix matrix(mechanism, model, placement);
     const auto symbolic =
         solveSymbolic(mechanism, model, matrix, analysis.independentEquations(), inputs, stop, {kShort});

@@ -195,7 +195,7 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
                                               const CoefficientMatrix& matrix, std::span<const int> equations,
                                               std::span<const int> inputs, const std::stop_token& stop,
                                               ExpansionBudget budget) {
-  constexpr int kMostTermsOfTheCore = 600;
+  constexpr int kMaxTermsOfTheCore = 600;
   const RatioSystem ratios(model, matrix, equations, inputs);
   const auto zeros = zerosOf(ratios, model, stop);
   if (!zeros) return std::nullopt;
@@ -207,7 +207,7 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
 
   std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
-  const RationalFunctionField bounded(solution.ring, kMostTermsOfTheCore, enough);
+  const RationalFunctionField bounded(solution.ring, kMaxTermsOfTheCore, enough);
   const RationalFunctionField field(solution.ring);
   std::vector<char> left = zeros->all;
   std::fill(left.begin() + ratios.unknowns(), left.end(), 0);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kAngleSeed = 0x616e676c6573U;
 /// A length has its root in every other prime: a dozen unlike ones in one of 4,096.
-constexpr std::uint64_t kMostPrimes = 16'384;
+constexpr std::uint64_t kMaxPrimes = 16'384;
 
 /// The least common multiple of the denominators.
 Rational commonDenominator(const std::vector<Rational>& values) {
@@ -27,7 +27,7 @@ Rational commonDenominator(const std::vector<Rational>& values) {
 
 std::optional<ModularGeometry> ModularGeometry::forLines(std::span<const ExactLine> lines,
                                                          std::span<const PathStep> joints) {
-  for (std::uint64_t seed = 0; seed < kMostPrimes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kMaxPrimes; ++seed) {
     ModularGeometry geometry{PrimeField(PrimeField::kFirstSeed + seed)};
     if (geometry.m_field.prime() % 4 == 3 && geometry.takeLines(lines, joints)) return geometry;
   }

@@ -8,7 +8,7 @@
 namespace geargraph::inline states {
 namespace {
 
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 Diagnostic makeDiagnostic(const ShiftState& state, Code code) {
   Diagnostic result;
@@ -49,7 +49,7 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
   } else {
     result.message = translated(
         "State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.",
-        {state.name, drive, listed(names, kMostNames)});
+        {state.name, drive, listed(names, kMaxNames)});
   }
   result.elements.emplace_back(*state.drive);
   return result;
@@ -64,7 +64,7 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
     result.elements.emplace_back(mechanism.links[link].id);
   }
   const std::string freedoms = std::to_string(dof);
-  const std::string turning = listed(names, kMostNames);
+  const std::string turning = listed(names, kMaxNames);
   const bool isOne = names.size() == 1;
   if (state.drive) {
     const std::string drive = linkLabel(mechanism, *state.drive);
@@ -97,7 +97,7 @@ Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state, const 
     names.push_back(std::to_string(mechanism.linkLabel(link)));
     result.elements.emplace_back(mechanism.links[link].id);
   }
-  const std::string turning = listed(names, kMostNames);
+  const std::string turning = listed(names, kMaxNames);
   result.message = names.size() == 1
                        ? translated(
                              "State %1: link %2 turns freely beside it, at any speed. The ratio does not "

@@ -175,13 +175,13 @@ class StateSolver {
                                                               const Elimination<Rational>& solved,
                                                               const RelativeSpeed::Part& driven,
                                                               int sign) const {
-    constexpr int kMostTermsOfTheCore = 600;
+    constexpr int kMaxTermsOfTheCore = 600;
     std::vector<char> left(static_cast<std::size_t>(m_model.c()) + system.held.size() + 1, 0);
     for (const auto& check : solved.checks) left[static_cast<std::size_t>(check.source)] = 1;
 
     std::stop_source enough;
     const std::stop_callback forward(m_stop, [&] { enough.request_stop(); });
-    const RationalFunctionField bounded(m_ring, kMostTermsOfTheCore, enough);
+    const RationalFunctionField bounded(m_ring, kMaxTermsOfTheCore, enough);
     const RationalFunctionField field(m_ring);
     const auto ratio = [&](MeshOrdinal mesh, bool tail) {
       return tail ? RationalFunction::variable(m_ring, mesh) : field.one();

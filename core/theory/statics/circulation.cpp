@@ -141,7 +141,7 @@ class Finder {
     uniteShafts();
     FlowGraph graph = graphOfSets();
     std::vector<Circulation> circulations;
-    while (static_cast<int>(circulations.size()) < kMostCirculations) {
+    while (static_cast<int>(circulations.size()) < kMaxCirculations) {
       const std::vector<int> cycle = graph.widestCycle();
       if (cycle.empty()) break;
       circulations.push_back(circulationOf(cycle, graph.subtract(cycle)));

@@ -15,7 +15,7 @@ struct Circulation {
 };
 
 /// At most this many loops are reported, those of the greatest power.
-constexpr int kMostCirculations = 64;
+constexpr int kMaxCirculations = 64;
 
 /// The loops of a flow in the ground's frame, the greatest first. Meshes that share a planet are one gear
 /// set, links joined by engaged clutches one shaft; from a set to a shaft there is an edge where the set

@@ -76,7 +76,7 @@ class LockingSearch {
     // Trying all patterns at every value is for few meshes. Else the iteration guides, and only what it
     // finds at the end is tried whole; where that differs, every value is.
     bool isWhole = lossyMeshes() <= m_mostCheap;
-    const bool canBeWhole = lossyMeshes() <= kMostPatternMeshes;
+    const bool canBeWhole = lossyMeshes() <= kMaxPatternMeshes;
     for (;;) {
       Places places;
       if (!findPlaces(sense, isWhole, places)) return false;
@@ -104,7 +104,7 @@ class LockingSearch {
 
   std::optional<bool> movesAt(const LockingSense& sense, const Rational& place, bool isWhole) const {
     const auto solution = solveWithLosses(m_model, sense.lossless, sense.loads, m_motion, m_path.at(place),
-                                          m_stiffness, m_stop, isWhole ? kMostPatternMeshes : 0);
+                                          m_stiffness, m_stop, isWhole ? kMaxPatternMeshes : 0);
     if (!solution) return std::nullopt;
     return solution->outcome == LossySolution::Outcome::solved;
   }

@@ -36,7 +36,7 @@ struct LockingLimits {
 /// over the whole range are tried: a train that is self-locking only between two of them is missed. Each
 /// value is solved in fractions. If the iteration of solveWithLosses() converges, its pattern proves that the
 /// train moves. Else all patterns are tried: with more than `mostCheap` lossy meshes only at the locking end
-/// of the bracket, with more than kMostPatternMeshes nowhere, and the bracket is not proven. std::nullopt if
+/// of the bracket, with more than kMaxPatternMeshes nowhere, and the bracket is not proven. std::nullopt if
 /// `stop` was requested.
 /// Cost: some 80 values of two or three exact eliminations; at the locking end of the bracket one for each of
 /// the 2^m patterns of m lossy meshes.

@@ -79,12 +79,12 @@ struct LossySolution {
 };
 
 /// With more meshes than this, not all patterns are tried.
-constexpr int kMostPatternMeshes = 14;
+constexpr int kMaxPatternMeshes = 14;
 
 /// `lossless` is the solution of the same problem with no losses. `stiffness`: P, to decide indeterminate
 /// load sharing by equal stiffness (stiffness.h); null: then the outcome is undecided where meshes that lose
 /// power share loads. If the iteration does not converge, all patterns of the lossy meshes are tried, if
-/// there are at most `mostPatternMeshes` (not above kMostPatternMeshes) of these; with 0 none is tried, and
+/// there are at most `mostPatternMeshes` (not above kMaxPatternMeshes) of these; with 0 none is tried, and
 /// the outcome is patternLimit. std::nullopt if `stop` was requested. Cost: two or three eliminations; where
 /// these cycle, one for each pattern.
 [[nodiscard]] std::optional<LossySolution> solveWithLosses(const KinematicModel& model,
@@ -93,7 +93,7 @@ constexpr int kMostPatternMeshes = 14;
                                                            std::span<const MeshEfficiency> efficiencies,
                                                            const CoefficientMatrix* stiffness = nullptr,
                                                            const std::stop_token& stop = {},
-                                                           int mostPatternMeshes = kMostPatternMeshes);
+                                                           int mostPatternMeshes = kMaxPatternMeshes);
 
 /// The power fed into, taken from and lost in a train, over its loads and balances, W.
 struct PowerSums {

@@ -7,8 +7,8 @@
 namespace geargraph::inline statics {
 namespace {
 
-constexpr std::size_t kMostStresses = 12;  ///< self-stresses for which ranges are found
-constexpr int kMostPivots = 200;
+constexpr std::size_t kMaxStresses = 12;  ///< self-stresses for which ranges are found
+constexpr int kMaxPivots = 200;
 
 /// As a fraction: rounded where it is not one.
 Rational fractionOf(const Real& value) {
@@ -44,9 +44,9 @@ class Sharings {
     const Real& value = m_solution.statics.values[static_cast<std::size_t>(unknown)];
     if (std::all_of(weights.begin(), weights.end(), [](const Rational& each) { return each.isZero(); }))
       return SharedRange{value, value};
-    const auto above = linearMaximum(m_bounds, weights, kMostPivots);
+    const auto above = linearMaximum(m_bounds, weights, kMaxPivots);
     for (Rational& weight : weights) weight = -weight;
-    const auto below = above ? linearMaximum(m_bounds, weights, kMostPivots) : std::nullopt;
+    const auto below = above ? linearMaximum(m_bounds, weights, kMaxPivots) : std::nullopt;
     if (!below) return std::nullopt;
     return SharedRange{value - Real(*below), value + Real(*above)};
   }
@@ -99,7 +99,7 @@ std::optional<std::vector<char>> dependsOnShares(const KinematicModel& model, co
 std::vector<std::optional<SharedRange>> sharedRanges(const KinematicModel& model,
                                                      const LossySolution& solution) {
   std::vector<std::optional<SharedRange>> ranges(solution.statics.held.size());
-  if (solution.statics.selfStresses.size() > kMostStresses) return ranges;
+  if (solution.statics.selfStresses.size() > kMaxStresses) return ranges;
   Sharings sharings(model, solution);
   if (!sharings.prepare()) return ranges;
   for (std::size_t part = 0; part < ranges.size(); ++part)

@@ -15,7 +15,7 @@
 namespace geargraph::inline statics {
 namespace {
 
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId> elements = {}) {
   return {code, std::move(message), std::move(elements), {}, 0, 0};
@@ -30,7 +30,7 @@ std::string decimal(double value) {
 /// One of two texts that are marked by toTranslate(), by the number of names in the place %1: "joint 14",
 /// "joints 13 and 14".
 std::string counted(const char* one, const char* many, const std::vector<std::string>& names) {
-  return filled(translated(names.size() == 1 ? one : many), {listed(names, kMostNames)});
+  return filled(translated(names.size() == 1 ? one : many), {listed(names, kMaxNames)});
 }
 
 /// With its first letter in upper case, where that is one of ASCII: German nouns have it already.
@@ -121,7 +121,7 @@ std::string rangesOfShares(const Mechanism& mechanism, const StaticsReport& repo
   }
   if (ranges.empty()) return {};
   return ' ' + translated("For any sharing in which no mesh works against the others: %1.",
-                          {listed(ranges, kMostNames)});
+                          {listed(ranges, kMaxNames)});
 }
 
 /// What is known of the torques outside of self-stresses. `areMeshesOnly`: only meshes share.
@@ -202,9 +202,9 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   for (const JointOrdinal joint : motion.joints)
     if (!drivers.joints.contains(joint)) cures.push_back(joint);
   if (cures.empty()) cures = motion.joints;
-  const std::string turning = listed(jointLabels(mechanism, motion.joints), kMostNames);
-  const std::string loads = listed(drivers.names, kMostNames);
-  const std::string choices = listed(jointLabels(mechanism, cures), kMostNames, toTranslate("or"));
+  const std::string turning = listed(jointLabels(mechanism, motion.joints), kMaxNames);
+  const std::string loads = listed(drivers.names, kMaxNames);
+  const std::string choices = listed(jointLabels(mechanism, cures), kMaxNames, toTranslate("or"));
   std::string message =
       motion.joints.size() == 1
           ? translated(
@@ -239,8 +239,8 @@ Diagnostic loadsOnBalances(const Mechanism& mechanism, const StaticsReport& repo
       elements.emplace_back(*linkOf(load.load));
     }
   }
-  const std::string on = listed(names, kMostNames);
-  const std::string held = listed(places, kMostNames);
+  const std::string on = listed(names, kMaxNames);
+  const std::string held = listed(places, kMaxNames);
   return makeDiagnostic(
       Code::loadOnBalance,
       translated("The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of "
@@ -278,7 +278,7 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model, 
   if (!couplings.empty())
     groups.push_back(counted(toTranslate("coupling %1"), toTranslate("couplings %1"), couplings));
   if (balances) groups.push_back(translated("balances"));
-  const std::string sharing = capitalized(listed(groups, kMostNames));
+  const std::string sharing = capitalized(listed(groups, kMaxNames));
   const int count = solution.indeterminate();
   std::string message = count == 1
                             ? translated(
@@ -299,7 +299,7 @@ Diagnostic deadLoad(const Mechanism& mechanism, JointOrdinal joint, const std::v
   std::vector<ElementId> elements{id};
   for (const MeshOrdinal mesh : meshes) elements.push_back(meshId(mechanism, mesh));
   const std::string label = std::to_string(mechanism.jointLabel(joint));
-  const std::string carrying = listed(meshLabels(mechanism, meshes), kMostNames);
+  const std::string carrying = listed(meshLabels(mechanism, meshes), kMaxNames);
   std::string message;
   if (meshes.empty()) {
     message = translated("Joint %1 cannot turn: its load needs no balance.", {label});
@@ -323,7 +323,7 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
       elements.emplace_back(mechanism.links[place.link].id);
     }
   }
-  const std::string places = listed(names, kMostNames);
+  const std::string places = listed(names, kMaxNames);
   std::string message =
       translated("No torque at %1 moves this load: the train is self-locking in this direction.", {places});
   if (part) {
@@ -383,7 +383,7 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
       most = std::max(most, times[static_cast<std::size_t>(mesh)]);
       elements.push_back(meshId(mechanism, mesh));
     }
-    const std::string labels = listed(meshLabels(mechanism, meshes), kMostNames);
+    const std::string labels = listed(meshLabels(mechanism, meshes), kMaxNames);
     std::string message =
         meshes.size() == 1
             ? translated("Mesh %1 passes %2 times the power fed, seen from its carrier.",

@@ -314,13 +314,13 @@ class Analysis {
   bool solveTransposed() {
     const auto joints = jointsOf(m_model, m_report.problem);
     if (!joints || !m_report.problem.engaged.empty() || joints->first.empty()) return true;
-    if (joints->first.size() * joints->second.size() > ExactSolution::kMostExactEntries) return true;
+    if (joints->first.size() * joints->second.size() > ExactSolution::kMaxExactEntries) return true;
     m_report.balancedJoints = joints->first;
     m_report.matrix = torqueMatrix(m_model, m_report.held, joints->second, m_stop);
     if (m_stop.stop_requested()) return false;
     if (m_report.matrix && m_options.symbolic && !takeTtMatrix()) return false;
-    constexpr std::size_t kMostSymbolicEntries = 20'000;
-    if (!m_report.matrix || !m_options.symbolic || m_report.matrix->entries.size() > kMostSymbolicEntries)
+    constexpr std::size_t kMaxSymbolicEntries = 20'000;
+    if (!m_report.matrix || !m_options.symbolic || m_report.matrix->entries.size() > kMaxSymbolicEntries)
       return true;
     m_report.symbolic = solveStaticsSymbolic(m_mechanism, cutsets(), m_analysis.independentMeshes,
                                              joints->first, joints->second, m_stop);
@@ -335,7 +335,7 @@ class Analysis {
   /// requested.
   bool takeTtMatrix() {
     const TorqueMatrix& matroid = *m_report.matrix;
-    if (!m_ttGraph.isComplete() || matroid.loaded.size() > kMostTtColumns) return true;
+    if (!m_ttGraph.isComplete() || matroid.loaded.size() > kMaxTtColumns) return true;
     TorqueMatrix matrix{matroid.balanced, matroid.loaded, {}};
     matrix.entries.resize(matroid.entries.size());
     const std::vector<TtChord> chords = chordsOf(m_report.held);

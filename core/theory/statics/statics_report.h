@@ -18,7 +18,7 @@ namespace geargraph::inline statics {
 
 /// With more loaded joints than this StaticsReport::ttMatrix is omitted: the T-T graph solves one chain for
 /// each.
-constexpr std::size_t kMostTtColumns = 60;
+constexpr std::size_t kMaxTtColumns = 60;
 
 /// The options of a statics analysis.
 struct StaticsOptions {
@@ -81,7 +81,7 @@ struct StaticsReport {
   std::vector<int> balancedJoints;  ///< where all balances are in joints, of the transposed kinematics
   std::optional<TorqueMatrix> matrix;
   std::optional<TorqueMatrix>
-      ttMatrix;  ///< the same by the T-T graph; of at most kMostTtColumns loaded joints
+      ttMatrix;  ///< the same by the T-T graph; of at most kMaxTtColumns loaded joints
   std::optional<SymbolicStatics> symbolic;
   std::optional<SymbolicStatics> ttSymbolic;   ///< the same by the T-T graph's cutsets, where it has ttMatrix
   std::optional<RationalFunction> efficiency;  ///< as symbolicEfficiency(); with options.symbolic

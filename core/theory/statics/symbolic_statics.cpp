@@ -8,7 +8,7 @@
 namespace geargraph::inline statics {
 namespace {
 
-constexpr int kMostTermsOfTheCore = 600;
+constexpr int kMaxTermsOfTheCore = 600;
 
 /// The cutset equations with a column for each f of a mesh, each balanced and each loaded joint.
 class CutsetSystem {
@@ -138,7 +138,7 @@ std::optional<SymbolicStatics> solveStaticsSymbolic(const Mechanism& mechanism,
   }
   std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
-  const RationalFunctionField bounded(result.ring, kMostTermsOfTheCore, enough);
+  const RationalFunctionField bounded(result.ring, kMaxTermsOfTheCore, enough);
   const RationalFunctionField field(result.ring);
   const auto ratio = [&](MeshOrdinal mesh) { return RationalFunction::variable(result.ring, mesh); };
   const auto system = eliminate(bounded, equations.rows(bounded, ratio, left), equations.unknowns(),

@@ -190,7 +190,7 @@ class Classifier {
         "only in the drawn pose and are treated as different axes (%3). Give each axis of the mechanism its "
         "own "
         "entry in axes.",
-        {listed(labels, kMostNames), id.text(), listed(names, kMostNames)});
+        {listed(labels, kMaxNames), id.text(), listed(names, kMaxNames)});
     m_levels.diagnostics.push_back(std::move(diagnostic));
   }
 
@@ -217,10 +217,10 @@ class Classifier {
     }
     diagnostic.message =
         translated("Axes %1 are one line held by common links: they are treated as one axis (%2).",
-                   {listed(names, kMostNames), m_levels.name(level)});
+                   {listed(names, kMaxNames), m_levels.name(level)});
     if (!opposite.empty())
       diagnostic.message +=
-          ' ' + translated("The opposite direction of %1 is minded.", {listed(opposite, kMostNames)});
+          ' ' + translated("The opposite direction of %1 is minded.", {listed(opposite, kMaxNames)});
     m_levels.diagnostics.push_back(std::move(diagnostic));
   }
 

@@ -35,11 +35,11 @@ struct SubstitutionPlan {
   [[nodiscard]] int firstInputColumn() const { return static_cast<int>(outputs.size()); }
 };
 
-constexpr long long kMostCircuitTerms = 200'000;
+constexpr long long kMaxCircuitTerms = 200'000;
 
 /// With more circuit terms than `mostTerms` the plan is by levels. Cost: the circuit terms, and O(c log c).
 /// @pre graph.isComplete(); the inputs are joints of the graph, each once
 [[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
-                                                long long mostTerms = kMostCircuitTerms);
+                                                long long mostTerms = kMaxCircuitTerms);
 
 }  // namespace geargraph::inline ttgraph

@@ -79,7 +79,7 @@ std::vector<char> alwaysVanishing(const std::vector<std::vector<char>>& vanishin
 
 std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtGraph& graph,
                                              const SubstitutionPlan& plan, const std::stop_token& stop) {
-  constexpr int kMostTermsOfTheCore = 600;
+  constexpr int kMaxTermsOfTheCore = 600;
   const FusedField fused;
   auto redundant = redundantEquations(fused, graph, plan, stop);
   if (!redundant) return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
   std::stop_source enough;  // the caller's request, or the core's size
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   auto field = std::make_unique<const RationalFunctionField>(ring);
-  const RationalFunctionField bounded(ring, kMostTermsOfTheCore, enough);
+  const RationalFunctionField bounded(ring, kMaxTermsOfTheCore, enough);
   const RatioWeights weights{field.get()};
   auto system = TtSystem<RationalFunctionField>::of(bounded, graph, plan, weights, left, enough.get_token());
   if (stop.stop_requested()) return std::nullopt;

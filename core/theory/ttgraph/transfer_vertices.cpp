@@ -60,7 +60,7 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
       "gear %4 to link %5.",
       {std::to_string(graph.edgeLabel(graph.t() + mesh)), countInWords(static_cast<int>(walk.size())),
        wordText(levels, walk, ", "), label(walk.front().from),
-       listed(carriers, kMostNames, toTranslate("or"))});
+       listed(carriers, kMaxNames, toTranslate("or"))});
   return diagnostic;
 }
 

@@ -57,6 +57,6 @@ struct TtTorques {
 [[nodiscard]] std::optional<TtTorques> ttTorques(const TtGraph& graph, std::span<const TtChord> chords,
                                                  const RadicalColumns& loads,
                                                  const std::stop_token& stop = {},
-                                                 long long mostTerms = kMostCircuitTerms);
+                                                 long long mostTerms = kMaxCircuitTerms);
 
 }  // namespace geargraph::inline ttgraph

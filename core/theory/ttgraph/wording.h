@@ -5,7 +5,7 @@
 namespace geargraph::inline ttgraph {
 
 /// The most names that one sentence about axes and transfer vertices lists.
-constexpr std::size_t kMostNames = 8;
+constexpr std::size_t kMaxNames = 8;
 
 /// "three" up to twelve, digits beyond.
 [[nodiscard]] std::string countInWords(int count);

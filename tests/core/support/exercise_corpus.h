@@ -22,7 +22,7 @@ using AnswerTexts = std::vector<std::string>;
 /// goes on from where the question left it.
 template <class Visit>
 void visitQuestions(const Mechanism& mechanism, std::uint64_t seeds, const Visit& visit) {
-  if (mechanism.n() > kMostExerciseLinks) return;
+  if (mechanism.n() > kMaxExerciseLinks) return;
   const ExerciseSource source(mechanism);
   for (const ExerciseKind kind : offeredKinds(source)) {
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {

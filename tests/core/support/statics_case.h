@@ -41,7 +41,7 @@ struct StaticsCase : Worked {
     return *solveStatics(model, held(problem), power(problem).byLink);
   }
   [[nodiscard]] TtTorques solveByTtGraph(const StaticsProblem& problem,
-                                         long long mostTerms = kMostCircuitTerms) const {
+                                         long long mostTerms = kMaxCircuitTerms) const {
     return *ttTorques(tt, chordsOf(held(problem)), power(problem).byJoint, {}, mostTerms);
   }
   /// The torque of a balance, by its position in the problem.

@@ -170,7 +170,7 @@ class CrashReportTest : public QObject {
     std::vector<ActionLog::Entry> entries;
     log.visit([&](const ActionLog::Entry& entry) { entries.push_back(entry); });
     QCOMPARE(entries.size(), ActionLog::kCapacity);
-    QCOMPARE(std::string(entries.back().name.data()), std::string(ActionLog::kLongestName, 'x'));
+    QCOMPARE(std::string(entries.back().name.data()), std::string(ActionLog::kMaxNameLength, 'x'));
     const std::string newest = "action " + std::to_string(3 * ActionLog::kCapacity - 1);
     QCOMPARE(std::string(entries[ActionLog::kCapacity - 2].name.data()), newest);
     QCOMPARE(entries.front().count, 2U);

@@ -169,7 +169,7 @@ class DerivationPanelTest : public QObject {
   // Nothing of it lies over the number.
   void theLinesOfOneEquationHaveOneBand() {
     showNow(snapshotOf(robot()));
-    view().setZoom(DerivationView::kMostZoom);
+    view().setZoom(DerivationView::kMaxZoom);
     bringUp(40);
     selection.select({JointId("12")});
     const QImage after = picture();
@@ -214,7 +214,7 @@ class DerivationPanelTest : public QObject {
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
     panel->resize(220, 300);
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
-    view().setZoom(DerivationView::kMostZoom);
+    view().setZoom(DerivationView::kMaxZoom);
     QVERIFY(view().horizontalScrollBar()->maximum() > 0);
     view().setZoom(1);
     panel->resize(1400, 300);

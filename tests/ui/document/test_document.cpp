@@ -167,7 +167,7 @@ class DocumentTest : public QObject {
     Document document;
     document.apply(addLink());
     QSignalSpy rejected(&document, &Document::rejected);
-    const std::string name(kLongestName + 1, 'x');
+    const std::string name(kMaxNameLength + 1, 'x');
     QVERIFY(
         !document.apply({QStringLiteral("Rename link"),
                          [name](const Mechanism& m) { return withName(m, m.links.back().id, name); }, 0}));

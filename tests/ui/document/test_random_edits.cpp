@@ -14,7 +14,7 @@ class RandomEditsTest : public QObject {
   Q_OBJECT
 
   static constexpr int kEdits = 10'000;
-  static constexpr int kMostLinks = 25;
+  static constexpr int kMaxLinks = 25;
 
   std::mt19937_64 dice{20'261'121};
   int below(int limit) { return static_cast<int>(dice() % static_cast<std::uint64_t>(limit)); }
@@ -117,8 +117,8 @@ class RandomEditsTest : public QObject {
 
   Reduce anyEdit(const Mechanism& m) {
     const int kind = below(10);
-    if (m.n() > kMostLinks || kind == 0) {
-      return [gone = some(m, m.n() > kMostLinks ? 12 : 2)](const Mechanism& before) {
+    if (m.n() > kMaxLinks || kind == 0) {
+      return [gone = some(m, m.n() > kMaxLinks ? 12 : 2)](const Mechanism& before) {
         return withoutElements(before, gone);
       };
     }

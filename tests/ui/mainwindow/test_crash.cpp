@@ -19,9 +19,9 @@
 namespace geargraph {
 namespace {
 
-constexpr int kTick = 20;                 ///< ms between edits, at least
-constexpr int kMostLost = 2'000 / kTick;  ///< edits of the last two seconds
-constexpr int kLongestSession = 150;      ///< edits
+constexpr int kTick = 20;                ///< ms between edits, at least
+constexpr int kMaxLost = 2'000 / kTick;  ///< edits of the last two seconds
+constexpr int kMaxSession = 150;         ///< edits
 
 /// The k-th edit: the document's name says k, and every fifth adds a link.
 Expected<Mechanism> edited(Mechanism mechanism, int k) {
@@ -104,7 +104,7 @@ class CrashTest : public QObject {
     QTest::addColumn<int>("edits");
     std::mt19937 random(20261121);
     for (int round = 0; round < 6; ++round) {
-      const int edits = 1 + static_cast<int>(random() % kLongestSession);
+      const int edits = 1 + static_cast<int>(random() % kMaxSession);
       QTest::addRow("%d: after %d edits", round, edits) << edits;
     }
   }
@@ -121,7 +121,7 @@ class CrashTest : public QObject {
     MainWindow& window = *windows.windows().front();
     const Notice* offer = window.notices().current();
     if (offer == nullptr) {
-      QVERIFY2(made <= kMostLost, qPrintable(QStringLiteral("All of %1 edits are lost").arg(made)));
+      QVERIFY2(made <= kMaxLost, qPrintable(QStringLiteral("All of %1 edits are lost").arg(made)));
       return;
     }
     QVERIFY(offer->text.contains(QStringLiteral("work.geargraph")));
@@ -131,15 +131,15 @@ class CrashTest : public QObject {
     const Mechanism restored = *window.document().mechanism();
     const int kept = std::stoi(restored.name);
     QVERIFY(restored == afterEdits(drawn, kept));
-    QVERIFY2(made - kept <= kMostLost, qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(made)));
+    QVERIFY2(made - kept <= kMaxLost, qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(made)));
     QVERIFY(offer == nullptr || window.isWindowModified());
   }
 
   void twoEditorsOnOneFileKeepTheirChangesApart() {
     const auto one = startEditor();
     const auto two = startEditor();
-    kill(*one, kLongestSession);
-    kill(*two, kLongestSession);
+    kill(*one, kMaxSession);
+    kill(*two, kMaxSession);
     const SideFiles left = recoverableFilesOf(document, app());
     QCOMPARE(left.size(), std::size_t{2});
     for (const auto& side : left) {

@@ -227,7 +227,7 @@ class DrawingsTest : public QObject {
   void anExportThatIsStoppedWritesNothing() {
     PictureOptions animation = optionsFor("3d", PictureForm::png);
     animation.picture.style.size = SheetStyle::Size{64, 48};
-    animation.animation = Animation{AnimationKind::turntable, kMostAnimationFrames, 24, 0};
+    animation.animation = Animation{AnimationKind::turntable, kMaxAnimationFrames, 24, 0};
     QSignalSpy failed(&window->exportJobs(), &ExportJobs::failed);
     window->exports().exportPicture(animation, folder.filePath("long.png"));
     auto answers = window->notices().current()->answers;

@@ -30,9 +30,8 @@ class LiveTeethTest : public QObject {
       return std::any_of(solids.begin(), solids.end(), [&](const auto& solid) { return *solid == wanted; });
     };
     return stage()->scene.instances.size() == train.gears.size() + train.bodies.size() &&
-           std::all_of(train.gears.begin(), train.gears.end(), [&](const TrainGear& gear) {
-             return isShown(*gearSolid(gear.spec, kFarthestTolerance));
-           });
+           std::all_of(train.gears.begin(), train.gears.end(),
+                       [&](const TrainGear& gear) { return isShown(*gearSolid(gear.spec, kMaxTolerance)); });
   }
 
  private slots:

@@ -229,7 +229,7 @@ class WindowProblemsTest : public QObject {
   void motionThatIsNotCheckedIsToldBelowTheList() {
     auto* note = window->problems().findChild<QLabel*>(QStringLiteral("motionNote"));
     QVERIFY(!note->isVisible());
-    window->document().replace(test::deepTrain(1, kMostCheckedLinks + 1), {});
+    window->document().replace(test::deepTrain(1, kMaxCheckedLinks + 1), {});
     QTRY_VERIFY_WITH_TIMEOUT(window->isSettled(), 60'000);
     QVERIFY(note->isVisible());
     QCOMPARE(note->text(), QString("The motion of more than 300 links is not checked for collisions."));

@@ -51,9 +51,9 @@ class AxisChoicesTest : public QObject {
   void theNearestAxesOfALargeTrainAreOffered() {
     const Mechanism train = test::randomTrain(7, 400, 160);
     const AxisId& asked = train.axes[train.axes.size() / 2].id;
-    QVERIFY(train.axes.size() > kMostAxesOffered + 1);
+    QVERIFY(train.axes.size() > kMaxAxesOffered + 1);
     const std::vector<AxisId> offered = offeredFor(train, asked);
-    QCOMPARE(offered.size(), kMostAxesOffered);
+    QCOMPARE(offered.size(), kMaxAxesOffered);
     QVERIFY(std::find(offered.begin(), offered.end(), asked) == offered.end());
     int farthest = 0;
     for (const AxisId& each : offered) farthest = std::max(farthest, jointsBetween(train, asked, each));

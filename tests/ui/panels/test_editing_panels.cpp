@@ -414,7 +414,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
 
   void aTrainOfTooManyMeshesSaysThatNothingFollows() {
     Mechanism many = test::planetary(24, 18, 3);
-    while (many.c() < kMostFittedMeshes) {
+    while (many.c() < kMaxFittedMeshes) {
       many.gearMeshes.push_back(many.gearMeshes.front());
       many.gearMeshes.back().id = MeshId("m" + std::to_string(many.c()));
     }

@@ -341,7 +341,7 @@ class MatricesPanelTest : public QObject {
         return triesBodies(each) && !fixesFor(each, *snapshot).empty();
       });
       const auto row = static_cast<int>(found - listed.begin());
-      if (found == listed.end() || row >= ProblemsPanel::kMostImmediateFixes) continue;
+      if (found == listed.end() || row >= ProblemsPanel::kMaxImmediateFixes) continue;
       const QModelIndex index = problems.model().index(row);
       QVERIFY(problems.list().indexWidget(index) == nullptr);
       QTRY_VERIFY(problems.list().indexWidget(index) != nullptr);

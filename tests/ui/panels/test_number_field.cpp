@@ -69,7 +69,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
     QAccessibleValueInterface* number = seen->valueInterface();
     QVERIFY(number != nullptr);
     QCOMPARE(number->currentValue().toInt(), 18);
-    QCOMPARE(number->minimumValue().toInt(), kFewestTeeth);
+    QCOMPARE(number->minimumValue().toInt(), kMinTeeth);
     QCOMPARE(number->minimumStepSize().toDouble(), 1.0);
     number->setCurrentValue(24);
     QCOMPARE(mesh("15").tailTeeth, 24);

@@ -127,7 +127,7 @@ class SearchTest : public QObject {
     wide.setQuery("joint 15000");
     QCOMPARE(wide.entryAt(0).element, std::optional<ElementId>(JointId("J5000")));
     wide.setQuery("1");
-    QCOMPARE(wide.rowCount(), SearchModel::kMost);
+    QCOMPARE(wide.rowCount(), SearchModel::kMax);
     QCOMPARE(wide.index(0).data().toString(), QString("Link 1"));
   }
 };

@@ -354,7 +354,7 @@ class TestMotionCollisions : public QObject {
     sampled.check.coversAll = false;
     QCOMPARE(motionNote(*robot, &sampled), std::string("The motion was checked for collisions for its first "
                                                        "125.7 s: it does not repeat sooner."));
-    const SnapshotPtr large = analyzed(test::deepTrain(1, kMostCheckedLinks + 1));
+    const SnapshotPtr large = analyzed(test::deepTrain(1, kMaxCheckedLinks + 1));
     QVERIFY(!checkMotion(*large));
     QCOMPARE(motionNote(*large, nullptr),
              std::string("The motion of more than 300 links is not checked for collisions."));

@@ -116,7 +116,7 @@ class TestLargeTrains : public QObject {
   void aThousandLinksHaveWheelsAndStraightBodies() {
     const Mechanism mechanism = test::deepTrain(1, 1000);
     const GearTrain train = trainOf(mechanism, placementOf(mechanism));
-    QVERIFY(train.gears.size() > kMostRoutedGears);
+    QVERIFY(train.gears.size() > kMaxRoutedGears);
     QVERIFY(train.hasSimpleBodies);
     QCOMPARE(train.meshes.size(), mechanism.gearMeshes.size());
     for (const TrainGear& gear : train.gears) QVERIFY(gear.spec.body == GearBody::plain);
@@ -135,7 +135,7 @@ class TestLargeTrains : public QObject {
   void aTrainAtTheBoundIsRouted() {
     const Mechanism mechanism = test::deepTrain(1, 60);
     const GearTrain train = trainOf(mechanism, placementOf(mechanism));
-    QVERIFY(train.gears.size() <= kMostRoutedGears);
+    QVERIFY(train.gears.size() <= kMaxRoutedGears);
     QVERIFY(!train.hasSimpleBodies);
   }
 };

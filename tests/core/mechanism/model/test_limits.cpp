@@ -13,7 +13,7 @@ class LimitsTest : public QObject {
   Q_OBJECT
 
   const Mechanism robot = test::robotTopology();
-  const std::string longest = std::string(kLongestName, 'x');
+  const std::string longest = std::string(kMaxNameLength, 'x');
 
   /// The diagnostic that keeps a document from being opened is known before it is saved.
   static void checkRejected(const Mechanism& mechanism, const std::string& pointer) {
@@ -43,7 +43,7 @@ class LimitsTest : public QObject {
 
   void charactersCountAndNotBytes() {
     std::string gears;
-    for (std::size_t i = 0; i < kLongestName; ++i) gears += "齿";
+    for (std::size_t i = 0; i < kMaxNameLength; ++i) gears += "齿";
     QVERIFY(limitDiagnostics(*withName(robot, robot.links[1].id, gears)).empty());
     checkRejected(*withName(robot, robot.links[1].id, gears + "齿"), "/links/1/name");
   }
@@ -74,7 +74,8 @@ class LimitsTest : public QObject {
 
   void listsHaveALongest() {
     Mechanism many = emptyMechanism();
-    for (std::size_t i = 1; i <= kLongestList; ++i) many.links.push_back({LinkId(std::to_string(i)), {}, {}});
+    for (std::size_t i = 1; i <= kMaxListLength; ++i)
+      many.links.push_back({LinkId(std::to_string(i)), {}, {}});
     checkRejected(many, "/links");
   }
 };

@@ -65,11 +65,11 @@ class TestNotes : public QObject {
       return made ? std::string() : made.error()[0].message;
     };
     QCOMPARE(why("x"), std::string());
-    QCOMPARE(why(std::string(kLongestNote, 'x')), std::string());
-    QCOMPARE(why(std::string(kLongestNote + 1, 'x')),
+    QCOMPARE(why(std::string(kMaxNoteLength, 'x')), std::string());
+    QCOMPARE(why(std::string(kMaxNoteLength + 1, 'x')),
              std::string("A note has at most 1,000 characters; this one has 1001."));
     std::string wide;
-    for (std::size_t i = 0; i < kLongestNote; ++i) wide += "ä";
+    for (std::size_t i = 0; i < kMaxNoteLength; ++i) wide += "ä";
     QCOMPARE(why(wide), std::string());  // characters count, not bytes
     QCOMPARE(why(" \n"), std::string("A note needs a text."));
     QCOMPARE(why("a\tb"), std::string("A note is lines of text without control characters."));
@@ -78,7 +78,7 @@ class TestNotes : public QObject {
     QVERIFY(!withNote(test::robotTopology(), {nowhere, 0}, "x").has_value());
     QVERIFY(!withNote(test::robotTopology(), {0, -1e16}, "x").has_value());
     Mechanism many = test::robotTopology();
-    for (const NoteId id : freshNoteIds(many, kMostNotes)) many.view.notes.push_back({id, "x", {}});
+    for (const NoteId id : freshNoteIds(many, kMaxNotes)) many.view.notes.push_back({id, "x", {}});
     QVERIFY(wellFormedDiagnostics(many).empty());
     QCOMPARE(withNote(many, {}, "x").error()[0].message,
              std::string("A document has at most 1,000 notes; this one has 1001."));

@@ -353,7 +353,7 @@ class TestHandout : public QObject {
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(test::example("robot")));
     GearCache cache;
     const auto page =
-        handoutHtml(snapshot, {}, {trainStage(*snapshot, cache), std::string(kMostHandoutBytes, 'x')});
+        handoutHtml(snapshot, {}, {trainStage(*snapshot, cache), std::string(kMaxHandoutBytes, 'x')});
     QVERIFY(!page);
     QVERIFY(page.error().front().message.find("the still picture") != std::string::npos);
   }

@@ -40,9 +40,8 @@ Eigen::Isometry3d spaceTowards(const Vector3d& origin, const Vector3d& axis, con
 /// Turns both gears by ratio through a bit more than one pitch of the first. `sense`: of the second's turn.
 void addFrames(Assembly& assembly, double sense) {
   const double ratio = sense * assembly.gears[0].teeth / assembly.gears[1].teeth;
-  for (std::size_t i = 0; i < kFewestFrames; ++i) {
-    const double angle =
-        1.1 * 2 * M_PI / assembly.gears[0].teeth * static_cast<double>(i) / (kFewestFrames - 1);
+  for (std::size_t i = 0; i < kMinFrames; ++i) {
+    const double angle = 1.1 * 2 * M_PI / assembly.gears[0].teeth * static_cast<double>(i) / (kMinFrames - 1);
     Eigen::Isometry3d a = assembly.gears[0].pose;
     Eigen::Isometry3d b = assembly.gears[1].pose;
     a.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));

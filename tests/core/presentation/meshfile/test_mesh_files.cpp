@@ -280,9 +280,9 @@ class TestMeshFiles : public QObject {
       return error != nullptr && error->kind == MeshFileError::Kind::limit;
     };
     QVERIFY(!kindUnder({}));
-    QVERIFY(kindUnder({bytes.size() - 1, kMostTriangles, 1000}));
+    QVERIFY(kindUnder({bytes.size() - 1, kMaxTriangles, 1000}));
     QVERIFY(kindUnder({bytes.size(), 10, 1000}));
-    QVERIFY(kindUnder({bytes.size(), kMostTriangles, 3}));
+    QVERIFY(kindUnder({bytes.size(), kMaxTriangles, 3}));
   }
 };
 

@@ -49,7 +49,7 @@ struct Example {
   }
   [[nodiscard]] Assembly assembly(std::span<const std::vector<Rational>> choice) const {
     GearCache cache;
-    return assemblyOf(placed(), cache, kExportTolerance, choice, kFewestFrames).value();
+    return assemblyOf(placed(), cache, kExportTolerance, choice, kMinFrames).value();
   }
 };
 
@@ -174,11 +174,11 @@ class TestTrainFiles : public QObject {
     const std::vector<Rational> still(robot.rates.size());
     GearCache cache;
     const std::vector<std::vector<Rational>> motions{still, robot.rates, still};
-    const auto assembly = assemblyOf(robot.placed(), cache, kExportTolerance, motions, kFewestFrames);
+    const auto assembly = assemblyOf(robot.placed(), cache, kExportTolerance, motions, kMinFrames);
     QVERIFY(assembly->frames.back()[0].isApprox(robot.assembly(robot.rates).frames.back()[0], 1e-12));
     const auto resting =
-        assemblyOf(robot.placed(), cache, kExportTolerance, std::span(&still, 1), kFewestFrames);
-    QCOMPARE(resting->frames.size(), kFewestFrames);
+        assemblyOf(robot.placed(), cache, kExportTolerance, std::span(&still, 1), kMinFrames);
+    QCOMPARE(resting->frames.size(), kMinFrames);
     QVERIFY(resting->frames.back()[0].isApprox(assembly->gears[0].pose, 1e-12));
   }
 
@@ -205,7 +205,7 @@ class TestTrainFiles : public QObject {
     GearCache cache;
     const StagePtr stage = stageOf(robot.mechanism, cache);
     const Assembly assembly = robot.assembly(robot.rates);
-    const auto times = frameTimes(pitchRates(robot.placed(), robot.rates), kFewestFrames);
+    const auto times = frameTimes(pitchRates(robot.placed(), robot.rates), kMinFrames);
     for (std::size_t frame = 0; frame < times.size(); ++frame) {
       std::vector<double> angles;
       for (const double speed : stage->inputSpeeds) angles.push_back(speed * times[frame]);
@@ -244,7 +244,7 @@ class TestTrainFiles : public QObject {
                                  }};
     const auto scene = linkScene(source, UniformMotion{robot.rates, std::nullopt});
     const Assembly assembly = robot.assembly(robot.rates);
-    const auto times = frameTimes(pitchRates(placed, robot.rates), kFewestFrames);
+    const auto times = frameTimes(pitchRates(placed, robot.rates), kMinFrames);
     const MeshScene& train = std::get<MeshScene>(scene);
     const std::size_t first = train.nodes.size() - made.parts.size();
     for (std::size_t frame = 0; frame < times.size(); ++frame) {

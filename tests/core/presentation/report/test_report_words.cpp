@@ -78,7 +78,7 @@ template <class Visit>
 void visitDocuments(const Visit& visit) {
   for (const std::string& name : test::exampleNames()) {
     const Mechanism mechanism = test::example(name);
-    if (mechanism.n() > kMostReportLinks) continue;
+    if (mechanism.n() > kMaxReportLinks) continue;
     visit(mechanism);
     if (!mechanism.loads.empty() || mechanism.turningJoints.empty()) continue;
     const auto loaded =

@@ -72,7 +72,7 @@ class TestResults : public QObject {
     QCOMPARE(kindOf(gearScene(train, "99:tail", 0.1)), Kind::choice);
     QCOMPARE(kindOf(trainSolids(train, {.tolerance = 0.1, .link = "99"})), Kind::choice);
     QCOMPARE(kindOf(trainSolids(train, {.tolerance = 0.1}, stopped())), Kind::stopped);
-    QCOMPARE(kindOf(trainAssembly(train, 0.1, kFewestFrames, stopped())), Kind::stopped);
+    QCOMPARE(kindOf(trainAssembly(train, 0.1, kMinFrames, stopped())), Kind::stopped);
     const auto solids = std::get<TrainSolids>(trainSolids(train, {.tolerance = 0.1, .moves = true}));
     QCOMPARE(solids.tolerance, 0.1);
     QVERIFY(durationOf(solids.scene) > 0 && solids.shows.empty() && solids.left.empty());

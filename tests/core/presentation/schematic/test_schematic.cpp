@@ -330,7 +330,7 @@ class TestSchematic : public QObject {
   }
 
   void aTrainTooLargeForASheetIsNotDrawn() {
-    const int most = static_cast<int>(kMostDrawnLinks);
+    const int most = static_cast<int>(kMaxDrawnLinks);
     QVERIFY(schematicGeometry(test::randomTrain(3, most, 5)).isTooLarge);
     QVERIFY(!schematicGeometry(example("robot")).isTooLarge);
   }

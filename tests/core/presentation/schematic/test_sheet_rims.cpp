@@ -42,8 +42,8 @@ class TestSheetRims : public QObject {
       QCOMPARE(after(0.4).teeth, before);
       QCOMPARE(after(0.6).teeth, before + 1);
       QCOMPARE(after(-3.2).teeth, before - 3);
-      QCOMPARE(after(-2.0 * before).teeth, kFewestTeeth);  // beyond the axis
-      QCOMPARE(after(1e9).teeth, kMostTeeth);
+      QCOMPARE(after(-2.0 * before).teeth, kMinTeeth);  // beyond the axis
+      QCOMPARE(after(1e9).teeth, kMaxTeeth);
       QCOMPARE(ofTail ? after(5).tailTeeth : after(5).headTeeth, before + 5);
       QCOMPARE(ofTail ? after(5).headTeeth : after(5).tailTeeth, ofTail ? mesh.headTeeth : mesh.tailTeeth);
     }

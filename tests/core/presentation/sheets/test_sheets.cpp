@@ -58,7 +58,7 @@ class SheetsTest : public QObject {
   void everyFormulaCanBeSet() {
     int all = 0;
     for (const std::string& name : test::exampleNames()) {
-      if (test::example(name).n() > kMostExerciseLinks) continue;
+      if (test::example(name).n() > kMaxExerciseLinks) continue;
       const Made made(name);
       all += formulas(made.report(SheetForm::questions)) + formulas(made.report(SheetForm::solution));
     }
@@ -122,7 +122,7 @@ class SheetsTest : public QObject {
   /// Any LaTeX program has ASCII; users' names are their own.
   void latexNeedsNoSpecialFaces() {
     for (const std::string& name : test::exampleNames()) {
-      if (test::example(name).n() > kMostExerciseLinks) continue;
+      if (test::example(name).n() > kMaxExerciseLinks) continue;
       const Made made(name);
       for (const SheetForm form : {SheetForm::questions, SheetForm::solution}) {
         for (const QChar c : QString::fromStdString(reportLatex(made.report(form))))

@@ -13,8 +13,8 @@ namespace geargraph {
 namespace {
 
 constexpr Viewport kView{480, 360};
-constexpr int kSeen = 40;        // of 255: what one pixel may differ by
-constexpr int kMostPixels = 60;  // of the 172,800 that may differ by more: rasterizers round edges otherwise
+constexpr int kSeen = 40;       // of 255: what one pixel may differ by
+constexpr int kMaxPixels = 60;  // of the 172,800 that may differ by more: rasterizers round edges otherwise
 
 struct Wheels {
   Scene scene;
@@ -110,8 +110,8 @@ class TestStoredPictures : public QObject {
     const QImage stored = QImage(path).convertToFormat(QImage::Format_RGBA8888);
     QCOMPARE(stored.size(), now.size());
     const int count = differing(now, stored);
-    if (count > kMostPixels) now.save(QStringLiteral("now-%1.png").arg(name));
-    QVERIFY2(count <= kMostPixels, qPrintable(QString::number(count)));
+    if (count > kMaxPixels) now.save(QStringLiteral("now-%1.png").arg(name));
+    QVERIFY2(count <= kMaxPixels, qPrintable(QString::number(count)));
   }
 
   // What the comparison is for: each wheel out of phase by half a pitch, missing, or lit from the wrong side.
@@ -127,18 +127,18 @@ class TestStoredPictures : public QObject {
       Scene missing = right;
       missing.instances.erase(missing.instances.begin() + static_cast<std::ptrdiff_t>(i));
       const int covered = differing(painted(missing, frame), good);
-      QVERIFY2(covered > kMostPixels, qPrintable(QString("missing %1: %2").arg(i).arg(covered)));
+      QVERIFY2(covered > kMaxPixels, qPrintable(QString("missing %1: %2").arg(i).arg(covered)));
       Scene shifted = right;
       shifted.instances[i].pose.rotate(
           Eigen::AngleAxisd(std::numbers::pi / wheels.teeth[i], Eigen::Vector3d::UnitZ()));
       const int moved = differing(painted(shifted, frame), good);
-      QVERIFY2(moved > kMostPixels, qPrintable(QString("phase %1: %2").arg(i).arg(moved)));
+      QVERIFY2(moved > kMaxPixels, qPrintable(QString("phase %1: %2").arg(i).arg(moved)));
       Scene flipped = right;
       Solid inverse = solid;
       for (Float3& normal : inverse.normals) normal = {-normal[0], -normal[1], -normal[2]};
       flipped.solids[i] = std::make_shared<const Solid>(std::move(inverse));
       const int unlit = differing(painted(flipped, frame), good);
-      QVERIFY2(unlit > kMostPixels, qPrintable(QString("normals %1: %2").arg(i).arg(unlit)));
+      QVERIFY2(unlit > kMaxPixels, qPrintable(QString("normals %1: %2").arg(i).arg(unlit)));
     }
   }
 };

@@ -216,7 +216,7 @@ class TrainForcesTest : public QObject {
     const LabelGround ground{*set.stage, poses, {}, camera, viewport, 1, nullptr};
     const auto widthOf = [](const std::string& text) { return 7.0 * static_cast<double>(text.size()); };
     const auto labels = placeForceLabels(set.forces, arrows, {}, ground, widthOf);
-    QVERIFY(labels.size() >= 2 && labels.size() <= kMostForceLabels);
+    QVERIFY(labels.size() >= 2 && labels.size() <= kMaxForceLabels);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const Eigen::Vector2d apart = (labels[i].middle - labels[j].middle).cwiseAbs();

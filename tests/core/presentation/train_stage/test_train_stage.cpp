@@ -482,7 +482,7 @@ class TestTrainStage : public QObject {
 
   void trainsTooLargeForAPictureHaveNone() {
     GearCache cache;
-    QVERIFY(stageOf(test::randomTree(1, kMostStageLinks + 1, 10), cache)->scene.instances.empty());
+    QVERIFY(stageOf(test::randomTree(1, kMaxStageLinks + 1, 10), cache)->scene.instances.empty());
     QVERIFY(!stageOf(test::planetary(24, 18, 3), cache)->scene.instances.empty());
   }
 

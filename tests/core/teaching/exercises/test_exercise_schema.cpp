@@ -34,7 +34,7 @@ class ExerciseSchemaTest : public QObject {
     int questions = 0;
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
-      if (mechanism.n() > kMostExerciseLinks) continue;
+      if (mechanism.n() > kMaxExerciseLinks) continue;
       const ExerciseSource source(mechanism);
       const SheetPlan plan{"S", offeredKinds(source), 18446744073709551615U, 3};
       const SheetVariant sheet = makeVariant(source, plan, 2);

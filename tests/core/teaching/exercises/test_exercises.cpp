@@ -85,7 +85,7 @@ class ExercisesTest : public QObject {
     std::set<ExerciseKind> seen;
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
-      if (mechanism.n() > kMostExerciseLinks) continue;
+      if (mechanism.n() > kMaxExerciseLinks) continue;
       for (const ExerciseKind kind : offeredKinds(ExerciseSource(mechanism))) seen.insert(kind);
     }
     QCOMPARE(seen.size(), allExerciseKinds().size());

@@ -318,7 +318,7 @@ class ForceAnswersTest : public QObject {
   void lockingByTryingAllDrivers() {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
-      if (mechanism.n() <= kMostExerciseLinks) checkLocking(mechanism, 8);
+      if (mechanism.n() <= kMaxExerciseLinks) checkLocking(mechanism, 8);
     }
     for (const test::TextbookTrain& train : test::textbookTrains()) checkLocking(train.mechanism, 4);
     for (std::uint64_t seed = 1; seed <= 160; ++seed) {

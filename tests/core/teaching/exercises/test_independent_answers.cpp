@@ -244,7 +244,7 @@ class IndependentAnswersTest : public QObject {
   }
 
   void check(const Mechanism& mechanism, std::uint64_t seed) {
-    if (mechanism.n() > kMostExerciseLinks) return;
+    if (mechanism.n() > kMaxExerciseLinks) return;
     const ExerciseSource source(mechanism);
     const Graph graph(source.mechanism());
     if (reasonAgainst(source, ExerciseKind::cycle)) return;

@@ -15,7 +15,7 @@ class PracticeTest : public QObject {
   void everyExampleIsPractised() {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism mechanism = test::example(name);
-      if (mechanism.n() > kMostExerciseLinks) continue;
+      if (mechanism.n() > kMaxExerciseLinks) continue;
       const ExerciseSource source(mechanism);
       SheetPlan plan;
       plan.kinds = offeredKinds(source);

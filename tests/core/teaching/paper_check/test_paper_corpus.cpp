@@ -201,7 +201,7 @@ class PaperCorpusTest : public QObject {
   }
 
   void checkMechanism(const Mechanism& mechanism, std::uint64_t seed) {
-    if (mechanism.n() > kMostExerciseLinks || mechanism.n() == 0) return;
+    if (mechanism.n() > kMaxExerciseLinks || mechanism.n() == 0) return;
     const ExerciseSource source(mechanism);
     if (source.tree() == nullptr) return;
     const Vocabulary vocabulary(source);

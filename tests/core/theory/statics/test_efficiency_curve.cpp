@@ -197,7 +197,7 @@ class EfficiencyCurveTest : public QObject {
       const auto limits = limitsOf(StaticsCase(lockingTrain(pairs)), lossy(Rational(49, 50)));
       QVERIFY(limits.has_value() && limits->forward.has_value() != limits->backward.has_value());
       QVERIFY(isInBracket(bracketOf(*limits), std::sqrt(99.0 / 101)));
-      QCOMPARE(bracketOf(*limits).isProven, pairs + 2 <= kMostPatternMeshes);
+      QCOMPARE(bracketOf(*limits).isProven, pairs + 2 <= kMaxPatternMeshes);
     }
   }
 
