@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the table of what 1,000 to 30,000 links cost into README, between its two marks.
+"""Writes the table of what 1,000 to 30,000 links cost into PAGE, between its two marks.
 
-    scale.py BUILD FOLDER README
+    scale.py BUILD FOLDER PAGE
 
 Times are processor time, which a busy machine does not change. BUILD holds the programs, FOLDER the trains of
 geargraph_bench_trains and, where it was run, editor.json (bench_editor's openALargeDocument, which measures the longest

@@ -1,4 +1,4 @@
-"""How long programs take to come up: startup.py BUILD README
+"""How long programs take to come up: startup.py BUILD PAGE
 
 Times are of the processor, the least of many runs, and are written as multiples of what Python itself takes to come up
 (python3 -c pass) and, for modules, of what is added to that.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the table of ratios into README, between its two marks.
+"""Writes the table of ratios into PAGE, between its two marks.
 
-    table.py FOLDER README      FOLDER holds analysis.json, peers.json (Google Benchmark) and python.json (peers.py)
+    table.py FOLDER PAGE      FOLDER holds analysis.json, peers.json (Google Benchmark) and python.json (peers.py)
 """
 
 import json

@@ -32,7 +32,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(geargraph_warnings INTERFACE)
-if(MSVC)   # not tried yet (README, Other systems)
+if(MSVC)   # not tried yet (docs/ports.md)
   add_compile_options(/utf-8 /permissive- /Zc:__cplusplus)
   add_compile_definitions(NOMINMAX _USE_MATH_DEFINES)
   target_compile_options(geargraph_warnings INTERFACE /W4)

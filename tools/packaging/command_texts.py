@@ -74,8 +74,9 @@ def read_command(cli: str, name: str) -> Command:
             break
         if line.endswith(":") and not line.startswith(" "):
             command.groups.append((line[:-1], []))
-        elif line.startswith("  "):
+        elif line.startswith("  -"):  # the other lists, of requests and edits, are for people who ask for them
             command.groups[-1][1].append(read_option(line))
+    command.groups = [group for group in command.groups if group[1]]
     assert command.groups, f"{name} --help names no options"
     command.choices = {
         option.names: option.value.split("|") for option in command.options() if "|" in option.value
