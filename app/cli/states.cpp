@@ -14,9 +14,10 @@
 #include "app/cli/statics_options.h"
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/mechanism/model/torque_text.h"
+#include "core/mechanism/model/quantity.h"
 #include "core/presentation/results/solved_statics.h"
 #include "core/presentation/results/states_json.h"
 #include "core/theory/analysis/analysis.h"
@@ -49,7 +50,7 @@ std::vector<std::vector<std::string>> shiftTableOf(const AnalysisSnapshot& snaps
       row.emplace_back(isEngaged ? "x" : ".");
     }
     const auto step = before == nullptr ? std::nullopt : stepBetween(*before, solution);
-    row.push_back(solution.ratio ? solution.ratio->toString() : "-");
+    row.push_back(solution.ratio ? readableNumber(*solution.ratio) : "-");
     row.push_back(solution.ratio ? ratioText(*solution.ratio) : "-");
     row.push_back(step ? ratioText(*step) : "");
     row.push_back(solution.symbolicRatio ? solution.symbolicRatio->toText() : "");
@@ -155,7 +156,7 @@ std::variant<Mechanism, UsageError> withTorqueOptions(Mechanism mechanism, const
   if (options.sharing) mechanism.sharing = options.sharing;
   const auto word = arguments.value("--torque");
   if (!word) return mechanism;
-  const auto torque = torqueFromText(*word);
+  const auto torque = withUnitFromText(*word, Quantity::torque);
   if (!torque) return UsageError{translated("--torque is a torque like 100Nm, not \"%1\".", {*word})};
   Expected<Mechanism> next = withDriveTorque(std::move(mechanism), *torque);
   if (!next) return UsageError{next.error().front().message};

@@ -16,7 +16,7 @@ using test::run;
 
 namespace {
 
-std::set<std::string> codesOf(const json& report) {
+std::set<std::string> codesIn(const json& report) {
   std::set<std::string> codes;
   for (const json& diagnostic : report["diagnostics"]) codes.insert(diagnostic["code"].get<std::string>());
   return codes;
@@ -45,7 +45,7 @@ class TestCliAnswers : public QObject {
     QVERIFY(asked.errors.find("given for equally stiff teeth, an assumption") != std::string::npos);
     const json open = parsed(run(call + QStringList{"--share", "none", "--json"}));
     QVERIFY(open["balances"].is_null() && open["meshes"].is_null() && open["power"].is_null());
-    QVERIFY(codesOf(open).contains("statically-indeterminate"));
+    QVERIFY(codesIn(open).contains("statically-indeterminate"));
     Mechanism stated = test::example("three-planets");
     stated.sharing = LoadSharing::stiffness;
     const json document =
@@ -64,7 +64,7 @@ class TestCliAnswers : public QObject {
     for (const char* load : {"link:3=1Nm", "link:3=-1Nm"}) {
       const Run call = statics(load, {"--json"});
       const json report = parsed(call);
-      if (!codesOf(report).contains("self-locking")) continue;
+      if (!codesIn(report).contains("self-locking")) continue;
       ++locked;
       QCOMPARE(call.status, 1);
       for (const char* name : {"balances", "jointTorques", "meshes", "bearings", "power", "jointPowers"})

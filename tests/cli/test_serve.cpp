@@ -45,14 +45,14 @@ class Served {
   int m_asked = 0;
 };
 
-json example(const char* name) {
+json exampleDocument(const char* name) {
   QFile file(QString(SOURCE) + "/resources/examples/" + name + ".geargraph");
   if (!file.open(QIODevice::ReadOnly)) return {};
   return json::parse(file.readAll().constData());
 }
 
 json robot() {
-  return example("robot");
+  return exampleDocument("robot");
 }
 
 /// The edits that make a document of an empty one.
@@ -314,7 +314,7 @@ class TestServe : public QObject {
   /// Edit for edit the same document, but for the places of nodes; and the same analysis.
   void gearboxesAreBuiltByRequests() {
     QFETCH(QString, name);
-    json original = example(name.toUtf8().constData());
+    json original = exampleDocument(name.toUtf8().constData());
     original.erase("view");
     original["loads"] = {{{"id", "L1"}, {"link", original.at("links").at(1).at("id")}, {"torque", "10/3"}}};
     original["links"][1]["mass"] = 0.25;

@@ -337,7 +337,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QCOMPARE(cell(0, "on tail"), cell(2, "on tail"));
     // It is part of the document: it is saved, and undone.
     QCOMPARE(document->mechanism()->sharing, std::optional(LoadSharing::stiffness));
-    document->undo();
+    document->undoStack().undo();
     settle();
     QVERIFY(!document->mechanism()->sharing && !share->isChecked());
     QCOMPARE(cell(0, "on tail"), QStringLiteral("shared"));

@@ -145,7 +145,7 @@ class GearboxPanelTest : public QObject {
     QVERIFY2(
         panel->remark().endsWith(QLatin1String("for 100 N m at the drive. The loads on link 9 act as well.")),
         qPrintable(panel->remark()));
-    document->undo();
+    document->undoStack().undo();
     QVERIFY(!document->mechanism()->driveTorque && !field->number());
     document->replace(Mechanism(), {});
     QVERIFY(!field->isVisibleTo(panel.get()));

@@ -25,7 +25,7 @@ StaticsOptions lossy(const Rational& efficiency, std::vector<Load> loads = {}) {
   return options;
 }
 
-std::string messageOf(const StaticsReport& report, Code code) {
+std::string wordsOf(const StaticsReport& report, Code code) {
   for (const Diagnostic& diagnostic : report.diagnostics)
     if (diagnostic.code == code) return diagnostic.message;
   return {};
@@ -84,7 +84,7 @@ class TestAnsweredStatics : public QObject {
     QVERIFY(report.isAssumed(train.model.c()));  // the balance depends on the shares, too
     QVERIFY(report.ranges[0] && report.ranges[0]->least == Real(Rational(1600, 521)) &&
             report.ranges[0]->most == Real(Rational(1600, 521)));
-    const std::string message = messageOf(report, Code::staticallyIndeterminate);
+    const std::string message = wordsOf(report, Code::staticallyIndeterminate);
     QVERIFY2(contains(message, "given for equally stiff teeth, an assumption"), message.c_str());
     QVERIFY2(contains(message, "joint 6: 3.07 N m"), message.c_str());
 
@@ -96,7 +96,7 @@ class TestAnsweredStatics : public QObject {
     const StaticsReport open = reportOf(train, options);
     QVERIFY(open.lossless.isBalanced() && !open.isAnswered() && !open.sums && !open.flow);
     QVERIFY(open.forces.bearings.empty());
-    QVERIFY(contains(messageOf(open, Code::staticallyIndeterminate), "share by stiffness"));
+    QVERIFY(contains(wordsOf(open, Code::staticallyIndeterminate), "share by stiffness"));
     options.losses = false;
     QVERIFY(reportOf(train, options).isAnswered());
   }
@@ -164,7 +164,7 @@ class TestAnsweredStatics : public QObject {
     options.balances = {{Balance::OnLink{LinkId("2"), {}}}, {Balance::OnLink{LinkId("7"), {}}}};
     const StaticsReport report = reportOf(train, options);
     QVERIFY(report.lossless.isBalanced() && !report.motion && !report.isAnswered());
-    QVERIFY(contains(messageOf(report, Code::noMotion), "torques and powers are left out"));
+    QVERIFY(contains(wordsOf(report, Code::noMotion), "torques and powers are left out"));
     options.losses = false;
     QVERIFY(reportOf(train, options).isAnswered());
   }
@@ -175,7 +175,7 @@ class TestAnsweredStatics : public QObject {
     const StaticsCase train(pair);
     const StaticsReport report = reportOf(train, lossy({9, 10}, {onLink("2", -10)}));
     QVERIFY(report.isAnswered());
-    QVERIFY(contains(messageOf(report, Code::noMotion), "at rest no power is lost"));
+    QVERIFY(contains(wordsOf(report, Code::noMotion), "at rest no power is lost"));
   }
 
   /// Issue 45: "efficiency 1" in a lossy train.
@@ -183,7 +183,7 @@ class TestAnsweredStatics : public QObject {
     const StaticsCase train(example("spur-pair"));
     const StaticsReport report = reportOf(train, lossy({9, 10}, {onLink("1", 10)}));
     QCOMPARE(codesOf(report.diagnostics), std::vector{Code::loadOnBalance});
-    const std::string message = messageOf(report, Code::loadOnBalance);
+    const std::string message = wordsOf(report, Code::loadOnBalance);
     QVERIFY2(contains(message, "The load on link 1 acts where the balance at joint 3 holds"),
              message.c_str());
     QVERIFY(report.sums->fed.isZero() && !report.sums->efficiency());
