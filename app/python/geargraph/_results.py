@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Dict, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 from ._errors import Diagnostic
 
@@ -72,11 +72,11 @@ class States(Tuple[State, ...]):
         """
         import pandas as pd
 
-        rows = [
-            {"engaged": state.engaged, "dof": state.dof, "ratio": state.ratio,
-             "symbol": state.symbol, **(state.joint_speeds or {})}
-            for state in self
-        ]
+        rows: List[Dict[Union[int, str], object]] = []
+        for state in self:
+            rows.append({"engaged": state.engaged, "dof": state.dof, "ratio": state.ratio, "symbol": state.symbol})
+            for joint, speed in (state.joint_speeds or {}).items():
+                rows[-1][joint] = speed
         names = pd.Index([state.name for state in self], name="state")
         return pd.DataFrame(rows, index=names, dtype=object)
 

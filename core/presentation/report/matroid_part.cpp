@@ -262,7 +262,6 @@ class MatroidPart : private ReportPart {
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
                " " + rateColumn(m_graph, joints) + " = 0", 24);
-      paragraph(translated("and their solution is"));
     }
     if (solution.inputs.empty()) {
       return paragraph(translated("there is nothing that turns: without a freedom all rates are $0$."));
@@ -270,6 +269,7 @@ class MatroidPart : private ReportPart {
     const std::string left = rateColumn(m_graph, solution.outputs) + " =\n";
     const std::string right = " " + rateColumn(m_graph, solution.inputs);
     if (const auto table = quantityTable(m_pointer, QuantityKind::solution, EntryForm::symbols)) {
+      paragraph(translated("and their solution is"));
       addTable(table, left, right, 25);
     } else if (symbols) {
       addRecurrence();

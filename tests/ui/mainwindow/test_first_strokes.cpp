@@ -384,7 +384,8 @@ class FirstStrokesTest : public QObject {
     moveGearsOfRobot(person);
     moveBearingOfRobot(person);
     person.key(Qt::Key_I);
-    for (const int link : {6, 5, 4}) person.clickLink(link);
+    for (const int link : {4, 5, 6}) person.clickLink(link);  // the columns are in this order
+    QCOMPARE(now()->inputs->size(), std::size_t{3});
     verifyRobot();
   }
 

@@ -79,7 +79,7 @@ class StoppingTest : public QObject {
   void cancelledWorkEndsSoon() {
     QFETCH(test::StoppableWork, work);
     constexpr std::uint64_t kMaxAllocations = 100'000;
-    for (const std::uint64_t after : {10, 1'000, 100'000, 1'000'000}) {
+    for (const std::uint64_t after : {10, 1'000, 100'000}) {
       const std::uint64_t more = allocationsAfterStop(work, after);
       QVERIFY2(more < kMaxAllocations,
                qPrintable(QStringLiteral("%1 allocations after a stop at %2").arg(more).arg(after)));
