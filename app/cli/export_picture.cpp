@@ -143,7 +143,7 @@ int failure(const Arguments& arguments, const MeshFileError& why) {
   return why.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
 
-/// Of a film of a motion that the limits of joints bound: between which it goes there and back.
+/// The limits of joints between which a film of a motion goes there and back; empty without any.
 std::string limitsNote(const Stage& stage, const StageRendering& rendering) {
   if (!rendering.animation || rendering.animation->kind != AnimationKind::motion || !stage.range) return {};
   const StageRange range = stage.range(std::vector<double>(stage.inputSpeeds.size(), 0));

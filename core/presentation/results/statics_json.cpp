@@ -173,7 +173,7 @@ class StaticsJson {
     m_json.endArray();
   }
 
-  /// Of a torque that depends on how loads are shared: that, and its range with losses.
+  /// Marks a torque that depends on how loads are shared, with its range under losses.
   void assumption(std::size_t part) {
     if (!m_report.isAssumed(unknownOf(part))) return;
     m_json.member("assumed", true);
