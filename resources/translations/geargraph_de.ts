@@ -7609,10 +7609,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>%1 gegen %2</translation>
     </message>
     <message>
-        <source>joint %1 (%2)</source>
-        <translation>Gelenk %1 (%2)</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>Drehzahl von Gelenk %1: Glied %2 gegen Glied %3</translation>
     </message>

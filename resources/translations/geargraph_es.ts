@@ -7609,10 +7609,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>%1 respecto a %2</translation>
     </message>
     <message>
-        <source>joint %1 (%2)</source>
-        <translation>par %1 (%2)</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>Velocidad del par %1: eslabón %2 respecto al eslabón %3</translation>
     </message>

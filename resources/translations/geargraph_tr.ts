@@ -7608,10 +7608,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>%2 uzvuna göre %1</translation>
     </message>
     <message>
-        <source>joint %1 (%2)</source>
-        <translation>%1 mafsalı (%2)</translation>
-    </message>
-    <message>
         <source>Speed of joint %1: link %2 relative to link %3</source>
         <translation>%1 mafsalının hızı: %3 uzvuna göre %2 uzvu</translation>
     </message>

@@ -28,11 +28,6 @@ QString linkText(const QString& label, const std::string& name) {
   return tr("link %1 (%2)").arg(label, text);
 }
 
-QString shortLinkText(const QString& label, const std::string& name) {
-  const QString text = shortened(name);
-  return text.isEmpty() ? tr("link %1").arg(label) : text;
-}
-
 QString relativeText(const QString& head, const std::string& headName, const QString& tail) {
   const QString link = linkText(head, headName);
   return tail == QLatin1String("0") ? link : tr("%1 relative to %2").arg(link, tail);

@@ -10,8 +10,6 @@ namespace geargraph::inline models {
 /// The text for a link in a row of a panel: "link 4 (sun)"; "link 4" without a name, or with one that repeats
 /// the label. Long names are shortened at their end.
 [[nodiscard]] QString linkText(const QString& label, const std::string& name);
-/// The short form: "sun", else "link 4".
-[[nodiscard]] QString shortLinkText(const QString& label, const std::string& name);
 /// The motion of a joint as that of its head link: "link 6 (tool) relative to 3"; only "link 6 (tool)" if the
 /// tail is the ground.
 [[nodiscard]] QString relativeText(const QString& head, const std::string& headName, const QString& tail);

@@ -71,14 +71,6 @@ ElementId ResultsModel::linkAt(int row) const {
   return m_snapshot->graph->nodeId(linkNodeAt(row));
 }
 
-QString ResultsModel::jointText(int joint) const {
-  const int link = m_snapshot->graph->turningEdge(joint).head;
-  const QString name = QString::fromStdString(m_names.nameOf(link));
-  const QString label = QString::number(m_snapshot->graph->edgeLabel(joint));
-  return name.isEmpty() ? tr("joint %1").arg(label)
-                        : tr("joint %1 (%2)").arg(label, shortLinkText(QString(), m_names.nameOf(link)));
-}
-
 int ResultsModel::ratioRow() const {
   int found = -1;
   for (int row = 0; row < rowCount(); ++row) {

@@ -62,7 +62,6 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] int jointAt(int row) const { return solution()->outputs[static_cast<std::size_t>(row)]; }
   [[nodiscard]] int linkNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).head; }
   [[nodiscard]] int tailNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).tail; }
-  [[nodiscard]] QString jointText(int joint) const;
   [[nodiscard]] QString rowText(int row) const;
   /// The motion that a joint's rate is: that of its head link.
   [[nodiscard]] QString jointMotion(int joint) const;
