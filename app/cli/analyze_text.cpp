@@ -66,8 +66,8 @@ std::string elements(const Mechanism& m) {
 std::string title(const IntegerMatrix& matrix) {
   std::string text =
       '\n' + std::string(matrixSymbol(matrix.kind())) + "   " + translated(matrixTitle(matrix.kind()));
-  if (const int equation = matrixEquation(matrix.kind()); equation > 0)
-    text += ", " + translated("Eq. (%1)", {std::to_string(equation)});
+  if (const PaperEquation equation = matrixEquation(matrix.kind()); equation != PaperEquation::none)
+    text += ", " + translated("Eq. (%1)", {std::to_string(numberOf(equation))});
   return text + '\n';
 }
 

@@ -43,8 +43,8 @@ std::string differenceText(const PaperDifference& difference) {
 std::string asText(const MatrixVerdict& verdict) {
   std::string text = translated(paperMatrixTitle(verdict.kind));
   text += ' ' + std::string(paperMatrixSymbol(verdict.kind));
-  if (!paperMatrixEquation(verdict.kind).empty())
-    text += ' ' + std::string(paperMatrixEquation(verdict.kind));
+  if (const std::string number = cited(paperMatrixEquation(verdict.kind)); !number.empty())
+    text += ' ' + number;
   text += ": " + translated(outcomeName(verdict.outcome)) + '\n';
   for (const std::string& note : verdict.notes) text += "  " + note + '\n';
   for (const PaperDifference& difference : verdict.differences) text += differenceText(difference);

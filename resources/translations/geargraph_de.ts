@@ -11415,6 +11415,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Eine nach der anderen ergeben die Gleichungen die anderen.</translation>
     </message>
     <message>
+        <source>Equation %1 gives %2:</source>
+        <translation>Gleichung %1 ergibt %2:</translation>
+    </message>
+    <message>
         <source>Equations %1 give %2:</source>
         <translation>Die Gleichungen %1 ergeben %2:</translation>
     </message>
@@ -13205,6 +13209,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>A step explains in at most %1 words; these are %2.</source>
         <translation>Ein Schritt erklärt mit höchstens %1 Wörtern; das sind %2.</translation>
+    </message>
+    <message>
+        <source>The paper numbers its equations from 1 to %1.</source>
+        <translation>Die Gleichungen des Artikels haben die Nummern 1 bis %1.</translation>
     </message>
     <message>
         <source>Neither the step nor its lesson names an example or gives a document.</source>
@@ -15041,6 +15049,26 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>For any sharing in which no mesh works against the others: %1.</source>
         <translation>Bei jeder Aufteilung, in der kein Zahneingriff gegen die anderen arbeitet: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is now %2</source>
+        <translation>aus %1 wird %2</translation>
+    </message>
+    <message>
+        <source>New numbers: %1</source>
+        <translation>Neue Nummern: %1</translation>
+    </message>
+    <message>
+        <source>New numbers: %1, and %2 more</source>
+        <translation>Neue Nummern: %1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>an object of whole numbers by the id of their link</source>
+        <translation>ein Objekt aus ganzen Zahlen unter der id ihres Glieds</translation>
+    </message>
+    <message>
+        <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
+        <translation>erwartet wird die Nummer der Farbe eines Glieds: eine ganze Zahl ab 1.</translation>
     </message>
 </context>
 <context>

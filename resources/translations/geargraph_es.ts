@@ -11415,6 +11415,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Una tras otra, las ecuaciones dan las demás.</translation>
     </message>
     <message>
+        <source>Equation %1 gives %2:</source>
+        <translation>La ecuación %1 da %2:</translation>
+    </message>
+    <message>
         <source>Equations %1 give %2:</source>
         <translation>Las ecuaciones %1 dan %2:</translation>
     </message>
@@ -13205,6 +13209,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>A step explains in at most %1 words; these are %2.</source>
         <translation>Un paso explica con %1 palabras como máximo; estas son %2.</translation>
+    </message>
+    <message>
+        <source>The paper numbers its equations from 1 to %1.</source>
+        <translation>El artículo numera sus ecuaciones del 1 al %1.</translation>
     </message>
     <message>
         <source>Neither the step nor its lesson names an example or gives a document.</source>
@@ -15041,6 +15049,26 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>For any sharing in which no mesh works against the others: %1.</source>
         <translation>Con cualquier reparto en que ningún engrane trabaje contra los demás: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is now %2</source>
+        <translation>%1 es ahora %2</translation>
+    </message>
+    <message>
+        <source>New numbers: %1</source>
+        <translation>Números nuevos: %1</translation>
+    </message>
+    <message>
+        <source>New numbers: %1, and %2 more</source>
+        <translation>Números nuevos: %1 y %2 más</translation>
+    </message>
+    <message>
+        <source>an object of whole numbers by the id of their link</source>
+        <translation>un objeto de números enteros bajo el id de su eslabón</translation>
+    </message>
+    <message>
+        <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
+        <translation>se esperaba el número del color de un eslabón: un entero desde 1.</translation>
     </message>
 </context>
 <context>

@@ -11414,6 +11414,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Denklemler, birbiri ardına, ötekileri verir.</translation>
     </message>
     <message>
+        <source>Equation %1 gives %2:</source>
+        <translation>%1 denklemi %2 büyüklüğünü verir:</translation>
+    </message>
+    <message>
         <source>Equations %1 give %2:</source>
         <translation>%1 denklemleri %2 büyüklüğünü verir:</translation>
     </message>
@@ -13204,6 +13208,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>A step explains in at most %1 words; these are %2.</source>
         <translation>Bir adım en çok %1 sözcükle anlatır; burada %2 var.</translation>
+    </message>
+    <message>
+        <source>The paper numbers its equations from 1 to %1.</source>
+        <translation>Makale denklemlerini 1’den %1’e kadar numaralandırır.</translation>
     </message>
     <message>
         <source>Neither the step nor its lesson names an example or gives a document.</source>
@@ -15040,6 +15048,26 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>For any sharing in which no mesh works against the others: %1.</source>
         <translation>Hiçbir dişli çiftinin ötekilere karşı çalışmadığı her paylaşımda: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is now %2</source>
+        <translation>%1 artık %2</translation>
+    </message>
+    <message>
+        <source>New numbers: %1</source>
+        <translation>Yeni numaralar: %1</translation>
+    </message>
+    <message>
+        <source>New numbers: %1, and %2 more</source>
+        <translation>Yeni numaralar: %1 ve %2 tane daha</translation>
+    </message>
+    <message>
+        <source>an object of whole numbers by the id of their link</source>
+        <translation>uzvunun id değerine göre tam sayılardan oluşan bir nesne</translation>
+    </message>
+    <message>
+        <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
+        <translation>bir uzvun renk numarası bekleniyordu: 1’den başlayan bir tam sayı.</translation>
     </message>
 </context>
 <context>

@@ -189,21 +189,21 @@ class TtPaperTest : public QObject {
     QCOMPARE(afterText(step), std::string("-n52*n41 w40 -n52 w50"));
   }
 
-  // The paper goes through (29), (30) at once and takes (42) from (41); one unknown at a time, w72 comes
-  // first, so (41) and (42) change places.
+  // (36), (29) and (32) are put in for w72, which has no number yet.
   void eq41_velocityOfLink3() {
     const SubstitutionStep& step = stepOf("w32");
-    QCOMPARE(step.number, 42);
-    QCOMPARE(step.uses, (std::vector<int>{38, 30, 37, 41}));
+    QCOMPARE(step.number, 41);
+    QCOMPARE(step.uses, (std::vector<int>{38, 30, 37, 36, 29, 32, 40}));
     QCOMPARE(beforeText(step), std::string("n73 w72"));
     QCOMPARE(afterText(step), std::string("-n73*n67*n52*n41 w40 -n73*n67*n52 w50 -n73*n67 w61"));
   }
 
+  // "Finally, w72 can be obtained from Eq. (41)"
   void eq42_velocityOfLink7() {
     const SubstitutionStep& step = stepOf("w72");
-    QCOMPARE(step.number, 41);
-    QCOMPARE(step.uses, (std::vector<int>{36, 29, 32, 40}));
-    QCOMPARE(beforeText(step), std::string("-n67 w61 n67 w21"));
+    QCOMPARE(step.number, 42);
+    QCOMPARE(step.uses, (std::vector<int>{41}));
+    QCOMPARE(beforeText(step), std::string("1/n73 w32"));
     QCOMPARE(afterText(step), std::string("-n67*n52*n41 w40 -n67*n52 w50 -n67 w61"));
     // w72 = n37 w32
     for (std::size_t input = 0; input < 3; ++input) {

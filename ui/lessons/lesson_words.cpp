@@ -1,7 +1,6 @@
 #include "ui/lessons/lesson_words.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/presentation/report/report_words.h"
 #include "core/presentation/typeset/tex_reader.h"
@@ -23,23 +22,21 @@ ReportWords wordsOf(const std::string& sentence) {
   return words;
 }
 
-void addFormula(Report& report, const std::string& tex, const std::string& equation) {
+void addFormula(Report& report, const std::string& tex, PaperEquation equation) {
   if (tex.empty()) return;
   if (!canBeSet(tex)) {
     report.blocks.emplace_back(ReportParagraph{plainWords(tex)});
     return;
   }
   ReportEquation set{tex, std::nullopt, {}};
-  int number = 0;
-  const auto [end, error] = std::from_chars(equation.data(), equation.data() + equation.size(), number);
-  if (error == std::errc() && end == equation.data() + equation.size()) set.number = number;
+  if (equation != PaperEquation::none) set.number = numberOf(equation);
   report.blocks.emplace_back(std::move(set));
 }
 
 }  // namespace
 
 SetReportPtr stepText(const std::string& title, const std::string& text, const std::string& formula,
-                      const std::string& equation, const std::string& task, const std::string& prompt,
+                      PaperEquation equation, const std::string& task, const std::string& prompt,
                       const std::string& taskFormula) {
   Report report;
   report.title = title;
@@ -48,7 +45,7 @@ SetReportPtr stepText(const std::string& title, const std::string& text, const s
   addFormula(report, formula, equation);
   report.blocks.emplace_back(ReportHeading{2, task});
   report.blocks.emplace_back(ReportParagraph{wordsOf(prompt)});
-  addFormula(report, taskFormula, {});
+  addFormula(report, taskFormula, PaperEquation::none);
   return std::make_shared<const SetReport>(std::move(report));
 }
 

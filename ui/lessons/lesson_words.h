@@ -3,13 +3,14 @@
 #include <QString>
 #include <string>
 
+#include "core/mechanism/graph/paper_equation.h"
 #include "ui/derivation/derivation_service.h"
 
 namespace geargraph::inline ui_lessons {
 
 /// The typeset text of a step with its formula and its task. TeX that cannot be parsed is shown literally.
 [[nodiscard]] SetReportPtr stepText(const std::string& title, const std::string& text,
-                                    const std::string& formula, const std::string& equation,
+                                    const std::string& formula, PaperEquation equation,
                                     const std::string& task, const std::string& prompt,
                                     const std::string& taskFormula);
 

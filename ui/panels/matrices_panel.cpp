@@ -295,7 +295,9 @@ void MatricesPanel::explain(const QModelIndex& index) {
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
   m_cardTitle->setText(shownText(base::translated(definition.name)));
   m_cardText->setText(shownText(base::translated(definition.text)) +
-                      (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
+                      (definition.equation != PaperEquation::none
+                           ? tr(" Eq. (%1)").arg(numberOf(definition.equation))
+                           : QString()));
 }
 
 void MatricesPanel::fitCard() {

@@ -235,7 +235,7 @@ void PaperCheckDialog::showFault(const Diagnostic& fault) {
 void PaperCheckDialog::showMatrix(const MatrixVerdict& verdict) {
   const QString name = shown(base::translated(paperMatrixTitle(verdict.kind))) + QLatin1Char(' ') +
                        shown(paperMatrixSymbol(verdict.kind)) + QLatin1Char(' ') +
-                       shown(paperMatrixEquation(verdict.kind));
+                       shown(cited(paperMatrixEquation(verdict.kind)));
   switch (verdict.outcome) {
     case PaperOutcome::right:
       setVerdict(tr("✓ Right: %1").arg(name));

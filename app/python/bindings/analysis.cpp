@@ -99,8 +99,9 @@ py::object integerMatrix(const Snapshot& self, const std::string& name) {
         values.push_back(static_cast<std::int8_t>(entry.value));
       }
     }
-    return py::make_tuple(matrixSymbol(kind), matrixTitle(kind), matrixEquation(kind), raw.rows, raw.columns,
-                          raw.partition, packed(raw.rowOf), packed(raw.columnOf), packed(values));
+    return py::make_tuple(matrixSymbol(kind), matrixTitle(kind), numberOf(matrixEquation(kind)), raw.rows,
+                          raw.columns, raw.partition, packed(raw.rowOf), packed(raw.columnOf),
+                          packed(values));
   }
   throw py::value_error("There is no matrix \"" + name + "\".");
 }
@@ -134,8 +135,9 @@ py::object quantity(Snapshot& self, const std::string& name, const std::string& 
       latex.append(entry.latex);
     }
   }
-  return py::make_tuple(quantitySymbol(kind), quantityTitle(kind), raw.rows, raw.columns, raw.partition,
-                        packed(raw.rowOf), packed(raw.columnOf), packed(values), texts, latex);
+  return py::make_tuple(quantitySymbol(kind), quantityTitle(kind), numberOf(quantityEquation(kind, form)),
+                        raw.rows, raw.columns, raw.partition, packed(raw.rowOf), packed(raw.columnOf),
+                        packed(values), texts, latex);
 }
 
 py::tuple inputSets(const Snapshot& self, std::size_t limit) {

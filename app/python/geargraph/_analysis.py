@@ -196,7 +196,9 @@ class Analysis(Exports):
         row = self._snapshot.quantity(name, form)
         if row is None:
             return None
-        symbol, title, rows, columns, partition, row_of, column_of, values, texts, latex = row
+        (
+            symbol, title, equation, rows, columns, partition, row_of, column_of, values, texts, latex,
+        ) = row
         places = list(zip(integers(row_of), integers(column_of)))
         entries: List[Entry]
         if form == "decimals":
@@ -207,7 +209,6 @@ class Analysis(Exports):
             entries = [Fraction(text) for text in texts]
         else:
             entries = list(texts)
-        equation = {"screw": 6, "p": 18, "solution": 23}[name]
         return Matrix(
             symbol, title, equation, form, headings_of(rows), headings_of(columns), partition,
             dict(zip(places, entries)), dict(zip(places, latex)),

@@ -121,7 +121,7 @@ class Snapshot:
         self, name: str, form: str, /
     ) -> Optional[
         Tuple[
-            str, str, List[_Heading], List[_Heading], Optional[int], bytes, bytes, bytes,
+            str, str, int, List[_Heading], List[_Heading], Optional[int], bytes, bytes, bytes,
             List[str], List[str],
         ]
     ]: ...

@@ -14,20 +14,21 @@ struct KindEntry {
   std::string_view json;
   std::string_view symbol;
   std::string_view title;
-  int equation;
+  PaperEquation equation;
 };
 
 constexpr std::array kKinds = {
-    KindEntry{MatrixKind::incidence, "incidence", "incidence", "Γ⁰", toTranslate("Incidence matrix"), 1},
+    KindEntry{MatrixKind::incidence, "incidence", "incidence", "Γ⁰", toTranslate("Incidence matrix"),
+              PaperEquation::incidenceMatrix},
     KindEntry{MatrixKind::reducedIncidence, "reduced-incidence", "reducedIncidence", "Γ = [G | G*]",
-              toTranslate("Reduced incidence matrix"), 2},
-    KindEntry{MatrixKind::path, "path", "path", "Z", toTranslate("Path matrix"), 3},
+              toTranslate("Reduced incidence matrix"), PaperEquation::reducedIncidenceMatrix},
+    KindEntry{MatrixKind::path, "path", "path", "Z", toTranslate("Path matrix"), PaperEquation::pathMatrix},
     KindEntry{MatrixKind::spanningTree, "spanning-tree", "spanningTree", "T",
-              toTranslate("Spanning-tree matrix"), 4},
+              toTranslate("Spanning-tree matrix"), PaperEquation::spanningTreeMatrix},
     KindEntry{MatrixKind::cycleBasis, "cycle-basis", "cycleBasis", "C = [T | U]",
-              toTranslate("Cycle-basis matrix"), 5},
+              toTranslate("Cycle-basis matrix"), PaperEquation::cycleBasisMatrix},
     KindEntry{MatrixKind::cutset, "cutset", "cutset", "Q = [U | −Tᵀ]",
-              toTranslate("Fundamental cutset matrix"), 0},
+              toTranslate("Fundamental cutset matrix"), PaperEquation::none},
 };
 
 const KindEntry& entryOf(MatrixKind kind) {
@@ -59,7 +60,7 @@ std::string_view matrixSymbol(MatrixKind kind) {
 std::string_view matrixTitle(MatrixKind kind) {
   return entryOf(kind).title;
 }
-int matrixEquation(MatrixKind kind) {
+PaperEquation matrixEquation(MatrixKind kind) {
   return entryOf(kind).equation;
 }
 

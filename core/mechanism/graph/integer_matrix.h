@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/foundations/base/id.h"
+#include "core/mechanism/graph/paper_equation.h"
 
 namespace geargraph::inline graph {
 
@@ -20,9 +21,8 @@ enum class MatrixKind { incidence, reducedIncidence, path, spanningTree, cycleBa
 [[nodiscard]] std::string_view matrixJsonName(MatrixKind kind);  ///< "reducedIncidence": analyze --json
 [[nodiscard]] std::string_view matrixSymbol(MatrixKind kind);    ///< "Γ = [G | G*]", as the paper writes it
 [[nodiscard]] std::string_view matrixTitle(MatrixKind kind);     ///< "Reduced incidence matrix"
-/// The number of the paper's equation that defines the matrix; 0 for the cutset matrix, which is not in the
-/// paper.
-[[nodiscard]] int matrixEquation(MatrixKind kind);
+/// The paper's equation that defines the matrix; none for the cutset matrix.
+[[nodiscard]] PaperEquation matrixEquation(MatrixKind kind);
 
 /// The heading of a row or column: a matrix leaves core only with its labels.
 struct Heading {

@@ -50,8 +50,7 @@ std::string matrixTable(const IntegerMatrix& matrix) {
   const std::string name = translated(matrixTitle(matrix.kind()));
   const std::string symbol = escapedXml(matrixSymbol(matrix.kind()));
   std::string text = "<h3 data-name=\"" + symbol + "\">" + escapedXml(name) + " " + symbol;
-  if (const int number = matrixEquation(matrix.kind()); number > 0)
-    text += " (" + std::to_string(number) + ")";
+  if (const std::string number = cited(matrixEquation(matrix.kind())); !number.empty()) text += ' ' + number;
   text += "</h3>\n";
   const auto begins = [&](int column) { return column > 0 && matrix.partition() == column; };
   std::string table = "<table class=\"matrix\"><thead><tr><td></td>";

@@ -25,36 +25,36 @@ std::optional<MatrixKind> matrixOf(Term term) {
 
 /// The numbered equations of [AU] that the glossary names. Those that are matrices of the paper's robot are
 /// given as the rule that makes them.
-std::string equationTex(int number) {
-  switch (number) {
-    case 1:
+std::string equationTex(PaperEquation equation) {
+  switch (equation) {
+    case PaperEquation::incidenceMatrix:
       return "\\Gamma^0_{ie} = 1 , \\quad \\Gamma^0_{je} = -1 , \\quad e = (j, i)";
-    case 2:
+    case PaperEquation::reducedIncidenceMatrix:
       return "\\Gamma = [\\, G \\mid G^* \\,]";
-    case 3:
+    case PaperEquation::pathMatrix:
       return "Z = -G^{-1}";
-    case 4:
+    case PaperEquation::spanningTreeMatrix:
       return "T = G^{*T} Z^T";
-    case 5:
+    case PaperEquation::cycleBasisMatrix:
       return "C = [\\, T \\mid U \\,]";
-    case 6:
+    case PaperEquation::screw:
       return "\\hat{u}_{c,k} = \\begin{pmatrix} L_k & M_k & N_k & P_{c,k} & Q_{c,k} & R_{c,k} "
              "\\end{pmatrix}^T";
-    case 7:
+    case PaperEquation::jointDirection:
       return "u_k = D_{0,k} \\, u";
-    case 11:
+    case PaperEquation::offsetVector:
       return "\\ell_{c,k} = \\begin{pmatrix} x_k - x_c & y_k - y_c & z_k - z_c \\end{pmatrix}^T";
-    case 18:
+    case PaperEquation::coefficientMatrix:
       return "P = [\\, T \\circ P_{c,t} \\,]";
-    case 20:
+    case PaperEquation::gearRatios:
       return "i_{15} = \\frac{d_4}{d_1} = \\frac{N_4}{N_1}";
-    case 21:
+    case PaperEquation::freedom:
       return "E = t - r";
-    case 23:
+    case PaperEquation::solutionByInverse:
       return "\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E";
-    case 26:
+    case PaperEquation::gearRelation:
       return "\\omega_{ik} = \\pm \\frac{N_j}{N_i} \\, \\omega_{jk}";
-    case 31:
+    case PaperEquation::circuit51:
       return "\\omega_{51}'' = \\omega_{50} - \\omega_{10}";
     default:
       return {};
@@ -75,7 +75,7 @@ std::string termMarkdown(const Definition& definition) {
   text += escapedMarkdown(definition.text) + "\n\n";
   text += "![" + name + "](picture:" + std::string(pictureOf(definition.term)) + ")\n\n";
   if (const std::string formula = formulaOfTerm(definition.term); !formula.empty()) {
-    text += "$$" + formula + "$$\n\nEquation (" + std::to_string(definition.equation) + ") of the paper.\n\n";
+    text += "$$" + formula + "$$\n\nEquation " + cited(definition.equation) + " of the paper.\n\n";
   }
   if (const auto kind = matrixOf(definition.term)) text += matrixParagraph(*kind);
   const Lesson* lesson = lessonAbout(definition.term);

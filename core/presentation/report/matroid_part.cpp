@@ -54,7 +54,7 @@ class MatroidPart : private ReportPart {
            table.columns() <= kMaxReportColumns;
   }
   void addTable(const QuantityTablePtr& table, const std::string& before, const std::string& after,
-                std::optional<int> number) {
+                PaperEquation number) {
     if (table == nullptr || table->rows() == 0) return;
     if (fits(*table)) {
       return equation(before + (after.empty() ? readableLatex(*table) : texMatrix(*table)) + after, number);
@@ -74,13 +74,13 @@ class MatroidPart : private ReportPart {
         "\\hat{u}_{c,k} = \\begin{pmatrix} u_k \\\\ r_{c,k} \\end{pmatrix} = \\begin{pmatrix} L_k & M_k & "
         "N_k & "
         "P_{c,k} & Q_{c,k} & R_{c,k} \\end{pmatrix}^T",
-        6);
+        PaperEquation::screw);
     addDirections();
     addMoments();
     const QuantityTablePtr screws = numbers(QuantityKind::screws);
     if (screws == nullptr || screws->rows() == 0) return;
     paragraph(translated("For the joints of each cycle, lengths in %1:", {m_snapshot.mechanism->unit}));
-    addTable(screws, "", "", std::nullopt);
+    addTable(screws, "", "", PaperEquation::none);
   }
 
   /// Are all axes parallel to the plane of y and z, so that offset angles about x describe them? [AU, Eq.
@@ -100,47 +100,51 @@ class MatroidPart : private ReportPart {
         hasAngles
             ? translated("Each direction is the $z$ axis, turned about $x$ by the offset angle $\\varphi_k$:")
             : translated("Each direction is the $z$ axis, turned by a rotation $D_{0,k}$:"));
-    equation("u_k = D_{0,k} \\begin{pmatrix} 0 & 0 & 1 \\end{pmatrix}^T", 7);
-    if (!hasAngles) return equation("L_k^2 + M_k^2 + N_k^2 = 1", 9);
+    equation("u_k = D_{0,k} \\begin{pmatrix} 0 & 0 & 1 \\end{pmatrix}^T", PaperEquation::jointDirection);
+    if (!hasAngles) return equation("L_k^2 + M_k^2 + N_k^2 = 1", PaperEquation::directionComponents);
     equation(
         "D_{0,k} = \\left[ \\begin{array}{ccc} 1 & 0 & 0 \\\\ 0 & \\cos\\varphi_k & -\\sin\\varphi_k \\\\ 0 "
         "& "
         "\\sin\\varphi_k & \\cos\\varphi_k \\end{array} \\right]",
-        8);
-    equation("L_k = 0 , \\quad M_k = -\\sin\\varphi_k , \\quad N_k = \\cos\\varphi_k", 9);
+        PaperEquation::offsetRotation);
+    equation("L_k = 0 , \\quad M_k = -\\sin\\varphi_k , \\quad N_k = \\cos\\varphi_k",
+             PaperEquation::directionComponents);
   }
 
   /// Eqs. (10)-(12), the last for any direction.
   void addMoments() {
     paragraph(translated("The moment needs the way from the pitch point to a point of the axis:"));
-    equation("r_{c,k} = l_{c,k} \\times u_k", 10);
-    equation("l_{c,k} = \\begin{pmatrix} x_k - x_c & y_k - y_c & z_k - z_c \\end{pmatrix}^T", 11);
+    equation("r_{c,k} = l_{c,k} \\times u_k", PaperEquation::moment);
+    equation("l_{c,k} = \\begin{pmatrix} x_k - x_c & y_k - y_c & z_k - z_c \\end{pmatrix}^T",
+             PaperEquation::offsetVector);
     equation(
         "P_{c,k} = y_{c,k} N_k - z_{c,k} M_k , \\quad Q_{c,k} = z_{c,k} L_k - x_{c,k} N_k , \\quad R_{c,k} = "
         "x_{c,k} M_k - y_{c,k} L_k",
-        12);
+        PaperEquation::momentComponents);
   }
 
   void addCoefficients() {
     heading(2, toTranslate("Equations of the meshes"));
     paragraph(translated("The twist of a joint is its screw times its rate:"));
-    equation("\\hat{s}_k = \\hat{u}_{c,k} \\, \\dot{\\theta}_k", 13);
+    equation("\\hat{s}_k = \\hat{u}_{c,k} \\, \\dot{\\theta}_k", PaperEquation::twist);
     paragraph(translated("Along each cycle the twists, with their signs in $C$, add up to zero:"));
-    equation("\\left[ C \\circ \\hat{s}_k \\right] = 0_c", 14);
+    equation("\\left[ C \\circ \\hat{s}_k \\right] = 0_c", PaperEquation::twistSums);
     paragraph(translated(
         "Their directions give the velocity of one gear of each mesh relative to the other. The mesh "
         "has no moment about its own pitch point, so the moments of the turning joints alone add up "
         "to zero:"));
-    equation("\\dot{\\theta}_c = -\\left[ T \\circ u_t \\right] \\dot{\\theta}_t", 15);
-    equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0_c", 16);
+    equation("\\dot{\\theta}_c = -\\left[ T \\circ u_t \\right] \\dot{\\theta}_t",
+             PaperEquation::meshVelocities);
+    equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0_c", PaperEquation::momentSums);
     paragraph(translated(
         "They all point along one line: the normal of the plane that holds both axes of the mesh. One number "
         "of each "
         "is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:"));
-    equation("\\left[ P_{c,t} \\right] \\dot{\\theta}_t = 0_c", 17);
-    equation("P_{c,t} = \\left[ T \\circ P_{c,t} \\right]", 18);
+    equation("\\left[ P_{c,t} \\right] \\dot{\\theta}_t = 0_c", PaperEquation::meshEquations);
+    equation("P_{c,t} = \\left[ T \\circ P_{c,t} \\right]", PaperEquation::coefficientMatrix);
     paragraph(translated("With lengths in %1,", {m_snapshot.mechanism->unit}));
-    addTable(numbers(QuantityKind::coefficients), "", " " + rateColumn(m_graph, allJoints()) + " = 0", 19);
+    addTable(numbers(QuantityKind::coefficients), "", " " + rateColumn(m_graph, allJoints()) + " = 0",
+             PaperEquation::coefficientsInNumbers);
     addRatios();
   }
 
@@ -165,7 +169,7 @@ class MatroidPart : private ReportPart {
                       "}}{N_{" + std::to_string(gears.head) + "}} = " + counts +
                       (ratio == counts ? "" : " = " + ratio));
     }
-    equation(texLines(lines), 20, std::move(meshes));
+    equation(texLines(lines), PaperEquation::gearRatios, std::move(meshes));
   }
 
   /// "brake A: \dot{\theta}_{14} = 0", a line for each equation of the engaged couplings.
@@ -216,7 +220,7 @@ class MatroidPart : private ReportPart {
                          {rank}));
     equation("E = t - r = " + std::to_string(m_graph.t()) + " - " + std::to_string(m_matroid.rank) + " = " +
                  std::to_string(m_matroid.dof),
-             21);
+             PaperEquation::freedom);
     if (m_matroid.kutzbachDof != m_matroid.dof) {
       const int equations = m_snapshot.kinematics->model->equations();
       const std::string count = std::to_string(m_matroid.kutzbachDof);
@@ -251,17 +255,17 @@ class MatroidPart : private ReportPart {
           "\\left[ \\begin{array}{c|c} P_E & P_r \\end{array} \\right] \\begin{pmatrix} \\dot{\\theta}_E "
           "\\\\ "
           "\\dot{\\theta}_r \\end{pmatrix} = 0",
-          22);
+          PaperEquation::partedEquations);
     }
     paragraph(translated("Solved for the outputs,"));
-    equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
+    equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", PaperEquation::solutionByInverse);
     if (isStopped()) return;
     if (!solution.inputs.empty() && symbols) {
       paragraph(translated("With the inputs first, and in gear ratios, the equations are"));
       std::vector<int> joints = solution.inputs;
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
-               " " + rateColumn(m_graph, joints) + " = 0", 24);
+               " " + rateColumn(m_graph, joints) + " = 0", PaperEquation::equationsInRatios);
     }
     if (solution.inputs.empty()) {
       return paragraph(translated("there is nothing that turns: without a freedom all rates are $0$."));
@@ -270,13 +274,13 @@ class MatroidPart : private ReportPart {
     const std::string right = " " + rateColumn(m_graph, solution.inputs);
     if (const auto table = quantityTable(m_pointer, QuantityKind::solution, EntryForm::symbols)) {
       paragraph(translated("and their solution is"));
-      addTable(table, left, right, 25);
+      addTable(table, left, right, PaperEquation::matroidSolution);
     } else if (symbols) {
       addRecurrence();
     }
     if (isStopped()) return;
     paragraph(translated("With the teeth of this mechanism:"));
-    addTable(numbers(QuantityKind::solution), left, right, std::nullopt);
+    addTable(numbers(QuantityKind::solution), left, right, PaperEquation::none);
     addRates();
   }
 
@@ -303,7 +307,7 @@ class MatroidPart : private ReportPart {
       joints.push_back(elementOf(line.joint));
       lines.push_back(rateName(m_graph, line.joint) + " =" + (sum.empty() ? " 0" : sum));
     }
-    equation(texLines(lines), 25, std::move(joints));
+    equation(texLines(lines), PaperEquation::matroidSolution, std::move(joints));
   }
 
   void addRates() {
@@ -318,9 +322,9 @@ class MatroidPart : private ReportPart {
       return texts;
     };
     paragraph(translated("At these speeds of the inputs, in rad/s,"));
-    equation(texLines(lines(exact.inputs)), std::nullopt, elementsOf(exact.inputs));
+    equation(texLines(lines(exact.inputs)), PaperEquation::none, elementsOf(exact.inputs));
     paragraph(translated("the outputs turn at"));
-    equation(texLines(lines(exact.outputs)), std::nullopt, elementsOf(exact.outputs));
+    equation(texLines(lines(exact.outputs)), PaperEquation::none, elementsOf(exact.outputs));
   }
 
   SnapshotPtr m_pointer;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/foundations/base/words.h"
+#include "core/mechanism/graph/paper_equation.h"
 #include "core/presentation/report/report.h"
 
 namespace geargraph::inline report {
@@ -40,8 +41,10 @@ class ReportPart {
   /// Adds an equation, without trailing line ends: an empty line would end the formula in LaTeX.
   void equation(std::string tex, std::optional<int> number = std::nullopt,
                 std::vector<ElementId> elements = {});
+  void equation(std::string tex, PaperEquation number, std::vector<ElementId> elements = {});
   /// The same for statics: `number` is that of its dual, with a star.
   void dualEquation(std::string tex, int number, std::vector<ElementId> elements = {});
+  void dualEquation(std::string tex, PaperEquation number, std::vector<ElementId> elements = {});
   template <class Block>
   void put(Block block) {
     m_report.blocks.emplace_back(std::move(block));

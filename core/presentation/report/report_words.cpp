@@ -16,6 +16,15 @@ void ReportPart::equation(std::string tex, std::optional<int> number, std::vecto
   put(ReportEquation{std::move(tex), number, std::move(elements), false});
 }
 
+void ReportPart::equation(std::string tex, PaperEquation number, std::vector<ElementId> elements) {
+  equation(std::move(tex), number == PaperEquation::none ? std::nullopt : std::optional(numberOf(number)),
+           std::move(elements));
+}
+
+void ReportPart::dualEquation(std::string tex, PaperEquation number, std::vector<ElementId> elements) {
+  dualEquation(std::move(tex), numberOf(number), std::move(elements));
+}
+
 void ReportPart::dualEquation(std::string tex, int number, std::vector<ElementId> elements) {
   while (!tex.empty() && tex.back() == '\n') tex.pop_back();
   put(ReportEquation{std::move(tex), number, std::move(elements), true});

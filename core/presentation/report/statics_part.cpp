@@ -100,17 +100,18 @@ class StaticsPart : private ReportPart {
     paragraph(translated(
         "Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its "
         "fundamental cutset. It crosses each cycle as often along the cycle as against it:"));
-    dualEquation(
-        "C = \\left[ T \\mid U \\right] \\quad (5) , \\quad Q = \\left[ U \\mid -T^T \\right] , \\quad "
-        "Q \\, C^T = 0",
-        5);
+    dualEquation("C = \\left[ T \\mid U \\right] \\quad " + cited(PaperEquation::cycleBasisMatrix) +
+                     " , \\quad Q = \\left[ U \\mid -T^T \\right] , \\quad Q \\, C^T = 0",
+                 PaperEquation::cycleBasisMatrix);
     paragraph(translated(
         "So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the "
         "forces "
         "of the meshes that cross the cutset. Their moments about the joint's axis are the entries of its "
         "column of $P$; forces along the line of centres or along an axis do no work and are in no "
         "equation:"));
-    dualEquation("P \\, \\dot{\\theta}_t = 0 \\quad (17) , \\quad \\tau + \\ell = P^T F", 17);
+    dualEquation("P \\, \\dot{\\theta}_t = 0 \\quad " + cited(PaperEquation::meshEquations) +
+                     " , \\quad \\tau + \\ell = P^T F",
+                 PaperEquation::meshEquations);
     if (m_graph.t() > kMaxListed) {
       return paragraph(translated(
           "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them."));
@@ -130,7 +131,7 @@ class StaticsPart : private ReportPart {
       lines.push_back(torque(joint) + besides(joint) + " = " + (sum.empty() ? "0" : sum));
       joints.push_back(jointId(joint));
     }
-    dualEquation(texLines(lines), 19, std::move(joints));
+    dualEquation(texLines(lines), PaperEquation::coefficientsInNumbers, std::move(joints));
   }
 
   void addTransposed() {
@@ -139,8 +140,9 @@ class StaticsPart : private ReportPart {
     paragraph(translated(
         "The torques in the balanced joints, $\\tau_E$, hold those in the others, $\\tau_r$. With the "
         "columns of $P$ in the same order as for the speeds,"));
-    dualEquation(
-        "\\dot{\\theta}_r = K_r \\, \\dot{\\theta}_E \\quad (23) , \\quad \\tau_E = -K_r^T \\, \\tau_r", 23);
+    dualEquation("\\dot{\\theta}_r = K_r \\, \\dot{\\theta}_E \\quad " +
+                     cited(PaperEquation::solutionByInverse) + " , \\quad \\tau_E = -K_r^T \\, \\tau_r",
+                 PaperEquation::solutionByInverse);
     const TorqueMatrix& matrix = *m_statics.matrix;
     const std::size_t columns = matrix.loaded.size();
     if (columns == 0 || columns > kMaxReportColumns || m_statics.balancedJoints.size() > kMaxReportRows)
@@ -159,7 +161,7 @@ class StaticsPart : private ReportPart {
       dualEquation(
           left + texMatrix(rows([&](std::size_t at) { return m_statics.symbolic->matrix[at]->toLatex(); })) +
               right,
-          25);
+          PaperEquation::matroidSolution);
     }
     paragraph(translated("With the teeth of this mechanism:"));
     equation(left + texMatrix(rows([&](std::size_t at) { return readableLatex(matrix.entries[at]); })) +

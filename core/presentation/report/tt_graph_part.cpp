@@ -87,7 +87,7 @@ class TtGraphPart : private ReportPart {
         "a plus sign where both turn the same way, each seen along its own axis:"));
     equation(
         "\\omega_{ik} = \\pm n_{ji} \\, \\omega_{jk} , \\quad n_{ji} = \\frac{N_j}{N_i} = \\frac{1}{n_{ij}}",
-        26);
+        PaperEquation::gearRelation);
     for (MeshOrdinal mesh = 0; mesh < m_digraph.c(); ++mesh)
       equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
     heading(2, toTranslate("Fundamental circuits"));
@@ -143,11 +143,16 @@ class TtGraphPart : private ReportPart {
     for (const SubstitutionStep& step : *solved().ttSteps) {
       if (isStopped()) return;
       const std::string unknown = "$" + branch(step.joint) + "$";
-      paragraph(step.coupled ? filled(translated(coupledText(step)), {unknown})
-                             : translated("Equations %1 give %2:", {citedEquations(step.uses), unknown}));
+      paragraph(step.coupled ? filled(translated(coupledText(step)), {unknown}) : citing(step, unknown));
       equation(texStages(equations.stages(step)), step.number, {jointId(step.joint)});
     }
     addMatrices();
+  }
+
+  [[nodiscard]] static std::string citing(const SubstitutionStep& step, const std::string& unknown) {
+    const std::string cited = citedEquations(step.uses);
+    return step.uses.size() == 1 ? translated("Equation %1 gives %2:", {cited, unknown})
+                                 : translated("Equations %1 give %2:", {cited, unknown});
   }
 
   [[nodiscard]] const char* coupledText(const SubstitutionStep& step) const {

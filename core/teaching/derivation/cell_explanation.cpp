@@ -173,9 +173,10 @@ void addCutset(const Digraph& graph, const SpanningTree& tree, JointOrdinal join
 CellExplanation explainCell(MatrixKind kind, const Digraph& graph, const SpanningTree* tree, int row,
                             int column) {
   Reading reading = read(kind, graph, tree, row, column);
-  const int equation = matrixEquation(kind);
+  const PaperEquation equation = matrixEquation(kind);
   reading.text += ' ';
-  reading.text += equation == 0 ? translated("Not in the paper.") : translated("Eq. (%1)", {label(equation)});
+  reading.text += equation == PaperEquation::none ? translated("Not in the paper.")
+                                                  : translated("Eq. (%1)", {label(numberOf(equation))});
   return {reading.title + ": " + printedEntry(reading.value), std::move(reading.text)};
 }
 

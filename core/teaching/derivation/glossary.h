@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mechanism/graph/integer_matrix.h"
+#include "core/mechanism/graph/paper_equation.h"
 
 namespace geargraph::inline derivation {
 
@@ -57,10 +58,10 @@ enum class Term {
 
 struct Definition {
   Term term = Term::link;
-  std::string_view symbol;  ///< "n", "Γ⁰"; empty where the term has none
-  std::string_view name;    ///< "Moving links"
-  std::string_view text;    ///< the definition, in full sentences
-  int equation = 0;         ///< of the paper that defines it; 0: none
+  std::string_view symbol;                       ///< "n", "Γ⁰"; empty where the term has none
+  std::string_view name;                         ///< "Moving links"
+  std::string_view text;                         ///< the definition, in full sentences
+  PaperEquation equation = PaperEquation::none;  ///< that defines it
 };
 
 /// The single table of definitions, used by tooltips, search and lessons. Every term once, in the order of

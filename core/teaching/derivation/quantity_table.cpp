@@ -30,6 +30,22 @@ std::string_view quantityTitle(QuantityKind kind) {
   return kTitles.at(static_cast<std::size_t>(kind));
 }
 
+PaperEquation quantityEquation(QuantityKind kind, EntryForm form) {
+  const bool isSymbolic = form == EntryForm::symbols;
+  switch (kind) {
+    case QuantityKind::screws:
+      return PaperEquation::screw;
+    case QuantityKind::coefficients:
+      return isSymbolic ? PaperEquation::equationsInRatios : PaperEquation::coefficientsInNumbers;
+    case QuantityKind::solution:
+      return isSymbolic ? PaperEquation::matroidSolution : PaperEquation::solutionByInverse;
+    case QuantityKind::ttCircuits:
+    case QuantityKind::ttCutsets:
+      break;
+  }
+  return PaperEquation::none;
+}
+
 std::string_view quantityCommandName(QuantityKind kind) {
   constexpr std::array<std::string_view, 5> kNames = {"screw", "p", "solution", "tt-circuits", "tt-cutsets"};
   return kNames.at(static_cast<std::size_t>(kind));

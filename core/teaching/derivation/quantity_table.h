@@ -32,6 +32,8 @@ enum class EntryForm { decimals, fractions, symbols };
 [[nodiscard]] const std::vector<QuantityKind>& allQuantityKinds();
 [[nodiscard]] std::string_view quantitySymbol(QuantityKind kind);  ///< "û", "P", "θ̇", "B", "Q′"
 [[nodiscard]] std::string_view quantityTitle(QuantityKind kind);
+/// The paper's equation that prints the quantity in this form: P in numbers (19), in gear ratios (24).
+[[nodiscard]] PaperEquation quantityEquation(QuantityKind kind, EntryForm form);
 [[nodiscard]] std::string_view quantityCommandName(
     QuantityKind kind);  ///< "screw", "p", "solution", "tt-circuits", "tt-cutsets"
 [[nodiscard]] std::string_view quantityAsciiName(QuantityKind kind);  ///< "U", "P", "S": for programs

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/mechanism/graph/paper_equation.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 #include "core/teaching/grading/question.h"
@@ -126,9 +127,9 @@ enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
 
 struct LessonStep {
   std::string title;
-  std::string text;      ///< sentences, with formulas in TeX between dollar signs
-  std::string formula;   ///< in TeX, displayed; may be empty
-  std::string equation;  ///< its number, "5"; may be empty
+  std::string text;                              ///< sentences, with formulas in TeX between dollar signs
+  std::string formula;                           ///< in TeX, displayed; may be empty
+  PaperEquation equation = PaperEquation::none;  ///< whose number stands beside the formula
   LessonView view = LessonView::digraph;
   LessonDocument document;
   std::vector<ElementId> elements;  ///< highlighted when the step begins

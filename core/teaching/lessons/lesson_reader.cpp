@@ -92,6 +92,20 @@ class LessonReader {
     return readDocument(m_reader, object, hasExample ? "example" : "document", pointer);
   }
 
+  /// "5", or nothing.
+  PaperEquation readEquation(const JsonValue& object, const std::string& pointer) {
+    const std::string text = m_reader.text(object, "equation", pointer, false);
+    if (text.empty()) return PaperEquation::none;
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > kPaperEquations) {
+      m_reader.fail(pointer + "/equation", translated("The paper numbers its equations from 1 to %1.",
+                                                      {std::to_string(kPaperEquations)}));
+      return PaperEquation::none;
+    }
+    return static_cast<PaperEquation>(number);
+  }
+
   LessonStep readStep(const JsonValue& object, const std::string& pointer, const LessonDocument& common) {
     LessonStep step;
     checkMembers(
@@ -105,7 +119,7 @@ class LessonReader {
                     translated("A step explains in at most %1 words; these are %2.",
                                {std::to_string(kMaxLessonWords), std::to_string(wordsIn(step.text))}));
     step.formula = m_reader.text(object, "formula", pointer, false);
-    step.equation = m_reader.text(object, "equation", pointer, false);
+    step.equation = readEquation(object, pointer);
     step.view = readView(m_reader, object, pointer);
     step.document = documentOf(object, pointer);
     if (step.document.example.empty() && !step.document.mechanism) step.document = common;

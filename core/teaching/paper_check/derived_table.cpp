@@ -13,19 +13,23 @@ struct MatrixFacts {
   std::string_view name;
   std::string_view symbol;
   std::string_view title;
-  std::string_view equation;
+  PaperEquation equation;
   RowFreedom freedom;
 };
 
 constexpr std::array<MatrixFacts, 8> kFacts = {{
-    {"incidence", "\u0393\u2070", toTranslate("Incidence matrix"), "(1)", RowFreedom::none},
-    {"reduced-incidence", "\u0393", toTranslate("Reduced incidence matrix"), "(2)", RowFreedom::none},
-    {"path", "Z", toTranslate("Path matrix"), "(3)", RowFreedom::none},
-    {"spanning-tree", "T", toTranslate("Spanning-tree matrix"), "(4)", RowFreedom::sign},
-    {"cycle-basis", "C", toTranslate("Cycle-basis matrix"), "(5)", RowFreedom::sign},
-    {"cutset", "Q", toTranslate("Fundamental cutset matrix"), "", RowFreedom::sign},
-    {"p", "P", toTranslate("Coefficient matrix"), "(24)", RowFreedom::multiple},
-    {"solution", "S", toTranslate("Solution"), "(25)", RowFreedom::none},
+    {"incidence", "\u0393\u2070", toTranslate("Incidence matrix"), PaperEquation::incidenceMatrix,
+     RowFreedom::none},
+    {"reduced-incidence", "\u0393", toTranslate("Reduced incidence matrix"),
+     PaperEquation::reducedIncidenceMatrix, RowFreedom::none},
+    {"path", "Z", toTranslate("Path matrix"), PaperEquation::pathMatrix, RowFreedom::none},
+    {"spanning-tree", "T", toTranslate("Spanning-tree matrix"), PaperEquation::spanningTreeMatrix,
+     RowFreedom::sign},
+    {"cycle-basis", "C", toTranslate("Cycle-basis matrix"), PaperEquation::cycleBasisMatrix,
+     RowFreedom::sign},
+    {"cutset", "Q", toTranslate("Fundamental cutset matrix"), PaperEquation::none, RowFreedom::sign},
+    {"p", "P", toTranslate("Coefficient matrix"), PaperEquation::equationsInRatios, RowFreedom::multiple},
+    {"solution", "S", toTranslate("Solution"), PaperEquation::matroidSolution, RowFreedom::none},
 }};
 
 const MatrixFacts& factsOf(PaperMatrix kind) {
@@ -123,7 +127,7 @@ std::string_view paperMatrixTitle(PaperMatrix kind) {
   return factsOf(kind).title;
 }
 
-std::string_view paperMatrixEquation(PaperMatrix kind) {
+PaperEquation paperMatrixEquation(PaperMatrix kind) {
   return factsOf(kind).equation;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/mechanism/graph/paper_equation.h"
 #include "core/teaching/paper_check/written_formula.h"
 
 namespace geargraph::inline paper_check {
@@ -26,8 +27,7 @@ enum class PaperMatrix {
 [[nodiscard]] std::string_view paperMatrixSymbol(PaperMatrix kind);  ///< "C"
 [[nodiscard]] std::string_view paperMatrixTitle(PaperMatrix kind);   ///< "Cycle-basis matrix"
 [[nodiscard]] std::optional<PaperMatrix> paperMatrixFromName(std::string_view name);
-/// The number of the paper's equation: "(5)"; empty if there is none.
-[[nodiscard]] std::string_view paperMatrixEquation(PaperMatrix kind);
+[[nodiscard]] PaperEquation paperMatrixEquation(PaperMatrix kind);
 
 /// In what two correct forms of a row may differ.
 enum class RowFreedom {

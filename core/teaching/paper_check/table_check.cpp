@@ -172,7 +172,7 @@ class TableCheck {
   }
 
   [[nodiscard]] static std::string described(PaperMatrix kind) {
-    const std::string equation(paperMatrixEquation(kind));
+    const std::string equation = cited(paperMatrixEquation(kind));
     const std::string title = isEnglish() ? "the " + lowered(std::string(paperMatrixTitle(kind)))
                                           : translated(paperMatrixTitle(kind));
     return title + ' ' + std::string(paperMatrixSymbol(kind)) + (equation.empty() ? "" : ' ' + equation);

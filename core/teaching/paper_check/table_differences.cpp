@@ -301,7 +301,7 @@ class TableDifferences {
                       m_alignment.rows[row], m_alignment.columns[column]);
       const bool isTurned =
           !(expected.value == derivedRow(row)[static_cast<std::size_t>(m_alignment.columns[column])].value);
-      const int number = matrixEquation(static_cast<MatrixKind>(m_right.kind));
+      const int number = numberOf(matrixEquation(static_cast<MatrixKind>(m_right.kind)));
       const std::string equation = ' ' + translated("Eq. (%1)", {std::to_string(number)});
       difference.reason =
           cell.text.substr(0, cell.text.rfind(equation)) + ' ' +

@@ -56,10 +56,14 @@ TtEquations::Term TtEquations::weighted(const RationalFunction& factor, JointOrd
   return term;
 }
 
-std::vector<TtEquations::Term> TtEquations::sum(std::span<const CircuitTerm> circuit) const {
+std::vector<TtEquations::Term> TtEquations::sum(std::span<const CircuitTerm> circuit,
+                                                const PutIn& putIn) const {
   std::vector<Term> terms;
   for (const CircuitTerm& term : circuit) {
-    terms.push_back({term.coefficient < 0, {}, write(branchName(m_graph.graph(), term.joint))});
+    terms.push_back({term.coefficient < 0,
+                     {},
+                     term.joint == putIn.joint ? "(" + putIn.text + ")"
+                                               : write(branchName(m_graph.graph(), term.joint))});
   }
   return terms;
 }
@@ -71,36 +75,36 @@ std::string TtEquations::terminal(MeshOrdinal mesh) const {
 }
 
 std::string TtEquations::tailCircuit(MeshOrdinal mesh) const {
-  return write(tailChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.tailCircuit(mesh)));
+  return write(tailChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.tailCircuit(mesh), {}));
 }
 
 std::string TtEquations::headCircuit(MeshOrdinal mesh) const {
-  return write(headChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.headCircuit(mesh)));
+  return write(headChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.headCircuit(mesh), {}));
 }
 
 std::string TtEquations::heldCircuit(int place) const {
-  return write(sum(m_graph.held()[static_cast<std::size_t>(place)].terms)) + " = 0";
+  return write(sum(m_graph.held()[static_cast<std::size_t>(place)].terms, {})) + " = 0";
 }
 
-std::string TtEquations::fromHeldCircuit(const SubstitutionStep& step) const {
-  const std::vector<CircuitTerm>& terms = m_graph.heldCircuit(step.equations.front()).terms;
-  const auto unknown = std::find_if(terms.begin(), terms.end(),
-                                    [&](const CircuitTerm& term) { return term.joint == step.joint; });
+std::string TtEquations::fromHeldCircuit(JointOrdinal joint, int equation, const PutIn& putIn) const {
+  const std::vector<CircuitTerm>& terms = m_graph.heldCircuit(equation).terms;
+  const auto unknown =
+      std::find_if(terms.begin(), terms.end(), [&](const CircuitTerm& term) { return term.joint == joint; });
   std::vector<CircuitTerm> rest;
   for (const CircuitTerm& term : terms) {
-    if (term.joint != step.joint) rest.push_back({term.joint, -unknown->coefficient * term.coefficient});
+    if (term.joint != joint) rest.push_back({term.joint, -unknown->coefficient * term.coefficient});
   }
-  return write(sum(rest));
+  return write(sum(rest, putIn));
 }
 
 /// The unknown is in one of the mesh's two circuits: unknown = +-(own chord - the circuit's other terms). Its
 /// chord is a ratio of the other chord, and that one its own circuit.
-std::vector<std::string> TtEquations::direct(const SubstitutionStep& step) const {
-  const MeshOrdinal mesh = step.equations.front();
+std::vector<std::string> TtEquations::fromMesh(JointOrdinal joint, MeshOrdinal mesh,
+                                               const PutIn& putIn) const {
   const TerminalPair& pair = *m_graph.terminal(mesh);
   const auto tail = m_graph.tailCircuit(mesh);
   const auto head = m_graph.headCircuit(mesh);
-  const auto isUnknown = [&](const CircuitTerm& term) { return term.joint == step.joint; };
+  const auto isUnknown = [&](const CircuitTerm& term) { return term.joint == joint; };
   const bool inTail = std::any_of(tail.begin(), tail.end(), isUnknown);
   const auto own = inTail ? tail : head;
   const auto other = inTail ? head : tail;
@@ -114,31 +118,47 @@ std::vector<std::string> TtEquations::direct(const SubstitutionStep& step) const
   }
   const auto with = [&](Term chord) {
     std::vector<Term> terms{std::move(chord)};
-    for (Term& term : sum(rest)) terms.push_back(std::move(term));
+    for (Term& term : sum(rest, putIn)) terms.push_back(std::move(term));
     return write(terms);
   };
   const std::string factor = ratio(mesh, inTail);
   const bool negative = turned != (pair.sign < 0);
   std::vector<std::string> stages{with({turned, {}, ownChord}), with({negative, factor, otherChord})};
   if (other.size() > 1) {
-    stages.push_back(with({negative, factor, "(" + write(sum(other)) + ")"}));
+    stages.push_back(with({negative, factor, "(" + write(sum(other, putIn)) + ")"}));
   } else {
-    const Term only = sum(other).front();
+    const Term only = sum(other, putIn).front();
     stages.push_back(with({negative != only.negative, factor, only.symbol}));
   }
   return stages;
 }
 
+std::vector<std::string> TtEquations::direct(JointOrdinal joint, int equation, const PutIn& putIn) const {
+  if (equation >= m_graph.graph().c()) return {fromHeldCircuit(joint, equation, putIn)};
+  return fromMesh(joint, equation, putIn);
+}
+
+/// The last stage again, with what the inner joint's equation writes for it: its ratio of a chord, and that
+/// chord's circuit; not its own chord, which is another name.
+void TtEquations::putInner(const SubstitutionStep& step, std::vector<std::string>& stages) const {
+  std::vector<std::string> inner = direct(step.inner, step.equations.back(), {});
+  if (inner.size() > 1) inner.erase(inner.begin());
+  for (std::string& text : inner) {
+    stages.push_back(direct(step.joint, step.equations.front(), {step.inner, std::move(text)}).back());
+  }
+}
+
 std::vector<std::string> TtEquations::stages(const SubstitutionStep& step) const {
   std::vector<std::string> stages{write(branchName(m_graph.graph(), step.joint))};
-  if (step.coupled) {
+  if (step.turned != 0) {
+    stages.push_back(direct(step.joint, step.equations.front(), {}).back());
+  } else if (step.coupled) {
     std::vector<Term> before;
     for (const SolvedTerm& term : step.before) before.push_back(weighted(term.coefficient, term.joint));
     stages.push_back(write(before));
-  } else if (step.equations.front() >= m_graph.graph().c()) {
-    stages.push_back(fromHeldCircuit(step));
   } else {
-    for (std::string& stage : direct(step)) stages.push_back(std::move(stage));
+    for (std::string& stage : direct(step.joint, step.equations.front(), {})) stages.push_back(std::move(stage));
+    if (step.inner >= 0) putInner(step, stages);
   }
   std::vector<Term> after;
   for (std::size_t input = 0; input < step.after.size(); ++input) {

@@ -25,7 +25,8 @@ class TtEquations {
   /// "w10 + w21 = 0": the circuit of an engaged coupling, by its position in TtGraph::held().
   [[nodiscard]] std::string heldCircuit(int place) const;
   /// The stages of a step, joined by "=" when printed [AU, Eqs. (39)-(42)]: "w21", "w21''", "-n52 w51''",
-  /// "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50". Without the last where it exceeded the budget.
+  /// "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50"; of a step with an inner joint also "n73 (-n67 w62')".
+  /// Without the last where it exceeded the budget.
   [[nodiscard]] std::vector<std::string> stages(const SubstitutionStep& step) const;
 
  private:
@@ -40,9 +41,18 @@ class TtEquations {
   [[nodiscard]] std::string ratio(MeshOrdinal mesh, bool inverse) const;
   [[nodiscard]] std::string bracketed(const RationalFunction& factor) const;
   [[nodiscard]] Term weighted(const RationalFunction& factor, JointOrdinal joint) const;
-  [[nodiscard]] std::vector<Term> sum(std::span<const CircuitTerm> circuit) const;
-  [[nodiscard]] std::vector<std::string> direct(const SubstitutionStep& step) const;
-  [[nodiscard]] std::string fromHeldCircuit(const SubstitutionStep& step) const;
+  /// A joint, and what is written for it.
+  struct PutIn {
+    JointOrdinal joint = -1;
+    std::string text;
+  };
+  [[nodiscard]] std::vector<Term> sum(std::span<const CircuitTerm> circuit, const PutIn& putIn) const;
+  [[nodiscard]] std::vector<std::string> fromMesh(JointOrdinal joint, MeshOrdinal mesh,
+                                                  const PutIn& putIn) const;
+  [[nodiscard]] std::string fromHeldCircuit(JointOrdinal joint, int equation, const PutIn& putIn) const;
+  [[nodiscard]] std::vector<std::string> direct(JointOrdinal joint, int equation,
+                                                const PutIn& putIn) const;
+  void putInner(const SubstitutionStep& step, std::vector<std::string>& stages) const;
 
   const TtGraph& m_graph;
   const SubstitutionPlan& m_plan;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mechanism/graph/paper_equation.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
 namespace geargraph::inline ttgraph {
@@ -37,18 +38,18 @@ struct RatioNames {
 /// By mesh.
 [[nodiscard]] std::vector<RatioNames> ratioNames(const Digraph& graph);
 
-/// The numbers of the method's equations, continuing after the paper's (26): for its robot they are the
-/// paper's own. First the terminal equations, then the circuits (those of several branches before the
-/// others), the circuits of engaged couplings, one step of the solution for each unknown, the matrix, the
-/// ratio names, and the matrix in those names.
+/// The numbers of the method's equations, continuing after the paper's (26), PaperEquation::gearRelation: for
+/// its robot they are the paper's own. First the terminal equations, then the circuits (those of several
+/// branches before the others), the circuits of engaged couplings, one step of the solution for each unknown,
+/// the matrix, the ratio names, and the matrix in those names.
 class EquationNumbers {
  public:
-  static constexpr int kRelation = 26;  ///< the relation between two gears, Eq. (26)
-
   /// @pre graph.isComplete()
   EquationNumbers(const TtGraph& graph, int unknowns);
 
-  [[nodiscard]] int terminal(MeshOrdinal mesh) const { return kRelation + 1 + mesh; }
+  [[nodiscard]] int terminal(MeshOrdinal mesh) const {
+    return numberOf(PaperEquation::gearRelation) + 1 + mesh;
+  }
   [[nodiscard]] int tailCircuit(MeshOrdinal mesh) const {
     return m_circuits[static_cast<std::size_t>(2 * mesh)];
   }

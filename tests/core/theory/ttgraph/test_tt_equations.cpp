@@ -48,9 +48,11 @@ class TtEquationsTest : public QObject {
     QCOMPARE(robot.equations.stages(robot.steps[0]), (Stages{"w10", "w10'", "-n41 w40'", "-n41 w40"}));
     QCOMPARE(robot.equations.stages(robot.steps[1]),
              (Stages{"w21", "w21''", "-n52 w51''", "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50"}));
+    QCOMPARE(robot.equations.stages(robot.steps[2]),
+             (Stages{"w32", "w32''''", "n73 w72''''", "n73 w72", "n73 (-n67 w62''')",
+                     "n73 (-n67 (w61 - w21))", "-n73*n67*n52*n41 w40 - n73*n67*n52 w50 - n73*n67 w61"}));
     QCOMPARE(robot.equations.stages(robot.steps[3]),
-             (Stages{"w32", "w32''''", "n73 w72''''", "n73 w72",
-                     "-n73*n67*n52*n41 w40 - n73*n67*n52 w50 - n73*n67 w61"}));
+             (Stages{"w72", "n37 w32", "-n67*n52*n41 w40 - n67*n52 w50 - n67 w61"}));
   }
 
   void theSameInLatex() {
