@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/cli/text_table.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/results/diagnostics_json.h"
 #include "core/theory/dynamics/motion_table.h"
@@ -90,14 +91,15 @@ std::string motionText(const DynamicsResult& result) {
       {translated("input"), translated("angle, rad"), translated("speed, rad/s"), translated("torque, N m")}};
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    rows.push_back({labelOfInput(result, i), decimal(last.angles[at]), decimal(last.speeds[at]),
-                    decimal(last.torques[at])});
+    rows.push_back({labelOfInput(result, i), readableNumber(last.angles[at]), readableNumber(last.speeds[at]),
+                    readableNumber(last.torques[at])});
   }
-  std::string text = '\n' + aligned(translated("Motion, after %1 s", {decimal(last.time)}), rows);
-  text += "  " +
-          translated("kinetic energy %1 J, potential %2 J, work of motors and loads %3 J",
-                     {decimal(last.kinetic), decimal(last.potential), decimal(last.work)}) +
-          '\n';
+  std::string text = '\n' + aligned(translated("Motion, after %1 s", {readableNumber(last.time)}), rows);
+  text +=
+      "  " +
+      translated("kinetic energy %1 J, potential %2 J, work of motors and loads %3 J",
+                 {readableNumber(last.kinetic), readableNumber(last.potential), readableNumber(last.work)}) +
+      '\n';
   const std::string end = endOf(result);
   return end.empty() ? text : text + "  " + end + '\n';
 }
@@ -110,10 +112,10 @@ std::string dynamicsText(const DynamicsResult& result) {
     links.front().push_back(translated("at motor %1, kg m²", {labelOfInput(result, i)}));
   for (std::size_t link = 1; link < result.dynamics.links.size(); ++link) {
     const LinkInertia& inertia = result.dynamics.links[link];
-    std::vector<std::string> cells{std::to_string(link), decimal(inertia.body.mass),
+    std::vector<std::string> cells{std::to_string(link), readableNumber(inertia.body.mass),
                                    massSourceName(inertia.source)};
     for (const double reflected : result.reflected.row(static_cast<Eigen::Index>(link)))
-      cells.push_back(decimal(reflected));
+      cells.push_back(readableNumber(reflected));
     links.push_back(std::move(cells));
   }
   TextRows motors{{translated("input"), translated("inertia, kg m²"), translated("holding torque, N m"),
@@ -121,9 +123,10 @@ std::string dynamicsText(const DynamicsResult& result) {
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     motors.push_back(
-        {labelOfInput(result, i), decimal(result.equation.inertia(at, at)),
-         decimal(result.equation.bias[at] - result.equation.load[at]), decimal(result.torques[at]),
-         result.accelerations ? decimal((*result.accelerations)[at]) : translated("moves no mass")});
+        {labelOfInput(result, i), readableNumber(result.equation.inertia(at, at)),
+         readableNumber(result.equation.bias[at] - result.equation.load[at]),
+         readableNumber(result.torques[at]),
+         result.accelerations ? readableNumber((*result.accelerations)[at]) : translated("moves no mass")});
   }
   std::string text = aligned(translated("Links, and the inertia that each has at the motors"), links) + '\n' +
                      aligned(translated("Inputs, at the start"), motors);
@@ -134,7 +137,7 @@ std::string dynamicsText(const DynamicsResult& result) {
     for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
       rows.push_back({labelOfInput(result, i)});
       for (const double entry : result.equation.inertia.row(static_cast<Eigen::Index>(i)))
-        rows.back().push_back(decimal(entry));
+        rows.back().push_back(readableNumber(entry));
     }
     text += '\n' + aligned(translated("Generalised inertia M, kg m²"), rows);
   }

@@ -9,6 +9,7 @@
 #include "app/cli/number_options.h"
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/words.h"
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/mesh_writer.h"
@@ -42,7 +43,7 @@ std::variant<MeshScene, int> trainScene(const ExportTrain& train, const Argument
         << "geargraph-cli: "
         << translated(
                "The train is so large that its chords are within %1 modules instead of %2 (--tolerance).",
-               {decimal(solids.tolerance), decimal(tolerance)})
+               {readableNumber(solids.tolerance), readableNumber(tolerance)})
         << '\n';
   }
   if (!solids.left.empty()) {

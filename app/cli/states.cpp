@@ -121,8 +121,9 @@ std::string torquesText(const Mechanism& mechanism, const std::vector<StateForce
     const StaticsReport* const report = states[state].report ? &*states[state].report : nullptr;
     const auto ends =
         report != nullptr && report->isAnswered() ? endTorques(mechanism, *report) : std::nullopt;
-    std::vector<std::string> row{mechanism.states[state].name, ends ? decimal(ends->drive.number()) : "-",
-                                 ends ? decimal(ends->driven.number()) : "-"};
+    std::vector<std::string> row{mechanism.states[state].name,
+                                 ends ? readableNumber(ends->drive.number()) : "-",
+                                 ends ? readableNumber(ends->driven.number()) : "-"};
     for (std::size_t coupling = 0; coupling < couplings; ++coupling)
       row.push_back(table.rows[state].cells[1 + coupling].text);
     row.push_back(cellOf(state, ShiftColumn::efficiency));

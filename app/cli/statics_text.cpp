@@ -14,14 +14,15 @@ using Rows = TextRows;
 
 /// "80/27 (2.96296)", "10".
 std::string text(const Real& value) {
-  if (!value.isExact()) return decimal(value.number());
+  if (!value.isExact()) return readableNumber(value.number());
   const std::string exact = value.fraction()->toString();
-  if (isLongFraction(exact)) return decimal(value.number());
-  return value.fraction()->isInteger() ? exact : exact + " (" + decimal(value.number()) + ")";
+  if (isLongFraction(exact)) return readableNumber(value.number());
+  return value.fraction()->isInteger() ? exact : exact + " (" + readableNumber(value.number()) + ")";
 }
 
 std::string text(const Vector3& vector) {
-  return "(" + decimal(vector[0]) + ", " + decimal(vector[1]) + ", " + decimal(vector[2]) + ")";
+  return "(" + readableNumber(vector[0]) + ", " + readableNumber(vector[1]) + ", " +
+         readableNumber(vector[2]) + ")";
 }
 
 class StaticsText {
@@ -59,7 +60,7 @@ class StaticsText {
         cells.push_back(text(ports.tail));
         cells.push_back(text(ports.head));
         const bool hasForces = !m_report.forces.meshes.empty();
-        cells.push_back(hasForces ? decimal(m_report.forces.meshes[at].tangential) : "");
+        cells.push_back(hasForces ? readableNumber(m_report.forces.meshes[at].tangential) : "");
         cells.push_back(hasForces ? text(m_report.forces.meshes[at].force) : "");
         cells.push_back(m_report.motion ? text(m_report.powers.mesh[at]) : "");
       }

@@ -1,17 +1,10 @@
 #include "app/cli/text_table.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/foundations/files/utf8.h"
 
 namespace geargraph::cli {
-
-std::string decimal(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value == 0 ? 0.0 : value);
-  return buffer;
-}
 
 std::string aligned(const std::string& title, const TextRows& rows) {
   if (rows.size() <= 1) return {};

@@ -12,7 +12,4 @@ using TextRows = std::vector<std::vector<std::string>>;
 /// all rows have the same number of cells
 [[nodiscard]] std::string aligned(const std::string& title, const TextRows& rows);
 
-/// The number with six significant digits; 0 for -0.
-[[nodiscard]] std::string decimal(double value);
-
 }  // namespace geargraph::cli

@@ -63,7 +63,8 @@ void InertiaBars::show(const DynamicsPtr& dynamics) {
         if (!(inertia > 0)) continue;
         const double share = inertia / bar.inertia;
         bar.parts.push_back({mechanism.links[static_cast<std::size_t>(link)].id,
-                             mechanism.linkLabel(static_cast<int>(link)), inertia, before, share});
+                             mechanism.linkLabel(static_cast<int>(link)),
+                             mechanism.colorNumber(static_cast<int>(link)), inertia, before, share});
         before += share;
       }
       m_bars.push_back(std::move(bar));
@@ -121,7 +122,7 @@ void InertiaBars::paintPart(QPainter& painter, std::size_t bar, std::size_t part
   const Part& shown = m_bars[bar].parts[part];
   const Theme theme = themeOf(palette());
   const QRectF room = placeOf(bar, part).adjusted(0, 0, -kGap, 0);
-  const QColor colour = qColor(linkColor(shown.label));
+  const QColor colour = qColor(linkColor(shown.color));
   painter.fillRect(room.width() < 1 ? QRectF(room.topLeft(), QSizeF(1, room.height())) : room, colour);
   if (m_selection->isSelected(shown.link) || m_selection->isHovered(shown.link)) {
     const bool isSelected = m_selection->isSelected(shown.link);

@@ -22,6 +22,7 @@ class InertiaBars : public QWidget {
   struct Part {
     ElementId link;
     int label = 0;
+    int color = 0;       ///< its number
     double inertia = 0;  ///< kg m²
     double before = 0;   ///< the share of the parts before it, 0..1
     double share = 0;    ///< 0..1

@@ -10,15 +10,15 @@
 namespace geargraph::inline ui_dynamics {
 namespace {
 
-Rgb rgbOf(int label) {
-  const Color color = linkColor(label);
+Rgb rgbOf(int number) {
+  const Color color = linkColor(number);
   return {static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
           static_cast<float>(color.blue) / 255};
 }
 
 /// The colour of the link that a joint moves.
 Rgb colorOfJoint(const MechanismDynamics& train, const Mechanism& mechanism, int joint) {
-  return rgbOf(mechanism.linkLabel(train.train.tree->child(joint)));
+  return rgbOf(mechanism.colorNumber(train.train.tree->child(joint)));
 }
 
 std::string nameOf(const Mechanism& mechanism, int joint) {

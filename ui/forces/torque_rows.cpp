@@ -104,6 +104,7 @@ void TorqueRows::addLoads(std::vector<Content>& rows) const {
       const LinkId head = index.find(*joint)->head;
       row.element = *joint;
       row.link = label(head).toInt();
+      row.color = mechanism.view.colorNumber(head, row.link);
       row.name = tr("T in joint %1, link %2").arg(label(*joint), label(head));
       row.tip =
           tr("A load: the torque that the joint's tail exerts on its head, link %1, about the direction "
@@ -113,6 +114,7 @@ void TorqueRows::addLoads(std::vector<Content>& rows) const {
       const LinkId link = *linkOf(load);
       row.element = link;
       row.link = label(link).toInt();
+      row.color = mechanism.view.colorNumber(link, row.link);
       row.name = tr("T on link %1").arg(label(link));
       row.tip = tr("A load: a torque from outside on the link; the ground takes the reaction.");
     }
@@ -153,6 +155,7 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
     row.element = coupling.id;
     row.isOwn = isEngaged(*m_document->mechanism(), row.element);
     row.link = first.toInt();
+    row.color = mechanism.view.colorNumber(coupling.links.front(), row.link);
     row.name =
         isBrake
             ? tr("link %1, held by brake %2").arg(first, name)
@@ -171,6 +174,7 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
     const TurningJoint& joint = mechanism.turningJoints[static_cast<std::size_t>(place.joint)];
     row.element = joint.id;
     row.link = linkLabel(joint.head).toInt();
+    row.color = mechanism.view.colorNumber(joint.head, row.link);
     row.name = tr("T in joint %1, link %2").arg(mechanism.jointLabel(place.joint)).arg(row.link);
     row.tip =
         tr("Found: the torque that holds the loads here, of the joint's tail on its head, link %1, about "
@@ -179,6 +183,7 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
   } else {
     row.element = mechanism.links[static_cast<std::size_t>(place.link)].id;
     row.link = mechanism.linkLabel(place.link);
+    row.color = mechanism.colorNumber(place.link);
     row.name = tr("T on link %1").arg(row.link);
     row.tip = tr("Found: the torque from outside on the link that holds the loads.");
   }
@@ -229,7 +234,7 @@ TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {
   Row row;
   row.content = content;
   auto* dot = new QLabel(this);
-  dot->setPixmap(panels::linkDot(content.link, devicePixelRatioF()));
+  dot->setPixmap(panels::linkDot(content.color, devicePixelRatioF()));
   dot->setAccessibleName(tr("Colour of link %1").arg(content.link));
   auto* name = new QToolButton(this);
   name->setText(content.name);

@@ -33,7 +33,8 @@ class TorqueRows : public QWidget {
     Kind kind = Kind::found;
     int load = -1;  ///< its position in the document
     ElementId element;
-    int link = -1;  ///< label, for its colour
+    int link = -1;  ///< label
+    int color = 0;  ///< the number of its colour
     QString name;
     QString tip;
     std::optional<Number> torque;  ///< of a load

@@ -27,6 +27,7 @@
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/renumbering_notice.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_exports.h"
@@ -240,6 +241,7 @@ void MainWindow::makeHelp() {
 
 void MainWindow::wireViews() {
   connect(m_document, &Document::changed, this, &MainWindow::onDocumentChanged);
+  new RenumberingNotice(m_document, m_selection, m_status, this);
   connect(m_document, &Document::modifiedChanged, this, &MainWindow::renewTitle);
   connect(m_document, &Document::filePathChanged, this, &MainWindow::renewTitle);
   connect(m_document, &Document::rejected, this, [this](const Diagnostics& why) {
@@ -344,6 +346,10 @@ void MainWindow::onStage(const StagePtr& stage) {
   m_view3d->setNote(why.empty()
                         ? notShown
                         : tr("Shown as before the last changes. %1").arg(shownText(why.front().message)));
+  Diagnostics missing;
+  for (const StageNote& note : stage->notes)
+    if (note.isMissingFile) missing.push_back({Code::missingFile, note.text, {note.element}, {}});
+  m_problems->setShapeDiagnostics(missing);
   tellWhenSettled();
 }
 

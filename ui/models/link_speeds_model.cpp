@@ -135,8 +135,8 @@ QVariant LinkSpeedsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || !checkIndex(index)) return {};
   const int label = index.row() + 1;
   switch (role) {
-    case LinkLabelRole:
-      return label;
+    case LinkColorRole:
+      return m_snapshot->mechanism->colorNumber(label);
     case Qt::ToolTipRole:
       return QString::fromStdString(m_names.nameOf(label));
     case Qt::TextAlignmentRole:

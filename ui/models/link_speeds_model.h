@@ -16,7 +16,7 @@ class LinkSpeedsModel : public QAbstractTableModel {
 
  public:
   enum Role {
-    LinkLabelRole = Qt::UserRole,  ///< int
+    LinkColorRole = Qt::UserRole,  ///< int: the number of its colour
   };
   enum Column { linkColumn, aboutColumn, xColumn, yColumn, zColumn, columnTotal };
 

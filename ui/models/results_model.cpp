@@ -218,6 +218,8 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
       return QString::number(m_snapshot->graph->edgeLabel(jointAt(row)));
     case LinkLabelRole:
       return m_snapshot->graph->nodeLabel(linkNodeAt(row));
+    case LinkColorRole:
+      return m_snapshot->mechanism->colorNumber(linkNodeAt(row));
     default:
       return {};
   }

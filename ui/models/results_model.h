@@ -21,6 +21,7 @@ class ResultsModel : public QAbstractTableModel {
     ZeroRole = Qt::UserRole,  ///< bool: the coefficient is exactly 0
     JointLabelRole,           ///< QString: of the row's joint
     LinkLabelRole,            ///< int: of the joint's head link
+    LinkColorRole,            ///< int: the number of its colour
     SymbolRole,               ///< bool: the text is a formula in the gear ratios
   };
 

@@ -229,7 +229,8 @@ void InputsPanel::showTitle(const Row& row) {
   const std::string& headName = index.find(joint.head)->name;
   const QString words = relativeText(head, headName, tail);
 
-  row.dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
+  row.dot->setPixmap(
+      linkDot(m_document->mechanism()->view.colorNumber(joint.head, head.toInt()), devicePixelRatioF()));
   row.dot->setAccessibleName(tr("Colour of link %1").arg(head));
   row.name->setRate(jointLabel, words);
   row.name->setToolTip(

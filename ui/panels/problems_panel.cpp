@@ -197,6 +197,12 @@ void ProblemsPanel::setLoadDiagnostics(const Diagnostics& diagnostics) {
   renew();
 }
 
+void ProblemsPanel::setShapeDiagnostics(const Diagnostics& diagnostics) {
+  if (diagnostics == m_shapeDiagnostics) return;
+  m_shapeDiagnostics = diagnostics;
+  renew();
+}
+
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
   m_rowsAsked.clear();
@@ -251,6 +257,7 @@ void ProblemsPanel::renew() {
   Diagnostics shown = ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics();
   if (!ofFile && m_snapshot) {
     append(shown, m_loadDiagnostics);
+    append(shown, m_shapeDiagnostics);
     append(shown, m_motionDiagnostics);
   }
   m_model->setDiagnostics(std::move(shown));

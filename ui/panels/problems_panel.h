@@ -33,6 +33,8 @@ class ProblemsPanel : public QWidget {
   void setMotionDiagnostics(const Diagnostics& diagnostics, const QString& note);
   /// Sets the diagnostics of the document's loads, listed after those of the analysis.
   void setLoadDiagnostics(const Diagnostics& diagnostics);
+  /// Sets those of the 3D files that links wear.
+  void setShapeDiagnostics(const Diagnostics& diagnostics);
   /// Sets the diagnostics of a file that was not opened. They stay on top until dismissed or another file
   /// opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
@@ -78,6 +80,7 @@ class ProblemsPanel : public QWidget {
   Diagnostics m_fileProblems;
   Diagnostics m_motionDiagnostics;
   Diagnostics m_loadDiagnostics;
+  Diagnostics m_shapeDiagnostics;
   SnapshotPtr m_snapshot;
   std::vector<int> m_rowsAsked;  ///< whose fixes are found in the background
   FixFinder* m_fixFinder;

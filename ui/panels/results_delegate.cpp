@@ -25,22 +25,22 @@ double baseLine(const QRectF& rect, const QFont& font) {
 
 }  // namespace
 
-void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel) {
+void paintLinkDot(QPainter& painter, const QPointF& centre, int colorNumber) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(qColor(linkColor(linkLabel)));
+  painter.setBrush(qColor(linkColor(colorNumber)));
   painter.drawEllipse(centre, 5, 5);
   painter.restore();
 }
 
-QPixmap linkDot(int linkLabel, qreal pixelRatio) {
+QPixmap linkDot(int colorNumber, qreal pixelRatio) {
   constexpr int kSize = 12;
   QPixmap pixmap(qRound(kSize * pixelRatio), qRound(kSize * pixelRatio));
   pixmap.setDevicePixelRatio(pixelRatio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
-  paintLinkDot(painter, {kSize / 2.0, kSize / 2.0}, linkLabel);
+  paintLinkDot(painter, {kSize / 2.0, kSize / 2.0}, colorNumber);
   return pixmap;
 }
 
@@ -65,7 +65,7 @@ void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   const QString text = index.data().toString();
   if (index.column() == 0) {
     paintLinkDot(*painter, {cell.left() + kMargin + 5, cell.center().y()},
-                 index.data(ResultsModel::LinkLabelRole).toInt());
+                 index.data(ResultsModel::LinkColorRole).toInt());
     const double left = cell.left() + kMargin + kDotRoom;
     const QString label = index.data(ResultsModel::JointLabelRole).toString();
     const double advance = paintRate(painter, option.font, {left, base}, label);
@@ -147,7 +147,7 @@ void LinkSpeedsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   const int left = index.column() == LinkSpeedsModel::linkColumn ? kMargin + kDotRoom : kGap / 2;
   if (index.column() == LinkSpeedsModel::linkColumn) {
     paintLinkDot(*painter, {cell.left() + kMargin + 5, cell.center().y()},
-                 index.data(LinkSpeedsModel::LinkLabelRole).toInt());
+                 index.data(LinkSpeedsModel::LinkColorRole).toInt());
   }
   painter->drawText(cell.adjusted(left, 0, -kGap / 2, 0), index.data(Qt::TextAlignmentRole).toInt(),
                     index.data().toString());

@@ -59,8 +59,8 @@ class LinkSpeedsDelegate : public QStyledItemDelegate {
 };
 
 /// Paints a dot in the colour that the link has in all views.
-void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel);
+void paintLinkDot(QPainter& painter, const QPointF& centre, int colorNumber);
 /// The same as a pixmap of 12 by 12 logical pixels.
-[[nodiscard]] QPixmap linkDot(int linkLabel, qreal pixelRatio);
+[[nodiscard]] QPixmap linkDot(int colorNumber, qreal pixelRatio);
 
 }  // namespace geargraph::inline panels

@@ -66,7 +66,7 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
   const double radius = std::abs(tail ? mesh.tailRadius : mesh.headRadius);
   const QPointF a = projected(mesh.pitchPoint);
   const QPointF b = projected(mirrored(mesh.pitchPoint, line));
-  QPen pen(qColor(linkColor(m_mechanism.linkLabel(link))), 2.5);
+  QPen pen(qColor(linkColor(m_mechanism.colorNumber(link))), 2.5);
   pen.setCosmetic(true);
   painter.setPen(pen);
   const bool isRing =
@@ -96,7 +96,7 @@ void SetPreview::paintNames(QPainter& painter) const {
     const int column = (link - 1) % 2;
     const double y = height() - 12 - (rows - 1 - (link - 1) / 2) * kNameHeight;
     const double x = 14 + column * width() / 2.0;
-    paintLinkDot(painter, {x, y}, link);
+    paintLinkDot(painter, {x, y}, m_mechanism.colorNumber(link));
     const QString name = QString::fromStdString(m_mechanism.links[static_cast<std::size_t>(link)].name);
     painter.drawText(QPointF(x + 12, y + 4), QStringLiteral("%1 %2").arg(link).arg(name));
   }

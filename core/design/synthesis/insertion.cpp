@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/placement/placement.h"
 
 namespace geargraph::inline synthesis {
@@ -101,6 +102,7 @@ class Inserter {
 
  private:
   void addStructure() {
+    const LinkColors colors(m_result);
     m_links[m_set.links.front().id] = m_result.links.front().id;
     const auto nodeOf = [this](LinkId link) {
       const auto found = m_set.view.nodes.find(link);
@@ -115,6 +117,7 @@ class Inserter {
       m_result.links.push_back(std::move(link));
       m_result.view.nodes[fresh] = {node.x + m_at.x, node.y + m_at.y};
     }
+    colors.keepIn(m_result);
     const LinkId ground = m_result.links.front().id;
     if (!m_result.view.nodes.contains(ground)) {
       const SheetPoint node = nodeOf(m_set.links.front().id);

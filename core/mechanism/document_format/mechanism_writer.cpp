@@ -219,6 +219,7 @@ class MechanismWriter {
     nodes("ttNodes", view.ttNodes, mechanism.links);
     if (!view.notes.empty()) list("notes", view.notes);
     if (view.camera) element("camera", *view.camera);
+    colors(view.colors, mechanism.links);
     unknown(view.unknown);
     m_json.endObject();
   }
@@ -235,6 +236,20 @@ class MechanismWriter {
       nodes.erase(node);
     }
     for (const auto& node : nodes) point(node);
+    m_json.endObject();
+  }
+
+  void colors(std::map<LinkId, int> colors, const std::vector<Link>& links) {
+    if (colors.empty()) return;
+    m_json.key("colors");
+    m_json.beginObject(Layout::row);
+    for (const Link& link : links) {
+      const auto color = colors.find(link.id);
+      if (color == colors.end()) continue;
+      m_json.member(link.id.text(), color->second);
+      colors.erase(color);
+    }
+    for (const auto& [link, color] : colors) m_json.member(link.text(), color);
     m_json.endObject();
   }
 

@@ -52,6 +52,7 @@ class ViewReader {
     view.ttNodes = nodes("ttNodes");
     if (const auto value = m_from.member("notes")) view.notes = notes(*value);
     if (const auto value = m_from.member("camera")) view.camera = camera(*value);
+    if (const auto value = m_from.member("colors")) view.colors = colors(*value);
     view.unknown = m_from.unknown();
     return view;
   }
@@ -76,6 +77,28 @@ class ViewReader {
           Code::schema,
           translated("expected the point of a node: a list of two numbers, x to the right and y down."), {},
           pointer, point);
+    });
+    return found;
+  }
+
+  std::map<LinkId, int> colors(JsonValue object) {
+    constexpr int kMaxNumber = 1'000'000;
+    std::map<LinkId, int> found;
+    if (!object.is(JsonKind::object)) {
+      m_from.wrong("colors", object, toTranslate("an object of whole numbers by the id of their link"));
+      return found;
+    }
+    object.forEachMember([&](JsonValue key, JsonValue value) {
+      const auto number = finite(value);
+      if (number && *number >= 1 && *number <= kMaxNumber && *number == std::floor(*number)) {
+        found[LinkId(key.string())] = static_cast<int>(*number);
+        return;
+      }
+      const std::string pointer = "/view/colors" + pointerStep(key.string());
+      if (m_diagnostics.covers(pointer)) return;
+      m_diagnostics.add(Code::schema,
+                        translated("expected the number of a link's colour: a whole number from 1 on."), {},
+                        pointer, value);
     });
     return found;
   }

@@ -62,7 +62,8 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.meshes = countOf(before.gearMeshes, after.gearMeshes);
   difference.axes = before.axes != after.axes;
   difference.inputs = before.inputs != after.inputs;
-  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes;
+  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes ||
+                      before.view.colors != after.view.colors;
   const bool added = difference.links.added + difference.joints.added + difference.meshes.added > 0;
   const bool removed = difference.links.removed + difference.joints.removed + difference.meshes.removed > 0;
   const bool reordered =

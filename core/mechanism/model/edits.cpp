@@ -11,6 +11,7 @@
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 
@@ -137,9 +138,11 @@ Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
 }  // namespace
 
 Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name) {
+  const LinkColors colors(mechanism);
   const LinkId id(freshId(mechanism));
   mechanism.links.push_back({id, std::move(name)});
   mechanism.view.nodes[id] = at;
+  colors.keepIn(mechanism);
   return mechanism;
 }
 
@@ -179,9 +182,11 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
 Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
                                      std::optional<SheetPoint> at) {
   if (mechanism.find(gear) == nullptr) return unknown(gear);
+  const LinkColors colors(mechanism);
   const LinkId link(freshId(mechanism));
   mechanism.links.push_back({link, {}});
   if (at) mechanism.view.nodes[link] = *at;
+  colors.keepIn(mechanism);
   Expected<Mechanism> turning = withTurningJoint(std::move(mechanism), carrier, link);
   if (!turning) return turning;
   return withGearMesh(std::move(turning).value(), gear, link);
@@ -195,6 +200,7 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
                      translated("The ground cannot be deleted; make another link the ground first."),
                      {ground});
   }
+  const LinkColors colors(mechanism);
   const auto linkGone = [&](LinkId link) { return gone.contains(link); };
   std::set<AxisId> freed;
   for (const ElementId& element : elements) {
@@ -219,6 +225,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   std::erase_if(mechanism.links, [&](const Link& link) { return linkGone(link.id); });
   for (auto* const nodes : {&mechanism.view.nodes, &mechanism.view.ttNodes})
     std::erase_if(*nodes, [&](const auto& node) { return linkGone(node.first); });
+  std::erase_if(mechanism.view.colors, [&](const auto& color) { return linkGone(color.first); });
+  colors.keepIn(mechanism);
   std::erase_if(mechanism.view.notes, [&](const SheetNote& note) { return gone.contains(note.id); });
 
   std::erase_if(mechanism.couplings, [&](const Coupling& coupling) {
@@ -408,7 +416,9 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
         translated("Loads or balances act on this link, and the ground can have none: remove them first."),
         {link});
   }
+  const LinkColors colors(mechanism);
   std::rotate(mechanism.links.begin(), found, found + 1);
+  colors.keepIn(mechanism);
   return mechanism;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/notes.h"
 
@@ -236,6 +237,7 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
   }
   const Renamer renamed(mechanism, fragment);
   const double shift = shiftFor(mechanism.view, fragment);
+  const LinkColors colors(mechanism);
   for (std::size_t i = 1; i < fragment.links.size(); ++i) {
     Link link = fragment.links[i];
     const auto node = fragment.view.nodes.find(link.id);
@@ -245,6 +247,7 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
     }
     mechanism.links.push_back(std::move(link));
   }
+  colors.keepIn(mechanism);
   addArrows(mechanism, fragment, renamed);
   addLoads(mechanism, fragment, renamed);
   addNotes(mechanism.view.notes, fragment.view.notes, freshNoteIds(mechanism, fragment.view.notes.size()),

@@ -45,6 +45,12 @@ std::optional<LoadSharing> loadSharingFrom(std::string_view name) {
   return std::nullopt;
 }
 
+int View::colorNumber(LinkId link, int label) const {
+  if (label == 0 || colors.empty()) return label;
+  const auto found = colors.find(link);
+  return found == colors.end() ? label : found->second;
+}
+
 const Link* Mechanism::find(LinkId id) const {
   return findIn(links, id);
 }

@@ -190,7 +190,12 @@ struct View {
   std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
   std::vector<SheetNote> notes;          ///< on the digraph's sheet, in painting order
   std::optional<ViewCamera> camera;
+  /// The numbers of the links' colours that are not their labels: links keep their colours while labels move.
+  std::map<LinkId, int> colors;
   UnknownMembers unknown;
+
+  /// The number of a link's colour, which drawings have a hue for: 0 for the ground.
+  [[nodiscard]] int colorNumber(LinkId link, int label) const;
   friend bool operator==(const View&, const View&) = default;
 };
 
@@ -234,6 +239,9 @@ struct Mechanism {
 
   /// The paper's labels of the elements at these positions of their lists.
   [[nodiscard]] int linkLabel(int position) const { return position; }
+  [[nodiscard]] int colorNumber(int position) const {
+    return view.colorNumber(links[static_cast<std::size_t>(position)].id, linkLabel(position));
+  }
   [[nodiscard]] int jointLabel(int position) const { return n() + 1 + position; }
   [[nodiscard]] int meshLabel(int position) const { return n() + t() + 1 + position; }
 

@@ -233,6 +233,10 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_camera(cameraPatch(before.view.camera, after.view.camera)),
       m_viewMembers(memberPatch(before.view.unknown, after.view.unknown)),
       m_members(memberPatch(before.unknown, after.unknown)) {
+  const std::map<LinkId, int>& olds = before.view.colors;
+  const std::map<LinkId, int>& news = after.view.colors;
+  std::set_difference(olds.begin(), olds.end(), news.begin(), news.end(), std::back_inserter(m_colorsBefore));
+  std::set_difference(news.begin(), news.end(), olds.begin(), olds.end(), std::back_inserter(m_colorsAfter));
   m_isEmpty = hasNothing();
   count();
 }
@@ -298,6 +302,10 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   apply(m_ttNodes, mechanism.view.ttNodes, forward);
   geargraph::apply(m_sheetNotes, mechanism.view.notes, forward);
   geargraph::apply(m_camera, mechanism.view.camera, forward);
+  for (const LinkColor& color : forward ? m_colorsBefore : m_colorsAfter)
+    mechanism.view.colors.erase(color.first);
+  const std::vector<LinkColor>& colors = forward ? m_colorsAfter : m_colorsBefore;
+  mechanism.view.colors.insert(colors.begin(), colors.end());
   geargraph::apply(m_viewMembers, mechanism.view.unknown, forward);
   geargraph::apply(m_members, mechanism.unknown, forward);
 }
@@ -308,7 +316,8 @@ bool MechanismPatch::hasNothing() const {
          areNothing(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels,
                     m_couplings, m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances,
                     m_sharing, m_driveTorque, m_density, m_gravity, m_nodes.before, m_nodes.after,
-                    m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera, m_viewMembers, m_members);
+                    m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera, m_colorsBefore, m_colorsAfter,
+                    m_viewMembers, m_members);
 }
 
 void MechanismPatch::count() {
@@ -316,7 +325,7 @@ void MechanismPatch::count() {
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
             m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_sharing, m_driveTorque,
             m_density, m_gravity, m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after,
-            m_sheetNotes, m_camera, m_viewMembers, m_members);
+            m_sheetNotes, m_camera, m_colorsBefore, m_colorsAfter, m_viewMembers, m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 

@@ -61,6 +61,7 @@ class MechanismPatch {
 
  private:
   using Node = std::pair<LinkId, SheetPoint>;
+  using LinkColor = std::pair<LinkId, int>;
   struct NodePatch {
     std::vector<Node> before;  ///< gone or moved
     std::vector<Node> after;   ///< new or moved
@@ -98,6 +99,8 @@ class MechanismPatch {
   NodePatch m_ttNodes;
   ListPatch<SheetNote> m_sheetNotes;
   ValuePatch<std::optional<ViewCamera>> m_camera;
+  std::vector<LinkColor> m_colorsBefore;  ///< gone or another
+  std::vector<LinkColor> m_colorsAfter;   ///< new or another
   MemberPatch m_viewMembers;
   MemberPatch m_members;
   bool m_isEmpty = true;

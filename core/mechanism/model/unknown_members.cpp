@@ -36,7 +36,7 @@ constexpr auto kStateNames = std::to_array<std::string_view>({"name", "engaged",
 constexpr auto kLoadNames = std::to_array<std::string_view>({
     "id", "joint", "link", "axis", "torque", "force", "point"});
 constexpr auto kBalanceNames = std::to_array<std::string_view>({"joint", "link", "axis"});
-constexpr auto kViewNames = std::to_array<std::string_view>({"nodes", "ttNodes", "notes", "camera"});
+constexpr auto kViewNames = std::to_array<std::string_view>({"nodes", "ttNodes", "notes", "camera", "colors"});
 constexpr auto kNoteNames = std::to_array<std::string_view>({"id", "text", "at"});
 constexpr auto kCameraNames = std::to_array<std::string_view>({"target", "azimuth", "elevation", "distance"});
 

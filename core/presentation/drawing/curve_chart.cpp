@@ -25,7 +25,8 @@ constexpr std::array<Dash, kMaxChartCurves> kDashes = {Dash::solid, Dash::dashed
                                                        Dash::dashDotted};
 
 Tint tintOf(std::size_t curve) {
-  return Tint::ofLink(static_cast<int>(curve) + 1);
+  const int number = static_cast<int>(curve) + 1;
+  return Tint::ofLink(number, number);
 }
 
 std::string numberText(double value) {

@@ -61,7 +61,7 @@ DisplayList nodeDrawing(const NodePlace& node, const Emphasis& emphasis) {
   }
   if (node.groundSide) drawHatching(pen, node);
   pen.put(MarkRole::node, kNodeDepth, Fill{disc, ColorRole::sheet});
-  const Tint ring = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label);
+  const Tint ring = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label, node.color);
   pen.put(MarkRole::node, kNodeDepth, Stroke{disc, ring, kRingWidth, Dash::solid});
   const Tint ink = emphasis.selected ? ColorRole::accent : ColorRole::ink;
   pen.put(MarkRole::label, kNodeDepth,

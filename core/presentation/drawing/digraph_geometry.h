@@ -35,6 +35,7 @@ constexpr double kHatchDepth = 7;
 struct NodePlace {
   LinkId link;
   int label = 0;
+  int color = 0;  ///< its number (Mechanism::colorNumber())
   SheetPoint center;
   std::string name;                      ///< as shown, elided; empty if there is none or no room for it
   SheetPoint nameCenter;                 //

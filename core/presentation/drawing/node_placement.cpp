@@ -148,6 +148,7 @@ std::vector<NodePlace> placedNodes(const Mechanism& mechanism, const Digraph& gr
     NodePlace node;
     node.link = graph.nodeId(v);
     node.label = graph.nodeLabel(v);
+    node.color = mechanism.colorNumber(v);
     node.center = *center;
     if (v == 0) {
       placeHatching(node, taken);

@@ -68,10 +68,10 @@ Color colorOf(ColorRole role, Theme theme) {
   GEARGRAPH_REQUIRE(false);
 }
 
-Color linkColor(int label) {
-  GEARGRAPH_REQUIRE(label >= 0);
-  if (label == 0) return kGroundLink;
-  const auto place = static_cast<std::size_t>(label - 1);
+Color linkColor(int number) {
+  GEARGRAPH_REQUIRE(number >= 0);
+  if (number == 0) return kGroundLink;
+  const auto place = static_cast<std::size_t>(number - 1);
   const Color hue = kHues[place % kHues.size()];
   switch (place / kHues.size() % 3) {
     case 1:
@@ -93,9 +93,10 @@ std::string hexOf(Color color) {
   return hex;
 }
 
-Tint Tint::ofLink(int label) {
+Tint Tint::ofLink(int label, int colorNumber) {
   Tint tint;
   tint.link = label;
+  tint.linkColor = colorNumber;
   return tint;
 }
 
@@ -106,7 +107,7 @@ Tint Tint::softened() const {
 }
 
 Color colorOf(const Tint& tint, Theme theme) {
-  const Color full = tint.link ? linkColor(*tint.link) : colorOf(tint.role, theme);
+  const Color full = tint.link ? linkColor(tint.linkColor) : colorOf(tint.role, theme);
   const double sheet = theme == Theme::light ? 0.7 : 0.6;
   return tint.soft ? mixed(full, colorOf(ColorRole::sheet, theme), sheet) : full;
 }

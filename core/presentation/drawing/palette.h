@@ -43,9 +43,10 @@ constexpr int kColorRoleCount = static_cast<int>(ColorRole::negativeInk) + 1;
 
 [[nodiscard]] Color colorOf(ColorRole role, Theme theme);
 
-/// The colour of a link in every view and both themes, by its label (0: the ground). Eight hues that are
+/// The colour of a link in every view and both themes, by the number of its colour (Mechanism::colorNumber();
+/// 0: the ground). Eight hues that are
 /// distinguishable with colour blindness, then the same lighter, then darker, then again from the start.
-[[nodiscard]] Color linkColor(int label);
+[[nodiscard]] Color linkColor(int number);
 
 /// "#0072B2"
 [[nodiscard]] std::string hexOf(Color color);
@@ -54,11 +55,12 @@ constexpr int kColorRoleCount = static_cast<int>(ColorRole::negativeInk) + 1;
 struct Tint {
   ColorRole role = ColorRole::ink;
   std::optional<int> link;  ///< a link's label; then `role` is ignored
+  int linkColor = 0;        ///< the number of its colour
   bool soft = false;        ///< mixed with the sheet's colour, for areas under lines and text
 
   Tint() = default;
   Tint(ColorRole colorRole) : role(colorRole) {}  // NOLINT(google-explicit-constructor)
-  [[nodiscard]] static Tint ofLink(int label);
+  [[nodiscard]] static Tint ofLink(int label, int colorNumber);
   [[nodiscard]] Tint softened() const;
   friend bool operator==(const Tint&, const Tint&) = default;
 };

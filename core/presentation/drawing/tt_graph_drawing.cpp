@@ -61,7 +61,7 @@ DisplayList drawingOf(const NodePlace& node, bool isTransfer, const Emphasis& em
   DisplayList list = nodeDrawing(node, emphasis);
   if (!isTransfer) return list;
   Pen pen(list, node.link);
-  const Tint tint = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label);
+  const Tint tint = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label, node.color);
   pen.put(MarkRole::node, kNodeDepth,
           Stroke{Circle{node.center, kTransferRing}, tint, kTransferWidth, Dash::solid});
   return list;

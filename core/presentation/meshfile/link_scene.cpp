@@ -123,7 +123,8 @@ std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
   scene.unit = source.mechanism.unit;
   for (std::size_t i = 0; i < source.mechanism.links.size(); ++i) {
     const int label = static_cast<int>(i);
-    scene.materials.push_back({nameOf(source.mechanism.links[i], label), source.colourOfLink(label)});
+    scene.materials.push_back(
+        {nameOf(source.mechanism.links[i], label), source.colourOfLink(source.mechanism.colorNumber(label))});
   }
   std::vector<std::size_t> places;
   addLinks(scene, source, period, places);

@@ -20,7 +20,7 @@ struct LinkSceneSource {
   const SpanningTree& tree;
   const ForwardKinematics& kinematics;
   std::span<const LinkPart> parts;
-  std::function<Float3(int label)> colourOfLink;  ///< sRGB
+  std::function<Float3(int number)> colourOfLink;  ///< sRGB, by Mechanism::colorNumber()
 };
 
 /// Uniform rates of all joints, rad/s, by joint, and how long one period of them takes to play.

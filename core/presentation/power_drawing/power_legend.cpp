@@ -33,7 +33,8 @@ Tint tintOfFlow(const DrawnFlow& flow, const Mechanism& mechanism) {
   const auto [least, most] =
       std::minmax_element(flow.ports.begin(), flow.ports.end(),
                           [](const DrawnPort& a, const DrawnPort& b) { return a.power < b.power; });
-  return Tint::ofLink(mechanism.linkLabel(least->power < 0 ? least->link : most->link));
+  const LinkOrdinal link = least->power < 0 ? least->link : most->link;
+  return Tint::ofLink(mechanism.linkLabel(link), mechanism.colorNumber(link));
 }
 
 std::string flowText(double power, bool isKnown, bool isAssumed) {

@@ -83,7 +83,9 @@ class SchematicBands {
     return found == m_links.end() ? link
                                   : LinkOrdinal(found->second);  // a drawing of the document as it was before
   }
-  [[nodiscard]] Tint tintOf(LinkOrdinal link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
+  [[nodiscard]] Tint tintOf(LinkOrdinal link) const {
+    return Tint::ofLink(m_mechanism.linkLabel(link), m_mechanism.colorNumber(link));
+  }
   [[nodiscard]] BandNetwork& network(LinkOrdinal link) { return m_networks[link]; }
 
   /// The lines of each link, and where bearings, meshes and couplings are.

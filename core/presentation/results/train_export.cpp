@@ -30,8 +30,8 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, c
   return motions;
 }
 
-Float3 colourOfLink(int label) {
-  const Color color = linkColor(label);
+Float3 colourOfLink(int number) {
+  const Color color = linkColor(number);
   constexpr float kFull = 255;
   return {static_cast<float>(color.red) / kFull, static_cast<float>(color.green) / kFull,
           static_cast<float>(color.blue) / kFull};
@@ -208,8 +208,8 @@ std::variant<MeshScene, ExportFailure> gearScene(const ExportTrain& from, const 
   const Link& link = from.mechanism().links[gear->link];
   const int label = from.mechanism().linkLabel(gear->link);
   MeshScene scene{gear->name, from.mechanism().unit, {}, {}};
-  scene.materials.push_back(
-      {link.name.empty() ? "link " + std::to_string(label) : link.name, colourOfLink(label)});
+  scene.materials.push_back({link.name.empty() ? "link " + std::to_string(label) : link.name,
+                             colourOfLink(from.mechanism().colorNumber(gear->link))});
   MeshNode& node = scene.nodes.emplace_back();
   node.name = gear->name;
   node.solid = std::make_shared<const Solid>(*std::move(solid));

@@ -113,9 +113,7 @@ class CouplingPlacer {
     m_section.marks.push_back({m_coupling, MarkRole::line, kDepth,
                                Stroke{Polyline{std::move(points), false}, tint, width, Dash::solid}});
   }
-  [[nodiscard]] Tint tintOf(int link) const {
-    return Tint::ofLink(m_part.linkLabels[static_cast<std::size_t>(link)]);
-  }
+  [[nodiscard]] Tint tintOf(int link) const { return m_part.tintOf(link); }
   void plate(SheetPoint middle, SheetPoint way, const Tint& tint) {
     const SheetPoint across = kPlateHalf * turned(way);
     stroke({middle - across, middle + across}, tint, kPlateWidth);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/mechanism/placement/placed_mechanism.h"
+#include "core/presentation/drawing/palette.h"
 
 namespace geargraph::inline schematic {
 
@@ -30,6 +31,12 @@ struct DrawnPart {
     int count = 1;            ///< number of sets, including the drawn one
   };
   std::vector<Planets> planets;
+
+  /// The colour of the link at this position.
+  [[nodiscard]] Tint tintOf(LinkOrdinal link) const {
+    const int label = linkLabels[link];
+    return Tint::ofLink(label, mechanism.view.colorNumber(mechanism.links[link].id, label));
+  }
 
   /// Is everything of the document drawn?
   [[nodiscard]] bool isWhole() const { return loose.empty() && closing.empty() && planets.empty(); }

@@ -65,7 +65,7 @@ class SectionBuilder {
   [[nodiscard]] std::vector<double> sides(int a) const {
     return axis(a).half ? std::vector<double>{1} : std::vector<double>{1, -1};
   }
-  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_part.linkLabels[link]); }
+  [[nodiscard]] Tint tintOf(int link) const { return m_part.tintOf(link); }
   [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[link].id; }
   [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[joint].id; }
   /// Height of the link's shaft above an axis, of several the one nearest to the place.

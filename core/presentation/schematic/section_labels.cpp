@@ -170,7 +170,8 @@ class Labeller {
     leader(anchors.element, place, box);
     put(anchors.element, MarkRole::node, Fill{Box{box, radius}, ColorRole::sheet}, kNodeDepth);
     put(anchors.element, MarkRole::node,
-        Stroke{Box{box, radius}, Tint::ofLink(label), 2 * m_scale, Dash::solid}, kNodeDepth);
+        Stroke{Box{box, radius}, m_part.tintOf(static_cast<int>(link)), 2 * m_scale, Dash::solid},
+        kNodeDepth);
     put(anchors.element, MarkRole::label, Text{number, place.center, m_size, true, ColorRole::ink},
         kNodeDepth);
     m_labels.outlines.push_back({anchors.element, kNodeDepth, Box{box, radius}, 0});

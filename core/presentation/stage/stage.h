@@ -24,6 +24,7 @@ struct StageLabel {
   std::size_t instance;            ///< that it follows
   Eigen::Vector3d place{0, 0, 0};  ///< middle of its element, in the instance's frame
   double radius = 0;               ///< mm from that middle that the disc must not cover
+  int colourNumber = 0;            ///< of a link: which of the links' colours it has
 };
 
 /// How a part can be dragged: it turns about a line, with a gain for each input.
@@ -66,6 +67,7 @@ struct Twist3 {
 struct StageNote {
   ElementId element;
   std::string text;
+  bool isMissingFile = false;  ///< a 3D file that the document names could not be read
 };
 
 /// A turning joint: its rate (head relative to tail) is the same linear combination of the inputs' speeds in

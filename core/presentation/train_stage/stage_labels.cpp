@@ -23,7 +23,7 @@ constexpr double kMaxBarLength = 110, kFromEdge = 16, kFromBelow = 24, kTick = 4
 Tint tintOf(const Stage& stage, const StageLabel& label) {
   for (const StageLabel& other : stage.labels) {
     if (other.kind == LabelKind::link && other.colour == label.colour)
-      return Tint::ofLink(std::stoi(other.text));
+      return Tint::ofLink(std::stoi(other.text), other.colourNumber);
   }
   return ColorRole::secondary;
 }

@@ -24,8 +24,8 @@ constexpr int kMaxCloseMeshes = 100;
 constexpr std::size_t kLevelsOfGear = 4;
 constexpr double kMaxPeriod = 3600;  // s; beyond, nobody waits for it to come round
 
-Rgb colourOf(LinkOrdinal link) {
-  const Color color = linkColor(link);
+Rgb colourOf(const Mechanism& mechanism, LinkOrdinal link) {
+  const Color color = linkColor(mechanism.colorNumber(link));
   return Rgb::fromHex(static_cast<unsigned>(color.red << 16 | color.green << 8 | color.blue));
 }
 
@@ -82,7 +82,7 @@ Instance& StageBuilder::add(LinkOrdinal link, const std::shared_ptr<const Solid>
   Instance instance;
   instance.solid = known->second;
   instance.pose = pose;
-  instance.colour = colourOf(link);
+  instance.colour = colourOf(m_mechanism, link);
   instance.element = m_mechanism.links[link].id;
   m_links.push_back(link);
   return m_stage->scene.instances.emplace_back(std::move(instance));
@@ -175,7 +175,8 @@ void StageBuilder::addShapes(LinkOrdinal link) {
     const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
     if (const auto* why = std::get_if<std::string>(&found)) {
       m_stage->notes.push_back(
-          {owner.id, translated("Link %1 wears \"%2\", which is not shown: %3", {label, shape.file, *why})});
+          {owner.id, translated("Link %1 wears \"%2\", which is not shown: %3", {label, shape.file, *why}),
+           true});
       continue;
     }
     add(link, std::get<std::shared_ptr<const Solid>>(found), poseOf(shape)).isOpen = true;
@@ -187,7 +188,8 @@ void StageBuilder::addLabels() {
     StageLabel& label = m_labelOf[link];
     if (label.radius == 0) continue;
     label.text = std::to_string(m_mechanism.linkLabel(link));
-    label.colour = colourOf(link);
+    label.colour = colourOf(m_mechanism, link);
+    label.colourNumber = m_mechanism.colorNumber(link);
     label.element = m_mechanism.links[link].id;
     m_stage->labels.push_back(std::move(label));
   }
@@ -293,7 +295,7 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
     joints[i].gains.assign(first, first + static_cast<std::ptrdiff_t>(columns));
   }
   for (LinkOrdinal link = 1; link <= mechanism.n(); ++link)
-    joints[static_cast<std::size_t>(mover.tree.jointToParent(link))].colour = colourOf(link);
+    joints[static_cast<std::size_t>(mover.tree.jointToParent(link))].colour = colourOf(mechanism, link);
   return joints;
 }
 

@@ -78,6 +78,25 @@ class WindowHabitsTest : public QObject {
   }
   void cleanup() { window.reset(); }
 
+  // Labels follow the order of the elements; what has another one now is marked until the mouse moves on.
+  void deletingALinkSaysWhichNumbersMoved() {
+    const auto message = [this] { return part<QLabel>("statusMessage")->text(); };
+    window->selection().select({LinkId("3")});
+    window->actions().remove->trigger();
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY2(message().startsWith(
+                 QStringLiteral("New numbers: 4 is now 3, 5 is now 4, 6 is now 5, 7 is now 6, and ")),
+             qPrintable(message()));
+    QVERIFY(window->selection().hovered().contains(LinkId("7")));
+    QVERIFY(!window->selection().hovered().contains(LinkId("2")));
+    window->document().undoStack().undo();
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY2(!message().startsWith(QStringLiteral("New numbers")), qPrintable(message()));
+    window->selection().unhover();
+    change([](const Mechanism& m) { return withLink(m, SheetPoint{600, 40}); });
+    QVERIFY2(!message().startsWith(QStringLiteral("New numbers")), qPrintable(message()));
+  }
+
   /// Docks that float as a group hear that they are hidden while there still is what they read.
   void docksThatFloatTogetherEndBeforeTheWorkbench() {
     auto* group = new QWidget(window.get(), Qt::Tool);  // as QMainWindow makes one

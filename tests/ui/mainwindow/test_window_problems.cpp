@@ -3,6 +3,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/design/collision/motion_diagnostics.h"
@@ -59,6 +60,24 @@ class WindowProblemsTest : public QObject {
     showProblems();
   }
   void cleanup() { window.reset(); }
+
+  // A part that is not there is no silent gap in the picture.
+  void aMissing3dFileIsAProblem() {
+    const QTemporaryDir folder;
+    Mechanism robot = *now();
+    robot.links.at(3).shapes.push_back({"no-such-part.stl"});
+    const QString path = folder.filePath(QStringLiteral("robot.geargraph"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(file.write(QByteArray::fromStdString(writeMechanism(robot))) > 0);
+    file.close();
+    window = test::openedWindow(path);
+    QVERIFY(window != nullptr);
+    showProblems();
+    QTRY_VERIFY2(codes().contains(QStringLiteral("missing-file")), qPrintable(codes().join(' ')));
+    change([](const Mechanism& m) { return withShapes(m, LinkId("3"), {}); });
+    QTRY_VERIFY(!codes().contains(QStringLiteral("missing-file")));
+  }
 
   void aClickRepairsAndUndoTakesItBack() {
     const MechanismPtr sound = now();

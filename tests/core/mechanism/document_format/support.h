@@ -66,7 +66,8 @@ inline const std::string kEverything = R"({
   "density": 2700.0, "gravity": [0, "-981/100", 0],
   "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
            "notes": [{"id": "N1", "text": "sun\nand planet", "at": [7, -8.5], "color": "red"}],
-    "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
+    "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400},
+    "colors": {"arm": 5, "planet": 2}, "grid": {"zoom": 1.50}}
 })";
 
 /// The mechanism of kEverything.

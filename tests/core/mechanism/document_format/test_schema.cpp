@@ -106,6 +106,7 @@ class TestSchema : public QObject {
       mechanism.view.camera = ViewCamera{{1.0 / 3, -2e-9, 4e12}, -179.99, 89, 1e-4, {}};
       mechanism.view.nodes[last] = {-0.1, 1e14};
       mechanism.view.ttNodes[last] = {1.5, -3};
+      mechanism.view.colors[last] = 25;
       mechanism = withPinMark(std::move(mechanism), last, true).value();
       mechanism = withShapes(std::move(mechanism), last,
                              {{"a/b c.stl", {}, {}, {}},

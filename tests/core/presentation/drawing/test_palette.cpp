@@ -65,7 +65,7 @@ class TestPalette : public QObject {
   }
 
   void tintOfALinkIsTheSameInBothThemes() {
-    const Tint tint = Tint::ofLink(3);
+    const Tint tint = Tint::ofLink(3, 3);
     QCOMPARE(colorOf(tint, Theme::light), linkColor(3));
     QCOMPARE(colorOf(tint, Theme::dark), linkColor(3));
     QCOMPARE(nameOf(tint), std::string("link 3"));

@@ -198,7 +198,7 @@ class TrainPowerTest : public QObject {
     QCOMPARE(arrows.size(), std::size_t{1});
     QVERIFY(arrows[0]->giver == 1 && arrows[0]->taker == 2);
     QVERIFY(std::abs(arrows[0]->given - 1000) < 1e-9 && std::abs(arrows[0]->delivered - 1000) < 1e-9);
-    QVERIFY(arrows[0]->tint == Tint::ofLink(1));
+    QVERIFY(arrows[0]->tint == Tint::ofLink(1, 1));
     const MeshGeometry& geometry = *train.train.placement.meshes[0];
     const Vector3& wide = geometry.tailToHead;
     const Eigen::Vector3d way = (arrows[0]->to - arrows[0]->from).normalized();

@@ -1,0 +1,43 @@
+#include "ui/mainwindow/renumbering_notice.h"
+
+#include <QStringList>
+#include <set>
+#include <utility>
+
+#include "core/mechanism/model/renumbering.h"
+
+namespace geargraph::inline mainwindow {
+
+RenumberingNotice::RenumberingNotice(Document* document, Selection* selection, StatusLine* status,
+                                     QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_selection(selection),
+      m_status(status),
+      m_before(document->mechanism()) {
+  connect(document, &Document::changed, this, &RenumberingNotice::onChanged);
+}
+
+void RenumberingNotice::onChanged() {
+  constexpr int kMaxNamed = 4;
+  const MechanismPtr before = std::exchange(m_before, m_document->mechanism());
+  // Another document shares no step with the one before it.
+  if (m_document->undoStack().count() == 0) return;
+  const std::vector<Renumbered> moved = renumberedByRemoval(*before, *m_before);
+  if (moved.empty()) return;
+  QStringList names;
+  std::set<ElementId> elements;
+  for (const Renumbered& each : moved) {
+    elements.insert(each.element);
+    if (names.size() < kMaxNamed) names << tr("%1 is now %2").arg(each.before).arg(each.after);
+  }
+  const QString list = names.join(QStringLiteral(", "));
+  const auto others = static_cast<int>(moved.size()) - kMaxNamed;
+  m_status->showNote(others > 0 ? tr("New numbers: %1, and %2 more").arg(list).arg(others)
+                                : tr("New numbers: %1").arg(list));
+  m_selection->hover(std::move(elements));
+}
+
+}  // namespace geargraph::inline mainwindow
+
+#include "moc_renumbering_notice.cpp"
