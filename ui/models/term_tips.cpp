@@ -16,8 +16,8 @@ QString tipOf(Term term) {
   if (!definition.symbol.empty()) head += QStringLiteral(" ") + shownText(definition.symbol).toHtmlEscaped();
   QString tip = QStringLiteral("<p style='white-space:normal'><b>%1</b><br>%2")
                     .arg(head, shownText(translated(definition.text)).toHtmlEscaped());
-  if (definition.equation > 0) {
-    tip += QCoreApplication::translate("geargraph::tipOf", " Eq. (%1)").arg(definition.equation);
+  if (definition.equation != PaperEquation::none) {
+    tip += QCoreApplication::translate("geargraph::tipOf", " Eq. (%1)").arg(numberOf(definition.equation));
   }
   return tip + QStringLiteral("</p>");
 }
