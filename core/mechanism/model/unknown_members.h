@@ -1,37 +1,12 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/model/member_info.h"
 
 namespace geargraph::inline model {
-
-/// The objects of a document that have members of their own.
-enum class DocumentPart {
-  document,
-  link,
-  shape,
-  axis,
-  turningJoint,
-  gearMesh,
-  wheel,
-  gearDefaults,
-  input,
-  coupling,
-  state,
-  load,
-  balance,
-  view,
-  note,
-  camera,
-};
-
-/// The names of all members that objects of this kind may have, in the order of the format.
-[[nodiscard]] std::span<const std::string_view> memberNames(DocumentPart part);
-/// Where such objects are in a document, e.g. "links/shapes"; empty for the document itself.
-[[nodiscard]] std::string_view partName(DocumentPart part);
 
 /// unknown-member: members of a document that this program does not know, one diagnostic for each name and
 /// kind of object, with all elements that have it, and the nearest known name where it looks like a slip.
