@@ -1,161 +1,270 @@
 #include "core/mechanism/document_format/element_reader.h"
 
+#include <cmath>
+
 #include "core/foundations/base/words.h"
-#include "core/mechanism/document_format/view_reader.h"
+#include "core/mechanism/model/fields.h"
 
 namespace geargraph::inline document_format {
 namespace {
 
-void readMass(JsonObject& from, Link& link) {
-  const auto mass = from.number("mass");
-  const auto center = from.triple("centerOfMass");
-  const auto inertia = from.inertia("inertia");
-  if (mass) link.mass = LinkMass{*mass, center, inertia};
-  if (from.member("mass")) return;
-  for (const char* const name : {"centerOfMass", "inertia"}) {
-    if (const auto value = from.member(name)) from.wrong(name, *value, toTranslate("a \"mass\" beside it"));
-  }
-}
-
-std::optional<MeshKind> meshKindOf(JsonObject& from) {
-  const auto value = from.member("kind");
+std::optional<MeshKind> meshKindOf(JsonObject& from, std::string_view name) {
+  const auto value = from.member(name);
   if (!value) return std::nullopt;
   for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
     if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
   }
-  from.wrong("kind", *value, toTranslate("\"external\", \"internal\" or \"bevel\""));
+  from.wrong(name, *value, toTranslate("\"external\", \"internal\" or \"bevel\""));
   return std::nullopt;
 }
 
-/// The link where the object names one; else it has to name a joint.
-std::optional<LinkId> oneOfJointAndLink(JsonObject& from) {
-  const auto link = from.member("link");
-  if (!link) return std::nullopt;
-  if (from.member("joint")) from.wrong("link", *link, toTranslate("a joint or a link, not both"));
-  return LinkId(from.requiredId("link"));
-}
-
-std::optional<AxisId> optionalAxis(JsonObject& from) {
-  const auto axis = from.id("axis");
+std::optional<AxisId> optionalAxis(JsonObject& from, std::string_view name) {
+  const auto axis = from.id(name);
   return axis ? std::optional(AxisId(*axis)) : std::nullopt;
 }
 
-Number requiredTorque(JsonObject& from) {
-  (void)from.required("torque", toTranslate("a torque in N m"));
-  return from.number("torque").value_or(Number());
-}
+/// Reads the fields of one object in the order of its description; one function for each type of value.
+template <class Element>
+class FieldReader {
+ public:
+  FieldReader(JsonObject& from, Element& element) : m_from(from), m_element(element) {}
+
+  template <class Member>
+  void operator()(const Member& field) const {
+    read(field, m_element.*field.member);
+  }
+
+ private:
+  template <class Member, class Tag>
+  void read(const Member& field, Id<Tag>& id) const {
+    const MemberInfo& info = field.info();
+    if (info.value == MemberValue::id) return;  // read before
+    id = Id<Tag>(m_from.requiredId(info.name));
+    if (info.namesElement && !id.empty()) m_from.blame(id);
+  }
+  template <class Member, class Tag>
+  void read(const Member& field, std::optional<Id<Tag>>& id) const {
+    if (const auto given = m_from.id(field.info().name)) id = Id<Tag>(*given);
+  }
+  template <class Member>
+  void read(const Member& field, bool& flag) const {
+    flag = m_from.flag(field.info().name).value_or(false);
+  }
+  template <class Member>
+  void read(const Member& field, int& teeth) const {
+    teeth = m_from.requiredWhole(field.info().name, kMinTeeth, kMaxTeeth);
+  }
+  template <class Member>
+  void read(const Member& field, Number& number) const {
+    const MemberInfo& info = field.info();
+    if (info.isNeeded) (void)m_from.required(info.name, info.expected);
+    number = m_from.number(info.name).value_or(Number());
+  }
+  template <class Member>
+  void read(const Member& field, JointLimits& limits) const {
+    if (const auto ends = m_from.ends(field.info().name)) limits = {(*ends)[0], (*ends)[1]};
+  }
+  template <class Member>
+  void read(const Member& field, std::optional<MeshKind>& kind) const {
+    kind = meshKindOf(m_from, field.info().name);
+  }
+  template <class Member>
+  void read(const Member& field, SharedOptional<LinkMass>& stated) const {
+    const auto& [massInfo, centerInfo, inertiaInfo] = field.infos;
+    const auto mass = m_from.number(massInfo.name);
+    const auto center = m_from.triple(centerInfo.name);
+    const auto inertia = m_from.inertia(inertiaInfo.name);
+    if (mass) stated = LinkMass{*mass, center, inertia};
+    if (m_from.member(massInfo.name)) return;
+    for (const std::string_view name : {centerInfo.name, inertiaInfo.name}) {
+      if (const auto value = m_from.member(name)) m_from.wrong(name, *value, massInfo.expected);
+    }
+  }
+  template <class Member>
+  void read(const Member& field, std::vector<LinkShape>& shapes) const {
+    const MemberInfo& info = field.info();
+    const auto list = m_from.member(info.name);
+    const std::string pointer = m_from.pointer() + pointerStep(info.name);
+    if (!list || m_from.diagnostics().covers(pointer)) return;
+    if (!list->is(JsonKind::array)) return m_from.wrong(info.name, *list, info.expected);
+    list->forEachElement([&](JsonValue value, std::size_t position) {
+      JsonObject from(m_from.diagnostics(), value, pointer + pointerStep(position));
+      from.blame(m_element.id);
+      LinkShape& shape = shapes.emplace_back();
+      readMembers(from, shape);
+      shape.unknown = from.unknown();
+    });
+  }
+
+  /// Kind and links of a coupling.
+  template <class Member>
+  void read(const Member& field, std::vector<LinkId>& links) const {
+    const MemberInfo& kindInfo = field.infos[kCouplingKind];
+    const MemberInfo& listInfo = field.infos[kClutchLinks];
+    const auto kind = m_from.required(kindInfo.name, kindInfo.expected);
+    const auto is = [&](std::string_view name) {
+      return kind && kind->is(JsonKind::string) && kind->equals(name);
+    };
+    if (is("brake")) {
+      m_element.kind = CouplingKind::brake;
+      links = {LinkId(m_from.requiredId(field.infos[kBrakeLink].name))};
+    } else if (is("clutch")) {
+      m_element.kind = CouplingKind::clutch;
+      (void)m_from.required(listInfo.name, listInfo.expected);
+      for (const Atom id : m_from.ids(listInfo.name).value_or(std::vector<Atom>{})) links.emplace_back(id);
+    } else if (kind) {
+      m_from.wrong(kindInfo.name, *kind, kindInfo.expected);
+    }
+  }
+
+  template <class Member>
+  void read(const Member& field, decltype(Load::action)& action) const {
+    const auto& [jointInfo, linkInfo, axisInfo, torqueInfo, forceInfo, pointInfo] = field.infos;
+    const auto requiredTorque = [&, &info = torqueInfo] {
+      (void)m_from.required(info.name, info.expected);
+      return m_from.number(info.name).value_or(Number());
+    };
+    const auto link = oneOfJointAndLink(jointInfo, linkInfo);
+    if (!link) {
+      const JointId joint(m_from.requiredId(jointInfo.name));
+      action = JointTorque{joint, requiredTorque()};
+      return;
+    }
+    const auto force = m_from.member(forceInfo.name);
+    if (!force) {
+      const std::optional<AxisId> axis = optionalAxis(m_from, axisInfo.name);
+      action = LinkTorque{*link, axis, requiredTorque()};
+      return;
+    }
+    if (const auto both = m_from.member(torqueInfo.name))
+      m_from.wrong(torqueInfo.name, *both, toTranslate("a torque or a force, not both in one load"));
+    (void)m_from.required(pointInfo.name, pointInfo.expected);
+    LinkForce onLink{*link, {}, {}};
+    if (const auto components = m_from.triple(forceInfo.name)) onLink.force = *components;
+    if (const auto point = m_from.triple(pointInfo.name)) onLink.point = *point;
+    action = onLink;
+  }
+  template <class Member>
+  void read(const Member& field, decltype(Balance::at)& at) const {
+    const auto& [jointInfo, linkInfo, axisInfo] = field.infos;
+    if (const auto link = oneOfJointAndLink(jointInfo, linkInfo)) {
+      at = Balance::OnLink{*link, optionalAxis(m_from, axisInfo.name)};
+    } else {
+      at = JointId(m_from.requiredId(jointInfo.name));
+    }
+  }
+
+  /// The link where the object names one; else it has to name a joint.
+  std::optional<LinkId> oneOfJointAndLink(const MemberInfo& jointInfo, const MemberInfo& linkInfo) const {
+    const auto link = m_from.member(linkInfo.name);
+    if (!link) return std::nullopt;
+    if (m_from.member(jointInfo.name))
+      m_from.wrong(linkInfo.name, *link, toTranslate("a joint or a link, not both"));
+    return LinkId(m_from.requiredId(linkInfo.name));
+  }
+
+  template <class Member>
+  void read(const Member& field, SheetPoint& place) const {
+    const MemberInfo& info = field.info();
+    const auto at = m_from.required(info.name, info.expected);
+    if (!at) return;
+    const auto point = coordinatesOf<2>(*at);
+    if (!point) m_from.wrong(info.name, *at, toTranslate("a list of two numbers, x to the right and y down"));
+    // Without the sign of a zero, as edits leave it.
+    if (point) place = {(*point)[0] + 0.0, (*point)[1] + 0.0};
+  }
+  template <class Member>
+  void read(const Member& field, std::array<double, 3>& position) const {
+    const MemberInfo& info = field.info();
+    const auto value = m_from.required(info.name, info.expected);
+    if (!value) return;
+    const auto point = coordinatesOf<3>(*value);
+    if (!point) m_from.wrong(info.name, *value, toTranslate("a list of three numbers"));
+    position = point.value_or(position);
+  }
+  template <class Member>
+  void read(const Member& field, double& measure) const {
+    const MemberInfo& info = field.info();
+    const auto member = m_from.required(info.name, info.expected);
+    const auto read = member ? finiteNumber(*member) : std::nullopt;
+    if (member && !read) m_from.wrong(info.name, *member, info.expected);
+    measure = read.value_or(measure);
+  }
+
+  /// Values that the document has, too.
+  template <class Member, class Value>
+  requires requires(JsonObject& from, const MemberInfo& info, Value& value) { readValue(from, info, value); }
+  void read(const Member& field, Value& value) const { readValue(m_from, field.info(), value); }
+
+  JsonObject& m_from;
+  Element& m_element;
+};
 
 }  // namespace
 
-void readMembers(JsonObject& from, Link& link) {
-  link.name = from.shortText("name").value_or("");
-  link.pinned = from.flag("pinned").value_or(false);
-  readMass(from, link);
-  const auto shapes = from.member("shapes");
-  const std::string pointer = from.pointer() + "/shapes";
-  if (!shapes || from.diagnostics().covers(pointer)) return;
-  if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, toTranslate("a list of 3D files"));
-  link.shapes = readShapes(from.diagnostics(), *shapes, pointer, link.id);
+std::optional<double> finiteNumber(JsonValue value) {
+  const auto number = value.is(JsonKind::number) ? Number::fromText(value.slice()) : std::nullopt;
+  if (!number || !std::isfinite(number->value())) return std::nullopt;
+  return number->value();
 }
 
-void readMembers(JsonObject& from, Axis& axis) {
-  axis.point = from.triple("point");
-  axis.direction = from.triple("direction");
-  axis.pinned = from.flag("pinned").value_or(false);
+template <std::size_t count>
+std::optional<std::array<double, count>> coordinatesOf(JsonValue value) {
+  if (!value.is(JsonKind::array) || value.size() != count) return std::nullopt;
+  std::array<double, count> coordinates{};
+  bool complete = true;
+  value.forEachElement([&](JsonValue element, std::size_t i) {
+    const auto number = finiteNumber(element);
+    complete = complete && number.has_value();
+    coordinates[i] = number.value_or(0);
+  });
+  return complete ? std::optional(coordinates) : std::nullopt;
+}
+template std::optional<std::array<double, 2>> coordinatesOf(JsonValue value);
+
+void readValue(JsonObject& from, const MemberInfo& info, std::string& value) {
+  if (info.isNeeded) (void)from.required(info.name, info.expected);
+  auto given = info.value == MemberValue::shortText ? from.shortText(info.name) : from.text(info.name);
+  if (given) value = *std::move(given);
 }
 
-void readMembers(JsonObject& from, TurningJoint& joint) {
-  joint.tail = LinkId(from.requiredId("tail"));
-  joint.head = LinkId(from.requiredId("head"));
-  joint.axis = AxisId(from.requiredId("axis"));
-  joint.offset = from.number("offset").value_or(Number());
-  if (const auto ends = from.ends("limits")) joint.limits = {(*ends)[0], (*ends)[1]};
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<Number>& value) {
+  value = from.number(info.name);
 }
 
-void readMembers(JsonObject& from, GearMesh& mesh) {
-  mesh.tail = LinkId(from.requiredId("tail"));
-  mesh.head = LinkId(from.requiredId("head"));
-  mesh.tailTeeth = from.requiredWhole("tailTeeth", kMinTeeth, kMaxTeeth);
-  mesh.headTeeth = from.requiredWhole("headTeeth", kMinTeeth, kMaxTeeth);
-  mesh.pitchPoint = from.triple("pitchPoint");
-  mesh.kind = meshKindOf(from);
-  mesh.faceWidth = from.number("faceWidth");
-  if (const auto wheel = from.id("tailWheel")) mesh.tailWheel = WheelId(*wheel);
-  if (const auto wheel = from.id("headWheel")) mesh.headWheel = WheelId(*wheel);
-  mesh.pinned = from.flag("pinned").value_or(false);
-  mesh.efficiency = from.number("efficiency");
-  mesh.friction = from.number("friction");
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<NumberTriple>& value) {
+  value = from.triple(info.name);
 }
 
-void readMembers(JsonObject& from, Wheel& wheel) {
-  wheel.link = LinkId(from.requiredId("link"));
-  wheel.profileShift = from.number("profileShift");
-  wheel.bore = from.number("bore");
-  wheel.backlash = from.number("backlash");
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<LoadSharing>& value) {
+  const auto member = from.member(info.name);
+  if (!member) return;
+  if (member->is(JsonKind::string)) value = loadSharingFrom(member->string());
+  if (!value) from.wrong(info.name, *member, toTranslate("\"none\" or \"stiffness\""));
 }
 
-void readMembers(JsonObject& from, Coupling& coupling) {
-  const auto kind = from.required("kind", toTranslate("\"brake\" or \"clutch\""));
-  const auto is = [&](std::string_view name) {
-    return kind && kind->is(JsonKind::string) && kind->equals(name);
-  };
-  if (is("brake")) {
-    coupling.kind = CouplingKind::brake;
-    coupling.links = {LinkId(from.requiredId("link"))};
-  } else if (is("clutch")) {
-    coupling.kind = CouplingKind::clutch;
-    (void)from.required("links", toTranslate("a list of two ids of links"));
-    for (const Atom id : from.ids("links").value_or(std::vector<Atom>{})) coupling.links.emplace_back(id);
-  } else if (kind) {
-    from.wrong("kind", *kind, toTranslate("\"brake\" or \"clutch\""));
-  }
+void readValue(JsonObject& from, const MemberInfo& info, std::vector<CouplingId>& value) {
+  if (info.isNeeded) (void)from.required(info.name, info.expected);
+  for (const Atom id : from.ids(info.name).value_or(std::vector<Atom>{})) value.emplace_back(id);
 }
 
-void readMembers(JsonObject& from, ShiftState& state) {
-  (void)from.required("name", toTranslate("the name of the state"));
-  state.name = from.shortText("name").value_or("");
-  (void)from.required("engaged", toTranslate("a list of ids of couplings"));
-  for (const Atom id : from.ids("engaged").value_or(std::vector<Atom>{})) state.engaged.emplace_back(id);
-  if (const auto link = from.id("drive")) state.drive = LinkId(*link);
-  if (const auto link = from.id("driven")) state.driven = LinkId(*link);
+template <class Element>
+void readMembers(JsonObject& from, Element& element) {
+  forEachField<Element>(FieldReader<Element>(from, element));
 }
 
-void readMembers(JsonObject& from, Load& load) {
-  const auto link = oneOfJointAndLink(from);
-  if (!link) {
-    const JointId joint(from.requiredId("joint"));
-    load.action = JointTorque{joint, requiredTorque(from)};
-    return;
-  }
-  const auto force = from.member("force");
-  if (!force) {
-    const std::optional<AxisId> axis = optionalAxis(from);
-    load.action = LinkTorque{*link, axis, requiredTorque(from)};
-    return;
-  }
-  if (const auto both = from.member("torque"))
-    from.wrong("torque", *both, toTranslate("a torque or a force, not both in one load"));
-  (void)from.required("point", toTranslate("the point of the link that the force acts at"));
-  LinkForce action{*link, {}, {}};
-  if (const auto components = from.triple("force")) action.force = *components;
-  if (const auto point = from.triple("point")) action.point = *point;
-  load.action = action;
-}
-
-void readMembers(JsonObject& from, Balance& balance) {
-  if (const auto link = oneOfJointAndLink(from)) {
-    balance.at = Balance::OnLink{*link, optionalAxis(from)};
-  } else {
-    balance.at = JointId(from.requiredId("joint"));
-  }
-}
-
-void readMembers(JsonObject& from, GearDefaults& defaults) {
-  defaults.pressureAngle = from.number("pressureAngle");
-  defaults.backlash = from.number("backlash");
-  defaults.faceWidth = from.number("faceWidth");
-  defaults.efficiency = from.number("efficiency");
-  defaults.friction = from.number("friction");
-}
+template void readMembers(JsonObject& from, Link& link);
+template void readMembers(JsonObject& from, Axis& axis);
+template void readMembers(JsonObject& from, TurningJoint& joint);
+template void readMembers(JsonObject& from, GearMesh& mesh);
+template void readMembers(JsonObject& from, Wheel& wheel);
+template void readMembers(JsonObject& from, GearDefaults& defaults);
+template void readMembers(JsonObject& from, Input& input);
+template void readMembers(JsonObject& from, Coupling& coupling);
+template void readMembers(JsonObject& from, ShiftState& state);
+template void readMembers(JsonObject& from, Load& load);
+template void readMembers(JsonObject& from, Balance& balance);
+template void readMembers(JsonObject& from, SheetNote& note);
+template void readMembers(JsonObject& from, ViewCamera& camera);
 
 }  // namespace geargraph::inline document_format

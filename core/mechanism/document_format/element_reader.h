@@ -1,25 +1,35 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/mechanism/document_format/json_object.h"
+#include "core/mechanism/model/member_info.h"
 
 namespace geargraph::inline document_format {
 
-// The members of one element of a document, except its id: one description for the reader of documents and
-// for edits that are given as JSON (element_members.h). Each call reads the members that the element has;
-// what remains is JsonObject::unknown().
+/// Reads the members of one object of a document, as its class is described (fields.h), except the id of an
+/// element: for the reader of documents and for edits that are given as JSON (element_members.h). What
+/// remains is JsonObject::unknown(). A coupling that could not be read has no links.
+///
+/// `Element` is Link, LinkShape, Axis, TurningJoint, GearMesh, Wheel, GearDefaults, Input, Coupling,
+/// ShiftState, Load, Balance, SheetNote or ViewCamera.
+template <class Element>
+void readMembers(JsonObject& from, Element& element);
 
-void readMembers(JsonObject& from, Link& link);
-void readMembers(JsonObject& from, Axis& axis);
-void readMembers(JsonObject& from, TurningJoint& joint);
-void readMembers(JsonObject& from, GearMesh& mesh);
-void readMembers(JsonObject& from, Wheel& wheel);
-/// A coupling that could not be read has no links.
-void readMembers(JsonObject& from, Coupling& coupling);
-void readMembers(JsonObject& from, ShiftState& state);
-void readMembers(JsonObject& from, Load& load);
-void readMembers(JsonObject& from, Balance& balance);
-void readMembers(JsonObject& from, GearDefaults& defaults);
+/// A JSON number that is finite as a double; std::nullopt for anything else.
+[[nodiscard]] std::optional<double> finiteNumber(JsonValue value);
+/// The coordinates of a list of `count` finite numbers; std::nullopt for anything else.
+template <std::size_t count>
+[[nodiscard]] std::optional<std::array<double, count>> coordinatesOf(JsonValue value);
+
+/// Reads one member of an object into a value of the class that is described with it.
+void readValue(JsonObject& from, const MemberInfo& info, std::string& value);
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<Number>& value);
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<NumberTriple>& value);
+void readValue(JsonObject& from, const MemberInfo& info, std::optional<LoadSharing>& value);
+void readValue(JsonObject& from, const MemberInfo& info, std::vector<CouplingId>& value);
 
 }  // namespace geargraph::inline document_format

@@ -7,6 +7,7 @@
 #include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/view_reader.h"
+#include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/validate.h"
 
 namespace geargraph::inline document_format {
@@ -108,105 +109,75 @@ class MechanismReader {
   void readRoot(JsonObject& root) {
     (void)root.member("format");
     (void)root.requiredWhole("version", 1, kFileVersion);
-    m_mechanism.name = root.shortText("name").value_or("");
-    m_mechanism.notes = root.text("notes").value_or("");
-    m_mechanism.unit = root.shortText("unit").value_or(m_mechanism.unit);
-    readStructure(root);
-    readGears(root);
-    readInputs(root);
-    readShifting(root);
-    readLoads(root);
-    m_mechanism.sharing = sharingOf(root);
-    m_mechanism.driveTorque = root.number("driveTorque");
-    m_mechanism.density = root.number("density");
-    m_mechanism.gravity = root.triple("gravity");
-    if (const auto view = root.member("view")) m_mechanism.view = readView(m_diagnostics, *view);
+    forEachField<Mechanism>([&](const auto& field) { read(root, field.info(), m_mechanism.*field.member); });
+    requireLists(root);
   }
 
-  void readStructure(JsonObject& root) {
-    readList(root.required("links", toTranslate("a list of links, the ground first")), ElementKind::link,
-             m_mechanism.links);
-    const auto joints =
-        m_mechanism.links.size() > 1
-            ? root.required("turningJoints", toTranslate("a list of turning joints that tie the links"))
-            : root.member("turningJoints");
-    readList(joints, ElementKind::turningJoint, m_mechanism.turningJoints);
-    const auto axes =
-        m_mechanism.turningJoints.empty()
-            ? root.member("axes")
-            : root.required("axes", toTranslate("a list of the axes that the turning joints name"));
-    readList(axes, ElementKind::axis, m_mechanism.axes);
+  /// The lists that others need: joints where links move, axes where there are joints.
+  void requireLists(JsonObject& root) {
+    const auto require = [&]<class List>(List Mechanism::*list) {
+      forEachField<Mechanism>([&](const auto& field) {
+        if constexpr (std::is_same_v<decltype(field.member), decltype(list)>) {
+          using Element = typename ElementOfList<List>::Type;
+          if (!root.required(field.info().name, field.info().expected))
+            m_unread.insert(ElementId(Element().id).kind);
+        }
+      });
+    };
+    if (m_mechanism.links.size() > 1) require(&Mechanism::turningJoints);
+    if (!m_mechanism.turningJoints.empty()) require(&Mechanism::axes);
   }
 
-  void readGears(JsonObject& root) {
-    readList(root.member("gearMeshes"), ElementKind::gearMesh, m_mechanism.gearMeshes);
-    readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels);
-    if (const auto value = root.member("gearDefaults")) {
-      JsonObject from(m_diagnostics, *value, "/gearDefaults");
-      GearDefaults& defaults = m_mechanism.gearDefaults.emplace();
-      readMembers(from, defaults);
-      defaults.unknown = from.unknown();
+  // The members of the document, by the type of their value.
+
+  template <class Value>
+  requires requires(JsonObject& from, const MemberInfo& info, Value& value) { readValue(from, info, value); }
+  void read(JsonObject& root, const MemberInfo& info, Value& value) { readValue(root, info, value); }
+
+  template <class List>
+  requires DescribedList<List>
+  void read(JsonObject& root, const MemberInfo& info, List& list) {
+    const auto value = info.isNeeded ? root.required(info.name, info.expected) : root.member(info.name);
+    if constexpr (kNeedsId<typename ElementOfList<List>::Type>) {
+      readList(value, info, list);
+    } else {
+      if (value) readObjects(*value, info, list);
     }
+    if constexpr (std::is_same_v<List, ByCoupling<Coupling>>) nameLinks();
   }
-
-  static std::optional<LoadSharing> sharingOf(JsonObject& from) {
-    const auto value = from.member("sharing");
-    if (!value) return std::nullopt;
-    for (const LoadSharing sharing : {LoadSharing::none, LoadSharing::stiffness}) {
-      if (value->is(JsonKind::string) && value->equals(loadSharingName(sharing))) return sharing;
-    }
-    from.wrong("sharing", *value, toTranslate("\"none\" or \"stiffness\""));
-    return std::nullopt;
+  template <class Element>
+  void read(JsonObject& root, const MemberInfo& info, std::optional<std::vector<Element>>& list) {
+    if (const auto value = root.member(info.name)) readObjects(*value, info, list.emplace());
   }
-
-  void readInputs(JsonObject& root) {
-    const auto value = root.member("inputs");
+  void read(JsonObject& root, const MemberInfo& info, std::optional<GearDefaults>& defaults) {
+    const auto value = root.member(info.name);
     if (!value) return;
-    std::vector<Input>& inputs = m_mechanism.inputs.emplace();
-    forEachObject(*value, "/inputs", [&](JsonObject& from) {
-      Input& input = inputs.emplace_back();
-      input.joint = JointId(from.requiredId("joint"));
-      if (!input.joint.empty()) from.blame(input.joint);
-      (void)from.required("speed", toTranslate("a speed in rad/s"));
-      input.speed = from.number("speed").value_or(Number());
-      input.unknown = from.unknown();
-    });
+    JsonObject from(m_diagnostics, *value, pointerStep(info.name));
+    readMembers(from, defaults.emplace());
+    defaults->unknown = from.unknown();
+  }
+  void read(JsonObject& root, const MemberInfo& info, View& view) {
+    if (const auto value = root.member(info.name)) view = readView(m_diagnostics, info, *value);
   }
 
-  void readShifting(JsonObject& root) {
-    readList(root.member("couplings"), ElementKind::coupling, m_mechanism.couplings);
+  /// Couplings that could not be read hold the ground, so that no more diagnostics follow.
+  void nameLinks() {
     for (Coupling& coupling : m_mechanism.couplings) {
       const bool isUnread = coupling.links.empty() && coupling.kind == CouplingKind::brake;
-      if (isUnread && !m_mechanism.links.empty())
-        coupling.links = {m_mechanism.links.front().id};  // no more diagnostics
+      if (isUnread && !m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};
     }
-    for (const Atom id : root.ids("engaged").value_or(std::vector<Atom>{}))
-      m_mechanism.engaged.emplace_back(id);
-    const auto states = root.member("states");
-    if (!states) return;
-    forEachObject(*states, "/states", [&](JsonObject& from) {
-      ShiftState& state = m_mechanism.states.emplace_back();
-      readMembers(from, state);
-      state.unknown = from.unknown();
-    });
   }
 
-  void readLoads(JsonObject& root) {
-    if (const auto loads = root.member("loads")) {
-      forEachObject(*loads, "/loads", [&](JsonObject& from) {
-        Load& load = m_mechanism.loads.emplace_back();
-        if (const auto id = from.id("id")) load.id = LoadId(*id);
-        readMembers(from, load);
-        load.unknown = from.unknown();
-      });
-    }
-    const auto value = root.member("balances");
-    if (!value) return;
-    std::vector<Balance>& balances = m_mechanism.balances.emplace();
-    forEachObject(*value, "/balances", [&](JsonObject& from) {
-      Balance& balance = balances.emplace_back();
-      readMembers(from, balance);
-      balance.unknown = from.unknown();
+  /// Reads a list of objects that need no id.
+  template <class Element>
+  void readObjects(JsonValue list, const MemberInfo& info, std::vector<Element>& elements) {
+    forEachObject(list, pointerStep(info.name), [&](JsonObject& from) {
+      Element& element = elements.emplace_back();
+      if constexpr (requires { element.id; }) {
+        if (const auto id = from.id("id")) element.id = decltype(element.id)(*id);
+      }
+      readMembers(from, element);
+      element.unknown = from.unknown();
     });
   }
 
@@ -228,8 +199,9 @@ class MechanismReader {
   /// Reads a list of elements with ids. Each element of the file gives one here, however broken, so that
   /// positions in diagnostics stay those of the file.
   template <class Element>
-  void readList(std::optional<JsonValue> list, ElementKind kind, std::vector<Element>& elements) {
-    const std::string pointer = pointerStep(listName(kind));
+  void readList(std::optional<JsonValue> list, const MemberInfo& info, std::vector<Element>& elements) {
+    const ElementKind kind = ElementId(Element().id).kind;
+    const std::string pointer = pointerStep(info.name);
     if (!list) {
       if (m_diagnostics.covers(pointer)) m_unread.insert(kind);
       return;

@@ -4,6 +4,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/element_members.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/fields.h"
 
 namespace geargraph::inline document_format {
 namespace {
@@ -19,26 +20,8 @@ class MechanismWriter {
     m_json.beginObject();
     m_json.member("format", "geargraph");
     m_json.member("version", kFileVersion);
-    if (!mechanism.name.empty()) m_json.member("name", mechanism.name);
-    if (!mechanism.notes.empty()) m_json.member("notes", mechanism.notes);
-    m_json.member("unit", mechanism.unit);
-    list("links", mechanism.links);
-    list("axes", mechanism.axes);
-    list("turningJoints", mechanism.turningJoints);
-    list("gearMeshes", mechanism.gearMeshes);
-    if (!mechanism.wheels.empty()) list("wheels", mechanism.wheels);
-    if (mechanism.gearDefaults) element("gearDefaults", *mechanism.gearDefaults);
-    if (mechanism.inputs) list("inputs", *mechanism.inputs);
-    if (!mechanism.couplings.empty()) list("couplings", mechanism.couplings);
-    if (!mechanism.states.empty()) list("states", mechanism.states);
-    if (!mechanism.engaged.empty()) ids("engaged", mechanism.engaged);
-    if (!mechanism.loads.empty()) list("loads", mechanism.loads);
-    if (mechanism.balances) list("balances", *mechanism.balances);
-    if (mechanism.sharing) m_json.member("sharing", loadSharingName(*mechanism.sharing));
-    number("driveTorque", mechanism.driveTorque);
-    number("density", mechanism.density);
-    triple("gravity", mechanism.gravity);
-    view(mechanism);
+    m_links = &mechanism.links;
+    members(mechanism);
     unknown(mechanism.unknown);
     m_json.endObject();
   }
@@ -52,184 +35,183 @@ class MechanismWriter {
   }
 
  private:
+  /// The members of an object in the order of its description; one function for each type of value.
+  template <class Object>
+  void members(const Object& object) {
+    forEachField<Object>([&](const auto& field) { member(field, object, object.*field.member); });
+  }
+
+  template <class Member, class Object, class List>
+  requires DescribedList<List>
+  void member(const Member& field, const Object& /*object*/, const List& elements) {
+    if (elements.empty() && !field.info().isAlwaysWritten) return;
+    list(field.info().name, elements, std::is_same_v<Object, Link> ? Layout::row : Layout::lines);
+  }
+  template <class Member, class Object, class Element>
+  void member(const Member& field, const Object& /*object*/,
+              const std::optional<std::vector<Element>>& elements) {
+    if (elements) list(field.info().name, *elements, Layout::lines);
+  }
   template <class Element>
-  void list(std::string_view name, const std::vector<Element>& elements) {
+  void list(std::string_view name, const std::vector<Element>& elements, Layout layout) {
     m_json.key(name);
-    m_json.beginArray();
+    m_json.beginArray(layout);
     for (const Element& element : elements) object(element);
     m_json.endArray();
   }
-
-  template <class Element>
-  void element(std::string_view name, const Element& element) {
-    m_json.key(name);
-    object(element);
+  template <class Member, class Object, class Part>
+  requires Described<Part>
+  void member(const Member& field, const Object& /*object*/, const std::optional<Part>& part) {
+    if (!part) return;
+    m_json.key(field.info().name);
+    object(*part);
   }
-
-  void members(const Link& link) {
-    id("id", link.id);
-    if (!link.name.empty()) m_json.member("name", link.name);
-    pinned(link.pinned);
-    if (link.mass) mass(*link.mass);
-    if (link.shapes.empty()) return;
-    m_json.key("shapes");
-    m_json.beginArray(Layout::row);
-    for (const LinkShape& shape : link.shapes) object(shape);
-    m_json.endArray();
-  }
-
-  void mass(const LinkMass& mass) {
-    number("mass", mass.mass);
-    triple("centerOfMass", mass.center);
-    if (!mass.inertia) return;
-    m_json.key("inertia");
-    m_json.beginArray(Layout::row);
-    for (const Number& number : *mass.inertia) value(number);
-    m_json.endArray();
-  }
-
-  void members(const LinkShape& shape) {
-    m_json.member("file", shape.file);
-    triple("position", shape.position);
-    triple("orientation", shape.orientation);
-    number("scale", shape.scale);
-  }
-
-  void members(const Axis& axis) {
-    id("id", axis.id);
-    triple("point", axis.point);
-    triple("direction", axis.direction);
-    pinned(axis.pinned);
-  }
-
-  void members(const TurningJoint& joint) {
-    id("id", joint.id);
-    id("tail", joint.tail);
-    id("head", joint.head);
-    id("axis", joint.axis);
-    number("offset", joint.offset);
-    limits(joint.limits);
-  }
-
-  void members(const GearMesh& mesh) {
-    id("id", mesh.id);
-    id("tail", mesh.tail);
-    id("head", mesh.head);
-    m_json.member("tailTeeth", mesh.tailTeeth);
-    m_json.member("headTeeth", mesh.headTeeth);
-    triple("pitchPoint", mesh.pitchPoint);
-    if (mesh.kind) m_json.member("kind", meshKindName(*mesh.kind));
-    number("faceWidth", mesh.faceWidth);
-    if (mesh.tailWheel) id("tailWheel", *mesh.tailWheel);
-    if (mesh.headWheel) id("headWheel", *mesh.headWheel);
-    pinned(mesh.pinned);
-    number("efficiency", mesh.efficiency);
-    number("friction", mesh.friction);
-  }
-
-  void members(const Wheel& wheel) {
-    id("id", wheel.id);
-    id("link", wheel.link);
-    number("profileShift", wheel.profileShift);
-    number("bore", wheel.bore);
-    number("backlash", wheel.backlash);
-  }
-
-  void members(const GearDefaults& defaults) {
-    number("pressureAngle", defaults.pressureAngle);
-    number("backlash", defaults.backlash);
-    number("faceWidth", defaults.faceWidth);
-    number("efficiency", defaults.efficiency);
-    number("friction", defaults.friction);
-  }
-
-  void members(const Input& input) {
-    id("joint", input.joint);
-    number("speed", input.speed);
-  }
-
-  void members(const Coupling& coupling) {
-    id("id", coupling.id);
-    const bool isBrake = coupling.kind == CouplingKind::brake;
-    m_json.member("kind", std::string_view(isBrake ? "brake" : "clutch"));
-    if (isBrake) {
-      id("link", coupling.links.front());
-    } else {
-      ids("links", coupling.links);
-    }
-  }
-
-  void members(const ShiftState& state) {
-    m_json.member("name", state.name);
-    ids("engaged", state.engaged);
-    if (state.drive) id("drive", *state.drive);
-    if (state.driven) id("driven", *state.driven);
-  }
-
-  void members(const Load& load) {
-    if (!load.id.empty()) id("id", load.id);
-    if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
-      id("joint", inJoint->joint);
-      number("torque", inJoint->torque);
-    } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
-      id("link", torque->link);
-      if (torque->axis) id("axis", *torque->axis);
-      number("torque", torque->torque);
-    } else {
-      const auto& force = std::get<LinkForce>(load.action);
-      id("link", force.link);
-      triple("force", force.force);
-      triple("point", force.point);
-    }
-  }
-
-  void members(const Balance& balance) {
-    if (const auto* joint = std::get_if<JointId>(&balance.at)) {
-      id("joint", *joint);
-      return;
-    }
-    const auto& onLink = std::get<Balance::OnLink>(balance.at);
-    id("link", onLink.link);
-    if (onLink.axis) id("axis", *onLink.axis);
-  }
-
-  void members(const SheetNote& note) {
-    id("id", note.id);
-    m_json.member("text", note.text);
-    m_json.key("at");
-    place(note.at);
-  }
-
-  void members(const ViewCamera& camera) {
-    m_json.key("target");
-    m_json.beginArray(Layout::row);
-    for (const double coordinate : camera.target) m_json.number(coordinate);
-    m_json.endArray();
-    m_json.member("azimuth", camera.azimuth);
-    m_json.member("elevation", camera.elevation);
-    m_json.member("distance", camera.distance);
-  }
-
-  void view(const Mechanism& mechanism) {
-    const View& view = mechanism.view;
+  template <class Member>
+  void member(const Member& field, const Mechanism& /*mechanism*/, const View& view) {
     if (view == View{}) return;
-    m_json.key("view");
+    m_json.key(field.info().name);
     m_json.beginObject();
-    nodes("nodes", view.nodes, mechanism.links);
-    nodes("ttNodes", view.ttNodes, mechanism.links);
-    if (!view.notes.empty()) list("notes", view.notes);
-    if (view.camera) element("camera", *view.camera);
-    colors(view.colors, mechanism.links);
+    members(view);
     unknown(view.unknown);
     m_json.endObject();
   }
 
+  template <class Member, class Object, class Tag>
+  void member(const Member& field, const Object& /*object*/, Id<Tag> one) {
+    if (field.info().isNeeded || !one.empty()) id(field.info().name, one);
+  }
+  template <class Member, class Object, class Tag>
+  void member(const Member& field, const Object& /*object*/, const std::optional<Id<Tag>>& one) {
+    if (one) id(field.info().name, *one);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::vector<CouplingId>& all) {
+    if (field.info().isNeeded || !all.empty()) ids(field.info().name, all);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::string& text) {
+    const MemberInfo& info = field.info();
+    if (info.isNeeded || info.isAlwaysWritten || !text.empty()) m_json.member(info.name, text);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, bool flag) {
+    if (!flag) return;
+    m_json.key(field.info().name);
+    m_json.json("true");
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, int teeth) {
+    m_json.member(field.info().name, teeth);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const Number& one) {
+    number(field.info().name, one);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::optional<Number>& one) {
+    number(field.info().name, one);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::optional<NumberTriple>& three) {
+    triple(field.info().name, three);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::optional<MeshKind>& kind) {
+    if (kind) m_json.member(field.info().name, meshKindName(*kind));
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::optional<LoadSharing>& sharing) {
+    if (sharing) m_json.member(field.info().name, loadSharingName(*sharing));
+  }
+
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const SharedOptional<LinkMass>& mass) {
+    if (!mass) return;
+    number(field.infos[kMass].name, mass->mass);
+    triple(field.infos[kCenterOfMass].name, mass->center);
+    if (!mass->inertia) return;
+    m_json.key(field.infos[kInertia].name);
+    m_json.beginArray(Layout::row);
+    for (const Number& number : *mass->inertia) value(number);
+    m_json.endArray();
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const JointLimits& limits) {
+    if (!limits.any()) return;
+    m_json.key(field.info().name);
+    m_json.beginArray(Layout::row);
+    for (const std::optional<Number>& end : {limits.low, limits.high}) {
+      if (end) {
+        value(*end);
+      } else {
+        m_json.null();
+      }
+    }
+    m_json.endArray();
+  }
+  template <class Member>
+  void member(const Member& field, const Coupling& coupling, const std::vector<LinkId>& links) {
+    const bool isBrake = coupling.kind == CouplingKind::brake;
+    m_json.member(field.infos[kCouplingKind].name, std::string_view(isBrake ? "brake" : "clutch"));
+    if (isBrake) {
+      id(field.infos[kBrakeLink].name, links.front());
+    } else {
+      ids(field.infos[kClutchLinks].name, links);
+    }
+  }
+  template <class Member>
+  void member(const Member& field, const Load& /*load*/, const decltype(Load::action)& action) {
+    const auto& [jointInfo, linkInfo, axisInfo, torqueInfo, forceInfo, pointInfo] = field.infos;
+    if (const auto* inJoint = std::get_if<JointTorque>(&action)) {
+      id(jointInfo.name, inJoint->joint);
+      number(torqueInfo.name, inJoint->torque);
+    } else if (const auto* torque = std::get_if<LinkTorque>(&action)) {
+      id(linkInfo.name, torque->link);
+      if (torque->axis) id(axisInfo.name, *torque->axis);
+      number(torqueInfo.name, torque->torque);
+    } else {
+      const auto& force = std::get<LinkForce>(action);
+      id(linkInfo.name, force.link);
+      triple(forceInfo.name, force.force);
+      triple(pointInfo.name, force.point);
+    }
+  }
+  template <class Member>
+  void member(const Member& field, const Balance& /*balance*/, const decltype(Balance::at)& at) {
+    const auto& [jointInfo, linkInfo, axisInfo] = field.infos;
+    if (const auto* joint = std::get_if<JointId>(&at)) {
+      id(jointInfo.name, *joint);
+      return;
+    }
+    const auto& onLink = std::get<Balance::OnLink>(at);
+    id(linkInfo.name, onLink.link);
+    if (onLink.axis) id(axisInfo.name, *onLink.axis);
+  }
+
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const SheetPoint& at) {
+    m_json.key(field.info().name);
+    place(at);
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::array<double, 3>& position) {
+    m_json.key(field.info().name);
+    m_json.beginArray(Layout::row);
+    for (const double coordinate : position) m_json.number(coordinate);
+    m_json.endArray();
+  }
+  template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, double measure) {
+    m_json.member(field.info().name, measure);
+  }
+
   /// Nodes in the order of the links, so that a saved file reads like its list of links.
-  void nodes(std::string_view name, std::map<LinkId, SheetPoint> nodes, const std::vector<Link>& links) {
+  template <class Member>
+  void member(const Member& field, const View& /*view*/, std::map<LinkId, SheetPoint> nodes) {
     if (nodes.empty()) return;
-    m_json.key(name);
+    m_json.key(field.info().name);
     m_json.beginObject();
-    for (const Link& link : links) {
+    for (const Link& link : *m_links) {
       const auto node = nodes.find(link.id);
       if (node == nodes.end()) continue;
       point(*node);
@@ -239,17 +221,18 @@ class MechanismWriter {
     m_json.endObject();
   }
 
-  void colors(std::map<LinkId, int> colors, const std::vector<Link>& links) {
-    if (colors.empty()) return;
-    m_json.key("colors");
+  template <class Member>
+  void member(const Member& field, const View& /*view*/, std::map<LinkId, int> numbers) {
+    if (numbers.empty()) return;
+    m_json.key(field.info().name);
     m_json.beginObject(Layout::row);
-    for (const Link& link : links) {
-      const auto color = colors.find(link.id);
-      if (color == colors.end()) continue;
-      m_json.member(link.id.text(), color->second);
-      colors.erase(color);
+    for (const Link& link : *m_links) {
+      const auto number = numbers.find(link.id);
+      if (number == numbers.end()) continue;
+      m_json.member(link.id.text(), number->second);
+      numbers.erase(number);
     }
-    for (const auto& [link, color] : colors) m_json.member(link.text(), color);
+    for (const auto& [link, number] : numbers) m_json.member(link.text(), number);
     m_json.endObject();
   }
 
@@ -301,26 +284,6 @@ class MechanismWriter {
     m_json.endArray();
   }
 
-  void pinned(bool isPinned) {
-    if (!isPinned) return;
-    m_json.key("pinned");
-    m_json.json("true");
-  }
-
-  void limits(const JointLimits& limits) {
-    if (!limits.any()) return;
-    m_json.key("limits");
-    m_json.beginArray(Layout::row);
-    for (const std::optional<Number>& end : {limits.low, limits.high}) {
-      if (end) {
-        value(*end);
-      } else {
-        m_json.null();
-      }
-    }
-    m_json.endArray();
-  }
-
   void unknown(const UnknownMembers& members) {
     for (const auto& [name, text] : members) {
       m_json.key(name);
@@ -329,6 +292,7 @@ class MechanismWriter {
   }
 
   JsonWriter m_json;
+  const std::vector<Link>* m_links = nullptr;  ///< of the document
 };
 
 }  // namespace

@@ -1,17 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/mechanism/document_format/json_object.h"
+#include "core/mechanism/model/member_info.h"
 
 namespace geargraph::inline document_format {
 
-/// The 3D files attached to a link, from its member `shapes`; diagnostics name the link.
-[[nodiscard]] std::vector<LinkShape> readShapes(JsonDiagnostics& diagnostics, JsonValue list,
-                                                const std::string& pointer, LinkId link);
-
-/// What the editor remembers of its drawings, from the member `view` of the document.
-[[nodiscard]] View readView(JsonDiagnostics& diagnostics, JsonValue value);
+/// What the editor remembers of its drawings, from the member of the document that `info` describes.
+[[nodiscard]] View readView(JsonDiagnostics& diagnostics, const MemberInfo& info, JsonValue value);
 
 }  // namespace geargraph::inline document_format
