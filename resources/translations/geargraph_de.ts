@@ -9991,8 +9991,8 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Die Spalte „element“ ist leer; sie sagt, wovon die Zeile handelt.</translation>
     </message>
     <message>
-        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
-        <translation>Ein Element „%1“ gibt es nicht: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load oder balance.</translation>
+        <source>There is no element &quot;%1&quot;: %2.</source>
+        <translation>Ein Element „%1“ gibt es nicht: %2.</translation>
     </message>
     <message>
         <source>This cell is in a column without a name.</source>

@@ -9991,8 +9991,8 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>La columna «element» está vacía; dice de qué trata la fila.</translation>
     </message>
     <message>
-        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
-        <translation>No hay ningún elemento «%1»: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load o balance.</translation>
+        <source>There is no element &quot;%1&quot;: %2.</source>
+        <translation>No hay ningún elemento «%1»: %2.</translation>
     </message>
     <message>
         <source>This cell is in a column without a name.</source>

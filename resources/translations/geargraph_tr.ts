@@ -9990,8 +9990,8 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>&quot;element&quot; sütunu boş; satırın ne hakkında olduğunu o söyler.</translation>
     </message>
     <message>
-        <source>There is no element &quot;%1&quot;: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load or balance.</source>
-        <translation>&quot;%1&quot; diye bir öğe yok: document, link, axis, turningJoint, gearMesh, wheel, input, brake, clutch, state, load veya balance.</translation>
+        <source>There is no element &quot;%1&quot;: %2.</source>
+        <translation>&quot;%1&quot; diye bir öğe yok: %2.</translation>
     </message>
     <message>
         <source>This cell is in a column without a name.</source>

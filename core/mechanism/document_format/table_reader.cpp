@@ -37,12 +37,37 @@ std::size_t positionOf(std::string_view step) {
 /// The column of a member of the document; of a list of numbers, that of the one at `position`.
 std::string_view columnOf(std::string_view member, std::size_t position) {
   const auto at = [&](const auto& columns) { return columns.at(std::min(position, columns.size() - 1)); };
-  if (member == "point" || member == "pitchPoint" || member == "centerOfMass") return at(kPlaceColumns);
-  if (member == "direction" || member == "gravity" || member == "force") return at(kDirectionColumns);
-  if (member == "inertia") return at(kInertiaColumns);
-  if (member == "limits") return "lowLimit";
-  if (member == "links") return position == 0 ? "tail" : "head";  // of a clutch
+  for (const DocumentPart part : documentParts()) {
+    const MemberInfo* const info = memberOf(part, member);
+    if (info == nullptr) continue;
+    if (info->value == MemberValue::triple) return at(tripleColumns(*info));
+    if (info->value == MemberValue::inertia) return at(kInertiaColumns);
+    if (info->value == MemberValue::ends) return kLowLimit;
+    const bool isClutch = info->value == MemberValue::references && part == DocumentPart::coupling;
+    if (isClutch) return position == 0 ? "tail" : "head";
+  }
   return member;
+}
+
+/// What rows are about: the words of the column "element".
+std::vector<std::string> rowNames() {
+  std::vector<std::string> names{std::string(Description<Mechanism>::name)};
+  const auto add = [&]<class Element>(const Element* /*none*/) {
+    if constexpr (std::is_same_v<Element, Coupling>) {
+      names.insert(names.end(), {"brake", "clutch"});
+    } else {
+      names.emplace_back(Description<Element>::name);
+    }
+  };
+  forEachField<Mechanism>([&]<class Member>(const Member& /*field*/) {
+    using Value = typename Member::Value;
+    if constexpr (DescribedList<Value>) {
+      add(static_cast<const typename ElementOfList<Value>::Type*>(nullptr));
+    } else if constexpr (requires { typename ElementOfList<typename Value::value_type>::Type; }) {
+      add(static_cast<const typename ElementOfList<typename Value::value_type>::Type*>(nullptr));
+    }
+  });
+  return names;
 }
 
 class TableReader {
@@ -111,9 +136,9 @@ class TableReader {
           "element",
           element.empty()
               ? translated("The column \"element\" is empty; it says what the row is about.")
-              : translated("There is no element \"%1\": document, link, axis, turningJoint, gearMesh, wheel, "
-                           "input, brake, clutch, state, load or balance.",
-                           {element.substr(0, kMaxNameLength)}));
+              : translated("There is no element \"%1\": %2.",
+                           {element.substr(0, kMaxNameLength),
+                            listed(rowNames(), kAllNames, toTranslate("or"))}));
       return;
     }
     row.rejectOtherCells(element);
@@ -140,103 +165,62 @@ class TableReader {
   bool readElement(std::string_view element, TableRowReader& row) {
     if (element == "document") {
       readDocument(row);
-    } else if (element == "link") {
-      add("links", m_mechanism.links, row, [](auto& r, Link& link) { linkColumns(r, link); });
-    } else if (element == "axis") {
-      add("axes", m_mechanism.axes, row, [](auto& r, Axis& axis) { axisColumns(r, axis); });
-    } else if (element == "turningJoint") {
-      add("turningJoints", m_mechanism.turningJoints, row,
-          [](auto& r, TurningJoint& joint) { turningJointColumns(r, joint); });
-    } else if (element == "gearMesh") {
-      add("gearMeshes", m_mechanism.gearMeshes, row,
-          [](auto& r, GearMesh& mesh) { gearMeshColumns(r, mesh); });
-    } else if (element == "wheel") {
-      add("wheels", m_mechanism.wheels, row, [](auto& r, Wheel& wheel) { wheelColumns(r, wheel); });
-    } else if (element == "input") {
-      if (!m_mechanism.inputs) m_mechanism.inputs.emplace();
-      if (!row.hasCells()) return true;  // no inputs, as the document says
-      add("inputs", *m_mechanism.inputs, row, [](auto& r, Input& input) { inputColumns(r, input); });
-    } else if (element == "brake" || element == "clutch") {
-      add("couplings", m_mechanism.couplings, row, [&](auto& r, Coupling& coupling) {
-        coupling.kind = element == "brake" ? CouplingKind::brake : CouplingKind::clutch;
-        coupling.links.resize(element == "brake" ? 1 : 2);
-        couplingColumns(r, coupling);
-      });
-    } else if (element == "state") {
-      add("states", m_mechanism.states, row, [](auto& r, ShiftState& state) { stateColumns(r, state); });
-    } else if (element == "load") {
-      add("loads", m_mechanism.loads, row, readLoad);
-    } else if (element == "balance") {
-      if (!m_mechanism.balances) m_mechanism.balances.emplace();
-      if (!row.hasCells()) return true;
-      add("balances", *m_mechanism.balances, row, readBalance);
-    } else {
-      return false;
+      return true;
     }
+    bool isKnown = false;
+    forEachField<Mechanism>([&](const auto& field) {
+      isKnown = readInto(field.info().name, m_mechanism.*field.member, element, row) || isKnown;
+    });
+    return isKnown;
+  }
+
+  /// Adds the row to this member of the document; false if it is no list of such elements.
+  template <class Value>
+  bool readInto(std::string_view /*name*/, Value& /*no list*/, std::string_view /*element*/,
+                TableRowReader& /*row*/) {
+    return false;
+  }
+  template <class List>
+  requires DescribedList<List>
+  bool readInto(std::string_view name, List& list, std::string_view element, TableRowReader& row) {
+    using Element = typename ElementOfList<List>::Type;
+    if constexpr (std::is_same_v<Element, Coupling>) {
+      if (element != "brake" && element != "clutch") return false;
+      Coupling coupling;
+      coupling.kind = element == "brake" ? CouplingKind::brake : CouplingKind::clutch;
+      coupling.links.resize(element == "brake" ? 1 : 2);
+      add(name, list, row, std::move(coupling));
+    } else {
+      if (element != Description<Element>::name) return false;
+      add(name, list, row, Element());
+    }
+    return true;
+  }
+  template <class Element>
+  bool readInto(std::string_view name, std::optional<std::vector<Element>>& list, std::string_view element,
+                TableRowReader& row) {
+    if (element != Description<Element>::name) return false;
+    if (!list) list.emplace();
+    if (row.hasCells()) add(name, *list, row, Element());  // else there are none, as the document says
     return true;
   }
 
   void readDocument(TableRowReader& row) {
     if (m_documentPlace) return row.wrongRow(translated("There is one row \"document\" at most."));
     m_documentPlace = m_records.place();
-    documentColumns(row, m_mechanism);
+    elementColumns(row, m_mechanism);
   }
 
-  template <class Element, class Read>
-  void add(const char* list, std::vector<Element>& elements, TableRowReader& row, const Read& read) {
+  template <class Element>
+  void add(std::string_view list, std::vector<Element>& elements, TableRowReader& row, Element element) {
     if (elements.size() == kMaxListLength) {
       m_isBeyondLimits = true;
       return row.wrongRow(translated("A document has at most 100,000 %1.", {list}));
     }
-    Element element;
     if constexpr (requires { ElementId(element.id); }) row.template blameId<decltype(element.id)>();
-    read(row, element);
+    elementColumns(row, element);
     elements.push_back(std::move(element));
     m_places[list].push_back(m_records.place());
-  }
-
-  static bool readPlace(TableRowReader& row, const ActionCells& cells) {
-    if (cells.joint.has_value() == cells.link.has_value()) {
-      row.wrong(cells.joint ? "link" : "joint",
-                translated("The row names a \"joint\" or a \"link\", one of them."));
-      return false;
-    }
-    if (cells.joint && cells.axis)
-      row.wrong("axis", translated("An \"axis\" is named beside a \"link\"; a joint has its own."));
-    return true;
-  }
-
-  static void readLoad(TableRowReader& row, Load& load) {
-    std::optional<LoadId> id;
-    ActionCells cells;
-    actionColumns(row, id, cells);
-    if (id) load.id = *id;
-    if (!readPlace(row, cells)) return;
-    if (cells.torque.has_value() == (cells.force || cells.point))
-      return row.wrong("torque",
-                       translated("A load has a \"torque\", or a force (dx, dy, dz) at a point (x, y, z)."));
-    if (cells.torque) {
-      load.action = cells.joint ? decltype(load.action)(JointTorque{*cells.joint, *cells.torque})
-                                : LinkTorque{*cells.link, cells.axis, *cells.torque};
-      return;
-    }
-    if (!cells.link || cells.axis || !cells.force || !cells.point) {
-      return row.wrong(
-          "dx",
-          translated("A force acts on a \"link\": it has dx, dy, dz and a point x, y, z, and no axis."));
-    }
-    load.action = LinkForce{*cells.link, *cells.force, *cells.point};
-  }
-
-  static void readBalance(TableRowReader& row, Balance& balance) {
-    ActionCells cells;
-    placeColumns(row, cells);
-    if (!readPlace(row, cells)) return;
-    if (cells.joint) {
-      balance.at = *cells.joint;
-    } else {
-      balance.at = Balance::OnLink{*cells.link, cells.axis};
-    }
   }
 
   void addSemanticDiagnostics() {

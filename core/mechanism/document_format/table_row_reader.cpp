@@ -5,6 +5,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
+#include "core/mechanism/document_format/table_columns.h"
 #include "core/mechanism/document_format/table_text.h"
 #include "core/mechanism/model/limits.h"
 
@@ -180,6 +181,50 @@ void TableRowReader::flag(std::string_view column, bool& flag) {
   if (text.empty()) return;
   flag = text == "yes";
   if (!flag && text != "no") unexpected(column, toTranslate("yes, no or nothing"));
+}
+
+bool TableRowReader::namesPlace(const ActionCells& cells) {
+  if (cells.joint.has_value() == cells.link.has_value()) {
+    wrong(cells.joint ? "link" : "joint",
+          translated("The row names a \"joint\" or a \"link\", one of them."));
+    return false;
+  }
+  if (cells.joint && cells.axis)
+    wrong("axis", translated("An \"axis\" is named beside a \"link\"; a joint has its own."));
+  return true;
+}
+
+void TableRowReader::action(const std::array<MemberInfo, 6>& infos, decltype(Load::action)& action) {
+  ActionCells cells;
+  actionColumns(*this, infos, cells);
+  if (!namesPlace(cells)) return;
+  if (cells.torque.has_value() == (cells.force || cells.point))
+    return wrong("torque",
+                 translated("A load has a \"torque\", or a force (dx, dy, dz) at a point (x, y, z)."));
+  if (cells.torque) {
+    if (cells.joint) {
+      action = JointTorque{*cells.joint, *cells.torque};
+    } else {
+      action = LinkTorque{*cells.link, cells.axis, *cells.torque};
+    }
+    return;
+  }
+  if (!cells.link || cells.axis || !cells.force || !cells.point) {
+    return wrong(
+        "dx", translated("A force acts on a \"link\": it has dx, dy, dz and a point x, y, z, and no axis."));
+  }
+  action = LinkForce{*cells.link, *cells.force, *cells.point};
+}
+
+void TableRowReader::action(const std::array<MemberInfo, 3>& infos, decltype(Balance::at)& at) {
+  ActionCells cells;
+  actionColumns(*this, infos, cells);
+  if (!namesPlace(cells)) return;
+  if (cells.joint) {
+    at = *cells.joint;
+  } else {
+    at = Balance::OnLink{*cells.link, cells.axis};
+  }
 }
 
 }  // namespace geargraph::inline document_format

@@ -11,6 +11,7 @@
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/model/member_info.h"
 
 namespace geargraph::inline document_format {
 
@@ -32,6 +33,8 @@ class TableDiagnostics {
 
 /// Which column is at which position of a record.
 using TableHeader = std::map<std::string_view, std::size_t>;
+
+struct ActionCells;  // table_columns.h
 
 /// Reads the cells of one row into an element (table_columns.h). A cell that cannot be read adds a diagnostic
 /// and leaves the default.
@@ -60,6 +63,9 @@ class TableRowReader {
   void meshKind(std::string_view column, std::optional<MeshKind>& kind);
   void sharing(std::string_view column, std::optional<LoadSharing>& sharing);
   void flag(std::string_view column, bool& flag);
+  /// What a load does, and where a balance acts: several cells together.
+  void action(const std::array<MemberInfo, 6>& infos, decltype(Load::action)& action);
+  void action(const std::array<MemberInfo, 3>& infos, decltype(Balance::at)& at);
 
   /// From here on, diagnostics name the element of the column "id".
   template <class ElementsId>
@@ -79,6 +85,8 @@ class TableRowReader {
   /// The text of a cell; empty where there is none.
   [[nodiscard]] const std::string& cell(std::string_view column);
   void missing(std::string_view column, std::string_view expected);
+  /// False, with a diagnostic, unless the cells name a joint or a link, and an axis beside a link only.
+  [[nodiscard]] bool namesPlace(const ActionCells& cells);
   /// `expected` is marked by toTranslate().
   void unexpected(std::string_view column, std::string_view expected);
   /// The id in the column "id"; empty if there is no valid one.

@@ -16,6 +16,30 @@ std::size_t indexOf(std::string_view column) {
   return static_cast<std::size_t>(found - kTableColumns.begin());
 }
 
+ActionCells cellsOf(const decltype(Load::action)& action) {
+  if (const auto* inJoint = std::get_if<JointTorque>(&action))
+    return {inJoint->joint, {}, {}, inJoint->torque, {}, {}};
+  if (const auto* torque = std::get_if<LinkTorque>(&action))
+    return {{}, torque->link, torque->axis, torque->torque, {}, {}};
+  const auto& force = std::get<LinkForce>(action);
+  return {{}, force.link, {}, {}, force.force, force.point};
+}
+
+ActionCells cellsOf(const decltype(Balance::at)& at) {
+  if (const auto* joint = std::get_if<JointId>(&at)) return {*joint, {}, {}, {}, {}, {}};
+  const auto& onLink = std::get<Balance::OnLink>(at);
+  return {{}, onLink.link, onLink.axis, {}, {}, {}};
+}
+
+/// The word of a row, in the column "element".
+template <class Element>
+std::string_view rowWord(const Element& /*element*/) {
+  return Description<Element>::name;
+}
+std::string_view rowWord(const Coupling& coupling) {
+  return coupling.kind == CouplingKind::brake ? "brake" : "clutch";
+}
+
 /// The cells of one element.
 class TableRowWriter {
  public:
@@ -60,6 +84,11 @@ class TableRowWriter {
   void flag(std::string_view column, bool flag) {
     if (flag) cell(column, "yes");
   }
+  template <std::size_t count, class Action>
+  void action(const std::array<MemberInfo, count>& infos, const Action& action) {
+    ActionCells cells = cellsOf(action);
+    actionColumns(*this, infos, cells);
+  }
 
   std::array<std::string, kColumns> cells;
 
@@ -67,91 +96,52 @@ class TableRowWriter {
   void cell(std::string_view column, std::string text) { cells.at(indexOf(column)) = std::move(text); }
 };
 
-ActionCells cellsOf(const Load& load) {
-  if (const auto* inJoint = std::get_if<JointTorque>(&load.action))
-    return {inJoint->joint, {}, {}, inJoint->torque, {}, {}};
-  if (const auto* torque = std::get_if<LinkTorque>(&load.action))
-    return {{}, torque->link, torque->axis, torque->torque, {}, {}};
-  const auto& force = std::get<LinkForce>(load.action);
-  return {{}, force.link, {}, {}, force.force, force.point};
-}
-
-ActionCells cellsOf(const Balance& balance) {
-  if (const auto* joint = std::get_if<JointId>(&balance.at)) return {*joint, {}, {}, {}, {}, {}};
-  const auto& onLink = std::get<Balance::OnLink>(balance.at);
-  return {{}, onLink.link, onLink.axis, {}, {}, {}};
-}
-
 /// Gives every row of the mechanism to `take`.
 template <class Take>
 void forEachRow(const Mechanism& mechanism, const Take& take) {
-  const auto rows = [&](std::string_view name, const auto& elements, const auto& columns) {
+  const auto rows = [&](const auto& elements) {
     for (const auto& element : elements) {
-      TableRowWriter row(name);
-      columns(row, element);
+      TableRowWriter row(rowWord(element));
+      elementColumns(row, element);
       take(row);
     }
   };
   TableRowWriter document("document");
-  documentColumns(document, mechanism);
+  elementColumns(document, mechanism);
   take(document);
-  rows("link", mechanism.links, [](auto& row, const Link& link) { linkColumns(row, link); });
-  rows("axis", mechanism.axes, [](auto& row, const Axis& axis) { axisColumns(row, axis); });
-  rows("turningJoint", mechanism.turningJoints,
-       [](auto& row, const TurningJoint& joint) { turningJointColumns(row, joint); });
-  rows("gearMesh", mechanism.gearMeshes, [](auto& row, const GearMesh& mesh) { gearMeshColumns(row, mesh); });
-  rows("wheel", mechanism.wheels, [](auto& row, const Wheel& wheel) { wheelColumns(row, wheel); });
-  const auto inputs = mechanism.inputs.value_or(std::vector<Input>());
-  rows("input", inputs, [](auto& row, const Input& input) { inputColumns(row, input); });
-  if (mechanism.inputs && inputs.empty()) take(TableRowWriter("input"));
-  for (const Coupling& coupling : mechanism.couplings) {
-    TableRowWriter row(coupling.kind == CouplingKind::brake ? "brake" : "clutch");
-    couplingColumns(row, coupling);
-    take(row);
-  }
-  rows("state", mechanism.states, [](auto& row, const ShiftState& state) { stateColumns(row, state); });
-  rows("load", mechanism.loads, [](auto& row, const Load& load) {
-    auto id = load.id.empty() ? std::nullopt : std::optional(load.id);
-    ActionCells cells = cellsOf(load);
-    actionColumns(row, id, cells);
+  forEachField<Mechanism>([&]<class Member>(const Member& field) {
+    const auto& value = mechanism.*field.member;
+    if constexpr (DescribedList<typename Member::Value>) {
+      rows(value);
+    } else if constexpr (requires { typename ElementOfList<typename Member::Value::value_type>::Type; }) {
+      if (!value) return;
+      rows(*value);
+      using Element = typename ElementOfList<typename Member::Value::value_type>::Type;
+      if (value->empty()) take(TableRowWriter(Description<Element>::name));  // none, as the document says
+    }
   });
-  const auto balances = mechanism.balances.value_or(std::vector<Balance>());
-  rows("balance", balances, [](auto& row, const Balance& balance) {
-    ActionCells cells = cellsOf(balance);
-    placeColumns(row, cells);
-  });
-  if (mechanism.balances && balances.empty()) take(TableRowWriter("balance"));
 }
 
-/// Drops the members that this program does not know; true where there were any.
-template <class Element>
-requires requires(Element element) {
-  element.unknown;
-}
-bool dropUnknown(Element& element) {
-  const bool had = !element.unknown.empty();
-  element.unknown.clear();
-  return had;
-}
-
-template <class Element>
-bool dropUnknown(std::vector<Element>& elements) {
+/// Drops the members that this program does not know, of an object or of each of a list; true where there
+/// were any.
+template <class Value>
+bool dropUnknown(Value& value) {
   bool had = false;
-  for (Element& element : elements) had = dropUnknown(element) || had;
+  if constexpr (requires { value.unknown; }) {
+    had = !value.unknown.empty();
+    value.unknown.clear();
+  } else if constexpr (DescribedList<Value>) {
+    for (auto& element : value) had = dropUnknown(element) || had;
+  } else if constexpr (
+      requires { value->size(); } || requires { value->unknown; }) {
+    if (value) had = dropUnknown(*value);
+  }
   return had;
-}
-
-template <class Element>
-bool dropUnknown(std::optional<Element>& element) {
-  return element && dropUnknown(*element);
 }
 
 bool dropUnknownOfAll(Mechanism& mechanism) {
-  bool had = dropUnknown<Mechanism>(mechanism);
-  const auto drop = [&](auto&... parts) { ((had = dropUnknown(parts) || had), ...); };
-  drop(mechanism.links, mechanism.axes, mechanism.turningJoints, mechanism.gearMeshes, mechanism.wheels,
-       mechanism.gearDefaults, mechanism.inputs, mechanism.couplings, mechanism.states, mechanism.loads,
-       mechanism.balances);
+  bool had = dropUnknown(mechanism);
+  forEachField<Mechanism>([&](const auto& field) { had = dropUnknown(mechanism.*field.member) || had; });
   return had;
 }
 

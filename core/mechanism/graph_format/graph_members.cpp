@@ -2,57 +2,65 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "core/mechanism/model/member_info.h"
 
 namespace geargraph::inline graph_format {
 namespace {
 
-using enum GraphPart;
-using enum MemberType;
-
-constexpr std::array kMembers = {
-    GraphMember{graph, "name", "name", text},
-    GraphMember{graph, "notes", "notes", text},
-    GraphMember{graph, "unit", "unit", text},
-    GraphMember{graph, "axes", "axes", json},
-    GraphMember{graph, "wheels", "wheels", json},
-    GraphMember{graph, "gearDefaults", "gearDefaults", json},
-    GraphMember{graph, "inputs", "inputs", json},
-    GraphMember{graph, "couplings", "couplings", json},
-    GraphMember{graph, "states", "states", json},
-    GraphMember{graph, "engaged", "engaged", json},
-    GraphMember{graph, "loads", "loads", json},
-    GraphMember{graph, "balances", "balances", json},
-    GraphMember{graph, "sharing", "sharing", text},
-    GraphMember{graph, "driveTorque", "driveTorque", number},
-    GraphMember{graph, "density", "density", number},
-    GraphMember{graph, "gravity", "gravity", json},
-    GraphMember{node, "linkId", "id", id},
-    GraphMember{node, "name", "name", text},
-    GraphMember{node, "pinned", "pinned", flag},
-    GraphMember{node, "mass", "mass", number},
-    GraphMember{node, "centerOfMass", "centerOfMass", json},
-    GraphMember{node, "inertia", "inertia", json},
-    GraphMember{turningEdge, "edgeId", "id", id},
-    GraphMember{turningEdge, "axis", "axis", id},
-    GraphMember{turningEdge, "offset", "offset", number},
-    GraphMember{turningEdge, "limits", "limits", json},
-    GraphMember{meshEdge, "edgeId", "id", id},
-    GraphMember{meshEdge, "tailTeeth", "tailTeeth", number},
-    GraphMember{meshEdge, "headTeeth", "headTeeth", number},
-    GraphMember{meshEdge, "pitchPoint", "pitchPoint", json},
-    GraphMember{meshEdge, "meshKind", "kind", text},
-    GraphMember{meshEdge, "faceWidth", "faceWidth", number},
-    GraphMember{meshEdge, "tailWheel", "tailWheel", id},
-    GraphMember{meshEdge, "headWheel", "headWheel", id},
-    GraphMember{meshEdge, "pinned", "pinned", flag},
-    GraphMember{meshEdge, "efficiency", "efficiency", number},
-    GraphMember{meshEdge, "friction", "friction", number},
+struct PartEntry {
+  GraphPart part;
+  DocumentPart objects;
 };
+constexpr std::array kGraphParts = {PartEntry{GraphPart::graph, DocumentPart::document},
+                                    PartEntry{GraphPart::node, DocumentPart::link},
+                                    PartEntry{GraphPart::turningEdge, DocumentPart::turningJoint},
+                                    PartEntry{GraphPart::meshEdge, DocumentPart::gearMesh}};
+
+MemberType typeOf(MemberValue value) {
+  switch (value) {
+    case MemberValue::text:
+    case MemberValue::shortText:
+    case MemberValue::meshKind:
+    case MemberValue::couplingKind:
+    case MemberValue::sharing:
+      return MemberType::text;
+    case MemberValue::id:
+    case MemberValue::reference:
+      return MemberType::id;
+    case MemberValue::teeth:
+    case MemberValue::number:
+    case MemberValue::measure:
+      return MemberType::number;
+    case MemberValue::flag:
+      return MemberType::flag;
+    default:
+      return MemberType::json;
+  }
+}
+
+/// By part; from the description of the document.
+const std::vector<GraphMember>& graphMembers() {
+  static const std::vector<GraphMember> all = [] {
+    std::vector<GraphMember> members;
+    for (const PartEntry& entry : kGraphParts) {
+      for (const MemberInfo& info : membersOf(entry.objects)) {
+        if (!info.isInGraphs) continue;
+        const std::string_view attribute = info.attribute.empty() ? info.name : info.attribute;
+        members.push_back({entry.part, attribute, info.name, typeOf(info.value)});
+      }
+    }
+    return members;
+  }();
+  return all;
+}
 
 template <class Matches>
 const GraphMember* found(Matches matches) {
-  const auto* const at = std::find_if(kMembers.begin(), kMembers.end(), matches);
-  return at == kMembers.end() ? nullptr : &*at;
+  const std::vector<GraphMember>& members = graphMembers();
+  const auto at = std::find_if(members.begin(), members.end(), matches);
+  return at == members.end() ? nullptr : &*at;
 }
 
 }  // namespace
