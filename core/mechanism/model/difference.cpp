@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
+#include "core/mechanism/model/fields.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -41,6 +43,33 @@ bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
                     [](const Input& x, const Input& y) { return x.joint == y.joint; });
 }
 
+/// Does visit(field) hold for every field of the class?
+template <class Object, class Visit>
+bool allFields(const Visit& visit) {
+  return std::apply([&](const auto&... fields) { return (visit(fields) && ...); },
+                    Description<Object>::fields);
+}
+
+/// Do members differ that Difference has no other word for?
+bool hasOtherChanges(const Mechanism& before, const Mechanism& after) {
+  const auto isCounted = []<class Member>(const Member& member) {
+    using Value = std::remove_cvref_t<decltype(std::declval<Mechanism>().*member)>;
+    constexpr bool isCountedList =
+        std::is_same_v<Value, ByLink<Link>> || std::is_same_v<Value, ByAxis<Axis>> ||
+        std::is_same_v<Value, ByJoint<TurningJoint>> || std::is_same_v<Value, ByMesh<GearMesh>>;
+    return isCountedList || std::is_same_v<Value, std::optional<std::vector<Input>>> ||
+           std::is_same_v<Value, View>;
+  };
+  return !allFields<Mechanism>([&](const auto& field) {
+    return isCounted(field.member) || before.*field.member == after.*field.member;
+  }) || !allFields<View>([&]<class Each>(const Each& field) {
+    using Value = typename Each::Value;
+    constexpr bool isPlaces =
+        std::is_same_v<Value, std::map<LinkId, SheetPoint>> || std::is_same_v<Value, std::map<LinkId, int>>;
+    return isPlaces || before.view.*field.member == after.view.*field.member;
+  });
+}
+
 /// "2 links, 1 turning joint and 3 gear meshes", or nothing.
 std::string countsOf(const Difference& difference, int Difference::Count::*which) {
   std::vector<std::string> parts;
@@ -70,25 +99,15 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
       !added && !removed &&
       !(sameOrder(before.links, after.links) && sameOrder(before.turningJoints, after.turningJoints) &&
         sameOrder(before.gearMeshes, after.gearMeshes));
-  difference.other = before.name != after.name || before.notes != after.notes || before.unit != after.unit ||
-                     before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
-                     before.couplings != after.couplings || before.states != after.states ||
-                     before.engaged != after.engaged || before.loads != after.loads ||
-                     before.balances != after.balances || before.sharing != after.sharing ||
-                     before.driveTorque != after.driveTorque || before.density != after.density ||
-                     before.gravity != after.gravity || before.view.notes != after.view.notes ||
-                     before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
-                     before.unknown != after.unknown || reordered;
+  difference.other = before.unknown != after.unknown || before.view.unknown != after.view.unknown ||
+                     reordered || hasOtherChanges(before, after);
   return difference;
 }
 
 bool isSameButForView(const Mechanism& a, const Mechanism& b) {
-  const auto rest = [](const Mechanism& m) {
-    return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
-                    m.gearDefaults, m.inputs, m.couplings, m.states, m.engaged, m.loads, m.balances,
-                    m.sharing, m.driveTorque, m.density, m.gravity, m.unknown);
-  };
-  return rest(a) == rest(b);
+  return a.unknown == b.unknown && allFields<Mechanism>([&]<class Each>(const Each& field) {
+           return std::is_same_v<typename Each::Value, View> || a.*field.member == b.*field.member;
+         });
 }
 
 bool isSameTrain(const Mechanism& a, const Mechanism& b) {

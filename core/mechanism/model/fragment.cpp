@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/foundations/base/words.h"
+#include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/model/load_edits.h"
@@ -115,55 +116,60 @@ double shiftFor(const View& there, const Mechanism& fragment) {
   return kMaxSteps * kStep;
 }
 
-template <class Element>
-void addRenamed(std::vector<Element>& into, const std::vector<Element>& from, const Renamer& renamed,
-                void (*inside)(Element&, const Renamer&)) {
-  for (Element element : from) {
-    element.id = renamed(element.id);
-    inside(element, renamed);
-    into.push_back(std::move(element));
+/// Puts the new ids into what an element refers to.
+template <class Tag>
+void renameReference(Id<Tag>& id, const Renamer& renamed) {
+  if constexpr (requires { renamed(id); }) id = renamed(id);
+}
+template <class Value>
+void renameReference(Value& /*no id*/, const Renamer& /*renamed*/) {}
+template <class Value>
+void renameReference(std::optional<Value>& value, const Renamer& renamed) {
+  if (value) renameReference(*value, renamed);
+}
+template <class Tag>
+void renameReference(std::vector<Id<Tag>>& ids, const Renamer& renamed) {
+  for (Id<Tag>& id : ids) renameReference(id, renamed);
+}
+void renameReference(decltype(Load::action)& action, const Renamer& renamed) {
+  if (auto* inJoint = std::get_if<JointTorque>(&action)) {
+    inJoint->joint = renamed(inJoint->joint);
+  } else if (auto* torque = std::get_if<LinkTorque>(&action)) {
+    torque->link = renamed(torque->link);
+    renameReference(torque->axis, renamed);
+  } else {
+    renameReference(std::get<LinkForce>(action).link, renamed);
   }
 }
 
+/// The element under its new id, if elements of its kind get one, with those of what it refers to.
+template <class Element>
+Element renamedElement(Element element, const Renamer& renamed) {
+  forEachField<Element>([&](const auto& field) { renameReference(element.*field.member, renamed); });
+  return element;
+}
+
+template <class Element>
+void addRenamed(std::vector<Element>& into, const std::vector<Element>& from, const Renamer& renamed) {
+  for (const Element& element : from) into.push_back(renamedElement(element, renamed));
+}
+
 void addArrows(Mechanism& mechanism, const Mechanism& fragment, const Renamer& renamed) {
-  addRenamed<Axis>(mechanism.axes, fragment.axes, renamed, [](Axis&, const Renamer&) {});
-  addRenamed<TurningJoint>(mechanism.turningJoints, fragment.turningJoints, renamed,
-                           [](TurningJoint& joint, const Renamer& to) {
-                             joint.tail = to(joint.tail);
-                             joint.head = to(joint.head);
-                             joint.axis = to(joint.axis);
-                           });
-  addRenamed<Wheel>(mechanism.wheels, fragment.wheels, renamed,
-                    [](Wheel& wheel, const Renamer& to) { wheel.link = to(wheel.link); });
-  addRenamed<GearMesh>(mechanism.gearMeshes, fragment.gearMeshes, renamed,
-                       [](GearMesh& mesh, const Renamer& to) {
-                         mesh.tail = to(mesh.tail);
-                         mesh.head = to(mesh.head);
-                         if (mesh.tailWheel) mesh.tailWheel = to(*mesh.tailWheel);
-                         if (mesh.headWheel) mesh.headWheel = to(*mesh.headWheel);
-                       });
-  addRenamed<Coupling>(mechanism.couplings, fragment.couplings, renamed,
-                       [](Coupling& coupling, const Renamer& to) {
-                         for (LinkId& link : coupling.links) link = to(link);
-                       });
+  addRenamed(mechanism.axes, fragment.axes, renamed);
+  addRenamed(mechanism.turningJoints, fragment.turningJoints, renamed);
+  addRenamed(mechanism.wheels, fragment.wheels, renamed);
+  addRenamed(mechanism.gearMeshes, fragment.gearMeshes, renamed);
+  addRenamed(mechanism.couplings, fragment.couplings, renamed);
 }
 
 /// The loads whose joint or link is pasted, under the pasted ids; their own ids stay where they are free.
 void addLoads(Mechanism& mechanism, const Mechanism& fragment, const Renamer& renamed) {
   std::unordered_set<Atom> taken;
   for (const Load& load : mechanism.loads) taken.insert(load.id.atom());
-  for (Load load : fragment.loads) {
+  for (const Load& original : fragment.loads) {
+    Load load = renamedElement(original, renamed);
     const bool isFree = load.id.empty() || !taken.contains(load.id.atom());
     if (!isFree) load.id = LoadId();
-    if (auto* inJoint = std::get_if<JointTorque>(&load.action)) {
-      inJoint->joint = renamed(inJoint->joint);
-    } else if (auto* torque = std::get_if<LinkTorque>(&load.action)) {
-      torque->link = renamed(torque->link);
-      if (torque->axis) torque->axis = renamed(*torque->axis);
-    } else {
-      LinkId& link = std::get<LinkForce>(load.action).link;
-      link = renamed(link);
-    }
     mechanism.loads.push_back(std::move(load));
   }
 }
@@ -239,9 +245,8 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
   const double shift = shiftFor(mechanism.view, fragment);
   const LinkColors colors(mechanism);
   for (std::size_t i = 1; i < fragment.links.size(); ++i) {
-    Link link = fragment.links[i];
-    const auto node = fragment.view.nodes.find(link.id);
-    link.id = renamed(link.id);
+    Link link = renamedElement(fragment.links[i], renamed);
+    const auto node = fragment.view.nodes.find(fragment.links[i].id);
     if (node != fragment.view.nodes.end()) {
       mechanism.view.nodes[link.id] = {node->second.x + shift, node->second.y + shift};
     }
@@ -254,10 +259,7 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
            shift);
   if (fragment.inputs) {
     if (!mechanism.inputs) mechanism.inputs.emplace();
-    for (Input input : *fragment.inputs) {
-      input.joint = renamed(input.joint);
-      mechanism.inputs->push_back(std::move(input));
-    }
+    addRenamed(*mechanism.inputs, *fragment.inputs, renamed);
   }
   return mechanism;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/foundations/base/words.h"
-#include "core/mechanism/model/element_pointer.h"
+#include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/notes.h"
 
 namespace geargraph::inline model {
@@ -25,8 +25,8 @@ bool isTooLong(const std::string& text) {
   return text.size() > kMaxNameLength && characters(text) > kMaxNameLength;  // bytes are at least as many
 }
 
-std::string pointerTo(ElementKind list, std::size_t position, const char* member) {
-  return pointerTo(list, position) + "/" + member;
+std::string pointerIn(std::string_view list, std::size_t position, const char* member) {
+  return "/" + std::string(list) + "/" + std::to_string(position) + "/" + member;
 }
 
 Diagnostic makeDiagnostic(std::string message, std::string pointer, std::vector<ElementId> elements = {}) {
@@ -39,23 +39,61 @@ Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<Ele
       std::move(pointer), std::move(elements));
 }
 
-void checkLength(std::size_t size, const std::string& name, Diagnostics& diagnostics) {
+void checkLength(std::size_t size, std::string_view name, Diagnostics& diagnostics) {
   if (size <= kMaxListLength) return;
+  const std::string list(name);
   diagnostics.push_back(makeDiagnostic(
-      translated("A document has at most 100,000 %1; this one has %2.", {name, std::to_string(size)}),
-      "/" + name));
-}
-
-void checkLength(std::size_t size, ElementKind kind, Diagnostics& diagnostics) {
-  checkLength(size, std::string(listName(kind)), diagnostics);
+      translated("A document has at most 100,000 %1; this one has %2.", {list, std::to_string(size)}),
+      "/" + list));
 }
 
 template <class Element>
-void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& diagnostics) {
-  checkLength(list.size(), kind, diagnostics);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const ElementId id = list[i].id;
-    if (isTooLong(id.id.text())) diagnostics.push_back(tooLong(id.id.text(), pointerTo(kind, i, "id"), {id}));
+void checkIds(const std::vector<Element>& list, std::string_view name, Diagnostics& diagnostics) {
+  if constexpr (requires(const Element& element) { ElementId(element.id); }) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string& id = list[i].id.text();
+      if (isTooLong(id)) diagnostics.push_back(tooLong(id, pointerIn(name, i, "id"), {list[i].id}));
+    }
+  }
+}
+
+/// A list of the document, which may be left out.
+template <class Value>
+void checkList(const Value& value, const MemberInfo& info, Diagnostics& diagnostics) {
+  if constexpr (DescribedList<Value>) {
+    checkLength(value.size(), info.name, diagnostics);
+    checkIds(value, info.name, diagnostics);
+  }
+}
+void checkList(const std::vector<CouplingId>& value, const MemberInfo& info, Diagnostics& diagnostics) {
+  checkLength(value.size(), info.name, diagnostics);
+}
+template <class Value>
+void checkList(const std::optional<Value>& value, const MemberInfo& info, Diagnostics& diagnostics) {
+  if (value) checkList(*value, info, diagnostics);
+}
+
+/// The short texts of an object. `pointer` gives its JSON pointer, for those that are too long only.
+template <class Object, class Pointer>
+void checkTexts(const Object& object, const Pointer& pointer, Diagnostics& diagnostics) {
+  forEachField<Object>([&]<class Member>(const Member& field) {
+    if constexpr (std::is_same_v<typename Member::Value, std::string>) {
+      const std::string& text = object.*field.member;
+      if (field.info().value != MemberValue::shortText || !isTooLong(text)) return;
+      std::vector<ElementId> elements;
+      if constexpr (requires { ElementId(object.id); }) elements.push_back(object.id);
+      diagnostics.push_back(tooLong(text, pointer() + "/" + std::string(field.info().name), elements));
+    }
+  });
+}
+
+template <class Value>
+void checkTextsInList(const Value& value, const MemberInfo& info, Diagnostics& diagnostics) {
+  if constexpr (DescribedList<Value>) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      checkTexts(
+          value[i], [&] { return "/" + std::string(info.name) + "/" + std::to_string(i); }, diagnostics);
+    }
   }
 }
 
@@ -85,117 +123,170 @@ class JsonPointer {
 class RangeCheck {
  public:
   explicit RangeCheck(const Mechanism& mechanism) {
-    const auto each = [](const auto& list, ElementKind kind, const auto& check) {
-      const JsonPointer document, all = document / listName(kind);
-      for (std::size_t i = 0; i < list.size(); ++i) check(list[i], all / i);
-    };
-    each(mechanism.links, ElementKind::link, [this](const Link& link, const JsonPointer& at) {
-      for (std::size_t k = 0; k < link.shapes.size(); ++k) {
-        const LinkShape& shape = link.shapes[k];
-        const JsonPointer shapes = at / "shapes", shapeAt = shapes / k;
-        triple(link.id, shape.position, kCoordinate, shapeAt / "position");
-        triple(link.id, shape.orientation, kNumber, shapeAt / "orientation");
-        number(link.id, shape.scale, kNumber, shapeAt / "scale");
-      }
-      if (link.mass) mass(link.id, *link.mass, at);
+    forEachField<Mechanism>([&](const auto& field) {
+      list(mechanism.*field.member, field.info().name);
+      value(mechanism.*field.member, field, std::nullopt, JsonPointer());
     });
-    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const JsonPointer& at) {
-      triple(axis.id, axis.point, kCoordinate, at / "point");
-      triple(axis.id, axis.direction, kComponent, at / "direction");
-      if (axis.direction) notTooShort(axis, at / "direction");
-    });
-    each(mechanism.turningJoints, ElementKind::turningJoint,
-         [this](const TurningJoint& joint, const JsonPointer& at) {
-           number(joint.id, joint.offset.value(), kLength, at / "offset");
-         });
-    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const JsonPointer& at) {
-      triple(mesh.id, mesh.pitchPoint, kCoordinate, at / "pitchPoint");
-      number(mesh.id, mesh.faceWidth, kLength, at / "faceWidth");
-    });
-    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const JsonPointer& at) {
-      number(wheel.id, wheel.profileShift, kNumber, at / "profileShift");
-      number(wheel.id, wheel.bore, kLength, at / "bore");
-      number(wheel.id, wheel.backlash, kNumber, at / "backlash");
-    });
-    if (mechanism.gearDefaults) {
-      number({}, mechanism.gearDefaults->pressureAngle, kNumber,
-             JsonPointer() / "gearDefaults" / "pressureAngle");
-      number({}, mechanism.gearDefaults->backlash, kNumber, JsonPointer() / "gearDefaults" / "backlash");
-      number({}, mechanism.gearDefaults->faceWidth, kLength, JsonPointer() / "gearDefaults" / "faceWidth");
-    }
-    number({}, mechanism.driveTorque, kTorque, JsonPointer() / "driveTorque");
-    number({}, mechanism.density, kDensity, JsonPointer() / "density");
-    for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
-      number({}, (*mechanism.gravity)[i].value(), kComponent, JsonPointer() / "gravity" / i);
-    each(mechanism.loads, ElementKind::load,
-         [this](const Load& load, const JsonPointer& at) { action(load, at); });
-    places(mechanism.view.nodes, JsonPointer() / "view" / "nodes");
-    places(mechanism.view.ttNodes, JsonPointer() / "view" / "ttNodes");
-    if (mechanism.view.camera) camera(*mechanism.view.camera);
   }
 
   Diagnostics found;
 
  private:
+  using Element = std::optional<ElementId>;
   static constexpr double kMax = static_cast<double>(kLargestLength);
-  static constexpr const char* kCoordinate = toTranslate("expected a coordinate from -1e15 to 1e15.");
-  static constexpr const char* kNumber = toTranslate("expected a number from -1e15 to 1e15.");
-  static constexpr const char* kComponent = toTranslate("expected a component from -1e15 to 1e15.");
-  static constexpr const char* kLength = toTranslate("expected a length from -1e15 to 1e15.");
-  static constexpr const char* kDensity = toTranslate("expected a density from -1e15 to 1e15.");
-  static constexpr const char* kMass = toTranslate("expected a mass from -1e15 to 1e15.");
-  static constexpr const char* kMoment = toTranslate("expected a moment from -1e15 to 1e15.");
-  static constexpr const char* kTorque = toTranslate("expected a torque from -1e15 to 1e15.");
-  static constexpr const char* kForce = toTranslate("expected a force from -1e15 to 1e15.");
+
+  /// Null for what has no limit.
+  static const char* sentenceFor(Measure measure) {
+    switch (measure) {
+      case Measure::none:
+      case Measure::turn:
+      case Measure::speed:
+        return nullptr;
+      case Measure::number:
+      case Measure::modules:
+      case Measure::angle:
+        return toTranslate("expected a number from -1e15 to 1e15.");
+      case Measure::coordinate:
+        return toTranslate("expected a coordinate from -1e15 to 1e15.");
+      case Measure::component:
+      case Measure::acceleration:
+        return toTranslate("expected a component from -1e15 to 1e15.");
+      case Measure::length:
+        return toTranslate("expected a length from -1e15 to 1e15.");
+      case Measure::density:
+        return toTranslate("expected a density from -1e15 to 1e15.");
+      case Measure::mass:
+        return toTranslate("expected a mass from -1e15 to 1e15.");
+      case Measure::moment:
+        return toTranslate("expected a moment from -1e15 to 1e15.");
+      case Measure::torque:
+        return toTranslate("expected a torque from -1e15 to 1e15.");
+      case Measure::force:
+        return toTranslate("expected a force from -1e15 to 1e15.");
+    }
+    return nullptr;
+  }
 
   static bool isWithin(double value) { return std::abs(value) <= kMax; }
-  void number(const std::optional<ElementId>& element, double value, const char* what,
-              const JsonPointer& pointer) {
+  void number(const Element& element, double value, Measure measure, const JsonPointer& pointer) {
     if (isWithin(value)) return;
+    const char* const sentence = sentenceFor(measure);
+    if (sentence == nullptr) return;
     std::vector<ElementId> elements;
     if (element) elements.push_back(*element);
-    found.push_back(makeDiagnostic(translated(what), pointer.text(), std::move(elements)));
+    found.push_back(makeDiagnostic(translated(sentence), pointer.text(), std::move(elements)));
   }
-  void number(const std::optional<ElementId>& element, const std::optional<Number>& value, const char* what,
-              const JsonPointer& pointer) {
-    if (value) number(element, value->value(), what, pointer);
+  template <std::size_t count>
+  void numbers(const Element& element, const std::array<Number, count>& values, Measure measure,
+               const JsonPointer& pointer) {
+    for (std::size_t i = 0; i < count; ++i) number(element, values[i].value(), measure, pointer / i);
   }
-  void triple(const ElementId& element, const std::optional<NumberTriple>& values, const char* what,
-              const JsonPointer& pointer) {
-    for (std::size_t i = 0; values && i < values->size(); ++i)
-      number(element, (*values)[i].value(), what, pointer / i);
-  }
-  void mass(LinkId link, const LinkMass& mass, const JsonPointer& at) {
-    number(link, mass.mass.value(), kMass, at / "mass");
-    triple(link, mass.center, kCoordinate, at / "centerOfMass");
-    for (std::size_t i = 0; mass.inertia && i < mass.inertia->size(); ++i)
-      number(link, (*mass.inertia)[i].value(), kMoment, at / "inertia" / i);
-  }
-  void action(const Load& load, const JsonPointer& at) {
-    if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
-      number(inJoint->joint, inJoint->torque.value(), kTorque, at / "torque");
-    } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
-      number(torque->link, torque->torque.value(), kTorque, at / "torque");
-    } else {
-      const auto& force = std::get<LinkForce>(load.action);
-      triple(force.link, force.force, kForce, at / "force");
-      triple(force.link, force.point, kCoordinate, at / "point");
+
+  template <class Value>
+  void list(const Value& value, std::string_view name) {
+    if constexpr (DescribedList<Value>) {
+      const JsonPointer document, all = document / name;
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        Element element;
+        if constexpr (requires { ElementId(value[i].id); }) element = value[i].id;
+        object(value[i], element, all / i);
+      }
     }
   }
-  void places(const std::map<LinkId, SheetPoint>& nodes, const JsonPointer& pointer) {
+  template <class Object>
+  void object(const Object& object, const Element& element, const JsonPointer& at) {
+    forEachField<Object>([&](const auto& field) { value(object.*field.member, field, element, at); });
+    if constexpr (std::is_same_v<Object, Axis>) {
+      if (object.direction) notTooShort(object, at / "direction");
+    }
+  }
+
+  // The value of a member, by its type. The others have no numbers with limits.
+
+  template <class Value, class Member>
+  void value(const Value& /*value*/, const Member& /*field*/, const Element& /*element*/,
+             const JsonPointer& /*at*/) {}
+  template <class Member>
+  void value(const Number& one, const Member& field, const Element& element, const JsonPointer& at) {
+    number(element, one.value(), field.info().measure, at / field.info().name);
+  }
+  template <class Member>
+  void value(const NumberTriple& three, const Member& field, const Element& element, const JsonPointer& at) {
+    numbers(element, three, field.info().measure, at / field.info().name);
+  }
+  template <class Value, class Member>
+  void value(const std::optional<Value>& given, const Member& field, const Element& element,
+             const JsonPointer& at) {
+    if (given) value(*given, field, element, at);
+  }
+  template <class Member>
+  void value(const GearDefaults& defaults, const Member& field, const Element& element,
+             const JsonPointer& at) {
+    object(defaults, element, at / field.info().name);
+  }
+  template <class Member>
+  void value(const std::vector<LinkShape>& shapes, const Member& field, const Element& element,
+             const JsonPointer& at) {
+    const JsonPointer all = at / field.info().name;
+    for (std::size_t k = 0; k < shapes.size(); ++k) object(shapes[k], element, all / k);
+  }
+  template <class Member>
+  void value(const SharedOptional<LinkMass>& mass, const Member& field, const Element& element,
+             const JsonPointer& at) {
+    if (!mass) return;
+    const auto& [stated, center, inertia] = field.infos;
+    number(element, mass->mass.value(), stated.measure, at / stated.name);
+    if (mass->center) numbers(element, *mass->center, center.measure, at / center.name);
+    if (mass->inertia) numbers(element, *mass->inertia, inertia.measure, at / inertia.name);
+  }
+  template <class Member>
+  void value(const decltype(Load::action)& action, const Member& field, const Element& /*load*/,
+             const JsonPointer& at) {
+    const MemberInfo& torqueInfo = field.infos[kActionTorque];
+    if (const auto* inJoint = std::get_if<JointTorque>(&action)) {
+      number(inJoint->joint, inJoint->torque.value(), torqueInfo.measure, at / torqueInfo.name);
+    } else if (const auto* torque = std::get_if<LinkTorque>(&action)) {
+      number(torque->link, torque->torque.value(), torqueInfo.measure, at / torqueInfo.name);
+    } else {
+      const auto& force = std::get<LinkForce>(action);
+      const MemberInfo& forceInfo = field.infos[kActionForce];
+      const MemberInfo& pointInfo = field.infos[kActionPoint];
+      numbers(force.link, force.force, forceInfo.measure, at / forceInfo.name);
+      numbers(force.link, force.point, pointInfo.measure, at / pointInfo.name);
+    }
+  }
+  template <class Member>
+  void value(const View& view, const Member& field, const Element& element, const JsonPointer& at) {
+    object(view, element, at / field.info().name);
+  }
+  template <class Member>
+  void value(const std::map<LinkId, SheetPoint>& nodes, const Member& field, const Element& /*none*/,
+             const JsonPointer& at) {
+    const JsonPointer all = at / field.info().name;
     for (const auto& [link, place] : nodes) {
       if (isWithin(place.x) && isWithin(place.y)) continue;
       const std::string name = link.text();
-      const JsonPointer at = pointer / name;
-      number(link, place.x, kCoordinate, at / 0);
-      number(link, place.y, kCoordinate, at / 1);
+      const JsonPointer node = all / name;
+      number(link, place.x, field.info().measure, node / 0);
+      number(link, place.y, field.info().measure, node / 1);
     }
   }
-  void camera(const ViewCamera& camera) {
-    for (std::size_t i = 0; i < camera.target.size(); ++i)
-      number({}, camera.target[i], kCoordinate, JsonPointer() / "view" / "camera" / "target" / i);
-    number({}, camera.distance, kLength, JsonPointer() / "view" / "camera" / "distance");
+  template <class Member>
+  void value(const ViewCamera& camera, const Member& field, const Element& element, const JsonPointer& at) {
+    object(camera, element, at / field.info().name);
   }
+  template <class Member>
+  void value(const std::array<double, 3>& position, const Member& field, const Element& element,
+             const JsonPointer& at) {
+    const JsonPointer all = at / field.info().name;
+    for (std::size_t i = 0; i < position.size(); ++i)
+      number(element, position[i], field.info().measure, all / i);
+  }
+  template <class Member>
+  void value(double measure, const Member& field, const Element& element, const JsonPointer& at) {
+    number(element, measure, field.info().measure, at / field.info().name);
+  }
+
   void notTooShort(const Axis& axis, const JsonPointer& pointer) {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
@@ -210,27 +301,12 @@ class RangeCheck {
 
 Diagnostics limitDiagnostics(const Mechanism& mechanism) {
   Diagnostics diagnostics;
-  if (isTooLong(mechanism.name)) diagnostics.push_back(tooLong(mechanism.name, "/name"));
-  if (isTooLong(mechanism.unit)) diagnostics.push_back(tooLong(mechanism.unit, "/unit"));
-  checkList(mechanism.links, ElementKind::link, diagnostics);
-  checkList(mechanism.axes, ElementKind::axis, diagnostics);
-  checkList(mechanism.turningJoints, ElementKind::turningJoint, diagnostics);
-  checkList(mechanism.gearMeshes, ElementKind::gearMesh, diagnostics);
-  checkList(mechanism.wheels, ElementKind::wheel, diagnostics);
-  checkList(mechanism.couplings, ElementKind::coupling, diagnostics);
-  checkLength(mechanism.states.size(), ElementKind::state, diagnostics);
-  checkLength(mechanism.engaged.size(), "engaged", diagnostics);
-  checkList(mechanism.loads, ElementKind::load, diagnostics);
-  if (mechanism.balances) checkLength(mechanism.balances->size(), "balances", diagnostics);
-  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    const Link& link = mechanism.links[i];
-    if (isTooLong(link.name))
-      diagnostics.push_back(tooLong(link.name, pointerTo(ElementKind::link, i, "name"), {link.id}));
-  }
-  for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
-    const std::string& name = mechanism.states[i].name;
-    if (isTooLong(name)) diagnostics.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
-  }
+  checkTexts(
+      mechanism, [] { return std::string(); }, diagnostics);
+  forEachField<Mechanism>(
+      [&](const auto& field) { checkList(mechanism.*field.member, field.info(), diagnostics); });
+  forEachField<Mechanism>(
+      [&](const auto& field) { checkTextsInList(mechanism.*field.member, field.info(), diagnostics); });
   append(diagnostics, noteDiagnostics(mechanism));
   const Diagnostics beyond = RangeCheck(mechanism).found;
   diagnostics.insert(diagnostics.end(), beyond.begin(), beyond.end());

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 #include <iterator>
-#include <type_traits>
+#include <tuple>
 #include <unordered_set>
 
 #include "core/foundations/base/contract.h"
@@ -15,7 +15,7 @@ namespace {
 
 // --- texts ------------------------------------------------------------------------------------------------
 
-std::optional<TextPatch> textPatch(const std::string& before, const std::string& after) {
+std::optional<TextPatch> patchOf(const std::string& before, const std::string& after) {
   if (before == after) return std::nullopt;
   const std::size_t shorter = std::min(before.size(), after.size());
   const auto first =
@@ -114,9 +114,10 @@ class ListComparison {
   ListPatch<Element> m_patch;
 };
 
-template <class Element>
-ListPatch<Element> listPatch(const std::vector<Element>& before, const std::vector<Element>& after) {
-  return ListComparison(before, after).run();
+template <class List>
+requires DescribedList<List>
+auto patchOf(const List& before, const List& after) {
+  return ListComparison<typename ElementOfList<List>::Type>(before, after).run();
 }
 
 template <class Element>
@@ -139,11 +140,41 @@ void apply(const ListPatch<Element>& patch, std::vector<Element>& list, bool for
   list = std::move(next);
 }
 
-// --- members and nodes ------------------------------------------------------------------------------------
+const std::vector<Input> kNoInputs;
+
+StatedListPatch<Input> patchOf(const std::optional<std::vector<Input>>& before,
+                               const std::optional<std::vector<Input>>& after) {
+  return {patchOf(before ? *before : kNoInputs, after ? *after : kNoInputs), before.has_value(),
+          after.has_value()};
+}
+
+void apply(const StatedListPatch<Input>& patch, std::optional<std::vector<Input>>& inputs, bool forward) {
+  std::vector<Input> next = inputs ? *inputs : kNoInputs;
+  apply(patch.list, next, forward);
+  inputs.reset();
+  if (forward ? patch.isStatedAfter : patch.isStatedBefore) inputs = std::move(next);
+}
+
+// --- values, members and nodes ----------------------------------------------------------------------------
 
 template <class Value>
-ValuePatch<Value> valuePatch(const Value& before, const Value& after) {
+requires(!DescribedList<Value>) ValuePatch<Value> patchOf(const Value& before, const Value& after) {
   return before == after ? std::nullopt : ValuePatch<Value>({before, after});
+}
+
+/// By their bits: a coordinate of -0 is written otherwise than one of 0.
+ValuePatch<std::optional<ViewCamera>> patchOf(const std::optional<ViewCamera>& before,
+                                              const std::optional<ViewCamera>& after) {
+  const auto bits = [](const ViewCamera& camera) {
+    std::array<std::uint64_t, 6> all{};
+    for (std::size_t i = 0; i < 3; ++i) all[i] = std::bit_cast<std::uint64_t>(camera.target[i]);
+    all[3] = std::bit_cast<std::uint64_t>(camera.azimuth);
+    all[4] = std::bit_cast<std::uint64_t>(camera.elevation);
+    all[5] = std::bit_cast<std::uint64_t>(camera.distance);
+    return all;
+  };
+  if (before == after && (!before || bits(*before) == bits(*after))) return std::nullopt;
+  return {{before, after}};
 }
 
 template <class Value>
@@ -160,7 +191,7 @@ MemberPatch memberPatch(const UnknownMembers& before, const UnknownMembers& afte
     return patch;
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (auto text = textPatch(before[i].second, after[i].second)) patch.changed.emplace_back(i, *text);
+    if (auto text = patchOf(before[i].second, after[i].second)) patch.changed.emplace_back(i, *text);
   }
   return patch;
 }
@@ -168,6 +199,64 @@ MemberPatch memberPatch(const UnknownMembers& before, const UnknownMembers& afte
 void apply(const MemberPatch& patch, UnknownMembers& members, bool forward) {
   apply(patch.replaced, members, forward);
   for (const auto& [position, text] : patch.changed) apply(text, members[position].second, forward);
+}
+
+/// By the bits: a place of -0 is written otherwise than one of 0.
+std::pair<std::uint64_t, std::uint64_t> bitsOf(const SheetPoint& place) {
+  return {std::bit_cast<std::uint64_t>(place.x), std::bit_cast<std::uint64_t>(place.y)};
+}
+int bitsOf(int number) {
+  return number;
+}
+
+template <class Value>
+MapPatch<Value> patchOf(const std::map<LinkId, Value>& before, const std::map<LinkId, Value>& after) {
+  const auto byId = [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : bitsOf(a.second) < bitsOf(b.second);
+  };
+  MapPatch<Value> patch;
+  std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
+                      std::back_inserter(patch.before), byId);
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
+                      std::back_inserter(patch.after), byId);
+  return patch;
+}
+
+template <class Value>
+void apply(const MapPatch<Value>& patch, std::map<LinkId, Value>& values, bool forward) {
+  for (const auto& entry : forward ? patch.before : patch.after) values.erase(entry.first);
+  const auto& come = forward ? patch.after : patch.before;
+  values.insert(come.begin(), come.end());
+}
+
+// --- objects ----------------------------------------------------------------------------------------------
+
+template <class Object>
+ObjectPatch<Object> objectPatch(const Object& before, const Object& after);
+
+ObjectPatch<View> patchOf(const View& before, const View& after) {
+  return objectPatch(before, after);
+}
+
+template <class Object>
+ObjectPatch<Object> objectPatch(const Object& before, const Object& after) {
+  return std::apply(
+      [&](const auto&... fields) {
+        return ObjectPatch<Object>{{patchOf(before.*fields.member, after.*fields.member)...},
+                                   memberPatch(before.unknown, after.unknown)};
+      },
+      Description<Object>::fields);
+}
+
+template <class Object>
+void apply(const ObjectPatch<Object>& patch, Object& object, bool forward) {
+  constexpr std::size_t kFields = std::tuple_size_v<decltype(patch.fields)>;
+  [&]<std::size_t... at>(std::index_sequence<at...>) {
+    (apply(std::get<at>(patch.fields), object.*std::get<at>(Description<Object>::fields).member, forward),
+     ...);
+  }
+  (std::make_index_sequence<kFields>());
+  apply(patch.members, object.unknown, forward);
 }
 
 template <class Value>
@@ -178,155 +267,43 @@ template <class Element>
 bool isNothing(const std::vector<Element>& patch) {
   return patch.empty();
 }
+bool isNothing(const StatedListPatch<Input>& patch) {
+  return patch.list.empty() && patch.isStatedBefore == patch.isStatedAfter;
+}
 bool isNothing(const MemberPatch& patch) {
   return patch.changed.empty() && !patch.replaced;
 }
-
-const std::vector<Input> kNoInputs;
-
-const std::vector<Input>& inputsOf(const Mechanism& mechanism) {
-  return mechanism.inputs ? *mechanism.inputs : kNoInputs;
+template <class Value>
+bool isNothing(const MapPatch<Value>& patch) {
+  return patch.before.empty() && patch.after.empty();
 }
-
-/// By their bits: a coordinate of -0 is written otherwise than one of 0.
-ValuePatch<std::optional<ViewCamera>> cameraPatch(const std::optional<ViewCamera>& before,
-                                                  const std::optional<ViewCamera>& after) {
-  const auto bits = [](const ViewCamera& camera) {
-    std::array<std::uint64_t, 6> all{};
-    for (std::size_t i = 0; i < 3; ++i) all[i] = std::bit_cast<std::uint64_t>(camera.target[i]);
-    all[3] = std::bit_cast<std::uint64_t>(camera.azimuth);
-    all[4] = std::bit_cast<std::uint64_t>(camera.elevation);
-    all[5] = std::bit_cast<std::uint64_t>(camera.distance);
-    return all;
-  };
-  if (before == after && (!before || bits(*before) == bits(*after))) return std::nullopt;
-  return {{before, after}};
+template <class Object>
+bool isNothing(const ObjectPatch<Object>& patch) {
+  return isNothing(patch.members) &&
+         std::apply([](const auto&... fields) { return (isNothing(fields) && ...); }, patch.fields);
 }
 
 }  // namespace
 
+struct MechanismPatch::Parts : ObjectPatch<Mechanism> {
+  explicit Parts(ObjectPatch<Mechanism> patch) : ObjectPatch<Mechanism>(std::move(patch)) {}
+};
+
 MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
-    : m_name(textPatch(before.name, after.name)),
-      m_notes(textPatch(before.notes, after.notes)),
-      m_unit(textPatch(before.unit, after.unit)),
-      m_links(listPatch(before.links, after.links)),
-      m_axes(listPatch(before.axes, after.axes)),
-      m_turningJoints(listPatch(before.turningJoints, after.turningJoints)),
-      m_gearMeshes(listPatch(before.gearMeshes, after.gearMeshes)),
-      m_wheels(listPatch(before.wheels, after.wheels)),
-      m_couplings(listPatch(before.couplings, after.couplings)),
-      m_inputs(listPatch(inputsOf(before), inputsOf(after))),
-      m_states(listPatch(before.states, after.states)),
-      m_engaged(valuePatch(before.engaged, after.engaged)),
-      m_loads(listPatch(before.loads, after.loads)),
-      m_inputsBefore(before.inputs.has_value()),
-      m_inputsAfter(after.inputs.has_value()),
-      m_gearDefaults(valuePatch(before.gearDefaults, after.gearDefaults)),
-      m_balances(valuePatch(before.balances, after.balances)),
-      m_sharing(valuePatch(before.sharing, after.sharing)),
-      m_driveTorque(valuePatch(before.driveTorque, after.driveTorque)),
-      m_density(valuePatch(before.density, after.density)),
-      m_gravity(valuePatch(before.gravity, after.gravity)),
-      m_nodes(nodePatch(before.view.nodes, after.view.nodes)),
-      m_ttNodes(nodePatch(before.view.ttNodes, after.view.ttNodes)),
-      m_sheetNotes(listPatch(before.view.notes, after.view.notes)),
-      m_camera(cameraPatch(before.view.camera, after.view.camera)),
-      m_viewMembers(memberPatch(before.view.unknown, after.view.unknown)),
-      m_members(memberPatch(before.unknown, after.unknown)) {
-  const std::map<LinkId, int>& olds = before.view.colors;
-  const std::map<LinkId, int>& news = after.view.colors;
-  std::set_difference(olds.begin(), olds.end(), news.begin(), news.end(), std::back_inserter(m_colorsBefore));
-  std::set_difference(news.begin(), news.end(), olds.begin(), olds.end(), std::back_inserter(m_colorsAfter));
-  m_isEmpty = hasNothing();
-  count();
-}
-
-MechanismPatch::NodePatch MechanismPatch::nodePatch(const std::map<LinkId, SheetPoint>& before,
-                                                    const std::map<LinkId, SheetPoint>& after) {
-  // By their bits: a place of -0 is written otherwise than one of 0.
-  const auto byId = [](const auto& a, const auto& b) {
-    const auto bits = [](const auto& node) {
-      return std::pair(std::bit_cast<std::uint64_t>(node.second.x),
-                       std::bit_cast<std::uint64_t>(node.second.y));
-    };
-    return a.first != b.first ? a.first < b.first : bits(a) < bits(b);
-  };
-  NodePatch patch;
-  std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
-                      std::back_inserter(patch.before), byId);
-  std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
-                      std::back_inserter(patch.after), byId);
-  return patch;
-}
-
-void MechanismPatch::apply(const NodePatch& patch, std::map<LinkId, SheetPoint>& nodes, bool forward) {
-  for (const Node& node : forward ? patch.before : patch.after) nodes.erase(node.first);
-  const std::vector<Node>& come = forward ? patch.after : patch.before;
-  nodes.insert(come.begin(), come.end());
+    : m_parts(std::make_shared<const Parts>(objectPatch(before, after))), m_isEmpty(isNothing(*m_parts)) {
+  ByteCount bytes;
+  bytes.add(*m_parts);
+  m_bytes = sizeof(MechanismPatch) + sizeof(Parts) + bytes.total();
 }
 
 Mechanism MechanismPatch::forward(Mechanism before) const {
-  apply(before, true);
+  apply<Mechanism>(*m_parts, before, true);
   return before;
 }
 
 Mechanism MechanismPatch::back(Mechanism after) const {
-  apply(after, false);
+  apply<Mechanism>(*m_parts, after, false);
   return after;
-}
-
-void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
-  geargraph::apply(m_name, mechanism.name, forward);
-  geargraph::apply(m_notes, mechanism.notes, forward);
-  geargraph::apply(m_unit, mechanism.unit, forward);
-  geargraph::apply(m_links, mechanism.links, forward);
-  geargraph::apply(m_axes, mechanism.axes, forward);
-  geargraph::apply(m_turningJoints, mechanism.turningJoints, forward);
-  geargraph::apply(m_gearMeshes, mechanism.gearMeshes, forward);
-  geargraph::apply(m_wheels, mechanism.wheels, forward);
-  geargraph::apply(m_couplings, mechanism.couplings, forward);
-  geargraph::apply(m_states, mechanism.states, forward);
-  geargraph::apply(m_engaged, mechanism.engaged, forward);
-  geargraph::apply(m_loads, mechanism.loads, forward);
-  std::vector<Input> inputs = inputsOf(mechanism);
-  geargraph::apply(m_inputs, inputs, forward);
-  mechanism.inputs.reset();
-  if (forward ? m_inputsAfter : m_inputsBefore) mechanism.inputs = std::move(inputs);
-  geargraph::apply(m_gearDefaults, mechanism.gearDefaults, forward);
-  geargraph::apply(m_balances, mechanism.balances, forward);
-  geargraph::apply(m_sharing, mechanism.sharing, forward);
-  geargraph::apply(m_driveTorque, mechanism.driveTorque, forward);
-  geargraph::apply(m_density, mechanism.density, forward);
-  geargraph::apply(m_gravity, mechanism.gravity, forward);
-  apply(m_nodes, mechanism.view.nodes, forward);
-  apply(m_ttNodes, mechanism.view.ttNodes, forward);
-  geargraph::apply(m_sheetNotes, mechanism.view.notes, forward);
-  geargraph::apply(m_camera, mechanism.view.camera, forward);
-  for (const LinkColor& color : forward ? m_colorsBefore : m_colorsAfter)
-    mechanism.view.colors.erase(color.first);
-  const std::vector<LinkColor>& colors = forward ? m_colorsAfter : m_colorsBefore;
-  mechanism.view.colors.insert(colors.begin(), colors.end());
-  geargraph::apply(m_viewMembers, mechanism.view.unknown, forward);
-  geargraph::apply(m_members, mechanism.unknown, forward);
-}
-
-bool MechanismPatch::hasNothing() const {
-  const auto areNothing = [](const auto&... patches) { return (isNothing(patches) && ...); };
-  return m_inputsBefore == m_inputsAfter &&
-         areNothing(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels,
-                    m_couplings, m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances,
-                    m_sharing, m_driveTorque, m_density, m_gravity, m_nodes.before, m_nodes.after,
-                    m_ttNodes.before, m_ttNodes.after, m_sheetNotes, m_camera, m_colorsBefore, m_colorsAfter,
-                    m_viewMembers, m_members);
-}
-
-void MechanismPatch::count() {
-  ByteCount bytes;
-  bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
-            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_sharing, m_driveTorque,
-            m_density, m_gravity, m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after,
-            m_sheetNotes, m_camera, m_colorsBefore, m_colorsAfter, m_viewMembers, m_members);
-  m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 
 }  // namespace geargraph::inline model

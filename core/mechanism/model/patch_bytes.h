@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mechanism/model/patch.h"
+#include "core/mechanism/model/patch_parts.h"
 
 namespace geargraph::inline model {
 
@@ -48,14 +48,10 @@ class ByteCount {
   }
   template <class Tag>
   void one(const Id<Tag>& /*id*/) {}
-  void one(std::size_t /*number*/) {}
-  void one(LoadSharing /*sharing*/) {}
+  template <class Value>
+  requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>) void one(Value /*value*/) {}
   void one(const SheetPoint& /*place*/) {}
-  void one(const SheetNote& note) { add(note.text, note.unknown); }
-  void one(const LinkShape& shape) {
-    add(shape.file, shape.position, shape.orientation, shape.scale, shape.unknown);
-  }
-  void one(const ViewCamera& camera) { add(camera.unknown); }
+  void one(const JointLimits& limits) { add(limits.low, limits.high); }
   void one(const LinkMass& mass) { add(mass.mass, mass.center, mass.inertia); }
   template <class Value>
   void one(const SharedOptional<Value>& value) {
@@ -63,35 +59,39 @@ class ByteCount {
     block(sizeof(Value));
     one(*value);
   }
-  void one(const Link& link) { add(link.name, link.shapes, link.mass, link.unknown); }
-  void one(const Axis& axis) { add(axis.point, axis.direction, axis.unknown); }
-  void one(const TurningJoint& joint) {
-    add(joint.offset, joint.limits.low, joint.limits.high, joint.unknown);
-  }
-  void one(const GearMesh& mesh) {
-    add(mesh.pitchPoint, mesh.faceWidth, mesh.efficiency, mesh.friction, mesh.unknown);
-  }
-  void one(const Wheel& wheel) { add(wheel.profileShift, wheel.bore, wheel.backlash, wheel.unknown); }
-  void one(const GearDefaults& all) {
-    add(all.pressureAngle, all.backlash, all.faceWidth, all.efficiency, all.friction, all.unknown);
-  }
-  void one(const Input& input) { add(input.speed, input.unknown); }
-  void one(const Coupling& coupling) { add(coupling.links, coupling.unknown); }
-  void one(const ShiftState& state) { add(state.name, state.engaged, state.unknown); }
   void one(const JointTorque& action) { add(action.torque); }
   void one(const LinkTorque& action) { add(action.torque); }
   void one(const LinkForce& action) { add(action.force, action.point); }
-  void one(const Load& load) {
-    std::visit([this](const auto& action) { one(action); }, load.action);
-    add(load.unknown);
+  void one(const Balance::OnLink& /*place*/) {}
+  template <class... Values>
+  void one(const std::variant<Values...>& value) {
+    std::visit([this](const auto& held) { one(held); }, value);
   }
-  void one(const Balance& balance) { add(balance.unknown); }
+  template <class Object>
+  requires Described<Object>
+  void one(const Object& object) {
+    forEachField<Object>([&](const auto& field) { one(object.*field.member); });
+    one(object.unknown);
+  }
   void one(const TextPatch& patch) { add(patch.before, patch.after); }
   template <class Element>
   void one(const ListRun<Element>& run) {
     add(run.before, run.after);
   }
+  template <class Element>
+  void one(const StatedListPatch<Element>& patch) {
+    add(patch.list);
+  }
   void one(const MemberPatch& patch) { add(patch.changed, patch.replaced); }
+  template <class Value>
+  void one(const MapPatch<Value>& patch) {
+    add(patch.before, patch.after);
+  }
+  template <class Object>
+  void one(const ObjectPatch<Object>& patch) {
+    std::apply([this](const auto&... fields) { add(fields...); }, patch.fields);
+    add(patch.members);
+  }
 
   std::size_t m_total = 0;
 };
