@@ -7,6 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/member_info.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/state_edits.h"
@@ -69,92 +70,161 @@ std::optional<int> statePosition(const Mechanism& mechanism, std::string_view na
   return std::nullopt;
 }
 
-// What each edit takes. Members of elements are those of the document.
+// What each edit takes. Members of elements are those of the document, as they are described (fields.h).
+
+using ServedMembers = std::vector<ServedMember>;
 
 constexpr std::string_view kLinkId = "id of a link";
 constexpr std::string_view kText = "text";
-constexpr std::string_view kNumber = "number";
 constexpr std::string_view kThree = "three numbers";
 constexpr std::string_view kFlag = "true or false";
 constexpr std::string_view kTeeth = "whole number from 1 to 100000";
 constexpr std::string_view kIds = "list of ids";
 constexpr std::string_view kNewId = "id; without it a free one";
 
-constexpr std::array kLinkMembers = {ServedMember{"id", kNewId},
-                                     ServedMember{"name", kText},
-                                     ServedMember{"pinned", kFlag},
-                                     ServedMember{"mass", "number, kg"},
-                                     ServedMember{"centerOfMass", kThree},
-                                     ServedMember{"inertia", "six numbers, kg m2"},
-                                     ServedMember{"shapes", "list of 3D files"}};
-constexpr std::array kAxisMembers = {ServedMember{"id", kNewId}, ServedMember{"point", kThree},
-                                     ServedMember{"direction", kThree}, ServedMember{"pinned", kFlag}};
-constexpr std::array kJointMembers = {ServedMember{"tail", kLinkId, true},
-                                      ServedMember{"head", kLinkId, true},
-                                      ServedMember{"axis", "id of an axis; without it a new one"},
-                                      ServedMember{"id", kNewId},
-                                      ServedMember{"offset", kNumber},
-                                      ServedMember{"limits", "two of number or null, degrees"}};
-constexpr std::array kMeshMembers = {ServedMember{"tail", kLinkId, true},
-                                     ServedMember{"head", kLinkId, true},
-                                     ServedMember{"tailTeeth", kTeeth, true},
-                                     ServedMember{"headTeeth", kTeeth, true},
-                                     ServedMember{"id", kNewId},
-                                     ServedMember{"kind", "external, internal or bevel"},
-                                     ServedMember{"pitchPoint", kThree},
-                                     ServedMember{"faceWidth", kNumber},
-                                     ServedMember{"tailWheel", "id of a wheel"},
-                                     ServedMember{"headWheel", "id of a wheel"},
-                                     ServedMember{"efficiency", kNumber},
-                                     ServedMember{"friction", kNumber},
-                                     ServedMember{"pinned", kFlag}};
-constexpr std::array kWheelMembers = {ServedMember{"link", kLinkId, true}, ServedMember{"id", kNewId},
-                                      ServedMember{"profileShift", kNumber}, ServedMember{"bore", kNumber},
-                                      ServedMember{"backlash", kNumber}};
-constexpr std::array kCouplingMembers = {ServedMember{"kind", "brake or clutch", true},
-                                         ServedMember{"id", "id; without it a free letter"},
-                                         ServedMember{"link", "id of the link that a brake holds"},
-                                         ServedMember{"links", "ids of the two links of a clutch"}};
-constexpr std::array kStateMembers = {ServedMember{"name", "text; without it a free number"},
-                                      ServedMember{"engaged", kIds}, ServedMember{"drive", kLinkId},
-                                      ServedMember{"driven", kLinkId}};
-constexpr std::array kLoadMembers = {ServedMember{"id", kNewId},
-                                     ServedMember{"joint", "id of a turning joint"},
-                                     ServedMember{"link", kLinkId},
-                                     ServedMember{"axis", "id of an axis"},
-                                     ServedMember{"torque", "number, N m"},
-                                     ServedMember{"force", "three numbers, N"},
-                                     ServedMember{"point", kThree}};
+/// With the unit, where it is one of physics.
+std::string_view withUnit(std::string_view value, Measure measure) {
+  const std::string_view unit = measure == Measure::modules ? std::string_view() : unitOf(measure);
+  if (unit.empty()) return value;
+  return Atom(std::string(value) + ", " + std::string(unit)).text();  // lives as long as the program
+}
+
+std::string_view referenceText(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::link:
+      return kLinkId;
+    case ElementKind::axis:
+      return "id of an axis";
+    case ElementKind::turningJoint:
+      return "id of a turning joint";
+    case ElementKind::gearMesh:
+      return "id of a gear mesh";
+    case ElementKind::wheel:
+      return "id of a wheel";
+    case ElementKind::coupling:
+      return "id of a coupling";
+    default:
+      return "id";
+  }
+}
+
+/// What a member of the document holds, for the help.
+std::string_view valueText(const MemberInfo& info) {
+  switch (info.value) {
+    case MemberValue::constant:
+    case MemberValue::text:
+    case MemberValue::shortText:
+      return kText;
+    case MemberValue::id:
+      return kNewId;
+    case MemberValue::reference:
+      return referenceText(info.target);
+    case MemberValue::references:
+      return kIds;
+    case MemberValue::flag:
+      return kFlag;
+    case MemberValue::teeth:
+      return kTeeth;
+    case MemberValue::meshKind:
+      return "external, internal or bevel";
+    case MemberValue::couplingKind:
+      return "brake or clutch";
+    case MemberValue::sharing:
+      return "none or stiffness";
+    case MemberValue::number:
+    case MemberValue::measure:
+      return withUnit("number", info.measure);
+    case MemberValue::triple:
+    case MemberValue::position:
+      return withUnit(kThree, info.measure);
+    case MemberValue::inertia:
+      return withUnit("six numbers", info.measure);
+    case MemberValue::ends:
+      return withUnit("two of number or null", info.measure);
+    case MemberValue::place:
+      return "two numbers";
+    case MemberValue::object:
+    case MemberValue::places:
+      return "object, as in a document";
+    case MemberValue::objects:
+      return info.part == DocumentPart::shape ? "list of 3D files" : "list, as in a document";
+  }
+  return kText;
+}
+
+/// The members that an edit adds an element with: those that a document needs first. `but`: what the edit
+/// says otherwise about some of them.
+ServedMembers membersFor(DocumentPart part, const ServedMembers& but = {}) {
+  ServedMembers members;
+  const std::span<const MemberInfo> listed = listedMembersOf(part);
+  for (const bool isFirst : {true, false}) {
+    for (const MemberInfo& info : listed) {
+      const bool isNeeded = info.isNeeded && info.value != MemberValue::id;
+      if (isNeeded != isFirst) continue;
+      const auto other = std::find_if(but.begin(), but.end(),
+                                      [&](const ServedMember& each) { return each.name == info.name; });
+      members.push_back(other != but.end() ? *other : ServedMember{info.name, valueText(info), isNeeded});
+    }
+  }
+  return members;
+}
 
 /// Members of an element, with the one that names it in place of a new id, none of them needed.
-template <std::size_t count>
-constexpr std::array<ServedMember, count> changesOf(const std::array<ServedMember, count>& members,
-                                                    std::string_view replaced, const ServedMember& named) {
-  std::array<ServedMember, count> changes{};
-  changes[0] = named;
-  std::size_t next = 1;
+ServedMembers changesOf(const ServedMembers& members, std::string_view replaced, const ServedMember& named) {
+  ServedMembers changes{named};
   for (const ServedMember& member : members) {
-    if (member.name != replaced) changes.at(next++) = {member.name, member.value, false};
+    if (member.name != replaced) changes.push_back({member.name, member.value, false});
   }
   return changes;
 }
 
-constexpr auto kLinkChanges = changesOf(kLinkMembers, "id", {"link", kLinkId, true});
-constexpr auto kJointChanges = changesOf(kJointMembers, "id", {"joint", "id of a turning joint", true});
-constexpr auto kMeshChanges = changesOf(kMeshMembers, "id", {"mesh", "id of a gear mesh", true});
-constexpr auto kWheelChanges = changesOf(kWheelMembers, "id", {"wheel", "id of a wheel", true});
-constexpr auto kCouplingChanges = changesOf(kCouplingMembers, "id", {"coupling", "id of a coupling", true});
-constexpr auto kStateChanges = changesOf(kStateMembers, "name", {"state", "name of a state", true});
-constexpr auto kLoadChanges = changesOf(kLoadMembers, "id", {"load", "id of a load", true});
-constexpr std::array kDocumentChanges = {ServedMember{"name", kText},
-                                         ServedMember{"notes", kText},
-                                         ServedMember{"unit", kText},
-                                         ServedMember{"gearDefaults", "object, as in a document"},
-                                         ServedMember{"balances", "list, as in a document"},
-                                         ServedMember{"sharing", "none or stiffness"},
-                                         ServedMember{"driveTorque", "number, N m"},
-                                         ServedMember{"density", "number, kg/m3"},
-                                         ServedMember{"gravity", "three numbers, m/s2"}};
+/// The members of the document itself: all but those with edits of their own, and the editor's view.
+ServedMembers documentChanges() {
+  constexpr auto kWithEdits = std::to_array<std::string_view>(
+      {"format", "version", "links", "axes", "turningJoints", "gearMeshes", "wheels", "inputs", "couplings",
+       "states", "engaged", "loads", "view"});
+  ServedMembers changes;
+  for (const MemberInfo& info : listedMembersOf(DocumentPart::document)) {
+    if (std::find(kWithEdits.begin(), kWithEdits.end(), info.name) == kWithEdits.end())
+      changes.push_back({info.name, valueText(info)});
+  }
+  return changes;
+}
+
+struct ElementEdits {
+  ServedMembers link = membersFor(DocumentPart::link);
+  ServedMembers axis = membersFor(DocumentPart::axis);
+  ServedMembers joint =
+      membersFor(DocumentPart::turningJoint, {{"axis", "id of an axis; without it a new one"}});
+  ServedMembers mesh = membersFor(DocumentPart::gearMesh);
+  ServedMembers wheel = membersFor(DocumentPart::wheel);
+  ServedMembers coupling =
+      membersFor(DocumentPart::coupling, {{"id", "id; without it a free letter"},
+                                          {"link", "id of the link that a brake holds"},
+                                          {"links", "ids of the two links of a clutch"}});
+  ServedMembers state =
+      membersFor(DocumentPart::state, {{"name", "text; without it a free number"}, {"engaged", kIds}});
+  ServedMembers load = membersFor(DocumentPart::load);
+
+  ServedMembers linkChanges = changesOf(link, "id", {"link", kLinkId, true});
+  ServedMembers axisChanges =
+      changesOf(membersFor(DocumentPart::axis, {{"point", "three numbers; none: placed by the teeth"},
+                                                {"direction", "three numbers; none: placed by the teeth"}}),
+                "id", {"axis", "id of an axis", true});
+  ServedMembers jointChanges = changesOf(joint, "id", {"joint", "id of a turning joint", true});
+  ServedMembers meshChanges = changesOf(mesh, "id", {"mesh", "id of a gear mesh", true});
+  ServedMembers wheelChanges = changesOf(wheel, "id", {"wheel", "id of a wheel", true});
+  ServedMembers couplingChanges = changesOf(coupling, "id", {"coupling", "id of a coupling", true});
+  ServedMembers stateChanges = changesOf(state, "name", {"state", "name of a state", true});
+  ServedMembers loadChanges = changesOf(load, "id", {"load", "id of a load", true});
+  ServedMembers document = documentChanges();
+};
+
+const ElementEdits& elementEdits() {
+  static const ElementEdits all;
+  return all;
+}
+
 constexpr std::array kRemoved = {ServedMember{"links", kIds},      ServedMember{"turningJoints", kIds},
                                  ServedMember{"gearMeshes", kIds}, ServedMember{"wheels", kIds},
                                  ServedMember{"couplings", kIds},  ServedMember{"states", "list of names"},
@@ -164,10 +234,6 @@ constexpr std::array kTeethMembers = {ServedMember{"mesh", "id of a gear mesh", 
                                       ServedMember{"headTeeth", kTeeth, true}};
 constexpr std::array kPointMembers = {ServedMember{"mesh", "id of a gear mesh", true},
                                       ServedMember{"point", "three numbers; none: from axes and teeth"}};
-constexpr std::array kPlaceMembers = {ServedMember{"axis", "id of an axis", true},
-                                      ServedMember{"point", "three numbers; none: placed by the teeth"},
-                                      ServedMember{"direction", "three numbers; none: placed by the teeth"},
-                                      ServedMember{"pinned", kFlag}};
 constexpr std::array kInputsMembers = {ServedMember{"inputs", "list of objects with joint and speed", true}};
 constexpr std::array kEngageMembers = {ServedMember{"couplings", kIds, true}};
 constexpr std::array kEngageStateMembers = {ServedMember{"state", "name of a state", true}};
@@ -261,92 +327,97 @@ Expected<Mechanism> engageState(Mechanism m, EditMembers& of) {
   return withStateEngaged(std::move(m), *position);
 }
 
-constexpr std::array kEdits = {
-    ServedEdit{"addLink", kLinkMembers, addLink},
-    ServedEdit{"addAxis", kAxisMembers, addAxis},
-    ServedEdit{"addTurningJoint", kJointMembers, addTurningJoint},
-    ServedEdit{"addGearMesh", kMeshMembers, addGearMesh},
-    ServedEdit{"addWheel", kWheelMembers, addWheel},
-    ServedEdit{"addCoupling", kCouplingMembers, addCoupling},
-    ServedEdit{"addState", kStateMembers,
-               [](Mechanism m, EditMembers& of) {
-                 return withRestOfLast(withState(std::move(m)), &Mechanism::states, of);
-               }},
-    ServedEdit{"addLoad", kLoadMembers, addLoad},
-    ServedEdit{"remove", kRemoved, removeElements},
-    ServedEdit{"setDocument", kDocumentChanges,
-               [](Mechanism m, EditMembers& of) { return withDocumentMembers(m, of.json(), unreadOf(of)); }},
-    ServedEdit{"setLink", kLinkChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string link = of.text("link");
-                 return withRestOf(std::move(m), &Mechanism::links, ElementKind::link, link, of);
-               }},
-    ServedEdit{"setAxis", kPlaceMembers, setAxis},
-    ServedEdit{"setTurningJoint", kJointChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string joint = of.text("joint");
-                 return withRestOf(std::move(m), &Mechanism::turningJoints, ElementKind::turningJoint, joint,
-                                   of);
-               }},
-    ServedEdit{"setGearMesh", kMeshChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string mesh = of.text("mesh");
-                 return withRestOf(std::move(m), &Mechanism::gearMeshes, ElementKind::gearMesh, mesh, of);
-               }},
-    ServedEdit{"setTeeth", kTeethMembers,
-               [](Mechanism m, EditMembers& of) {
-                 const MeshId mesh(of.text("mesh"));
-                 const int tailTeeth = of.whole("tailTeeth"), headTeeth = of.whole("headTeeth");
-                 return withTeeth(std::move(m), mesh, tailTeeth, headTeeth);
-               }},
-    ServedEdit{"setPitchPoint", kPointMembers,
-               [](Mechanism m, EditMembers& of) {
-                 const MeshId mesh(of.text("mesh"));
-                 return withPitchPoint(std::move(m), mesh, of.triple("point"));
-               }},
-    ServedEdit{"setWheel", kWheelChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string wheel = of.text("wheel");
-                 return withRestOf(std::move(m), &Mechanism::wheels, ElementKind::wheel, wheel, of);
-               }},
-    ServedEdit{"setCoupling", kCouplingChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string coupling = of.text("coupling");
-                 return withRestOf(std::move(m), &Mechanism::couplings, ElementKind::coupling, coupling, of);
-               }},
-    ServedEdit{"setState", kStateChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string state = of.text("state");
-                 return withRestOf(std::move(m), &Mechanism::states, ElementKind::state, state, of);
-               }},
-    ServedEdit{"setLoad", kLoadChanges,
-               [](Mechanism m, EditMembers& of) {
-                 const std::string load = of.text("load");
-                 return withRestOf(std::move(m), &Mechanism::loads, ElementKind::load, load, of);
-               }},
-    ServedEdit{"setInputs", kInputsMembers,
-               [](Mechanism m, EditMembers& of) { return withInputs(std::move(m), of.inputs("inputs")); }},
-    ServedEdit{"engage", kEngageMembers,
-               [](Mechanism m, EditMembers& of) {
-                 const std::vector<std::string> names = of.texts("couplings");
-                 return withCouplingsEngaged(std::move(m), {names.begin(), names.end()});
-               }},
-    ServedEdit{"engageState", kEngageStateMembers, engageState},
-    ServedEdit{"rename", kRenameMembers,
-               [](Mechanism m, EditMembers& of) {
-                 const LinkId link(of.text("link"));
-                 return withName(std::move(m), link, of.text("name"));
-               }},
-};
+std::vector<ServedEdit> madeEdits(const ElementEdits& elements) {
+  return {
+      ServedEdit{"addLink", elements.link, addLink},
+      ServedEdit{"addAxis", elements.axis, addAxis},
+      ServedEdit{"addTurningJoint", elements.joint, addTurningJoint},
+      ServedEdit{"addGearMesh", elements.mesh, addGearMesh},
+      ServedEdit{"addWheel", elements.wheel, addWheel},
+      ServedEdit{"addCoupling", elements.coupling, addCoupling},
+      ServedEdit{"addState", elements.state,
+                 [](Mechanism m, EditMembers& of) {
+                   return withRestOfLast(withState(std::move(m)), &Mechanism::states, of);
+                 }},
+      ServedEdit{"addLoad", elements.load, addLoad},
+      ServedEdit{"remove", kRemoved, removeElements},
+      ServedEdit{
+          "setDocument", elements.document,
+          [](Mechanism m, EditMembers& of) { return withDocumentMembers(m, of.json(), unreadOf(of)); }},
+      ServedEdit{"setLink", elements.linkChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string link = of.text("link");
+                   return withRestOf(std::move(m), &Mechanism::links, ElementKind::link, link, of);
+                 }},
+      ServedEdit{"setAxis", elements.axisChanges, setAxis},
+      ServedEdit{"setTurningJoint", elements.jointChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string joint = of.text("joint");
+                   return withRestOf(std::move(m), &Mechanism::turningJoints, ElementKind::turningJoint,
+                                     joint, of);
+                 }},
+      ServedEdit{"setGearMesh", elements.meshChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string mesh = of.text("mesh");
+                   return withRestOf(std::move(m), &Mechanism::gearMeshes, ElementKind::gearMesh, mesh, of);
+                 }},
+      ServedEdit{"setTeeth", kTeethMembers,
+                 [](Mechanism m, EditMembers& of) {
+                   const MeshId mesh(of.text("mesh"));
+                   const int tailTeeth = of.whole("tailTeeth"), headTeeth = of.whole("headTeeth");
+                   return withTeeth(std::move(m), mesh, tailTeeth, headTeeth);
+                 }},
+      ServedEdit{"setPitchPoint", kPointMembers,
+                 [](Mechanism m, EditMembers& of) {
+                   const MeshId mesh(of.text("mesh"));
+                   return withPitchPoint(std::move(m), mesh, of.triple("point"));
+                 }},
+      ServedEdit{"setWheel", elements.wheelChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string wheel = of.text("wheel");
+                   return withRestOf(std::move(m), &Mechanism::wheels, ElementKind::wheel, wheel, of);
+                 }},
+      ServedEdit{"setCoupling", elements.couplingChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string coupling = of.text("coupling");
+                   return withRestOf(std::move(m), &Mechanism::couplings, ElementKind::coupling, coupling,
+                                     of);
+                 }},
+      ServedEdit{"setState", elements.stateChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string state = of.text("state");
+                   return withRestOf(std::move(m), &Mechanism::states, ElementKind::state, state, of);
+                 }},
+      ServedEdit{"setLoad", elements.loadChanges,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::string load = of.text("load");
+                   return withRestOf(std::move(m), &Mechanism::loads, ElementKind::load, load, of);
+                 }},
+      ServedEdit{"setInputs", kInputsMembers,
+                 [](Mechanism m, EditMembers& of) { return withInputs(std::move(m), of.inputs("inputs")); }},
+      ServedEdit{"engage", kEngageMembers,
+                 [](Mechanism m, EditMembers& of) {
+                   const std::vector<std::string> names = of.texts("couplings");
+                   return withCouplingsEngaged(std::move(m), {names.begin(), names.end()});
+                 }},
+      ServedEdit{"engageState", kEngageStateMembers, engageState},
+      ServedEdit{"rename", kRenameMembers,
+                 [](Mechanism m, EditMembers& of) {
+                   const LinkId link(of.text("link"));
+                   return withName(std::move(m), link, of.text("name"));
+                 }},
+  };
+}
 
 /// The document after one edit.
 Expected<Mechanism> withServedEdit(const Mechanism& mechanism, const JsonValue& edit,
                                    const std::string& pointer) {
   const auto name = edit.is(JsonKind::object) ? edit.member("edit") : std::nullopt;
-  const auto found = std::find_if(kEdits.begin(), kEdits.end(), [&](const ServedEdit& served) {
+  const std::span<const ServedEdit> edits = servedEdits();
+  const auto found = std::find_if(edits.begin(), edits.end(), [&](const ServedEdit& served) {
     return name && name->is(JsonKind::string) && name->equals(served.name);
   });
-  if (found == kEdits.end())
+  if (found == edits.end())
     return Diagnostic{Code::schema, "An edit is one of " + servedEditNames() + ".", {}, pointer};
   if (auto sentence = unknownMember(found->name, edit, found->members, "edit"))
     return Diagnostic{Code::schema, *std::move(sentence), {}, pointer};
@@ -362,12 +433,13 @@ Expected<Mechanism> withServedEdit(const Mechanism& mechanism, const JsonValue& 
 }  // namespace
 
 std::span<const ServedEdit> servedEdits() {
-  return kEdits;
+  static const std::vector<ServedEdit> edits = madeEdits(elementEdits());
+  return edits;
 }
 
 std::string servedEditNames() {
   std::string names;
-  for (const ServedEdit& edit : kEdits) names += (names.empty() ? "" : ", ") + std::string(edit.name);
+  for (const ServedEdit& edit : servedEdits()) names += (names.empty() ? "" : ", ") + std::string(edit.name);
   return names;
 }
 
