@@ -145,6 +145,7 @@ std::string_view valueText(const MemberInfo& info) {
       return "two numbers";
     case MemberValue::object:
     case MemberValue::places:
+    case MemberValue::numbersOfLinks:
       return "object, as in a document";
     case MemberValue::objects:
       return info.part == DocumentPart::shape ? "list of 3D files" : "list, as in a document";

@@ -184,6 +184,23 @@ def test_edits_of_geometry():
     assert (m.name, m.notes, m.unit) == ("other", "notes", "in")
 
 
+def test_stated_members_are_told():
+    m = gg.Mechanism.from_text(spur_pair().to_text())
+    pinion = m.link("pinion")
+    assert (pinion.mass, pinion.center_of_mass, pinion.inertia, pinion.shapes) == (None, None, None, ())
+    m.set_mass(pinion, "1/3", center=(0, 0.5, 2), inertia=(1, 1, 1, 0, 0, 0))
+    assert pinion.mass == Fraction(1, 3)
+    assert pinion.center_of_mass == (0, Fraction(1, 2), 2)
+    assert pinion.inertia == (1, 1, 1, 0, 0, 0)
+    mesh = m.meshes[0]
+    assert (mesh.tail_teeth, mesh.head_teeth) == (18, 36)
+    assert (mesh.face_width, mesh.tail_wheel, mesh.pinned) == (None, None, False)
+    brake = m.add_brake(m.link("wheel"))
+    assert brake.link == m.link("wheel")
+    clutch = m.add_clutch(pinion, m.link("wheel"))
+    assert clutch.link is None and len(clutch.links) == 2
+
+
 def test_teeth_are_fitted():
     m = gg.sets.planetary(24, 18)
     sun_planet, planet_ring = m.meshes[0], m.meshes[1]

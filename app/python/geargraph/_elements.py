@@ -83,15 +83,48 @@ class Link(_Labelled):
     __slots__ = ()
     _kind = "link"
 
+    # Members of the document, from core/mechanism/model/fields.h.
+
     @property
     def name(self) -> str:
-        """What the link is called; may be empty."""
-        return str(self._data.get("name", ""))
+        """What the link is called."""
+        value = self._data.get("name")
+        return "" if value is None else str(value)
 
     @property
     def pinned(self) -> bool:
-        """Do its gears keep their teeth while others are fitted?"""
-        return bool(self._data.get("pinned", False))
+        """Its gears keep their teeth while other things are fitted."""
+        value = self._data.get("pinned")
+        return False if value is None else bool(value)
+
+    @property
+    def mass(self) -> Optional[Fraction]:
+        """For dynamics; without it mass, centre and inertia follow from the link's solids, a mass
+        alone is spread as the solids are, kg."""
+        value = self._data.get("mass")
+        return None if value is None else exact(value)
+
+    @property
+    def center_of_mass(self) -> Optional[Tuple[Fraction, ...]]:
+        """In the reference pose, base frame; only beside a ``mass``."""
+        value = self._data.get("centerOfMass")
+        return None if value is None else exact_triple(value)
+
+    @property
+    def inertia(self) -> Optional[Tuple[Fraction, ...]]:
+        """Xx, yy, zz, xy, xz, yz about the centre of mass, along the axes of the base frame, kg
+        m2; products as in the matrix: xy is minus the sum of m x y; only beside a ``mass``."""
+        value = self._data.get("inertia")
+        return None if value is None else exact_triple(value)
+
+    @property
+    def shapes(self) -> Tuple[Dict[str, Any], ...]:
+        """3D files (STL, OBJ, PLY, GLB) that are shown with the link: ``{"file": "parts/arm.stl",
+        "position": [0, 0, 12], "orientation": [90, 0, 0], "scale": 1}``."""
+        value = self._data.get("shapes")
+        return () if value is None else tuple(value)
+
+    # End of members.
 
     def __repr__(self) -> str:
         return f"<link {self.label} {self.name!r}>" if self.name else f"<link {self.label}>"
@@ -125,10 +158,15 @@ class Axis(_Handle):
         """Does the document state both point and direction?"""
         return "point" in self._data and "direction" in self._data
 
+    # Members of the document, from core/mechanism/model/fields.h.
+
     @property
     def pinned(self) -> bool:
-        """Does it keep its place while others are fitted?"""
-        return bool(self._data.get("pinned", False))
+        """It keeps its place while other things are fitted."""
+        value = self._data.get("pinned")
+        return False if value is None else bool(value)
+
+    # End of members.
 
     def __repr__(self) -> str:
         return f"<axis {self.id}>"
@@ -174,6 +212,10 @@ class TurningJoint(_Labelled):
             None if low is None else exact(low),
             None if high is None else exact(high),
         )
+
+    # Members of the document, from core/mechanism/model/fields.h.
+
+    # End of members.
 
 
 class GearMesh(_Labelled):
@@ -223,17 +265,59 @@ class GearMesh(_Labelled):
         geometry = self._mechanism._mesh_geometry(self.id)
         return geometry[1] if geometry else None
 
+    # Members of the document, from core/mechanism/model/fields.h.
+
+    @property
+    def tail_teeth(self) -> int:
+        """Teeth of the first gear."""
+        value = self._data.get("tailTeeth")
+        return 0 if value is None else int(value)
+
+    @property
+    def head_teeth(self) -> int:
+        """Teeth of the second gear; the ring of an internal pair has the more teeth."""
+        value = self._data.get("headTeeth")
+        return 0 if value is None else int(value)
+
+    @property
+    def face_width(self) -> Optional[Fraction]:
+        """The width of the gears along the axis (bevel: the cone)."""
+        value = self._data.get("faceWidth")
+        return None if value is None else exact(value)
+
+    @property
+    def tail_wheel(self) -> Optional[str]:
+        """The shape of the first gear. Without names, meshes on the same link, axis, tooth count
+        and plane (bevel: same apex and side) share one wheel, and shifts follow from the centre
+        distances."""
+        value = self._data.get("tailWheel")
+        return None if value is None else str(value)
+
+    @property
+    def head_wheel(self) -> Optional[str]:
+        """The shape of the second gear."""
+        value = self._data.get("headWheel")
+        return None if value is None else str(value)
+
+    @property
+    def pinned(self) -> bool:
+        """It keeps its module while other things are fitted."""
+        value = self._data.get("pinned")
+        return False if value is None else bool(value)
+
     @property
     def efficiency(self) -> Optional[Fraction]:
-        """The efficiency that the mesh states."""
+        """Of the power that crosses the teeth, seen from the carrier of the mesh."""
         value = self._data.get("efficiency")
         return None if value is None else exact(value)
 
     @property
     def friction(self) -> Optional[Fraction]:
-        """The coefficient of friction that the mesh states."""
+        """The coefficient of friction of the teeth, instead of an ``efficiency``."""
         value = self._data.get("friction")
         return None if value is None else exact(value)
+
+    # End of members.
 
 
 class Coupling(_Handle):
@@ -264,6 +348,16 @@ class Coupling(_Handle):
     def engaged(self) -> bool:
         """Is it engaged now?"""
         return self.id in self._mechanism.engaged
+
+    # Members of the document, from core/mechanism/model/fields.h.
+
+    @property
+    def link(self) -> Optional[Link]:
+        """The link that a brake holds."""
+        value = self._data.get("link")
+        return None if value is None else Link(self._mechanism, value)
+
+    # End of members.
 
     def __repr__(self) -> str:
         return f"<{self.kind} {self.id}>"
