@@ -86,8 +86,8 @@ class TableRowWriter {
   }
   template <std::size_t count, class Action>
   void action(const std::array<MemberInfo, count>& infos, const Action& action) {
-    ActionCells cells = cellsOf(action);
-    actionColumns(*this, infos, cells);
+    ActionCells given = cellsOf(action);
+    actionColumns(*this, infos, given);
   }
 
   std::array<std::string, kColumns> cells;

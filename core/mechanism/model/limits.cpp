@@ -16,13 +16,13 @@ namespace geargraph::inline model {
 namespace {
 
 /// Characters of a text in UTF-8.
-std::size_t characters(const std::string& text) {
+std::size_t characterCount(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char byte) { return (byte & '\xC0') != '\x80'; }));
 }
 
 bool isTooLong(const std::string& text) {
-  return text.size() > kMaxNameLength && characters(text) > kMaxNameLength;  // bytes are at least as many
+  return text.size() > kMaxNameLength && characterCount(text) > kMaxNameLength;  // bytes are at least as many
 }
 
 std::string pointerIn(std::string_view list, std::size_t position, const char* member) {
@@ -34,9 +34,9 @@ Diagnostic makeDiagnostic(std::string message, std::string pointer, std::vector<
 }
 
 Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<ElementId> elements = {}) {
-  return makeDiagnostic(
-      translated("A name has at most 1,000 characters; this one has %1.", {std::to_string(characters(text))}),
-      std::move(pointer), std::move(elements));
+  return makeDiagnostic(translated("A name has at most 1,000 characters; this one has %1.",
+                                   {std::to_string(characterCount(text))}),
+                        std::move(pointer), std::move(elements));
 }
 
 void checkLength(std::size_t size, std::string_view name, Diagnostics& diagnostics) {
