@@ -45,6 +45,8 @@ extern const Command kExercises;
 extern const Command kLesson;
 extern const Command kCheck;
 extern const Command kManual;
+extern const Command kAtlas;
+extern const Command kIdentify;
 
 /// Runs a command with these arguments, with a time limit in seconds if given. Returns the exit status. May
 /// throw std::bad_alloc.

@@ -1,0 +1,214 @@
+// `identify FILE [--with FILE] [--json]`: which chains of the atlas a train is made of, and whether two
+// trains are the same.
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "app/cli/atlas_output.h"
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/load.h"
+#include "app/cli/time_limit.h"
+#include "core/foundations/base/words.h"
+#include "core/mechanism/placement/placement.h"
+
+namespace geargraph::cli {
+namespace {
+
+/// A document and what it is made of.
+struct IdentifiedTrain {
+  std::string file;
+  Mechanism mechanism;
+  TrainIdentity identity;
+};
+
+int tooLarge(int links) {
+  std::cerr << "geargraph-cli: "
+            << translated("Trains of more than %1 links are not identified.", {std::to_string(links)})
+            << '\n';
+  return kResourceLimit;
+}
+
+/// Reads and identifies a document; or reports why not and gives the exit status.
+std::variant<IdentifiedTrain, int> identified(const std::string& file, const Arguments& arguments) {
+  auto loaded = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&loaded)) return *status;
+  IdentifiedTrain train{file, std::get<Mechanism>(std::move(loaded)), {}};
+  if (train.mechanism.links.size() > kMaxIdentifiedLinks) return tooLarge(kMaxIdentifiedLinks);
+  const Placement placement = placementOf(train.mechanism);
+  const auto drawn = drawnChain(train.mechanism, placement);
+  if (!drawn) {
+    std::cerr << diagnosticLines(file, drawn.error());
+    return static_cast<int>(kMechanismErrors);
+  }
+  auto identity = identifyTrain(train.mechanism, placement, *drawn, Atlas::shipped(), arguments.stop);
+  if (!identity) return outOfTime(arguments, translated("the identification"));
+  train.identity = *std::move(identity);
+  return train;
+}
+
+const std::string& linkIdOf(const IdentifiedTrain& train, int link) {
+  return train.mechanism.links[link].id.text();
+}
+
+const std::string& meshIdOf(const IdentifiedTrain& train, int mesh) {
+  return train.mechanism.gearMeshes[mesh].id.text();
+}
+
+void writeNumber(JsonWriter& json, std::string_view name, const std::optional<ChainNumber>& number) {
+  json.key(name);
+  if (number) {
+    json.string(number->toString());
+  } else {
+    json.null();
+  }
+}
+
+void writePart(JsonWriter& json, const IdentifiedTrain& train, const IdentifiedChain& part) {
+  json.beginObject(JsonWriter::Layout::row);
+  json.key("links");
+  json.beginArray(JsonWriter::Layout::row);
+  for (const int link : part.links) json.string(linkIdOf(train, link));
+  json.endArray();
+  json.key("meshes");
+  json.beginArray(JsonWriter::Layout::row);
+  for (const int mesh : part.meshes) json.string(meshIdOf(train, mesh));
+  json.endArray();
+  json.member("dof", part.dof);
+  json.member("locked", part.isLocked);
+  writeNumber(json, "rotation", part.rotation);
+  writeNumber(json, "displacement", part.displacement);
+  json.endObject();
+}
+
+/// The member "with": null where the trains differ.
+void writeMatch(JsonWriter& json, const IdentifiedTrain& a, const IdentifiedTrain& b,
+                const std::optional<TrainMatch>& match) {
+  json.key("with");
+  if (!match) return json.null();
+  json.beginObject();
+  json.member("same", match->likeness == ChainLikeness::displacement ? "displacement" : "rotation");
+  json.key("links");
+  json.beginObject(JsonWriter::Layout::row);
+  for (const auto& [own, other] : match->links) json.member(linkIdOf(a, own), linkIdOf(b, other));
+  json.endObject();
+  json.key("meshes");
+  json.beginObject(JsonWriter::Layout::row);
+  for (const auto& [own, other] : match->meshes) json.member(meshIdOf(a, own), meshIdOf(b, other));
+  json.endObject();
+  json.endObject();
+}
+
+std::string identityJson(const IdentifiedTrain& train, const IdentifiedTrain* other,
+                         const std::optional<TrainMatch>& match) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.member("format", "geargraph-identity");
+    json.member("version", 1);
+    json.key("removed");
+    json.beginArray();
+    for (const RemovedLink& removed : train.identity.removed) {
+      json.beginObject(JsonWriter::Layout::row);
+      json.member("link", linkIdOf(train, removed.link));
+      json.member("why", removalName(removed.why));
+      json.endObject();
+    }
+    json.endArray();
+    json.key("chains");
+    json.beginArray();
+    for (const IdentifiedChain& part : train.identity.parts) writePart(json, train, part);
+    json.endArray();
+    if (other != nullptr) writeMatch(json, train, *other, match);
+    json.endObject();
+  }
+  return sink.take();
+}
+
+std::string spacedLabels(const std::vector<int>& labels) {
+  std::string text;
+  for (const int label : labels) text += (text.empty() ? "" : " ") + std::to_string(label);
+  return text;
+}
+
+std::string partText(const IdentifiedTrain& train, const IdentifiedChain& part) {
+  std::string text = part.displacement ? translated("Chain %1", {part.displacement->toString()})
+                                       : translated("A chain that is not in the atlas");
+  std::vector<int> meshes;
+  for (const int mesh : part.meshes) meshes.push_back(train.mechanism.meshLabel(mesh));
+  text += "\n  " + translated("links: %1", {spacedLabels(part.links)}) + "\n  " +
+          translated("meshes: %1", {spacedLabels(meshes)}) + "\n  " +
+          translated("freedom: %1", {std::to_string(part.dof)}) + '\n';
+  if (part.isLocked) text += "  " + translated("locked: two of its links turn as one in every motion") + '\n';
+  if (part.turnsByTeeth)
+    text += "  " + translated("turns by these tooth counts only; with others it would be locked") + '\n';
+  return text + (part.displacement ? relativesText(relativesOf(part.chain, Atlas::shipped())) : "");
+}
+
+std::string identityText(const IdentifiedTrain& train) {
+  std::string text;
+  for (const RemovedLink& removed : train.identity.removed) {
+    const std::string label = std::to_string(train.mechanism.linkLabel(removed.link));
+    text += (removed.why == RemovalReason::copy
+                 ? translated("Left out: link %1, a planet that repeats another", {label})
+                 : translated("Left out: link %1, in no mesh", {label})) +
+            '\n';
+  }
+  if (train.identity.parts.empty()) return text + translated("There is no mesh.") + '\n';
+  for (const IdentifiedChain& part : train.identity.parts) text += partText(train, part);
+  return text;
+}
+
+std::string matchText(const IdentifiedTrain& a, const IdentifiedTrain& b,
+                      const std::optional<TrainMatch>& match) {
+  if (!match) return translated("%1 and %2 are different chains.", {a.file, b.file}) + '\n';
+  std::string text =
+      match->likeness == ChainLikeness::displacement
+          ? translated("%1 and %2 are the same chain.", {a.file, b.file})
+          : translated("%1 and %2 have the same equations, on other shafts.", {a.file, b.file});
+  std::string links;
+  for (const auto& [own, other] : match->links)
+    links +=
+        ' ' + std::to_string(a.mechanism.linkLabel(own)) + '=' + std::to_string(b.mechanism.linkLabel(other));
+  std::string meshes;
+  for (const auto& [own, other] : match->meshes)
+    meshes +=
+        ' ' + std::to_string(a.mechanism.meshLabel(own)) + '=' + std::to_string(b.mechanism.meshLabel(other));
+  return text + "\n  " + translated("links:%1", {links}) + "\n  " + translated("meshes:%1", {meshes}) + '\n';
+}
+
+int runIdentify(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kIdentify, translated("One file is needed."));
+  const auto train = identified(arguments.files.front(), arguments);
+  if (const int* status = std::get_if<int>(&train)) return *status;
+  const auto& own = std::get<IdentifiedTrain>(train);
+  const auto path = arguments.value("--with");
+  if (!path)
+    return print(arguments.has("--json") ? identityJson(own, nullptr, std::nullopt) : identityText(own));
+  const auto second = identified(*path, arguments);
+  if (const int* status = std::get_if<int>(&second)) return *status;
+  const auto& other = std::get<IdentifiedTrain>(second);
+  if (std::max(own.identity.chain.links, other.identity.chain.links) > kMaxMatchedLinks)
+    return tooLarge(kMaxMatchedLinks);
+  const auto match = matchOf(own.identity, other.identity);
+  return print(arguments.has("--json") ? identityJson(own, &other, match)
+                                       : identityText(own) + matchText(own, other, match));
+}
+
+constexpr std::array kIdentifyOptions = {
+    Option{"--with", "FILE", toTranslate("another document: is it the same chain, and which link is which?")},
+    Option{"--json", "", toTranslate("as JSON")},
+};
+
+}  // namespace
+
+const Command kIdentify = {.name = "identify",
+                           .usage = "FILE [--with FILE] [--json]",
+                           .summary = toTranslate("Which chains of the atlas a train is made of."),
+                           .options = kIdentifyOptions,
+                           .run = runIdentify,
+                           .isServed = false};
+
+}  // namespace geargraph::cli

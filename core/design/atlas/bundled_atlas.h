@@ -1,0 +1,10 @@
+#pragma once
+
+#include <span>
+
+namespace geargraph::inline atlas {
+
+/// The bytes of resources/atlas/chains.txt, as a list of one file.
+[[nodiscard]] std::span<const std::span<const unsigned char>> atlasFiles();
+
+}  // namespace geargraph::inline atlas

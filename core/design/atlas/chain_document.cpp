@@ -1,0 +1,275 @@
+#include "core/design/atlas/chain_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph::inline atlas {
+namespace {
+
+constexpr double kPolygonSide = 60;   ///< mm, between neighbouring axes of a link
+constexpr double kFewestApart = 20;   ///< mm, between axes that have no link in common
+constexpr double kNodeSpacing = 110;  ///< of the digraph's nodes
+
+LinkId documentLink(int link) {
+  return LinkId(std::to_string(link + 1));
+}
+
+AxisId documentAxis(std::size_t axis) {
+  return AxisId(std::string(1, static_cast<char>('a' + static_cast<int>(axis))));
+}
+
+struct PlanePoint {
+  double x = 0;
+  double y = 0;
+};
+
+double distanceOf(const PlanePoint& a, const PlanePoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+PlanePoint beside(const PlanePoint& point, double distance, double angle) {
+  return {point.x + distance * std::cos(angle), point.y + distance * std::sin(angle)};
+}
+
+Number hundredths(double value) {
+  const auto whole = static_cast<std::int64_t>(std::llround(value * 100));
+  return Number(Rational(whole, 100));
+}
+
+/// The tree of links and axes as seen from the frame, and where its axes are.
+class AxisPolygons {
+ public:
+  AxisPolygons(const Chain& chain, int frame)
+      : m_chain(chain),
+        m_points(chain.axes.size()),
+        m_rootLink(chain.axes.size(), -1),
+        m_rootAxis(static_cast<std::size_t>(chain.links), -1) {
+    m_linkOrder.push_back(frame);
+    for (std::size_t next = 0; next < m_linkOrder.size(); ++next) place(m_linkOrder[next]);
+  }
+
+  [[nodiscard]] const std::vector<PlanePoint>& points() const { return m_points; }
+  /// By axis: its link nearest the frame.
+  [[nodiscard]] int rootLink(std::size_t axis) const { return m_rootLink[axis]; }
+  /// By link: its axis nearest the frame; -1 for the frame.
+  [[nodiscard]] int rootAxis(int link) const { return m_rootAxis[static_cast<std::size_t>(link)]; }
+  /// The frame, and each link after those nearer to it.
+  [[nodiscard]] const std::vector<int>& linkOrder() const { return m_linkOrder; }
+
+ private:
+  /// Places the axes of a link that are farther from the frame, on a polygon with the one that is nearer.
+  void place(int carrier) {
+    std::vector<int> axes;
+    if (rootAxis(carrier) >= 0) axes.push_back(rootAxis(carrier));
+    for (int axis = 0; axis < static_cast<int>(m_chain.axes.size()); ++axis) {
+      const std::vector<int>& links = m_chain.axes[static_cast<std::size_t>(axis)];
+      if (axis != rootAxis(carrier) && std::find(links.begin(), links.end(), carrier) != links.end())
+        axes.push_back(axis);
+    }
+    const std::size_t placed = rootAxis(carrier) >= 0 ? 1 : 0;
+    if (axes.size() == placed) return;
+    order(carrier, axes);
+    turnToFreeSpace(axes, placed);
+    for (std::size_t i = placed; i < axes.size(); ++i) {
+      m_rootLink[static_cast<std::size_t>(axes[i])] = carrier;
+      m_placed.push_back(axes[i]);
+      for (const int link : m_chain.axes[static_cast<std::size_t>(axes[i])]) {
+        if (link == carrier) continue;
+        m_rootAxis[static_cast<std::size_t>(link)] = axes[i];
+        m_linkOrder.push_back(link);
+      }
+    }
+    if (placed == 0) m_placed.push_back(axes.front());
+  }
+
+  /// The order round the polygon in which the axes that gear pairs connect are nearest; the first stays.
+  void order(int carrier, std::vector<int>& axes) const {
+    std::vector<std::pair<int, int>> pairs;
+    const auto axisOf = [&](int link) {
+      const auto found = std::find_if(axes.begin(), axes.end(), [&](int axis) {
+        const std::vector<int>& links = m_chain.axes[static_cast<std::size_t>(axis)];
+        return std::find(links.begin(), links.end(), link) != links.end();
+      });
+      return *found;
+    };
+    for (const ChainMesh& mesh : m_chain.meshes)
+      if (mesh.carrier == carrier) pairs.emplace_back(axisOf(mesh.tail), axisOf(mesh.head));
+    const auto length = [&](const std::vector<int>& round) {
+      double sum = 0;
+      for (const auto& [a, b] : pairs) {
+        const auto steps =
+            std::find(round.begin(), round.end(), a) - std::find(round.begin(), round.end(), b);
+        sum += std::pow(
+            std::sin(std::numbers::pi * static_cast<double>(steps) / static_cast<double>(round.size())), 2);
+      }
+      return sum;
+    };
+    std::vector<int> best = axes;
+    std::vector<int> round = axes;
+    std::sort(round.begin() + 1, round.end());
+    do {
+      if (length(round) < length(best) - 1e-9) best = round;
+    } while (std::next_permutation(round.begin() + 1, round.end()));
+    axes = best;
+  }
+
+  /// Away from the frame where the polygon comes near no axis that is there.
+  void turnToFreeSpace(const std::vector<int>& axes, std::size_t placed) {
+    const PlanePoint corner = placed == 1 ? m_points[static_cast<std::size_t>(axes.front())] : PlanePoint();
+    const double away = std::hypot(corner.x, corner.y) > 1 ? std::atan2(corner.y, corner.x) : 0;
+    constexpr int kTurns = 24;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const int steps = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
+      setPolygon(axes, corner, away + steps * 2 * std::numbers::pi / kTurns, placed);
+      if (isClear(axes, placed)) return;
+    }
+  }
+
+  void setPolygon(const std::vector<int>& axes, const PlanePoint& corner, double direction,
+                  std::size_t placed) {
+    const auto count = static_cast<double>(axes.size());
+    const double radius = axes.size() == 1 ? 0 : kPolygonSide / (2 * std::sin(std::numbers::pi / count));
+    const PlanePoint centre = beside(corner, radius, direction);
+    for (std::size_t i = placed; i < axes.size(); ++i) {
+      const double angle =
+          direction + std::numbers::pi + 2 * std::numbers::pi * static_cast<double>(i) / count;
+      m_points[static_cast<std::size_t>(axes[i])] = beside(centre, radius, angle);
+    }
+  }
+
+  [[nodiscard]] bool isClear(const std::vector<int>& axes, std::size_t placed) const {
+    for (std::size_t i = placed; i < axes.size(); ++i) {
+      for (const int other : m_placed) {
+        if (distanceOf(m_points[static_cast<std::size_t>(axes[i])],
+                       m_points[static_cast<std::size_t>(other)]) < kFewestApart)
+          return false;
+      }
+    }
+    return true;
+  }
+
+  const Chain& m_chain;
+  std::vector<PlanePoint> m_points;
+  std::vector<int> m_rootLink;
+  std::vector<int> m_rootAxis;
+  std::vector<int> m_linkOrder;
+  std::vector<int> m_placed;
+};
+
+/// Teeth of an external pair and of a pinion in a ring: neighbouring primes, different for each mesh.
+constexpr std::array kExternalTeeth = {std::pair(23, 29), std::pair(31, 37), std::pair(41, 43),
+                                       std::pair(47, 53), std::pair(59, 61), std::pair(67, 71),
+                                       std::pair(73, 79)};
+constexpr std::array kRingTeeth = {std::pair(19, 83),  std::pair(23, 97),  std::pair(29, 101),
+                                   std::pair(31, 113), std::pair(37, 127), std::pair(41, 131),
+                                   std::pair(43, 139)};
+
+void addGearPair(const Chain& chain, const AxisPolygons& polygons, std::size_t position, bool isRing,
+                 Mechanism& document) {
+  const ChainMesh& mesh = chain.meshes[position];
+  const auto addWheel = [&](int link, const char* end) {
+    Wheel wheel;
+    wheel.id = WheelId('w' + std::to_string(position + 1) + end);
+    wheel.link = documentLink(link);
+    document.wheels.push_back(wheel);
+    return wheel.id;
+  };
+  GearMesh& drawn = document.gearMeshes.emplace_back();
+  drawn.id = MeshId('m' + std::to_string(position + 1));
+  drawn.tail = documentLink(mesh.tail);
+  drawn.head = documentLink(mesh.head);
+  drawn.kind = isRing ? MeshKind::internal : MeshKind::external;
+  const auto& teeth = isRing ? kRingTeeth : kExternalTeeth;
+  std::tie(drawn.tailTeeth, drawn.headTeeth) = teeth[position % teeth.size()];
+  // The ring turns on the carrier's axis towards the frame, or, of two outer axes, is the head.
+  const bool isTailInner =
+      polygons.rootAxis(mesh.carrier) >= 0 && polygons.rootAxis(mesh.tail) == polygons.rootAxis(mesh.carrier);
+  if (isRing && isTailInner) std::swap(drawn.tailTeeth, drawn.headTeeth);
+  drawn.tailWheel = addWheel(mesh.tail, "t");
+  drawn.headWheel = addWheel(mesh.head, "h");
+}
+
+/// Nodes on a circle, in the order in which a walk over the tree of joints meets the links.
+void addNodes(const Chain& chain, const AxisPolygons& polygons, Mechanism& document) {
+  std::vector<int> walk;
+  std::vector<int> open{polygons.linkOrder().front()};
+  while (!open.empty()) {
+    const int link = open.back();
+    open.pop_back();
+    walk.push_back(link);
+    for (auto next = polygons.linkOrder().rbegin(); next != polygons.linkOrder().rend(); ++next) {
+      const int axis = polygons.rootAxis(*next);
+      if (axis >= 0 && polygons.rootLink(static_cast<std::size_t>(axis)) == link) open.push_back(*next);
+    }
+  }
+  const double radius = kNodeSpacing / (2 * std::sin(std::numbers::pi / chain.links));
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const double angle = std::numbers::pi * (2.0 * static_cast<double>(i) / chain.links - 1);
+    document.view.nodes[documentLink(walk[i])] = {std::round(radius * std::cos(angle)),
+                                                  std::round(radius * std::sin(angle))};
+  }
+}
+
+}  // namespace
+
+int usualFrame(const Chain& chain) {
+  std::vector<std::tuple<int, int, int, int>> ranks;
+  for (int link = 0; link < chain.links; ++link) {
+    int bundle = 0;
+    for (const std::vector<int>& axis : chain.axes)
+      if (std::find(axis.begin(), axis.end(), link) != axis.end())
+        bundle = std::max(bundle, static_cast<int>(axis.size()));
+    int carries = 0;
+    int gears = 0;
+    for (const ChainMesh& mesh : chain.meshes) {
+      carries = mesh.carrier == link ? 1 : carries;
+      gears += mesh.tail == link || mesh.head == link ? 1 : 0;
+    }
+    ranks.emplace_back(-bundle, carries, gears, link);
+  }
+  return std::get<3>(*std::min_element(ranks.begin(), ranks.end()));
+}
+
+Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing) {
+  const int frame = drawing.frame.value_or(usualFrame(chain));
+  GEARGRAPH_REQUIRE(frame >= 0 && frame < chain.links && chain.axes.size() <= 26);
+  const AxisPolygons polygons(chain, frame);
+  Mechanism document = emptyMechanism();
+  document.name = std::move(name);
+  document.links.clear();
+  document.view.nodes.clear();
+  for (std::size_t a = 0; a < chain.axes.size(); ++a) {
+    const PlanePoint& point = polygons.points()[a];
+    document.axes.push_back({documentAxis(a),
+                             NumberTriple{hundredths(point.x), hundredths(point.y), Number(0)},
+                             NumberTriple{Number(0), Number(0), Number(1)},
+                             {}});
+  }
+  for (const int link : polygons.linkOrder()) {
+    document.links.push_back({documentLink(link), {}, {}});
+    const int axis = polygons.rootAxis(link);
+    if (axis < 0) continue;
+    const auto position = static_cast<std::size_t>(axis);
+    document.turningJoints.push_back({JointId('j' + std::to_string(link + 1)),
+                                      documentLink(polygons.rootLink(position)),
+                                      documentLink(link),
+                                      documentAxis(position),
+                                      Number(0),
+                                      {}});
+  }
+  for (std::size_t m = 0; m < chain.meshes.size(); ++m) {
+    const bool isRing =
+        std::find(drawing.rings.begin(), drawing.rings.end(), static_cast<int>(m)) != drawing.rings.end();
+    addGearPair(chain, polygons, m, isRing, document);
+  }
+  addNodes(chain, polygons, document);
+  return document;
+}
+
+}  // namespace geargraph::inline atlas

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/design/atlas/chain.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph::inline atlas {
+
+/// What a chain leaves open that a document states.
+struct ChainDrawing {
+  std::optional<int> frame = {};  ///< the link that is the ground; std::nullopt: usualFrame()
+  std::vector<int> rings = {};    ///< meshes, by position, of which one gear is a ring
+};
+
+/// The link that is held where nothing else is asked for: of those on the axis with the most links one that
+/// carries no gear pair, with the fewest gear pairs of its own.
+[[nodiscard]] int usualFrame(const Chain& chain);
+
+/// A document of the chain that opens, has the chain's freedom and can be seen in three dimensions. Links
+/// have the chain's numbers, from 1, as ids; the frame comes first. The axes are parallel; those on one link
+/// are the corners of a regular polygon (to a hundredth of a millimetre), with the fewest and shortest
+/// diagonals for gear pairs; each gear pair has two wheels of its own, hence a plane and a module. All links
+/// of a coaxial bundle turn on the one nearest the frame. Teeth are different primes, so that no ratio is a
+/// special one. Of a ring gear pair the ring is the gear on the axis nearer the frame.
+///
+/// @pre the chain is nondegenerate
+[[nodiscard]] Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing = {});
+
+}  // namespace geargraph::inline atlas
