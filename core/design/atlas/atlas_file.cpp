@@ -181,7 +181,8 @@ Expected<Atlas> Atlas::read(std::string_view text) {
     const auto [rotation, isNewRotation] = atlas.m_rotations.try_emplace(rotationForm(chain->chain), group);
     const bool isNew =
         atlas.m_displacements.try_emplace(displacementForm(chain->chain), chain->number).second;
-    if (!comesNext(last, chain->number) || rotation->second != group || !isNew)
+    if (!comesNext(last, chain->number) || rotation->second != group || !isNew ||
+        isNewRotation != (chain->number.displacement == 1))
       return atlasFault(lineNumber, translated("Chain %1 is not at its place in the atlas, or there twice.",
                                                {chain->number.toString()}));
     atlas.m_chains.push_back(std::move(*chain));

@@ -1,6 +1,8 @@
 #include "core/design/atlas/identify.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <set>
@@ -13,18 +15,22 @@ namespace geargraph::inline atlas {
 namespace {
 
 /// What the meshes of a group of planets say about the links outside of it: the reduced equations of these
-/// links after the group's own speeds are eliminated. Columns: the group's links, then all links.
-std::vector<ResidueRow> equationsOutside(const DrawnChain& drawn, const PlanetGroup& group) {
+/// links after the group's own speeds are eliminated, without the meshes with copies. Columns: the group's
+/// links, then all links.
+std::vector<ResidueRow> equationsOutside(const DrawnChain& drawn, const PlanetGroup& group,
+                                         const std::set<int>& copies) {
   const PrimeField field;
   const auto links = static_cast<std::size_t>(drawn.chain.links);
   std::vector<ResidueRow> rows;
   for (const int mesh : group.meshes) {
     const auto position = static_cast<std::size_t>(mesh);
-    const ResidueRow all = speedRow(field, drawn.chain.meshes[position], drawn.teeth[position], links);
+    const ChainMesh& own = drawn.chain.meshes[position];
+    if (copies.contains(own.tail) || copies.contains(own.head)) continue;
+    const ResidueRow all = speedRow(field, own, drawn.teeth[position], links);
     ResidueRow& row = rows.emplace_back();
-    for (const int own : group.links) row.push_back(all[static_cast<std::size_t>(own)]);
+    for (const int link : group.links) row.push_back(all[static_cast<std::size_t>(link)]);
     row.insert(row.end(), all.begin(), all.end());
-    for (const int own : group.links) row[group.links.size() + static_cast<std::size_t>(own)] = 0;
+    for (const int link : group.links) row[group.links.size() + static_cast<std::size_t>(link)] = 0;
   }
   const std::vector<std::size_t> pivots = reduceRows(field, rows);
   std::vector<ResidueRow> outside;
@@ -33,14 +39,59 @@ std::vector<ResidueRow> equationsOutside(const DrawnChain& drawn, const PlanetGr
   return outside;
 }
 
-/// Planets that repeat what an equal one says about the others.
+/// Planets that carry nothing, in sets of those on one carrier with the same partners and teeth: also two on
+/// one axis, as the pinions of a bevel differential.
+std::vector<std::vector<PlanetGroup>> equalLinks(const Placement& placement, const DrawnChain& drawn) {
+  std::vector<bool> carries(static_cast<std::size_t>(drawn.chain.links));
+  for (const auto& axisClass : placement.classes->classes)
+    carries[static_cast<std::size_t>(static_cast<int>(axisClass.rootLink))] = true;
+  std::vector<std::vector<int>> meshesOf(carries.size());
+  for (std::size_t m = 0; m < drawn.chain.meshes.size(); ++m) {
+    meshesOf[static_cast<std::size_t>(drawn.chain.meshes[m].tail)].push_back(static_cast<int>(m));
+    meshesOf[static_cast<std::size_t>(drawn.chain.meshes[m].head)].push_back(static_cast<int>(m));
+  }
+  using Partner = std::array<std::int64_t, 4>;  // link, carrier, own teeth, its teeth
+  std::map<std::vector<Partner>, std::vector<PlanetGroup>> sets;
+  for (int link = 1; link < drawn.chain.links; ++link) {
+    const std::vector<int>& meshes = meshesOf[static_cast<std::size_t>(link)];
+    if (carries[static_cast<std::size_t>(link)] || meshes.size() < 2) continue;
+    const int root = placement.classes->classes[placement.classes->classOfLink(link)].rootLink;
+    if (root == 0) continue;  // equalPlanets() knows them
+    std::vector<Partner> partners;
+    PlanetGroup group{{link}, {}, {}};
+    for (const int m : meshes) {
+      const ChainMesh& mesh = drawn.chain.meshes[static_cast<std::size_t>(m)];
+      const SignedTeeth& teeth = drawn.teeth[static_cast<std::size_t>(m)];
+      if (mesh.carrier != root) break;
+      const bool isTail = mesh.tail == link;
+      const std::int64_t head = std::abs(teeth.head);
+      partners.push_back({isTail ? mesh.head : mesh.tail, mesh.carrier, isTail ? teeth.tail : head,
+                          isTail ? head : teeth.tail});
+      group.meshes.emplace_back(m);
+    }
+    if (partners.size() != meshes.size()) continue;
+    std::sort(partners.begin(), partners.end());
+    sets[partners].push_back(std::move(group));
+  }
+  std::vector<std::vector<PlanetGroup>> equal;
+  for (auto& [partners, set] : sets)
+    if (set.size() > 1) equal.push_back(std::move(set));
+  return equal;
+}
+
+/// Planets that repeat what an equal one says about the others. One set after the other: what a copy meshes
+/// with may be no copy without it.
 std::set<int> copiedPlanets(const Mechanism& mechanism, const Placement& placement, const DrawnChain& drawn) {
+  std::vector<std::vector<PlanetGroup>> sets = equalPlanets(mechanism, placement, PlanetScope::all);
+  for (std::vector<PlanetGroup>& set : equalLinks(placement, drawn)) sets.push_back(std::move(set));
   std::set<int> copies;
-  for (const std::vector<PlanetGroup>& set : equalPlanets(mechanism, placement, PlanetScope::all)) {
-    const std::vector<ResidueRow> first = equationsOutside(drawn, set.front());
+  for (const std::vector<PlanetGroup>& set : sets) {
+    if (copies.contains(set.front().links.front())) continue;
+    const std::vector<ResidueRow> first = equationsOutside(drawn, set.front(), copies);
     if (first.empty()) continue;  // it only follows: a gear of its own
     for (std::size_t g = 1; g < set.size(); ++g)
-      if (equationsOutside(drawn, set[g]) == first) copies.insert(set[g].links.begin(), set[g].links.end());
+      if (equationsOutside(drawn, set[g], copies) == first)
+        copies.insert(set[g].links.begin(), set[g].links.end());
   }
   return copies;
 }
@@ -67,9 +118,10 @@ IdentifiedChain identifiedPart(const DrawnChain& drawn, std::vector<int> meshes,
   part.meshes = std::move(meshes);
   part.chain = chainOf(drawn.chain, part.links, part.meshes);
   const ChainMotion motion = chainMotion(part.chain, chosen(drawn.teeth, part.meshes), stop);
+  const ChainMotion generic = genericMotion(part.chain, 1, stop);
   part.dof = motion.dof;
-  part.isLocked = motion.locked.has_value();
-  part.turnsByTeeth = !part.isLocked && genericMotion(part.chain, 1, stop).isDegenerate();
+  part.turnsByTeeth = motion.rank < generic.rank;
+  part.isLocked = generic.isDegenerate() && !part.turnsByTeeth;
   const int most = std::max({atlas.mostLinks(0), atlas.mostLinks(1), atlas.mostLinks(2)});
   if (part.chain.links <= most) {
     part.rotation = atlas.rotationNumberOf(part.chain);

@@ -43,10 +43,11 @@ struct IdentifiedChain {
   std::vector<int> links;   ///< of the document, ascending; link i of `chain` is links[i]
   std::vector<int> meshes;  ///< of the document, ascending
   Chain chain;
-  int dof = 0;            ///< with the teeth that are drawn, one link held
-  bool isLocked = false;  ///< two of its links turn as one in every motion with these teeth
-  /// Degenerate at generic ratios, although with these teeth no two links turn as one.
-  bool turnsByTeeth = false;
+  int dof = 0;  ///< with the teeth that are drawn, one link held
+  /// Degenerate, and with these teeth, too: links turn as one. Not so where that is only because teeth are
+  /// equal (Ferguson's paradox).
+  bool isLocked = false;
+  bool turnsByTeeth = false;                ///< these teeth leave it more freedom than others would
   std::optional<ChainNumber> rotation;      ///< without displacement; none beyond the atlas
   std::optional<ChainNumber> displacement;  //
 };

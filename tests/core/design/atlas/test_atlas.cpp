@@ -46,8 +46,8 @@ std::string faultOf(const Mechanism& document, const AtlasChain& chain) {
   if (!placed.placement().diagnostics.empty()) return placed.placement().diagnostics.front().message;
   const LiveKinematicsPtr live = liveKinematics(placed);
   if (live->matroid->dof != chain.number.dof) return "has freedom " + std::to_string(live->matroid->dof);
-  const auto identity =
-      identifyTrain(document, placed.placement(), *drawnChain(document, placed.placement()), Atlas::shipped());
+  const auto identity = identifyTrain(document, placed.placement(), *drawnChain(document, placed.placement()),
+                                      Atlas::shipped());
   if (isNonfractionated(chain.chain) &&
       (identity->parts.size() != 1 || identity->parts.front().displacement != chain.number))
     return "is identified otherwise";
@@ -127,21 +127,24 @@ class TestAtlas : public QObject {
       for (const Chain& tree : axisTrees(links)) {
         const std::vector<ChainMesh> possible = possibleMeshes(tree);
         if (possible.empty()) continue;
-        for (int round = 0; round < 30; ++round) {
+        for (int round = 0; round < 60; ++round) {
           Chain chain = tree;
           std::set<ChainMesh> meshes;
           const int wanted = 1 + drawn(state, links - 1);
           for (int m = 0; m < wanted; ++m)
-            meshes.insert(possible[static_cast<std::size_t>(drawn(state, static_cast<int>(possible.size())))]);
+            meshes.insert(
+                possible[static_cast<std::size_t>(drawn(state, static_cast<int>(possible.size())))]);
           chain.meshes.assign(meshes.begin(), meshes.end());
           const auto culprits = degenerateMeshes(chain);
-          QCOMPARE(culprits.has_value(), genericMotion(chain, static_cast<std::uint64_t>(round)).isDegenerate());
+          QCOMPARE(culprits.has_value(),
+                   genericMotion(chain, static_cast<std::uint64_t>(round)).isDegenerate());
           ++(culprits ? degenerate : sound);
           if (!culprits) continue;
           Chain smallest = chain;  // what is named is degenerate by itself, and nothing less of it
           smallest.meshes.clear();
           for (const int m : *culprits) smallest.meshes.push_back(chain.meshes[static_cast<std::size_t>(m)]);
-          QCOMPARE(static_cast<int>(linksOf(chain, *culprits).size()), static_cast<int>(culprits->size()) + 1);
+          QCOMPARE(static_cast<int>(linksOf(chain, *culprits).size()),
+                   static_cast<int>(culprits->size()) + 1);
           for (std::size_t m = 0; m < smallest.meshes.size(); ++m) {
             Chain less = smallest;
             less.meshes.erase(less.meshes.begin() + static_cast<std::ptrdiff_t>(m));
@@ -150,14 +153,13 @@ class TestAtlas : public QObject {
         }
       }
     }
-    QVERIFY(degenerate > 500 && sound > 500);
+    QVERIFY(degenerate > 300 && sound > 3000);
   }
 
   void everyChainIsADocument() {
     for (const AtlasChain& chain : Atlas::shipped().chains()) {
       if (chain.number.links > 6) break;
-      const std::string fault =
-          faultOf(chainDocument(chain.chain, chain.number.toString()), chain);
+      const std::string fault = faultOf(chainDocument(chain.chain, chain.number.toString()), chain);
       QVERIFY2(fault.empty(), (chain.number.toString() + ' ' + fault).c_str());
     }
   }
@@ -221,9 +223,8 @@ class TestAtlas : public QObject {
 
   void partsMeetInOneLink() {
     // Two gear pairs on link 0, a planetary set 5, 6, 7 (planet) round link 4 on a carrier of its own.
-    const Chain chain{8,
-                      {{0, 1, 4}, {0, 2}, {0, 3}, {4, 5, 6}, {5, 7}},
-                      {{1, 2, 0}, {4, 7, 5}, {3, 4, 0}, {6, 7, 5}}};
+    const Chain chain{
+        8, {{0, 1, 4}, {0, 2}, {0, 3}, {4, 5, 6}, {5, 7}}, {{1, 2, 0}, {4, 7, 5}, {3, 4, 0}, {6, 7, 5}}};
     const auto parts = partsOf(chain);
     QCOMPARE(parts.size(), std::size_t{3});
     QCOMPARE(parts[0], std::vector<int>({0}));
@@ -246,8 +247,8 @@ class TestAtlas : public QObject {
     QCOMPARE(*number, (ChainNumber{6, 1, 5, 12}));
     QCOMPARE(number->toString(), std::string("6-1.5.12"));
     QCOMPARE(ChainNumber::fromText("6-1.5")->toString(), std::string("6-1.5"));
-    for (const char* const wrong : {"", "6", "6-1", "6-1.", "6-1.0", "6-1.5.", "6-1.5.0", "6-1.5.1.1", "6-1.5.1 ",
-                                    "6.1-5.1", "-6-1.5.1", "6-1.5.x", "6-1.99999999999"})
+    for (const char* const wrong : {"", "6", "6-1", "6-1.", "6-1.0", "6-1.5.", "6-1.5.0", "6-1.5.1.1",
+                                    "6-1.5.1 ", "6.1-5.1", "-6-1.5.1", "6-1.5.x", "6-1.99999999999"})
       QVERIFY2(!ChainNumber::fromText(wrong), wrong);
   }
 
@@ -263,9 +264,11 @@ class TestAtlas : public QObject {
     QTest::newRow("starts at 2") << head + "4-1.2.1 12/134 231/241\n" << 3;
     QTest::newRow("the same with other names") << head + "3-1.1.2 13/23 123\n" << 3;
     QTest::newRow("another rotation graph in the group")
-        << head + "4-1.1.1 12/134 231/241\n4-1.1.2 12/13/24 142/231\n" << 4;
+        << head + "4-1.1.1 12/134 231/241\n4-1.1.2 12/13/24 142/231\n"
+        << 4;
     QTest::newRow("the rotation graph of another group")
-        << head + "4-1.1.1 12/134 231/241\n4-1.2.1 12/13/14 231/241\n" << 4;
+        << head + "4-1.1.1 12/134 231/241\n4-1.2.1 12/13/14 231/241\n"
+        << 4;
     QTest::newRow("no tree") << head + "4-1.1.1 12/12/34 231/241\n" << 3;
     QTest::newRow("a loop of axes") << head + "4-1.1.1 12/13/23/14 231/241\n" << 3;
     QTest::newRow("a link that is none") << head + "4-1.1.1 12/135 231/251\n" << 3;
