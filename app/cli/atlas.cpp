@@ -13,6 +13,7 @@
 #include "core/design/atlas/chain_document.h"
 #include "core/design/atlas/identify.h"
 #include "core/foundations/base/words.h"
+#include "core/foundations/files/file.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
@@ -137,7 +138,7 @@ std::string listText(const std::vector<AtlasChain>& chains) {
   TextRows rows{{translated("number"), translated("axes"), translated("gear pairs / carrier")}};
   for (const AtlasChain& chain : chains)
     rows.push_back({chain.number.toString(), axesText(chain.chain), meshesText(chain.chain)});
-  return translated("%1 equations, %2 chains",
+  return translated("Equations: %1, chains: %2",
                     {std::to_string(counts.rotations), std::to_string(counts.displacements)}) +
          '\n' + aligned("", rows) + '\n' + definitionText();
 }

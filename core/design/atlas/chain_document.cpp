@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline atlas {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr double kPolygonSide = 60;   ///< mm, between neighbouring axes of a link
 constexpr double kFewestApart = 20;   ///< mm, between axes that have no link in common
 constexpr double kNodeSpacing = 110;  ///< of the digraph's nodes
-
-LinkId documentLink(int link) {
-  return LinkId(std::to_string(link + 1));
-}
 
 AxisId documentAxis(std::size_t axis) {
   return AxisId(std::string(1, static_cast<char>('a' + static_cast<int>(axis))));
@@ -59,6 +56,11 @@ class AxisPolygons {
   [[nodiscard]] int rootLink(std::size_t axis) const { return m_rootLink[axis]; }
   /// By link: its axis nearest the frame; -1 for the frame.
   [[nodiscard]] int rootAxis(int link) const { return m_rootAxis[static_cast<std::size_t>(link)]; }
+  /// The id of a link in the document: its label there.
+  [[nodiscard]] LinkId idOf(int link) const {
+    const auto found = std::find(m_linkOrder.begin(), m_linkOrder.end(), link);
+    return LinkId(std::to_string(found - m_linkOrder.begin()));
+  }
   /// The frame, and each link after those nearer to it.
   [[nodiscard]] const std::vector<int>& linkOrder() const { return m_linkOrder; }
 
@@ -175,15 +177,15 @@ void addGearPair(const Chain& chain, const AxisPolygons& polygons, std::size_t p
   const ChainMesh& mesh = chain.meshes[position];
   const auto addWheel = [&](int link, const char* end) {
     Wheel wheel;
-    wheel.id = WheelId('w' + std::to_string(position + 1) + end);
-    wheel.link = documentLink(link);
+    wheel.id = WheelId(std::to_string(position + 1) + end);
+    wheel.link = polygons.idOf(link);
     document.wheels.push_back(wheel);
     return wheel.id;
   };
   GearMesh& drawn = document.gearMeshes.emplace_back();
-  drawn.id = MeshId('m' + std::to_string(position + 1));
-  drawn.tail = documentLink(mesh.tail);
-  drawn.head = documentLink(mesh.head);
+  drawn.id = MeshId(std::to_string(2 * chain.links - 1 + static_cast<int>(position)));
+  drawn.tail = polygons.idOf(mesh.tail);
+  drawn.head = polygons.idOf(mesh.head);
   drawn.kind = isRing ? MeshKind::internal : MeshKind::external;
   const auto& teeth = isRing ? kRingTeeth : kExternalTeeth;
   std::tie(drawn.tailTeeth, drawn.headTeeth) = teeth[position % teeth.size()];
@@ -211,8 +213,8 @@ void addNodes(const Chain& chain, const AxisPolygons& polygons, Mechanism& docum
   const double radius = kNodeSpacing / (2 * std::sin(std::numbers::pi / chain.links));
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const double angle = std::numbers::pi * (2.0 * static_cast<double>(i) / chain.links - 1);
-    document.view.nodes[documentLink(walk[i])] = {std::round(radius * std::cos(angle)),
-                                                  std::round(radius * std::sin(angle))};
+    document.view.nodes[polygons.idOf(walk[i])] = {std::round(radius * std::cos(angle)),
+                                                   std::round(radius * std::sin(angle))};
   }
 }
 
@@ -252,13 +254,14 @@ Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing
                              {}});
   }
   for (const int link : polygons.linkOrder()) {
-    document.links.push_back({documentLink(link), {}, {}});
+    document.links.push_back(
+        {polygons.idOf(link), translated("link %1 of the chain", {std::to_string(link + 1)}), {}});
     const int axis = polygons.rootAxis(link);
     if (axis < 0) continue;
     const auto position = static_cast<std::size_t>(axis);
-    document.turningJoints.push_back({JointId('j' + std::to_string(link + 1)),
-                                      documentLink(polygons.rootLink(position)),
-                                      documentLink(link),
+    document.turningJoints.push_back({JointId(std::to_string(chain.links + document.t())),
+                                      polygons.idOf(polygons.rootLink(position)),
+                                      polygons.idOf(link),
                                       documentAxis(position),
                                       Number(0),
                                       {}});

@@ -19,14 +19,13 @@ struct ChainDrawing {
 /// carries no gear pair, with the fewest gear pairs of its own.
 [[nodiscard]] int usualFrame(const Chain& chain);
 
-/// A document of the chain that opens, has the chain's freedom and can be seen in three dimensions. Links
-/// have the chain's numbers, from 1, as ids; the frame comes first. The axes are parallel; those on one link
-/// are the corners of a regular polygon (to a hundredth of a millimetre), with the fewest and shortest
-/// diagonals for gear pairs; each gear pair has two wheels of its own, hence a plane and a module. All links
-/// of a coaxial bundle turn on the one nearest the frame. Teeth are different primes, so that no ratio is a
-/// special one. Of a ring gear pair the ring is the gear on the axis nearer the frame.
-///
-/// @pre the chain is nondegenerate
+/// A document of the chain that opens, has the chain's freedom and can be seen in three dimensions. The frame
+/// is the ground; ids are the paper's labels, names give the links' numbers in the chain, from 1. The axes
+/// are parallel; those on one link are the corners of a regular polygon (to a hundredth of a millimetre),
+/// with the fewest and shortest diagonals for gear pairs; each gear pair has two wheels of its own, hence a
+/// plane and a module. All links of a coaxial bundle turn on the one nearest the frame. Teeth are different
+/// primes, so that no ratio is a special one. Of a ring gear pair the ring is the gear on the axis nearer the
+/// frame. A degenerate chain gets a document, too, which cannot turn.
 [[nodiscard]] Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing = {});
 
 }  // namespace geargraph::inline atlas

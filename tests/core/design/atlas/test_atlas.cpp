@@ -170,7 +170,7 @@ class TestAtlas : public QObject {
       for (int frame = 0; frame < chain.chain.links; ++frame) {
         for (int ring = 0; ring < static_cast<int>(chain.chain.meshes.size()); ++ring) {
           const Mechanism document = chainDocument(chain.chain, "", {frame, {ring}});
-          QCOMPARE(document.links.front().id.text(), std::to_string(frame + 1));
+          QCOMPARE(document.links.front().name, "link " + std::to_string(frame + 1) + " of the chain");
           QVERIFY(*document.gearMeshes[ring].kind == MeshKind::internal);
           const std::string fault = faultOf(document, chain);
           QVERIFY2(fault.empty(), (chain.number.toString() + ' ' + fault).c_str());
