@@ -168,15 +168,16 @@ std::string matchText(const IdentifiedTrain& a, const IdentifiedTrain& b,
       match->likeness == ChainLikeness::displacement
           ? translated("%1 and %2 are the same chain.", {a.file, b.file})
           : translated("%1 and %2 have the same equations, on other shafts.", {a.file, b.file});
+  const auto added = [](std::string& line, int own, int other) {
+    line += (line.empty() ? "" : " ") + std::to_string(own) + '=' + std::to_string(other);
+  };
   std::string links;
   for (const auto& [own, other] : match->links)
-    links +=
-        ' ' + std::to_string(a.mechanism.linkLabel(own)) + '=' + std::to_string(b.mechanism.linkLabel(other));
+    added(links, a.mechanism.linkLabel(own), b.mechanism.linkLabel(other));
   std::string meshes;
   for (const auto& [own, other] : match->meshes)
-    meshes +=
-        ' ' + std::to_string(a.mechanism.meshLabel(own)) + '=' + std::to_string(b.mechanism.meshLabel(other));
-  return text + "\n  " + translated("links:%1", {links}) + "\n  " + translated("meshes:%1", {meshes}) + '\n';
+    added(meshes, a.mechanism.meshLabel(own), b.mechanism.meshLabel(other));
+  return text + "\n  " + translated("links: %1", {links}) + "\n  " + translated("meshes: %1", {meshes}) + '\n';
 }
 
 int runIdentify(const Arguments& arguments) {

@@ -15070,6 +15070,245 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
         <translation>erwartet wird die Nummer der Farbe eines Glieds: eine ganze Zahl ab 1.</translation>
     </message>
+    <message>
+        <source>%1 is a whole number, %2 to %3.</source>
+        <translation>%1 ist eine ganze Zahl von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Frame, teeth, kinds of gears
+and the joints by which coaxial links are drawn do not matter. Equations: rotation graphs, the triples gear, gear, carrier.
+Chains: displacement graphs, which tell shafts apart, too. Left out: chains where m gear pairs have fewer than m + 2
+links between them, so that these turn as one; the smallest of them are listed with freedom 0.</source>
+        <translation>Eine Kette besteht aus Gliedern, Achsen und Radpaaren, jedes Paar mit seinem Steg. Gestell, Zähne,
+Arten der Räder und die Drehgelenke, mit denen gleichachsige Glieder gezeichnet sind, zählen nicht. Gleichungen:
+Rotationsgraphen, die Tripel Rad, Rad, Steg. Ketten: Verschiebungsgraphen, die auch Wellen unterscheiden. Nicht dabei:
+Ketten, in denen m Radpaare weniger als m + 2 Glieder haben, sodass diese sich wie eines drehen; die kleinsten davon
+stehen unter dem Freiheitsgrad 0.</translation>
+    </message>
+    <message>
+        <source>Counts of chains with 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301: 27 and 81 with 6 links, 152
+and 647 with 7, 1070 and 6360 with 8. Nonfractionated chains with 2 freedoms: see Tsai, Lin, J. Mech. Transm. Autom. Des.
+111(4), 1989, 524.</source>
+        <translation>Anzahlen der Ketten mit Freiheitsgrad 1 wie bei Yang, Ding u. a., J. Mech. Des. 141(4), 2019, 043301: 27 und 81 mit
+6 Gliedern, 152 und 647 mit 7, 1070 und 6360 mit 8. Nicht zerlegbare Ketten mit Freiheitsgrad 2: siehe Tsai, Lin,
+J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
+    </message>
+    <message>
+        <source>freedom</source>
+        <translation>Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>Gleichungen</translation>
+    </message>
+    <message>
+        <source>chains</source>
+        <translation>Ketten</translation>
+    </message>
+    <message>
+        <source>nonfractionated equations</source>
+        <translation>nicht zerlegbare Gleichungen</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, one link held</source>
+        <translation>Kinematische Ketten mit Rädern, ein Glied festgehalten</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier</source>
+        <translation>Radpaare / Steg</translation>
+    </message>
+    <message>
+        <source>Equations: %1, chains: %2</source>
+        <translation>Gleichungen: %1, Ketten: %2</translation>
+    </message>
+    <message>
+        <source>Chain %1</source>
+        <translation>Kette %1</translation>
+    </message>
+    <message>
+        <source>axes: %1</source>
+        <translation>Achsen: %1</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier: %1</source>
+        <translation>Radpaare / Steg: %1</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with a number of a chain.</source>
+        <translation>%1 hat bei der Nummer einer Kette keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a chain, as 6-1.5.1 is.</source>
+        <translation>„%1“ ist keine Nummer einer Kette wie 6-1.5.1.</translation>
+    </message>
+    <message>
+        <source>The atlas has no chain %1.</source>
+        <translation>Der Atlas hat keine Kette %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; are equations; a document needs a chain, as %2 is.</source>
+        <translation>„%1“ sind Gleichungen; ein Dokument braucht eine Kette wie %2.</translation>
+    </message>
+    <message>
+        <source>One number is enough.</source>
+        <translation>Eine Nummer genügt.</translation>
+    </message>
+    <message>
+        <source>%1 needs the number of a chain.</source>
+        <translation>%1 braucht die Nummer einer Kette.</translation>
+    </message>
+    <message>
+        <source>The atlas has chains of up to %1 links with this freedom.</source>
+        <translation>Mit diesem Freiheitsgrad hat der Atlas Ketten bis %1 Glieder.</translation>
+    </message>
+    <message>
+        <source>only chains of so many links (3 to 7)</source>
+        <translation>nur Ketten mit so vielen Gliedern (3 bis 7)</translation>
+    </message>
+    <message>
+        <source>of this freedom: 1 (the default), 2, or 0: trains that cannot turn</source>
+        <translation>mit diesem Freiheitsgrad: 1 (ohne Angabe), 2, oder 0: Getriebe, die sich nicht drehen können</translation>
+    </message>
+    <message>
+        <source>with so many axes</source>
+        <translation>mit so vielen Achsen</translation>
+    </message>
+    <message>
+        <source>that no link parts, every link in a gear pair</source>
+        <translation>die kein Glied zerlegt, jedes Glied in einem Radpaar</translation>
+    </message>
+    <message>
+        <source>write the chain of the number as a document</source>
+        <translation>die Kette dieser Nummer als Dokument schreiben</translation>
+    </message>
+    <message>
+        <source>With a number</source>
+        <translation>Mit einer Nummer</translation>
+    </message>
+    <message>
+        <source>the link that is held</source>
+        <translation>das Glied, das festgehalten ist</translation>
+    </message>
+    <message>
+        <source>a gear pair, by its place, with a ring gear; may be repeated</source>
+        <translation>ein Radpaar, nach seinem Platz, mit einem Hohlrad; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>another atlas than the program&apos;s (of geargraph-make-atlas)</source>
+        <translation>ein anderer Atlas als der des Programms (von geargraph-make-atlas)</translation>
+    </message>
+    <message>
+        <source>Counts and lists geared kinematic chains; writes one as a document.</source>
+        <translation>Zählt und listet kinematische Ketten mit Rädern; schreibt eine als Dokument.</translation>
+    </message>
+    <message>
+        <source>same equations, other shafts: %1</source>
+        <translation>gleiche Gleichungen, andere Wellen: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair less: %1</source>
+        <translation>ein Radpaar weniger: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair more: %1</source>
+        <translation>ein Radpaar mehr: %1</translation>
+    </message>
+    <message>
+        <source>links that differ as the frame: %1</source>
+        <translation>als Gestell verschiedene Glieder: %1</translation>
+    </message>
+    <message>
+        <source>cannot turn: %1 gear pairs between %2 links, of which one is held</source>
+        <translation>kann sich nicht drehen: %1 Radpaare zwischen %2 Gliedern, von denen eines festgehalten ist</translation>
+    </message>
+    <message>
+        <source>Trains of more than %1 links are not identified.</source>
+        <translation>Getriebe mit mehr als %1 Gliedern werden nicht bestimmt.</translation>
+    </message>
+    <message>
+        <source>the identification</source>
+        <translation>die Bestimmung</translation>
+    </message>
+    <message>
+        <source>A chain that is not in the atlas</source>
+        <translation>Eine Kette, die nicht im Atlas ist</translation>
+    </message>
+    <message>
+        <source>links: %1</source>
+        <translation>Glieder: %1</translation>
+    </message>
+    <message>
+        <source>meshes: %1</source>
+        <translation>Zahneingriffe: %1</translation>
+    </message>
+    <message>
+        <source>freedom: %1</source>
+        <translation>Freiheitsgrad: %1</translation>
+    </message>
+    <message>
+        <source>locked: two of its links turn as one in every motion</source>
+        <translation>gesperrt: zwei ihrer Glieder drehen sich bei jeder Bewegung wie eines</translation>
+    </message>
+    <message>
+        <source>turns by these tooth counts only; with others it would be locked</source>
+        <translation>dreht sich nur mit diesen Zähnezahlen; mit anderen wäre sie gesperrt</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, a planet that repeats another</source>
+        <translation>Weggelassen: Glied %1, ein Planet, der einen anderen wiederholt</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, in no mesh</source>
+        <translation>Weggelassen: Glied %1, in keinem Zahneingriff</translation>
+    </message>
+    <message>
+        <source>There is no mesh.</source>
+        <translation>Es gibt keinen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are different chains.</source>
+        <translation>%1 und %2 sind verschiedene Ketten.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same chain.</source>
+        <translation>%1 und %2 sind dieselbe Kette.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same equations, on other shafts.</source>
+        <translation>%1 und %2 haben dieselben Gleichungen, auf anderen Wellen.</translation>
+    </message>
+    <message>
+        <source>another document: is it the same chain, and which link is which?</source>
+        <translation>ein anderes Dokument: ist es dieselbe Kette, und welches Glied ist welches?</translation>
+    </message>
+    <message>
+        <source>Which chains of the atlas a train is made of.</source>
+        <translation>Aus welchen Ketten des Atlas ein Getriebe besteht.</translation>
+    </message>
+    <message>
+        <source>link %1 of the chain</source>
+        <translation>Glied %1 der Kette</translation>
+    </message>
+    <message>
+        <source>This is no atlas of chains.</source>
+        <translation>Das ist kein Atlas von Ketten.</translation>
+    </message>
+    <message>
+        <source>This line of the atlas is no chain with its number.</source>
+        <translation>Diese Zeile des Atlas ist keine Kette mit ihrer Nummer.</translation>
+    </message>
+    <message>
+        <source>Chain %1 is not at its place in the atlas, or there twice.</source>
+        <translation>Kette %1 ist im Atlas nicht an ihrem Platz oder zweimal da.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -15070,6 +15070,245 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
         <translation>se esperaba el número del color de un eslabón: un entero desde 1.</translation>
     </message>
+    <message>
+        <source>%1 is a whole number, %2 to %3.</source>
+        <translation>%1 es un número entero de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Frame, teeth, kinds of gears
+and the joints by which coaxial links are drawn do not matter. Equations: rotation graphs, the triples gear, gear, carrier.
+Chains: displacement graphs, which tell shafts apart, too. Left out: chains where m gear pairs have fewer than m + 2
+links between them, so that these turn as one; the smallest of them are listed with freedom 0.</source>
+        <translation>Una cadena son eslabones, ejes y pares de engranajes, cada par con el eslabón que lleva las dos ruedas. No cuentan el
+bastidor, los dientes, los tipos de rueda ni las articulaciones con que se dibujan los eslabones coaxiales. Ecuaciones:
+grafos de rotación, las ternas rueda, rueda, portasatélites. Cadenas: grafos de desplazamiento, que distinguen también los
+árboles. Quedan fuera las cadenas en las que m pares tienen menos de m + 2 eslabones, de modo que estos giran como uno
+solo; las más pequeñas figuran con 0 grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Counts of chains with 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301: 27 and 81 with 6 links, 152
+and 647 with 7, 1070 and 6360 with 8. Nonfractionated chains with 2 freedoms: see Tsai, Lin, J. Mech. Transm. Autom. Des.
+111(4), 1989, 524.</source>
+        <translation>Números de cadenas con 1 grado de libertad como en Yang, Ding y otros, J. Mech. Des. 141(4), 2019, 043301: 27 y 81 con
+6 eslabones, 152 y 647 con 7, 1070 y 6360 con 8. Cadenas no fraccionadas con 2 grados de libertad: véase Tsai, Lin,
+J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
+    </message>
+    <message>
+        <source>freedom</source>
+        <translation>libertad</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>ecuaciones</translation>
+    </message>
+    <message>
+        <source>chains</source>
+        <translation>cadenas</translation>
+    </message>
+    <message>
+        <source>nonfractionated equations</source>
+        <translation>ecuaciones no fraccionadas</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, one link held</source>
+        <translation>Cadenas cinemáticas de engranajes, un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>número</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>ejes</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier</source>
+        <translation>pares / portasatélites</translation>
+    </message>
+    <message>
+        <source>Equations: %1, chains: %2</source>
+        <translation>Ecuaciones: %1, cadenas: %2</translation>
+    </message>
+    <message>
+        <source>Chain %1</source>
+        <translation>Cadena %1</translation>
+    </message>
+    <message>
+        <source>axes: %1</source>
+        <translation>ejes: %1</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier: %1</source>
+        <translation>pares / portasatélites: %1</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with a number of a chain.</source>
+        <translation>%1 no tiene sentido con el número de una cadena.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a chain, as 6-1.5.1 is.</source>
+        <translation>«%1» no es el número de una cadena, como 6-1.5.1.</translation>
+    </message>
+    <message>
+        <source>The atlas has no chain %1.</source>
+        <translation>El atlas no tiene la cadena %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; are equations; a document needs a chain, as %2 is.</source>
+        <translation>«%1» son ecuaciones; un documento necesita una cadena, como %2.</translation>
+    </message>
+    <message>
+        <source>One number is enough.</source>
+        <translation>Basta un número.</translation>
+    </message>
+    <message>
+        <source>%1 needs the number of a chain.</source>
+        <translation>%1 necesita el número de una cadena.</translation>
+    </message>
+    <message>
+        <source>The atlas has chains of up to %1 links with this freedom.</source>
+        <translation>Con estos grados de libertad el atlas tiene cadenas de hasta %1 eslabones.</translation>
+    </message>
+    <message>
+        <source>only chains of so many links (3 to 7)</source>
+        <translation>solo cadenas con tantos eslabones (3 a 7)</translation>
+    </message>
+    <message>
+        <source>of this freedom: 1 (the default), 2, or 0: trains that cannot turn</source>
+        <translation>con esta libertad: 1 (lo normal), 2, o 0: trenes que no pueden girar</translation>
+    </message>
+    <message>
+        <source>with so many axes</source>
+        <translation>con tantos ejes</translation>
+    </message>
+    <message>
+        <source>that no link parts, every link in a gear pair</source>
+        <translation>que ningún eslabón divide, cada eslabón en un par</translation>
+    </message>
+    <message>
+        <source>write the chain of the number as a document</source>
+        <translation>escribe la cadena de ese número como documento</translation>
+    </message>
+    <message>
+        <source>With a number</source>
+        <translation>Con un número</translation>
+    </message>
+    <message>
+        <source>the link that is held</source>
+        <translation>el eslabón fijo</translation>
+    </message>
+    <message>
+        <source>a gear pair, by its place, with a ring gear; may be repeated</source>
+        <translation>un par, por su lugar, con una corona; se puede repetir</translation>
+    </message>
+    <message>
+        <source>another atlas than the program&apos;s (of geargraph-make-atlas)</source>
+        <translation>otro atlas que el del programa (de geargraph-make-atlas)</translation>
+    </message>
+    <message>
+        <source>Counts and lists geared kinematic chains; writes one as a document.</source>
+        <translation>Cuenta y enumera cadenas cinemáticas de engranajes; escribe una como documento.</translation>
+    </message>
+    <message>
+        <source>same equations, other shafts: %1</source>
+        <translation>mismas ecuaciones, otros árboles: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair less: %1</source>
+        <translation>un par menos: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair more: %1</source>
+        <translation>un par más: %1</translation>
+    </message>
+    <message>
+        <source>links that differ as the frame: %1</source>
+        <translation>eslabones distintos como bastidor: %1</translation>
+    </message>
+    <message>
+        <source>cannot turn: %1 gear pairs between %2 links, of which one is held</source>
+        <translation>no puede girar: %1 pares entre %2 eslabones, uno de ellos fijo</translation>
+    </message>
+    <message>
+        <source>Trains of more than %1 links are not identified.</source>
+        <translation>No se identifican trenes de más de %1 eslabones.</translation>
+    </message>
+    <message>
+        <source>the identification</source>
+        <translation>la identificación</translation>
+    </message>
+    <message>
+        <source>A chain that is not in the atlas</source>
+        <translation>Una cadena que no está en el atlas</translation>
+    </message>
+    <message>
+        <source>links: %1</source>
+        <translation>eslabones: %1</translation>
+    </message>
+    <message>
+        <source>meshes: %1</source>
+        <translation>engranes: %1</translation>
+    </message>
+    <message>
+        <source>freedom: %1</source>
+        <translation>libertad: %1</translation>
+    </message>
+    <message>
+        <source>locked: two of its links turn as one in every motion</source>
+        <translation>bloqueada: dos de sus eslabones giran como uno en todo movimiento</translation>
+    </message>
+    <message>
+        <source>turns by these tooth counts only; with others it would be locked</source>
+        <translation>gira solo con estos números de dientes; con otros estaría bloqueada</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, a planet that repeats another</source>
+        <translation>Fuera: el eslabón %1, un planeta que repite otro</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, in no mesh</source>
+        <translation>Fuera: el eslabón %1, en ningún engrane</translation>
+    </message>
+    <message>
+        <source>There is no mesh.</source>
+        <translation>No hay ningún engrane.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are different chains.</source>
+        <translation>%1 y %2 son cadenas distintas.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same chain.</source>
+        <translation>%1 y %2 son la misma cadena.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same equations, on other shafts.</source>
+        <translation>%1 y %2 tienen las mismas ecuaciones, en otros árboles.</translation>
+    </message>
+    <message>
+        <source>another document: is it the same chain, and which link is which?</source>
+        <translation>otro documento: ¿es la misma cadena, y qué eslabón es cuál?</translation>
+    </message>
+    <message>
+        <source>Which chains of the atlas a train is made of.</source>
+        <translation>De qué cadenas del atlas se compone un tren.</translation>
+    </message>
+    <message>
+        <source>link %1 of the chain</source>
+        <translation>eslabón %1 de la cadena</translation>
+    </message>
+    <message>
+        <source>This is no atlas of chains.</source>
+        <translation>Esto no es un atlas de cadenas.</translation>
+    </message>
+    <message>
+        <source>This line of the atlas is no chain with its number.</source>
+        <translation>Esta línea del atlas no es una cadena con su número.</translation>
+    </message>
+    <message>
+        <source>Chain %1 is not at its place in the atlas, or there twice.</source>
+        <translation>La cadena %1 no está en su lugar del atlas, o está dos veces.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

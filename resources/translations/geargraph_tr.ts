@@ -15069,6 +15069,245 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <source>expected the number of a link&apos;s colour: a whole number from 1 on.</source>
         <translation>bir uzvun renk numarası bekleniyordu: 1’den başlayan bir tam sayı.</translation>
     </message>
+    <message>
+        <source>%1 is a whole number, %2 to %3.</source>
+        <translation>%1, %2 ile %3 arasında bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Frame, teeth, kinds of gears
+and the joints by which coaxial links are drawn do not matter. Equations: rotation graphs, the triples gear, gear, carrier.
+Chains: displacement graphs, which tell shafts apart, too. Left out: chains where m gear pairs have fewer than m + 2
+links between them, so that these turn as one; the smallest of them are listed with freedom 0.</source>
+        <translation>Bir zincir uzuvlardan, eksenlerden ve dişli çiftlerinden oluşur; her çiftin iki dişliyi taşıyan bir uzvu vardır. Sabit uzuv,
+dişler, dişli türleri ve eş eksenli uzuvların hangi mafsallarla çizildiği önemli değildir. Denklemler: dönme grafları,
+yani dişli, dişli, taşıyıcı üçlüleri. Zincirler: milleri de ayıran yer değiştirme grafları. Alınmayanlar: m dişli
+çiftinin m + 2 uzuvdan azını içerdiği, bu yüzden bunların tek parça gibi döndüğü zincirler; en küçükleri serbestlik
+derecesi 0 ile listelenir.</translation>
+    </message>
+    <message>
+        <source>Counts of chains with 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301: 27 and 81 with 6 links, 152
+and 647 with 7, 1070 and 6360 with 8. Nonfractionated chains with 2 freedoms: see Tsai, Lin, J. Mech. Transm. Autom. Des.
+111(4), 1989, 524.</source>
+        <translation>Serbestlik derecesi 1 olan zincirlerin sayıları Yang, Ding ve ark., J. Mech. Des. 141(4), 2019, 043301 ile aynıdır:
+6 uzuvla 27 ve 81, 7 uzuvla 152 ve 647, 8 uzuvla 1070 ve 6360. Serbestlik derecesi 2 olan bölünmez zincirler için bkz.
+Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
+    </message>
+    <message>
+        <source>freedom</source>
+        <translation>serbestlik</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>denklemler</translation>
+    </message>
+    <message>
+        <source>chains</source>
+        <translation>zincirler</translation>
+    </message>
+    <message>
+        <source>nonfractionated equations</source>
+        <translation>bölünmez denklemler</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, one link held</source>
+        <translation>Dişli kinematik zincirler, bir uzuv tutulmuş</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>numara</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>eksenler</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier</source>
+        <translation>dişli çiftleri / taşıyıcı</translation>
+    </message>
+    <message>
+        <source>Equations: %1, chains: %2</source>
+        <translation>Denklemler: %1, zincirler: %2</translation>
+    </message>
+    <message>
+        <source>Chain %1</source>
+        <translation>Zincir %1</translation>
+    </message>
+    <message>
+        <source>axes: %1</source>
+        <translation>eksenler: %1</translation>
+    </message>
+    <message>
+        <source>gear pairs / carrier: %1</source>
+        <translation>dişli çiftleri / taşıyıcı: %1</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning with a number of a chain.</source>
+        <translation>%1 bir zincir numarasıyla anlamsızdır.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a chain, as 6-1.5.1 is.</source>
+        <translation>&quot;%1&quot;, 6-1.5.1 gibi bir zincir numarası değildir.</translation>
+    </message>
+    <message>
+        <source>The atlas has no chain %1.</source>
+        <translation>Atlasta %1 zinciri yok.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; are equations; a document needs a chain, as %2 is.</source>
+        <translation>&quot;%1&quot; denklemlerdir; belge için %2 gibi bir zincir gerekir.</translation>
+    </message>
+    <message>
+        <source>One number is enough.</source>
+        <translation>Bir numara yeter.</translation>
+    </message>
+    <message>
+        <source>%1 needs the number of a chain.</source>
+        <translation>%1 için bir zincir numarası gerekir.</translation>
+    </message>
+    <message>
+        <source>The atlas has chains of up to %1 links with this freedom.</source>
+        <translation>Atlasta bu serbestlik derecesiyle en çok %1 uzuvlu zincirler var.</translation>
+    </message>
+    <message>
+        <source>only chains of so many links (3 to 7)</source>
+        <translation>yalnız bu kadar uzuvlu zincirler (3 ile 7)</translation>
+    </message>
+    <message>
+        <source>of this freedom: 1 (the default), 2, or 0: trains that cannot turn</source>
+        <translation>bu serbestlik derecesiyle: 1 (varsayılan), 2 ya da 0: dönemeyen dişli dizileri</translation>
+    </message>
+    <message>
+        <source>with so many axes</source>
+        <translation>bu kadar eksenli</translation>
+    </message>
+    <message>
+        <source>that no link parts, every link in a gear pair</source>
+        <translation>hiçbir uzvun bölmediği, her uzvu bir dişli çiftinde olanlar</translation>
+    </message>
+    <message>
+        <source>write the chain of the number as a document</source>
+        <translation>bu numaralı zinciri belge olarak yaz</translation>
+    </message>
+    <message>
+        <source>With a number</source>
+        <translation>Bir numarayla</translation>
+    </message>
+    <message>
+        <source>the link that is held</source>
+        <translation>tutulan uzuv</translation>
+    </message>
+    <message>
+        <source>a gear pair, by its place, with a ring gear; may be repeated</source>
+        <translation>yerine göre, çember dişlili bir çift; yinelenebilir</translation>
+    </message>
+    <message>
+        <source>another atlas than the program&apos;s (of geargraph-make-atlas)</source>
+        <translation>programınkinden başka bir atlas (geargraph-make-atlas ile yapılmış)</translation>
+    </message>
+    <message>
+        <source>Counts and lists geared kinematic chains; writes one as a document.</source>
+        <translation>Dişli kinematik zincirleri sayar ve listeler; birini belge olarak yazar.</translation>
+    </message>
+    <message>
+        <source>same equations, other shafts: %1</source>
+        <translation>aynı denklemler, başka miller: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair less: %1</source>
+        <translation>bir dişli çifti eksik: %1</translation>
+    </message>
+    <message>
+        <source>one gear pair more: %1</source>
+        <translation>bir dişli çifti fazla: %1</translation>
+    </message>
+    <message>
+        <source>links that differ as the frame: %1</source>
+        <translation>sabit uzuv olarak farklı uzuvlar: %1</translation>
+    </message>
+    <message>
+        <source>cannot turn: %1 gear pairs between %2 links, of which one is held</source>
+        <translation>dönemez: biri tutulan %2 uzuv arasında %1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>Trains of more than %1 links are not identified.</source>
+        <translation>%1 uzuvdan büyük dişli dizileri tanınmaz.</translation>
+    </message>
+    <message>
+        <source>the identification</source>
+        <translation>tanıma</translation>
+    </message>
+    <message>
+        <source>A chain that is not in the atlas</source>
+        <translation>Atlasta olmayan bir zincir</translation>
+    </message>
+    <message>
+        <source>links: %1</source>
+        <translation>uzuvlar: %1</translation>
+    </message>
+    <message>
+        <source>meshes: %1</source>
+        <translation>dişli çiftleri: %1</translation>
+    </message>
+    <message>
+        <source>freedom: %1</source>
+        <translation>serbestlik derecesi: %1</translation>
+    </message>
+    <message>
+        <source>locked: two of its links turn as one in every motion</source>
+        <translation>kilitli: uzuvlarından ikisi her harekette tek parça gibi döner</translation>
+    </message>
+    <message>
+        <source>turns by these tooth counts only; with others it would be locked</source>
+        <translation>yalnız bu diş sayılarıyla döner; başkalarıyla kilitlenirdi</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, a planet that repeats another</source>
+        <translation>Alınmadı: %1 uzvu, başka birini yineleyen bir gezegen</translation>
+    </message>
+    <message>
+        <source>Left out: link %1, in no mesh</source>
+        <translation>Alınmadı: %1 uzvu, hiçbir dişli çiftinde değil</translation>
+    </message>
+    <message>
+        <source>There is no mesh.</source>
+        <translation>Hiç dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are different chains.</source>
+        <translation>%1 ile %2 farklı zincirlerdir.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same chain.</source>
+        <translation>%1 ile %2 aynı zincirdir.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same equations, on other shafts.</source>
+        <translation>%1 ile %2 aynı denklemlere sahiptir, başka millerde.</translation>
+    </message>
+    <message>
+        <source>another document: is it the same chain, and which link is which?</source>
+        <translation>başka bir belge: aynı zincir mi, hangi uzuv hangisi?</translation>
+    </message>
+    <message>
+        <source>Which chains of the atlas a train is made of.</source>
+        <translation>Bir dişli dizisinin atlasın hangi zincirlerinden oluştuğu.</translation>
+    </message>
+    <message>
+        <source>link %1 of the chain</source>
+        <translation>zincirin %1. uzvu</translation>
+    </message>
+    <message>
+        <source>This is no atlas of chains.</source>
+        <translation>Bu bir zincir atlası değil.</translation>
+    </message>
+    <message>
+        <source>This line of the atlas is no chain with its number.</source>
+        <translation>Atlasın bu satırı numarasıyla bir zincir değil.</translation>
+    </message>
+    <message>
+        <source>Chain %1 is not at its place in the atlas, or there twice.</source>
+        <translation>%1 zinciri atlasta yerinde değil ya da iki kez var.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
