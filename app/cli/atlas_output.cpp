@@ -26,6 +26,20 @@ void writeChainMembers(JsonWriter& json, const Chain& chain) {
   json.endArray();
 }
 
+void writeRelatives(JsonWriter& json, const ChainRelatives& relatives) {
+  json.beginObject(JsonWriter::Layout::row);
+  for (const auto& [name, numbers] : {std::pair("sameEquations", &relatives.sameEquations),
+                                      {"oneMeshLess", &relatives.oneMeshLess},
+                                      {"oneMeshMore", &relatives.oneMeshMore}}) {
+    json.key(name);
+    json.beginArray(JsonWriter::Layout::row);
+    for (const ChainNumber& number : *numbers) json.string(number.toString());
+    json.endArray();
+  }
+  json.member("frames", relatives.frames);
+  json.endObject();
+}
+
 std::string numbersText(const std::vector<ChainNumber>& numbers) {
   constexpr std::size_t kMostNumbers = 12;
   if (numbers.empty()) return translated("none");

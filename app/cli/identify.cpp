@@ -1,6 +1,7 @@
-// `identify FILE [--with FILE] [--json]`: which chains of the atlas a train is made of, and whether two
-// trains are the same.
+// `identify FILE [--with FILE] [--choices] [--json]`: which chains of the atlas a train is made of, and
+// whether two trains are the same.
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
@@ -10,16 +11,21 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/design/atlas/chain_choices.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/placement/placement.h"
 
 namespace geargraph::cli {
 namespace {
 
+constexpr std::size_t kUsualChoices = 100;
+constexpr std::size_t kMostChoices = 100'000;
+
 /// A document and what it is made of.
 struct IdentifiedTrain {
   std::string file;
   Mechanism mechanism;
+  DrawnChain drawn;
   TrainIdentity identity;
 };
 
@@ -34,10 +40,10 @@ int tooLarge(int links) {
 std::variant<IdentifiedTrain, int> identified(const std::string& file, const Arguments& arguments) {
   auto loaded = loadOrSay(file);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
-  IdentifiedTrain train{file, std::get<Mechanism>(std::move(loaded)), {}};
+  IdentifiedTrain train{file, std::get<Mechanism>(std::move(loaded)), {}, {}};
   if (train.mechanism.links.size() > kMaxIdentifiedLinks) return tooLarge(kMaxIdentifiedLinks);
   const Placement placement = placementOf(train.mechanism);
-  const auto drawn = drawnChain(train.mechanism, placement);
+  auto drawn = drawnChain(train.mechanism, placement);
   if (!drawn) {
     std::cerr << diagnosticLines(file, drawn.error());
     return static_cast<int>(kMechanismErrors);
@@ -45,6 +51,7 @@ std::variant<IdentifiedTrain, int> identified(const std::string& file, const Arg
   auto identity = identifyTrain(train.mechanism, placement, *drawn, Atlas::shipped(), arguments.stop);
   if (!identity) return outOfTime(arguments, translated("the identification"));
   train.identity = *std::move(identity);
+  train.drawn = std::move(drawn).value();
   return train;
 }
 
@@ -79,6 +86,12 @@ void writePart(JsonWriter& json, const IdentifiedTrain& train, const IdentifiedC
   json.member("locked", part.isLocked);
   writeNumber(json, "rotation", part.rotation);
   writeNumber(json, "displacement", part.displacement);
+  json.key("relatives");
+  if (part.displacement) {
+    writeRelatives(json, relativesOf(part.chain, Atlas::shipped()));
+  } else {
+    json.null();
+  }
   json.endObject();
 }
 
@@ -100,8 +113,55 @@ void writeMatch(JsonWriter& json, const IdentifiedTrain& a, const IdentifiedTrai
   json.endObject();
 }
 
-std::string identityJson(const IdentifiedTrain& train, const IdentifiedTrain* other,
-                         const std::optional<TrainMatch>& match) {
+void writePairs(JsonWriter& json, const IdentifiedTrain& train, std::string_view name,
+                const std::vector<std::vector<TurningPair>>& sets) {
+  json.key(name);
+  json.beginArray();
+  for (const std::vector<TurningPair>& set : sets) {
+    json.beginArray(JsonWriter::Layout::row);
+    for (const auto& [first, second] : set) {
+      json.beginArray(JsonWriter::Layout::row);
+      json.string(linkIdOf(train, first));
+      json.string(linkIdOf(train, second));
+      json.endArray();
+    }
+    json.endArray();
+  }
+  json.endArray();
+}
+
+/// The member "choices".
+void writeChoices(JsonWriter& json, const IdentifiedTrain& train, const ChainChoices& choices) {
+  json.key("choices");
+  json.beginObject();
+  json.key("treeCount");
+  if (choices.treeCount) {
+    json.string(std::to_string(*choices.treeCount));
+  } else {
+    json.null();
+  }
+  writePairs(json, train, "trees", choices.trees);
+  json.member("inputSetCount", std::to_string(choices.inputSetCount));
+  writePairs(json, train, "inputSets", choices.inputSets);
+  json.key("frames");
+  json.beginArray(JsonWriter::Layout::row);
+  for (const std::vector<int>& frame : choices.frames) {
+    json.beginArray(JsonWriter::Layout::row);
+    for (const int link : frame) json.string(linkIdOf(train, link));
+    json.endArray();
+  }
+  json.endArray();
+  json.endObject();
+}
+
+/// What is told of a train beside its chains; null where it was not asked for.
+struct IdentityExtras {
+  const IdentifiedTrain* other = nullptr;
+  std::optional<TrainMatch> match = {};
+  std::optional<ChainChoices> choices = {};
+};
+
+std::string identityJson(const IdentifiedTrain& train, const IdentityExtras& extras) {
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -121,7 +181,8 @@ std::string identityJson(const IdentifiedTrain& train, const IdentifiedTrain* ot
     json.beginArray();
     for (const IdentifiedChain& part : train.identity.parts) writePart(json, train, part);
     json.endArray();
-    if (other != nullptr) writeMatch(json, train, *other, match);
+    if (extras.other != nullptr) writeMatch(json, train, *extras.other, extras.match);
+    if (extras.choices) writeChoices(json, train, *extras.choices);
     json.endObject();
   }
   return sink.take();
@@ -177,36 +238,96 @@ std::string matchText(const IdentifiedTrain& a, const IdentifiedTrain& b,
   std::string meshes;
   for (const auto& [own, other] : match->meshes)
     added(meshes, a.mechanism.meshLabel(own), b.mechanism.meshLabel(other));
-  return text + "\n  " + translated("links: %1", {links}) + "\n  " + translated("meshes: %1", {meshes}) + '\n';
+  return text + "\n  " + translated("links: %1", {links}) + "\n  " + translated("meshes: %1", {meshes}) +
+         '\n';
+}
+
+/// "0-1 1-4": pairs of labels.
+std::string pairsText(const Mechanism& mechanism, const std::vector<TurningPair>& pairs) {
+  std::string text;
+  for (const auto& [first, second] : pairs)
+    text += (text.empty() ? "" : " ") + std::to_string(mechanism.linkLabel(first)) + '-' +
+            std::to_string(mechanism.linkLabel(second));
+  return text;
+}
+
+std::string choicesText(const IdentifiedTrain& train, const ChainChoices& choices) {
+  const auto listedBelow = [&](const std::vector<std::vector<TurningPair>>& sets, const std::string& count) {
+    std::string text;
+    for (const std::vector<TurningPair>& set : sets) {
+      const std::string pairs = pairsText(train.mechanism, set);
+      text += "  " + (pairs.empty() ? translated("none") : pairs) + '\n';
+    }
+    return count == std::to_string(sets.size()) ? text : text + "  ...\n";
+  };
+  const std::string trees = choices.treeCount ? std::to_string(*choices.treeCount) : translated("over 2^63");
+  const std::string inputs = std::to_string(choices.inputSetCount);
+  std::string text =
+      translated("Trees of turning joints: %1", {trees}) + '\n' + listedBelow(choices.trees, trees);
+  text += translated("Valid sets of inputs, as pairs of links: %1", {inputs}) + '\n' +
+          listedBelow(choices.inputSets, inputs);
+  text += translated("Links that differ as the frame: %1", {std::to_string(choices.frames.size())}) + '\n';
+  for (const std::vector<int>& frame : choices.frames) text += "  " + spacedLabels(frame) + '\n';
+  return text;
+}
+
+/// The choices that --choices asks for; or reports why there are none and gives the exit status.
+std::variant<std::optional<ChainChoices>, int> choicesFrom(const Arguments& arguments,
+                                                           const IdentifiedTrain& train) {
+  if (!arguments.has("--choices")) return std::optional<ChainChoices>();
+  std::size_t most = kUsualChoices;
+  if (const auto word = arguments.value("--limit")) {
+    const auto given = numberFrom<std::size_t>(*word);
+    if (!given) return wrongUsage(kIdentify, translated("--limit is a whole number."));
+    most = std::min(*given, kMostChoices);
+  }
+  auto choices = choicesOf(train.drawn.chain, train.drawn.teeth, most, arguments.stop);
+  if (choices) return choices;
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the identification"));
+  std::cerr << "geargraph-cli: "
+            << translated("There are more than %1 sets of inputs to try; they are not listed.",
+                          {std::to_string(kMaxInputTrials)})
+            << '\n';
+  return static_cast<int>(kResourceLimit);
 }
 
 int runIdentify(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kIdentify, translated("One file is needed."));
+  if (arguments.has("--limit") && !arguments.has("--choices"))
+    return wrongUsage(kIdentify, translated("%1 has no meaning without %2.", {"--limit", "--choices"}));
   const auto train = identified(arguments.files.front(), arguments);
   if (const int* status = std::get_if<int>(&train)) return *status;
   const auto& own = std::get<IdentifiedTrain>(train);
-  const auto path = arguments.value("--with");
-  if (!path)
-    return print(arguments.has("--json") ? identityJson(own, nullptr, std::nullopt) : identityText(own));
-  const auto second = identified(*path, arguments);
-  if (const int* status = std::get_if<int>(&second)) return *status;
-  const auto& other = std::get<IdentifiedTrain>(second);
-  if (std::max(own.identity.chain.links, other.identity.chain.links) > kMaxMatchedLinks)
-    return tooLarge(kMaxMatchedLinks);
-  const auto match = matchOf(own.identity, other.identity);
-  return print(arguments.has("--json") ? identityJson(own, &other, match)
-                                       : identityText(own) + matchText(own, other, match));
+  IdentityExtras extras;
+  auto choices = choicesFrom(arguments, own);
+  if (const int* status = std::get_if<int>(&choices)) return *status;
+  extras.choices = std::get<0>(std::move(choices));
+  std::optional<IdentifiedTrain> other;
+  if (const auto path = arguments.value("--with")) {
+    auto second = identified(*path, arguments);
+    if (const int* status = std::get_if<int>(&second)) return *status;
+    other = std::get<IdentifiedTrain>(std::move(second));
+    if (std::max(own.identity.chain.links, other->identity.chain.links) > kMaxMatchedLinks)
+      return tooLarge(kMaxMatchedLinks);
+    extras.other = &*other;
+    extras.match = matchOf(own.identity, other->identity);
+  }
+  if (arguments.has("--json")) return print(identityJson(own, extras));
+  return print(identityText(own) + (other ? matchText(own, *other, extras.match) : "") +
+               (extras.choices ? choicesText(own, *extras.choices) : ""));
 }
 
 constexpr std::array kIdentifyOptions = {
     Option{"--with", "FILE", toTranslate("another document: is it the same chain, and which link is which?")},
+    Option{"--choices", "", toTranslate("also the trees, inputs and frames by which the train can be drawn")},
+    Option{"--limit", "N", toTranslate("with --choices: how many of each are listed (100)")},
     Option{"--json", "", toTranslate("as JSON")},
 };
 
 }  // namespace
 
 const Command kIdentify = {.name = "identify",
-                           .usage = "FILE [--with FILE] [--json]",
+                           .usage = "FILE [--with FILE] [--choices [--limit N]] [--json]",
                            .summary = toTranslate("Which chains of the atlas a train is made of."),
                            .options = kIdentifyOptions,
                            .run = runIdentify,

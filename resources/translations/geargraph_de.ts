@@ -15309,6 +15309,38 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Chain %1 is not at its place in the atlas, or there twice.</source>
         <translation>Kette %1 ist im Atlas nicht an ihrem Platz oder zweimal da.</translation>
     </message>
+    <message>
+        <source>also the trees, inputs and frames by which the train can be drawn</source>
+        <translation>auch die Bäume, Antriebe und Gestelle, mit denen das Getriebe gezeichnet werden kann</translation>
+    </message>
+    <message>
+        <source>with --choices: how many of each are listed (100)</source>
+        <translation>mit --choices: wie viele jeweils gelistet werden (100)</translation>
+    </message>
+    <message>
+        <source>over 2^63</source>
+        <translation>über 2^63</translation>
+    </message>
+    <message>
+        <source>Trees of turning joints: %1</source>
+        <translation>Bäume aus Drehgelenken: %1</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs, as pairs of links: %1</source>
+        <translation>Gültige Sätze von Antrieben, als Paare von Gliedern: %1</translation>
+    </message>
+    <message>
+        <source>Links that differ as the frame: %1</source>
+        <translation>Als Gestell verschiedene Glieder: %1</translation>
+    </message>
+    <message>
+        <source>There are more than %1 sets of inputs to try; they are not listed.</source>
+        <translation>Es wären mehr als %1 Sätze von Antrieben zu prüfen; sie werden nicht gelistet.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%1 hat ohne %2 keine Bedeutung.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -15309,6 +15309,38 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Chain %1 is not at its place in the atlas, or there twice.</source>
         <translation>La cadena %1 no está en su lugar del atlas, o está dos veces.</translation>
     </message>
+    <message>
+        <source>also the trees, inputs and frames by which the train can be drawn</source>
+        <translation>también los árboles, entradas y bastidores con que se puede dibujar el tren</translation>
+    </message>
+    <message>
+        <source>with --choices: how many of each are listed (100)</source>
+        <translation>con --choices: cuántos de cada uno se enumeran (100)</translation>
+    </message>
+    <message>
+        <source>over 2^63</source>
+        <translation>más de 2^63</translation>
+    </message>
+    <message>
+        <source>Trees of turning joints: %1</source>
+        <translation>Árboles de articulaciones: %1</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs, as pairs of links: %1</source>
+        <translation>Conjuntos válidos de entradas, como pares de eslabones: %1</translation>
+    </message>
+    <message>
+        <source>Links that differ as the frame: %1</source>
+        <translation>Eslabones distintos como bastidor: %1</translation>
+    </message>
+    <message>
+        <source>There are more than %1 sets of inputs to try; they are not listed.</source>
+        <translation>Habría que probar más de %1 conjuntos de entradas; no se enumeran.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%1 no tiene sentido sin %2.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -15308,6 +15308,38 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Chain %1 is not at its place in the atlas, or there twice.</source>
         <translation>%1 zinciri atlasta yerinde değil ya da iki kez var.</translation>
     </message>
+    <message>
+        <source>also the trees, inputs and frames by which the train can be drawn</source>
+        <translation>dizinin hangi ağaçlar, girdiler ve sabit uzuvlarla çizilebileceği de</translation>
+    </message>
+    <message>
+        <source>with --choices: how many of each are listed (100)</source>
+        <translation>--choices ile: her birinden kaçının listeleneceği (100)</translation>
+    </message>
+    <message>
+        <source>over 2^63</source>
+        <translation>2^63 üzeri</translation>
+    </message>
+    <message>
+        <source>Trees of turning joints: %1</source>
+        <translation>Mafsal ağaçları: %1</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs, as pairs of links: %1</source>
+        <translation>Geçerli girdi kümeleri, uzuv çiftleri olarak: %1</translation>
+    </message>
+    <message>
+        <source>Links that differ as the frame: %1</source>
+        <translation>Sabit uzuv olarak farklı uzuvlar: %1</translation>
+    </message>
+    <message>
+        <source>There are more than %1 sets of inputs to try; they are not listed.</source>
+        <translation>Denenecek %1 üzerinde girdi kümesi var; listelenmez.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%1, %2 olmadan anlamsızdır.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -145,6 +145,25 @@ class TestResultSchema : public QObject {
     for (const json& answer : {matrix, equations}) QCOMPARE(whole.complaint(answer), std::string());
   }
 
+  void atlasAndIdentityFit() {
+    const JsonSchema whole(published());
+    const auto file = [](const char* name) { return QString::fromStdString(examplePath(name)); };
+    const QList<QPair<const char*, QStringList>> calls = {
+        {"atlas", {"atlas", "--json"}},
+        {"atlas", {"atlas", "--dof", "0", "--json"}},
+        {"identity", {"identify", file("robot"), "--choices", "--json"}},
+        {"identity", {"identify", file("eight-speed-gearbox"), "--with", file("simpson"), "--json"}},
+        {"identity", {"identify", file("three-planets"), "--with", file("reverted-train"), "--json"}}};
+    for (const auto& [kind, words] : calls) {
+      const json answer = answerOf(words);
+      QCOMPARE(closedSchema(kind).complaint(answer), std::string());
+      QCOMPARE(whole.complaint(answer), std::string());
+    }
+    QCOMPARE(answerOf(calls[0].second).at("displacementCount"), 745);
+    QVERIFY(answerOf(calls[3].second).at("with").is_null());
+    QVERIFY(!answerOf(calls[4].second).at("with").is_null());
+  }
+
   void collisionsAndLimitsFit() {
     const json motion =
         answerOf({"validate", "--motion", "--json", QString::fromStdString(examplePath("robot"))});

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/design/atlas/atlas_file.h"
+#include "core/design/atlas/chain_choices.h"
 #include "core/design/atlas/chain_document.h"
 #include "core/design/atlas/chain_enumeration.h"
 #include "core/design/atlas/chain_freedom.h"
@@ -239,6 +240,42 @@ class TestAtlas : public QObject {
     QCOMPARE(std::count_if(Atlas::shipped().chains(6, 2).begin(), Atlas::shipped().chains(6, 2).end(),
                            [](const AtlasChain& entry) { return isNonfractionated(entry.chain); }),
              3);
+  }
+
+  /// Five coaxial links without meshes have four freedoms: the pairs that determine their motion are the 5^3
+  /// trees, which are found by another way.
+  void treesAreTheInputsOfCoaxialLinks() {
+    const Chain chain{5, {{0, 1, 2, 3, 4}}, {}};
+    auto choices = choicesOf(chain, {}, 1000);
+    QVERIFY(choices.has_value());
+    QCOMPARE(*choices->treeCount, 125);
+    QCOMPARE(choices->inputSetCount, 125);
+    std::sort(choices->trees.begin(), choices->trees.end());
+    QCOMPARE(choices->trees, choices->inputSets);
+    QCOMPARE(choices->frames, (std::vector<std::vector<int>>{{0, 1, 2, 3, 4}}));
+    QCOMPARE(choicesOf(chain, {}, 7)->trees.size(), std::size_t{7});
+    QCOMPARE(choicesOf(chain, {}, 7)->inputSetCount, 125);
+  }
+
+  void choicesOfAPlanetarySet() {
+    const Chain& chain = Atlas::shipped().find({4, 1, 1, 1})->chain;  // carrier 0, planet 1, sun and ring
+    const std::vector<SignedTeeth> teeth{{18, -24}, {18, 60}};
+    const auto choices = choicesOf(chain, teeth, 100);
+    QCOMPARE(*choices->treeCount, 3);
+    const std::vector<std::vector<TurningPair>> trees{
+        {{0, 1}, {0, 2}, {0, 3}}, {{0, 1}, {0, 2}, {2, 3}}, {{0, 1}, {0, 3}, {2, 3}}};
+    auto found = choices->trees;
+    std::sort(found.begin(), found.end());
+    QCOMPARE(found, trees);
+    QCOMPARE(choices->inputSets,
+             (std::vector<std::vector<TurningPair>>{{{0, 1}}, {{0, 2}}, {{0, 3}}, {{2, 3}}}));
+    QCOMPARE(choices->frames, (std::vector<std::vector<int>>{{0}, {1}, {2, 3}}));
+  }
+
+  void tooManyChoicesAreNotTried() {
+    Chain chain{30, {{}}, {}};
+    for (int link = 0; link < 30; ++link) chain.axes.front().push_back(link);
+    QVERIFY(!choicesOf(chain, {}, 10));
   }
 
   void numbersAreReadAsWritten() {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/design/atlas/chain_choices.h"
 #include "core/design/atlas/chain_document.h"
 #include "core/design/atlas/identify.h"
 #include "tests/core/support/example_files.h"
@@ -193,6 +194,29 @@ class TestIdentify : public QObject {
     QVERIFY(!matchOf(planetarySet, identityOf(example("simpson"))));
     // Copies of planets do not count.
     QVERIFY(matchOf(planetarySet, identityOf(example("three-planets"))));
+  }
+
+  /// Of the sets of pairs those that the paper's robot draws as joints are its 21 valid sets of inputs, which
+  /// the matroid method counts by itself.
+  void inputsOfDrawnJointsAreThoseOfTheMatroid() {
+    const Mechanism robot = example("robot");
+    const Placement placement = placementOf(robot);
+    const auto drawn = drawnChain(robot, placement);
+    const auto choices = choicesOf(drawn->chain, drawn->teeth, 100'000);
+    std::set<TurningPair> joints;
+    for (const DigraphEdge& joint : placement.tree->joints)
+      joints.insert(std::minmax<int>(joint.tail, joint.head));
+    QCOMPARE(joints.size(), std::size_t{7});
+    const auto areDrawn = [&](const std::vector<TurningPair>& pairs) {
+      return std::all_of(pairs.begin(), pairs.end(),
+                         [&](const TurningPair& p) { return joints.contains(p); });
+    };
+    QCOMPARE(static_cast<std::int64_t>(choices->inputSets.size()), choices->inputSetCount);
+    QCOMPARE(std::count_if(choices->inputSets.begin(), choices->inputSets.end(), areDrawn), 21);
+    QVERIFY(
+        std::any_of(choices->trees.begin(), choices->trees.end(), [&](const std::vector<TurningPair>& tree) {
+          return std::set<TurningPair>(tree.begin(), tree.end()) == joints;
+        }));
   }
 
   void stopsWhereItIsAsked() {
