@@ -10,6 +10,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/text_table.h"
+#include "app/cli/time_limit.h"
 #include "core/design/atlas/chain_document.h"
 #include "core/design/atlas/identify.h"
 #include "core/foundations/base/words.h"
@@ -209,9 +210,10 @@ int runOneChain(const Arguments& arguments, const Atlas& atlas) {
                                          {word, group.front().number.toString()}));
   const auto drawing = drawingFrom(arguments, chain->chain);
   if (const auto* error = std::get_if<UsageError>(&drawing)) return wrongUsage(kAtlas, error->message);
-  return writePicture(
-      writeMechanism(chainDocument(chain->chain, chain->number.toString(), std::get<ChainDrawing>(drawing))),
-      *out);
+  const Mechanism document =
+      chainDocument(chain->chain, chain->number.toString(), std::get<ChainDrawing>(drawing), arguments.stop);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the conversion"));
+  return writePicture(writeMechanism(document), *out);
 }
 
 int runAtlas(const Arguments& arguments) {

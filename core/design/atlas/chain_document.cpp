@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
+#include "core/machine/bodies/derived_geometry.h"
 
 namespace geargraph::inline atlas {
 namespace {
@@ -42,8 +44,10 @@ Number hundredths(double value) {
 /// The tree of links and axes as seen from the frame, and where its axes are.
 class AxisPolygons {
  public:
-  AxisPolygons(const Chain& chain, int frame)
+  AxisPolygons(const Chain& chain, int frame, double growth)
       : m_chain(chain),
+        m_growth(growth),
+        m_side(static_cast<std::size_t>(chain.links), kPolygonSide),
         m_points(chain.axes.size()),
         m_rootLink(chain.axes.size(), -1),
         m_rootAxis(static_cast<std::size_t>(chain.links), -1) {
@@ -77,7 +81,7 @@ class AxisPolygons {
     const std::size_t placed = rootAxis(carrier) >= 0 ? 1 : 0;
     if (axes.size() == placed) return;
     order(carrier, axes);
-    turnToFreeSpace(axes, placed);
+    turnToFreeSpace(carrier, axes, placed);
     for (std::size_t i = placed; i < axes.size(); ++i) {
       m_rootLink[static_cast<std::size_t>(axes[i])] = carrier;
       m_placed.push_back(axes[i]);
@@ -85,6 +89,7 @@ class AxisPolygons {
         if (link == carrier) continue;
         m_rootAxis[static_cast<std::size_t>(link)] = axes[i];
         m_linkOrder.push_back(link);
+        m_side[static_cast<std::size_t>(link)] = m_side[static_cast<std::size_t>(carrier)] * m_growth;
       }
     }
     if (placed == 0) m_placed.push_back(axes.front());
@@ -122,21 +127,22 @@ class AxisPolygons {
   }
 
   /// Away from the frame where the polygon comes near no axis that is there.
-  void turnToFreeSpace(const std::vector<int>& axes, std::size_t placed) {
+  void turnToFreeSpace(int carrier, const std::vector<int>& axes, std::size_t placed) {
     const PlanePoint corner = placed == 1 ? m_points[static_cast<std::size_t>(axes.front())] : PlanePoint();
     const double away = std::hypot(corner.x, corner.y) > 1 ? std::atan2(corner.y, corner.x) : 0;
     constexpr int kTurns = 24;
     for (int turn = 0; turn < kTurns; ++turn) {
       const int steps = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
-      setPolygon(axes, corner, away + steps * 2 * std::numbers::pi / kTurns, placed);
+      setPolygon(axes, corner, away + steps * 2 * std::numbers::pi / kTurns,
+                 m_side[static_cast<std::size_t>(carrier)], placed);
       if (isClear(axes, placed)) return;
     }
   }
 
-  void setPolygon(const std::vector<int>& axes, const PlanePoint& corner, double direction,
+  void setPolygon(const std::vector<int>& axes, const PlanePoint& corner, double direction, double side,
                   std::size_t placed) {
     const auto count = static_cast<double>(axes.size());
-    const double radius = axes.size() == 1 ? 0 : kPolygonSide / (2 * std::sin(std::numbers::pi / count));
+    const double radius = axes.size() == 1 ? 0 : side / (2 * std::sin(std::numbers::pi / count));
     const PlanePoint centre = beside(corner, radius, direction);
     for (std::size_t i = placed; i < axes.size(); ++i) {
       const double angle =
@@ -157,6 +163,8 @@ class AxisPolygons {
   }
 
   const Chain& m_chain;
+  double m_growth;
+  std::vector<double> m_side;  ///< by link: of the polygon of its axes, mm
   std::vector<PlanePoint> m_points;
   std::vector<int> m_rootLink;
   std::vector<int> m_rootAxis;
@@ -218,9 +226,8 @@ void addNodes(const Chain& chain, const AxisPolygons& polygons, Mechanism& docum
   }
 }
 
-}  // namespace
-
-int usualFrame(const Chain& chain) {
+/// The links, the usual frame first.
+std::vector<int> framesInOrder(const Chain& chain) {
   std::vector<std::tuple<int, int, int, int>> ranks;
   for (int link = 0; link < chain.links; ++link) {
     int bundle = 0;
@@ -235,13 +242,16 @@ int usualFrame(const Chain& chain) {
     }
     ranks.emplace_back(-bundle, carries, gears, link);
   }
-  return std::get<3>(*std::min_element(ranks.begin(), ranks.end()));
+  std::sort(ranks.begin(), ranks.end());
+  std::vector<int> frames;
+  for (const auto& rank : ranks) frames.push_back(std::get<3>(rank));
+  return frames;
 }
 
-Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing) {
-  const int frame = drawing.frame.value_or(usualFrame(chain));
-  GEARGRAPH_REQUIRE(frame >= 0 && frame < chain.links && chain.axes.size() <= 26);
-  const AxisPolygons polygons(chain, frame);
+/// The document with this frame. `growth`: of the sides of polygons from one link to the next outer one.
+Mechanism documentOf(const Chain& chain, const std::string& name, int frame, const std::vector<int>& rings,
+                     double growth) {
+  const AxisPolygons polygons(chain, frame, growth);
   Mechanism document = emptyMechanism();
   document.name = std::move(name);
   document.links.clear();
@@ -267,12 +277,38 @@ Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing
                                       {}});
   }
   for (std::size_t m = 0; m < chain.meshes.size(); ++m) {
-    const bool isRing =
-        std::find(drawing.rings.begin(), drawing.rings.end(), static_cast<int>(m)) != drawing.rings.end();
+    const bool isRing = std::find(rings.begin(), rings.end(), static_cast<int>(m)) != rings.end();
     addGearPair(chain, polygons, m, isRing, document);
   }
   addNodes(chain, polygons, document);
   return document;
+}
+
+}  // namespace
+
+int usualFrame(const Chain& chain) {
+  return framesInOrder(chain).front();
+}
+
+Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing,
+                        const std::stop_token& stop) {
+  GEARGRAPH_REQUIRE(chain.axes.size() <= 26);
+  GEARGRAPH_REQUIRE(!drawing.frame || (*drawing.frame >= 0 && *drawing.frame < chain.links));
+  std::optional<Mechanism> best;
+  std::size_t fewest = 0;
+  for (const int frame : drawing.frame ? std::vector<int>{*drawing.frame} : framesInOrder(chain)) {
+    for (const double growth : {1.0, 0.55, 1.7, 0.4, 1.3, 0.7, 0.85, 2.2}) {
+      Mechanism document = documentOf(chain, name, frame, drawing.rings, growth);
+      const auto found = DerivedGeometry(PlacedMechanism(document)).diagnostics(stop);
+      const std::size_t count = found ? found->size() : 0;
+      if (!best || (found && count < fewest)) {
+        best = std::move(document);
+        fewest = count;
+      }
+      if (stop.stop_requested() || fewest == 0) return *std::move(best);
+    }
+  }
+  return *std::move(best);
 }
 
 }  // namespace geargraph::inline atlas

@@ -10,6 +10,7 @@
 #include "core/design/atlas/chain_enumeration.h"
 #include "core/design/atlas/chain_freedom.h"
 #include "core/design/atlas/identify.h"
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/analysis/kinematics.h"
@@ -163,6 +164,19 @@ class TestAtlas : public QObject {
       const std::string fault = faultOf(chainDocument(chain.chain, chain.number.toString()), chain);
       QVERIFY2(fault.empty(), (chain.number.toString() + ' ' + fault).c_str());
     }
+  }
+
+  /// Shafts, arms and wheels have room in all documents to 6 links, and with 7 links in all but a few.
+  void bodiesHaveRoom() {
+    int crowded = 0;
+    for (const AtlasChain& chain : Atlas::shipped().chains()) {
+      if (chain.number.dof != 1) continue;
+      const DerivedGeometry geometry(PlacedMechanism(chainDocument(chain.chain, "")));
+      if (geometry.diagnostics()->empty()) continue;
+      QVERIFY2(chain.number.links == 7, chain.number.toString().c_str());
+      ++crowded;
+    }
+    QVERIFY(crowded <= 4);
   }
 
   void everyFrameAndRingGearIsADocument() {
