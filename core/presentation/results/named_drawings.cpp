@@ -6,7 +6,11 @@
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "core/presentation/drawing/tt_graph_layout.h"
+#include "core/presentation/lever_drawing/lever_drawing.h"
+#include "core/presentation/lever_drawing/nomogram.h"
+#include "core/presentation/lever_drawing/point_plan.h"
 #include "core/presentation/power_drawing/power_drawing.h"
+#include "core/presentation/results/levers_json.h"
 #include "core/presentation/schematic/schematic.h"
 
 namespace geargraph::inline results {
@@ -43,8 +47,35 @@ DisplayList schematic(const AnalysisSnapshot& snapshot, const DrawnPower* power,
   return under;
 }
 
-constexpr std::array kDrawings = {NamedDrawing{"digraph", digraph}, NamedDrawing{"ttgraph", ttGraph, false},
-                                  NamedDrawing{"schematic", schematic}};
+DisplayList levers(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                   const std::stop_token& stop) {
+  const auto picture = leverPictureOf(snapshot, stop);
+  return picture ? leverDrawing(*snapshot.mechanism, *picture, {}) : DisplayList();
+}
+
+DisplayList nomogram(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                     const std::stop_token& stop) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return nomogramDrawing(mechanism, {}, {}, {}, {}, {});
+  // The states engage their own couplings, whatever the document engages.
+  KinematicModel model = *kinematics->model;
+  model.hold({});
+  const auto plan = leverPlanOf(model, kinematics->placement(), {}, stop);
+  const auto states = solveStates(mechanism, model, kinematics->placement(), false, stop);
+  if (!plan || !states) return {};
+  return nomogramDrawing(mechanism, *plan, kinematics->placement(), *states, engagedState(mechanism), {});
+}
+
+DisplayList plan(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/, const std::stop_token& stop) {
+  const auto points = pointPlanOf(snapshot, stop);
+  return points ? pointPlanDrawing(*snapshot.mechanism, *points, {}) : DisplayList();
+}
+
+constexpr std::array kDrawings = {
+    NamedDrawing{"digraph", digraph},          NamedDrawing{"ttgraph", ttGraph, false},
+    NamedDrawing{"schematic", schematic},      NamedDrawing{"levers", levers, false},
+    NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false}};
 
 }  // namespace
 

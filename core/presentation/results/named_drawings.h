@@ -30,7 +30,7 @@ struct NamedDrawing {
 [[nodiscard]] std::span<const NamedDrawing> drawings();
 /// Null if there is none.
 [[nodiscard]] const NamedDrawing* drawingNamed(std::string_view name);
-/// "digraph, ttgraph, schematic"
+/// "digraph, ttgraph, schematic, levers, nomogram, plan"
 [[nodiscard]] std::string drawingNames();
 
 }  // namespace geargraph::inline results

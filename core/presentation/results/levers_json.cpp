@@ -1,0 +1,225 @@
+#include "core/presentation/results/levers_json.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/files/json_writer.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/states/engagement.h"
+#include "core/theory/statics/shift_statics.h"
+
+namespace geargraph::inline results {
+namespace {
+
+using Row = JsonWriter::Layout;
+
+std::string_view absenceName(LeverAbsence absence) {
+  switch (absence) {
+    case LeverAbsence::none:
+      return {};
+    case LeverAbsence::unsolvable:
+      return "unfinished";
+    case LeverAbsence::noMesh:
+      return "no-mesh";
+    case LeverAbsence::locked:
+      return "locked";
+    case LeverAbsence::directions:
+      return "directions";
+    case LeverAbsence::tooLarge:
+      return "too-large";
+  }
+  return {};
+}
+
+/// The lever diagram as JSON: links by id.
+class LeversJson {
+ public:
+  LeversJson(JsonWriter& json, const Mechanism& mechanism, const LeverPicture& picture)
+      : m_json(json), m_mechanism(mechanism), m_picture(picture), m_plan(picture.plan) {}
+
+  void write() {
+    m_json.key("freedom");
+    m_plan.absence == LeverAbsence::unsolvable ? m_json.null()
+                                               : m_json.number(static_cast<std::int64_t>(m_plan.freedom));
+    m_json.key("points");
+    m_json.beginObject();
+    for (std::size_t i = 0; i < m_plan.points.size(); ++i) {
+      m_json.key(idOf(m_plan.links[i]));
+      m_json.beginArray(Row::row);
+      for (const Rational& each : m_plan.points[i]) m_json.string(each.toString());
+      m_json.endArray();
+    }
+    m_json.endObject();
+    m_json.key("levers");
+    m_json.beginArray();
+    for (std::size_t i = 0; i < m_plan.levers.size(); ++i) writeLever(i);
+    m_json.endArray();
+    m_json.key("reason");
+    m_plan.absence == LeverAbsence::none ? m_json.null() : m_json.string(absenceName(m_plan.absence));
+    writeSpeeds();
+  }
+
+ private:
+  [[nodiscard]] std::string idOf(LinkOrdinal link) const { return m_mechanism.links[link].id.text(); }
+
+  void writeLever(std::size_t position) {
+    const Lever& lever = m_plan.levers[position];
+    m_json.beginObject();
+    m_json.key("points");
+    m_json.beginArray();
+    for (const LeverPoint& point : lever.points) {
+      m_json.beginObject(Row::row);
+      m_json.key("links");
+      m_json.beginArray(Row::row);
+      for (const LinkOrdinal link : point.links) m_json.string(idOf(link));
+      m_json.endArray();
+      m_json.member("at", point.at.toString());
+      m_json.member("byMeshes", point.isByMeshes && point.isOneByMeshes);
+      m_json.endObject();
+    }
+    m_json.endArray();
+    m_json.key("meshes");
+    m_json.beginArray(Row::row);
+    for (const int group : lever.groups) {
+      for (const MeshOrdinal mesh : m_plan.groups[static_cast<std::size_t>(group)].meshes)
+        m_json.string(m_mechanism.gearMeshes[mesh].id.text());
+    }
+    m_json.endArray();
+    m_json.member("byMeshes", lever.isByMeshes);
+    writeTorques(position);
+    m_json.endObject();
+  }
+
+  /// In the order of the points; null where there are no loads, or they leave the torques open.
+  void writeTorques(std::size_t position) {
+    m_json.key("torques");
+    if (position >= m_picture.torques.size() || m_picture.torques[position].empty()) return m_json.null();
+    m_json.beginArray(Row::row);
+    for (const Rational& torque : m_picture.torques[position]) m_json.string(torque.toString());
+    m_json.endArray();
+  }
+
+  void writeSpeeds() {
+    m_json.key("engaged");
+    m_json.beginArray(Row::row);
+    for (const CouplingOrdinal coupling : m_picture.engaged)
+      m_json.string(m_mechanism.couplings[coupling].id.text());
+    m_json.endArray();
+    m_json.key("speeds");
+    if (m_picture.speeds.empty()) return m_json.null();
+    m_json.beginObject(Row::row);
+    for (std::size_t i = 0; i < m_plan.links.size(); ++i)
+      m_json.member(idOf(m_plan.links[i]), m_picture.speeds[i].toString());
+    m_json.endObject();
+  }
+
+  JsonWriter& m_json;
+  const Mechanism& m_mechanism;
+  const LeverPicture& m_picture;
+  const LeverPlan& m_plan;
+};
+
+/// Do errors leave torques unknown? In a state, which drives its own link, the document's inputs do not
+/// count.
+bool leavesTorquesOpen(const AnalysisSnapshot& snapshot, bool inState) {
+  if (snapshot.matroid() == nullptr) return true;
+  return std::any_of(snapshot.diagnostics.begin(), snapshot.diagnostics.end(), [&](const Diagnostic& each) {
+    return each.severity() == Severity::error && !(inState && each.code == Code::invalidInputs);
+  });
+}
+
+/// The statics without losses: of the engaged state as in the shift table, else under the document's loads.
+/// None without loads, and where nothing holds them; `stop` tells whether it was stopped.
+std::optional<StaticsReport> lossless(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  StaticsOptions options;
+  options.symbolic = false;
+  const auto state = engagedState(mechanism);
+  if (state && mechanism.states[static_cast<std::size_t>(*state)].driven) {
+    // States engage their own couplings.
+    auto released = std::make_shared<Mechanism>(mechanism);
+    released->engaged.clear();
+    const SnapshotPtr open = analyzeLive(std::move(released), 0, stop);
+    if (!open || leavesTorquesOpen(*open, true)) return std::nullopt;
+    const LiveKinematics& kinematics = *open->kinematics;
+    auto forces = solveShiftState(*open->mechanism, *kinematics.model, kinematics.placement(),
+                                  *kinematics.ttGraph, *kinematics.matroid, *state, options, stop);
+    return forces ? std::move(forces->report) : std::nullopt;
+  }
+  if (mechanism.loads.empty() || leavesTorquesOpen(snapshot, false)) return std::nullopt;
+  const LiveKinematics& kinematics = *snapshot.kinematics;
+  return analyzeStatics(mechanism, *kinematics.model, kinematics.placement(), *kinematics.ttGraph,
+                        *kinematics.matroid, options, stop);
+}
+
+}  // namespace
+
+std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return LeverPicture{};
+  const Placement& placement = kinematics->placement();
+  auto plan = leverPlanOf(*kinematics->model, placement, {}, stop);
+  if (!plan) return std::nullopt;
+  std::vector<int> inputs;
+  std::vector<Rational> rates;
+  if (const MatroidAnalysis* const matroid = snapshot.matroid(); matroid != nullptr && matroid->solution) {
+    inputs = matroid->choice.joints;
+    auto exact = solveExact(*kinematics->model, inputs, matroid->speeds, stop);
+    if (!exact) return std::nullopt;
+    rates = std::move(exact->rates);
+  }
+  LeverPicture picture = leverPicture(*snapshot.mechanism, placement, *std::move(plan), inputs, rates);
+  if (picture.plan.levers.empty()) return picture;
+  const auto report = lossless(snapshot, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  if (report && report->isAnswered())
+    picture.torques = leverTorques(picture.plan, *kinematics->model, *report);
+  return picture;
+}
+
+std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return LeverPlan{};
+  const Mechanism& mechanism = *snapshot.mechanism;
+  std::vector<KinematicModel::HeldRow> held;
+  for (const CouplingOrdinal coupling : mechanism.couplings.ordinals()) {
+    const CouplingId id = mechanism.couplings[coupling].id;
+    const auto end = mechanism.engaged.empty() ? mechanism.engaged.end() : mechanism.engaged.end() - 1;
+    if (std::find(mechanism.engaged.begin(), end, id) == end) continue;
+    if (!closesWithoutLinkage(mechanism, kinematics->placement(), coupling)) continue;
+    for (auto& row : heldRows(mechanism, kinematics->placement(), coupling)) held.push_back(std::move(row));
+  }
+  return leverPlanOf(*kinematics->model, kinematics->placement(), held, stop);
+}
+
+std::optional<int> engagedState(const Mechanism& mechanism) {
+  if (mechanism.engaged.empty()) return std::nullopt;
+  const auto sorted = [](std::vector<CouplingId> ids) {
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  };
+  for (std::size_t state = 0; state < mechanism.states.size(); ++state) {
+    if (sorted(mechanism.states[state].engaged) == sorted(mechanism.engaged)) return static_cast<int>(state);
+  }
+  return std::nullopt;
+}
+
+std::string leversJson(const AnalysisSnapshot* snapshot, const LeverPicture* picture) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.member("format", "geargraph-levers");
+    json.member("version", 1);
+    const Mechanism none = emptyMechanism();
+    const LeverPicture empty;
+    LeversJson(json, snapshot != nullptr ? *snapshot->mechanism : none, picture != nullptr ? *picture : empty)
+        .write();
+    json.endObject();
+  }
+  return sink.take();
+}
+
+}  // namespace geargraph::inline results

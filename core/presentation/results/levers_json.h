@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/presentation/lever_drawing/lever_picture.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline results {
+
+/// The levers of an analysed train, with the speeds of its inputs and the torques without losses: under the
+/// document's loads, or in an engaged state under the torque at its drive (driveTorqueOf()). It is all that
+/// is drawn of them. Of a train that is not finished the plan says so. std::nullopt if `stop` was requested.
+/// Cost: leverPlanOf(), an exact solution, and under loads analyzeStatics().
+[[nodiscard]] std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot,
+                                                         const std::stop_token& stop = {});
+
+/// The plan that is left when the coupling engaged last is let go; without engaged couplings that of the
+/// train. std::nullopt if `stop` was requested.
+[[nodiscard]] std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot,
+                                                   const std::stop_token& stop = {});
+
+/// The position of the state that engages what the document engages; none where nothing is engaged.
+[[nodiscard]] std::optional<int> engagedState(const Mechanism& mechanism);
+
+/// `levers --json`. `snapshot` and `picture`: null where the file could not be read.
+[[nodiscard]] std::string leversJson(const AnalysisSnapshot* snapshot, const LeverPicture* picture);
+
+}  // namespace geargraph::inline results

@@ -1,0 +1,227 @@
+#include <QtTest>
+#include <algorithm>
+
+#include "core/presentation/drawing/hit_test.h"
+#include "core/presentation/lever_drawing/bar_lengths.h"
+#include "core/presentation/lever_drawing/lever_drawing.h"
+#include "core/presentation/lever_drawing/lever_layout.h"
+#include "core/presentation/lever_drawing/lever_words.h"
+#include "core/presentation/results/levers_json.h"
+#include "core/presentation/results/named_drawings.h"
+#include "core/theory/states/state_edits.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/snapshot_of.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+namespace {
+
+SnapshotPtr liveOf(Mechanism mechanism) {
+  return analyzeLive(std::make_shared<const Mechanism>(std::move(mechanism)));
+}
+
+/// An example, and with each of its states engaged.
+std::vector<std::pair<std::string, SnapshotPtr>> snapshotsOf(const std::string& name) {
+  const Mechanism mechanism = example(name);
+  std::vector<std::pair<std::string, SnapshotPtr>> all{{name, liveOf(mechanism)}};
+  for (std::size_t state = 0; state < mechanism.states.size(); ++state) {
+    all.emplace_back(name + ' ' + mechanism.states[state].name,
+                     liveOf(*withStateEngaged(mechanism, static_cast<int>(state))));
+  }
+  return all;
+}
+
+/// Texts that touch each other or a disc that is not theirs.
+std::string overlapsIn(const DisplayList& list) {
+  struct Placed {
+    std::string text;
+    Extent extent;
+  };
+  std::vector<Placed> texts;
+  std::vector<Extent> discs;
+  for (const Mark& mark : list.marks) {
+    if (const auto* const text = std::get_if<Text>(&mark.what))
+      texts.push_back({text->text, extentOf(mark).grown(-0.5)});
+    if (const auto* const fill = std::get_if<Fill>(&mark.what);
+        fill != nullptr && mark.role == MarkRole::node)
+      discs.push_back(extentOf(fill->shape).grown(-0.5));
+  }
+  std::string found;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t j = i + 1; j < texts.size(); ++j) {
+      if (texts[i].extent.meets(texts[j].extent)) found += texts[i].text + " on " + texts[j].text + "; ";
+    }
+    for (const Extent& disc : discs) {
+      const bool isItsOwn = std::abs(disc.center.x - texts[i].extent.center.x) < 0.01 &&
+                            std::abs(disc.center.y - texts[i].extent.center.y) < 0.01;
+      if (!isItsOwn && disc.meets(texts[i].extent)) found += texts[i].text + " on a disc; ";
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> textsIn(const DisplayList& list) {
+  std::vector<std::string> texts;
+  for (const Mark& mark : list.marks) {
+    if (const auto* const text = std::get_if<Text>(&mark.what)) texts.push_back(text->text);
+  }
+  return texts;
+}
+
+bool says(const DisplayList& list, const std::string& words) {
+  const auto texts = textsIn(list);
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return text.find(words) != std::string::npos; });
+}
+
+LeverLayout layoutOf(const SnapshotPtr& snapshot) {
+  return leverLayout(*snapshot->mechanism, leverPictureOf(*snapshot)->plan);
+}
+
+}  // namespace
+
+class TestLeverDrawing : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void noTextOverlapsInAnyExample_data() {
+    QTest::addColumn<QString>("name");
+    for (const std::string& name : exampleNames())
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+  }
+  void noTextOverlapsInAnyExample() {
+    QFETCH(const QString, name);
+    for (const auto& [title, snapshot] : snapshotsOf(name.toStdString())) {
+      for (const char* const drawing : {"levers", "nomogram", "plan"}) {
+        const DisplayList list = drawingNamed(drawing)->draw(*snapshot, nullptr, {});
+        QVERIFY2(!list.marks.empty(), title.c_str());
+        QVERIFY2(overlapsIn(list).empty(), (title + ", " + drawing + ": " + overlapsIn(list)).c_str());
+      }
+    }
+  }
+
+  void barsOfTheEightSpeedGearboxCloseLevel() {
+    const LeverLayout layout = layoutOf(liveOf(example("eight-speed-gearbox")));
+    QCOMPARE(layout.bars.size(), std::size_t{4});
+    std::vector<std::string> lengths;
+    for (std::size_t bar = 0; bar < 4; ++bar) {
+      QCOMPARE(layout.bars[bar].lever, static_cast<int>(bar));
+      QVERIFY(layout.bars[bar].bottom.isZero());
+      lengths.push_back(layout.bars[bar].length.toString());
+    }
+    QCOMPARE(lengths, (std::vector<std::string>{"9/5", "1", "1", "6/5"}));
+    QCOMPARE(layout.ties.size(), std::size_t{4});
+    for (const BarTie& tie : layout.ties) QVERIFY(tie.isLevel);
+  }
+
+  void tiesAreLevelExactlyAndPassNoBar() {
+    for (const std::string& name : exampleNames()) {
+      const SnapshotPtr snapshot = liveOf(example(name));
+      const LeverPlan plan = leverPictureOf(*snapshot)->plan;
+      const LeverLayout layout = leverLayout(*snapshot->mechanism, plan);
+      for (const BarTie& tie : layout.ties) {
+        if (!tie.isLevel) continue;
+        const auto height = [&](int bar) {
+          const BarPlace& place = layout.bars[static_cast<std::size_t>(bar)];
+          return place.heightOf(*plan.levers[static_cast<std::size_t>(place.lever)].pointOf(tie.link));
+        };
+        QVERIFY2(height(tie.from) == height(tie.to), name.c_str());
+        for (int bar = tie.from + 1; bar < tie.to; ++bar) {
+          const BarPlace& place = layout.bars[static_cast<std::size_t>(bar)];
+          QVERIFY2(height(tie.from) < place.bottom || place.bottom + place.length < height(tie.from),
+                   name.c_str());
+        }
+      }
+    }
+  }
+
+  void lengthsAreTheLeastThatFit() {
+    // The middle of bar 0 level with the top of bar 2, above bar 1.
+    BarDemands demands;
+    demands.bars = 3;
+    demands.level.push_back({{0, Rational(1, 2)}, {2, 1}});
+    demands.passes.push_back({{0, Rational(1, 2)}, 1, true});
+    const auto lengths = barLengths(demands);
+    QVERIFY(lengths.has_value());
+    const Rational level = lengths->bottoms[0] + lengths->lengths[0] / 2;
+    QVERIFY(level == lengths->bottoms[2] + lengths->lengths[2]);
+    QVERIFY(level - (lengths->bottoms[1] + lengths->lengths[1]) >= barClearance());
+    QVERIFY(lengths->height == Rational(17, 10));  // the bar 0 from 7/10 to 17/10 about 6/5
+    // Above a bar whose top it is level with: impossible.
+    demands.level.push_back({{0, Rational(1, 2)}, {1, 1}});
+    QVERIFY(!barLengths(demands));
+  }
+
+  void linksAndCouplingsCanBePicked() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    const DisplayList list = drawingNamed("levers")->draw(*snapshot, nullptr, {});
+    const LeverPlan plan = leverPictureOf(*snapshot)->plan;
+    const auto isPickable = [&](const ElementId& element) {
+      return std::any_of(list.outlines.begin(), list.outlines.end(), [&](const Outline& outline) {
+        return outline.element == element &&
+               elementAt(list.outlines, extentOf(outline.shape).center) == element;
+      });
+    };
+    for (const LinkOrdinal link : plan.links) {
+      if (link != 0)
+        QVERIFY2(isPickable(snapshot->mechanism->links[link].id), std::to_string(int{link}).c_str());
+    }
+    for (const CouplingId engaged : snapshot->mechanism->engaged) QVERIFY(isPickable(engaged));
+  }
+
+  void speedsOfAStateAreWritten() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    const DisplayList list = drawingNamed("levers")->draw(*snapshot, nullptr, {});
+    for (const char* const value : {"0.719", "0.422", "2.156", "0.778"}) QVERIFY2(says(list, value), value);
+    QVERIFY(says(list, "input") && says(list, "output"));
+  }
+
+  void nomogramNamesEveryStateThatHasARatio() {
+    const Mechanism ravigneaux = example("ravigneaux");
+    const DisplayList list = drawingNamed("nomogram")->draw(*liveOf(ravigneaux), nullptr, {});
+    const auto texts = textsIn(list);
+    for (const ShiftState& state : ravigneaux.states)
+      QVERIFY2(std::find(texts.begin(), texts.end(), state.name) != texts.end(), state.name.c_str());
+  }
+
+  void absentLeversAreExplained() {
+    QVERIFY(says(drawingNamed("levers")->draw(*liveOf(example("robot")), nullptr, {}), "mesh 16"));
+    QVERIFY(says(drawingNamed("levers")->draw(*liveOf(example("spur-pair")), nullptr, {}), "no mesh joins"));
+    QVERIFY(
+        says(drawingNamed("levers")->draw(*liveOf(example("robot-to-mend")), nullptr, {}), "not finished"));
+    QVERIFY(says(drawingNamed("nomogram")->draw(*liveOf(example("three-planets")), nullptr, {}),
+                 "No states yet"));
+    QVERIFY(says(drawingNamed("plan")->draw(*liveOf(example("eight-speed-gearbox")), nullptr, {}), "have 4"));
+  }
+
+  void decimalsAreRoundedFromTheFraction() {
+    QCOMPARE(threeDecimals(Rational(2, 3)), std::string("0.667"));
+    QCOMPARE(threeDecimals(Rational(-1, 16)), std::string("−0.062"));  // a tie, to even
+    QCOMPARE(threeDecimals(Rational(3, 16)), std::string("0.188"));    // a tie, to even
+    QCOMPARE(threeDecimals(Rational(7)), std::string("7"));
+    QCOMPARE(threeDecimals(Rational(2, 100'000)), std::string("2e-05"));
+  }
+
+  void torquesOfEachLeverAddUpToZero() {
+    Mechanism mechanism = example("planetary-ring-held");
+    Load load;
+    load.action = LinkTorque{mechanism.links[2].id, {}, *Number::fromText("10")};
+    mechanism.loads.push_back(load);
+    const auto picture = leverPictureOf(*liveOf(mechanism));
+    QCOMPARE(picture->torques.size(), std::size_t{1});
+    QCOMPARE(picture->torques[0].size(), picture->plan.levers[0].points.size());
+    Rational force;
+    Rational moment;
+    for (std::size_t i = 0; i < picture->torques[0].size(); ++i) {
+      force += picture->torques[0][i];
+      moment += picture->torques[0][i] * picture->plan.levers[0].points[i].at;
+    }
+    QVERIFY(force.isZero() && moment.isZero());
+    QVERIFY(!picture->torques[0][0].isZero());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestLeverDrawing)
+#include "test_lever_drawing.moc"
