@@ -34,6 +34,7 @@ extern const Command kAnalyze;
 extern const Command kValidate;
 extern const Command kInputs;
 extern const Command kStates;
+extern const Command kLevers;
 extern const Command kStatics;
 extern const Command kDynamics;
 extern const Command kExport;

@@ -15340,6 +15340,92 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>%1 has no meaning without %2.</source>
         <translation>%1 hat ohne %2 keine Bedeutung.</translation>
+        <source>set %1</source>
+        <translation>Radsatz %1</translation>
+    </message>
+    <message>
+        <source>sets %1</source>
+        <translation>Radsätze %1</translation>
+    </message>
+    <message>
+        <source>No lever: the train is not finished. Problems tells what is missing.</source>
+        <translation>Kein Hebel: Das Getriebe ist nicht fertig. Probleme sagt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>No lever: no mesh joins two links on the ground&apos;s axis.</source>
+        <translation>Kein Hebel: Kein Zahneingriff verbindet zwei Glieder auf der Achse des Gestells.</translation>
+    </message>
+    <message>
+        <source>No lever: no link on the ground&apos;s axis can turn.</source>
+        <translation>Kein Hebel: Kein Glied auf der Achse des Gestells kann sich drehen.</translation>
+    </message>
+    <message>
+        <source>No lever: mesh %1 leads to an axis of another direction. Bevel pinions have no place on a lever, and their side gears are not joined to another link on the ground&apos;s axis.</source>
+        <translation>Kein Hebel: Zahneingriff %1 führt zu einer Achse anderer Richtung. Kegelritzel haben keinen Platz auf einem Hebel, und ihre Achswellenräder sind mit keinem weiteren Glied auf der Achse des Gestells verbunden.</translation>
+    </message>
+    <message>
+        <source>No lever: the train has more links and freedoms than levers are drawn for.</source>
+        <translation>Kein Hebel: Das Getriebe hat mehr Glieder und Freiheiten, als Hebel gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>dashed: by these tooth counts only</source>
+        <translation>gestrichelt: nur bei diesen Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one.</source>
+        <translation>Glieder %1 drehen sich wie eines.</translation>
+    </message>
+    <message>
+        <source>Arrows: speeds in rad/s.</source>
+        <translation>Pfeile: Drehzahlen in rad/s.</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: speeds in rad/s; to the left: torques on the lever in N m.</source>
+        <translation>Pfeile rechts der Balken: Drehzahlen in rad/s; links: Momente auf den Hebel in N m.</translation>
+    </message>
+    <message>
+        <source>No states yet: a state engages brakes and clutches and names its drive.</source>
+        <translation>Noch keine Zustände: Ein Zustand schließt Bremsen und Kupplungen und nennt seinen Antrieb.</translation>
+    </message>
+    <message>
+        <source>No state has one motion: each is locked or free.</source>
+        <translation>Kein Zustand hat eine Bewegung: Jeder ist gesperrt oder frei.</translation>
+    </message>
+    <message>
+        <source>The plan shows two freedoms; the links on the ground&apos;s axis have %1.</source>
+        <translation>Der Plan zeigt zwei Freiheiten; die Glieder auf der Achse des Gestells haben %1.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>no set</source>
+        <translation>kein Radsatz</translation>
+    </message>
+    <message>
+        <source>%1: 1 lever, freedom %2</source>
+        <translation>%1: 1 Hebel, Freiheitsgrad %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 levers, freedom %3</source>
+        <translation>%1: %2 Hebel, Freiheitsgrad %3</translation>
+    </message>
+    <message>
+        <source>* there by these tooth counts only</source>
+        <translation>* dort nur bei diesen Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>the levers</source>
+        <translation>die Hebel</translation>
+    </message>
+    <message>
+        <source>The levers of a train: where the links of the ground&apos;s axis have their points.</source>
+        <translation>Die Hebel eines Getriebes: wo die Glieder der Gestellachse ihre Punkte haben.</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>Glieder %1 drehen sich nur bei diesen Zähnezahlen wie eines.</translation>
     </message>
 </context>
 <context>

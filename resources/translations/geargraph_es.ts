@@ -15340,6 +15340,92 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>%1 has no meaning without %2.</source>
         <translation>%1 no tiene sentido sin %2.</translation>
+        <source>set %1</source>
+        <translation>juego %1</translation>
+    </message>
+    <message>
+        <source>sets %1</source>
+        <translation>juegos %1</translation>
+    </message>
+    <message>
+        <source>No lever: the train is not finished. Problems tells what is missing.</source>
+        <translation>Ninguna palanca: el tren no está terminado. Problemas indica qué falta.</translation>
+    </message>
+    <message>
+        <source>No lever: no mesh joins two links on the ground&apos;s axis.</source>
+        <translation>Ninguna palanca: ningún engrane une dos eslabones en el eje del bastidor.</translation>
+    </message>
+    <message>
+        <source>No lever: no link on the ground&apos;s axis can turn.</source>
+        <translation>Ninguna palanca: ningún eslabón en el eje del bastidor puede girar.</translation>
+    </message>
+    <message>
+        <source>No lever: mesh %1 leads to an axis of another direction. Bevel pinions have no place on a lever, and their side gears are not joined to another link on the ground&apos;s axis.</source>
+        <translation>Ninguna palanca: el engrane %1 lleva a un eje de otra dirección. Los piñones cónicos no tienen lugar en una palanca, y sus ruedas laterales no están unidas a otro eslabón en el eje del bastidor.</translation>
+    </message>
+    <message>
+        <source>No lever: the train has more links and freedoms than levers are drawn for.</source>
+        <translation>Ninguna palanca: el tren tiene más eslabones y libertades de los que se dibujan como palancas.</translation>
+    </message>
+    <message>
+        <source>dashed: by these tooth counts only</source>
+        <translation>a trazos: solo con estos números de dientes</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one.</source>
+        <translation>Los eslabones %1 giran como uno solo.</translation>
+    </message>
+    <message>
+        <source>Arrows: speeds in rad/s.</source>
+        <translation>Flechas: velocidades en rad/s.</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: speeds in rad/s; to the left: torques on the lever in N m.</source>
+        <translation>Flechas a la derecha de las barras: velocidades en rad/s; a la izquierda: momentos sobre la palanca en N m.</translation>
+    </message>
+    <message>
+        <source>No states yet: a state engages brakes and clutches and names its drive.</source>
+        <translation>Aún no hay estados: un estado acciona frenos y embragues y nombra su entrada.</translation>
+    </message>
+    <message>
+        <source>No state has one motion: each is locked or free.</source>
+        <translation>Ningún estado tiene un solo movimiento: cada uno está bloqueado o libre.</translation>
+    </message>
+    <message>
+        <source>The plan shows two freedoms; the links on the ground&apos;s axis have %1.</source>
+        <translation>El plano muestra dos libertades; los eslabones en el eje del bastidor tienen %1.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>no set</source>
+        <translation>ningún juego</translation>
+    </message>
+    <message>
+        <source>%1: 1 lever, freedom %2</source>
+        <translation>%1: 1 palanca, grado de libertad %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 levers, freedom %3</source>
+        <translation>%1: %2 palancas, grado de libertad %3</translation>
+    </message>
+    <message>
+        <source>* there by these tooth counts only</source>
+        <translation>* ahí solo con estos números de dientes</translation>
+    </message>
+    <message>
+        <source>the levers</source>
+        <translation>las palancas</translation>
+    </message>
+    <message>
+        <source>The levers of a train: where the links of the ground&apos;s axis have their points.</source>
+        <translation>Las palancas de un tren: dónde tienen sus puntos los eslabones del eje del bastidor.</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>Los eslabones %1 giran como uno solo únicamente con estos números de dientes.</translation>
     </message>
 </context>
 <context>

@@ -15339,6 +15339,92 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>%1 has no meaning without %2.</source>
         <translation>%1, %2 olmadan anlamsızdır.</translation>
+        <source>set %1</source>
+        <translation>dişli takımı %1</translation>
+    </message>
+    <message>
+        <source>sets %1</source>
+        <translation>dişli takımları %1</translation>
+    </message>
+    <message>
+        <source>No lever: the train is not finished. Problems tells what is missing.</source>
+        <translation>Kaldıraç yok: düzen bitmiş değil. Sorunlar neyin eksik olduğunu söyler.</translation>
+    </message>
+    <message>
+        <source>No lever: no mesh joins two links on the ground&apos;s axis.</source>
+        <translation>Kaldıraç yok: hiçbir diş kavraması gövdenin eksenindeki iki uzvu bağlamıyor.</translation>
+    </message>
+    <message>
+        <source>No lever: no link on the ground&apos;s axis can turn.</source>
+        <translation>Kaldıraç yok: gövdenin eksenindeki hiçbir uzuv dönemez.</translation>
+    </message>
+    <message>
+        <source>No lever: mesh %1 leads to an axis of another direction. Bevel pinions have no place on a lever, and their side gears are not joined to another link on the ground&apos;s axis.</source>
+        <translation>Kaldıraç yok: %1 numaralı diş kavraması başka yöndeki bir eksene gider. Konik pinyonların kaldıraçta yeri yoktur; yan dişlileri de gövdenin eksenindeki başka bir uzva bağlı değildir.</translation>
+    </message>
+    <message>
+        <source>No lever: the train has more links and freedoms than levers are drawn for.</source>
+        <translation>Kaldıraç yok: düzende kaldıraç çizilebilecek olandan daha çok uzuv ve serbestlik var.</translation>
+    </message>
+    <message>
+        <source>dashed: by these tooth counts only</source>
+        <translation>kesikli: yalnız bu diş sayılarıyla</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one.</source>
+        <translation>%1 numaralı uzuvlar tek uzuv gibi döner.</translation>
+    </message>
+    <message>
+        <source>Arrows: speeds in rad/s.</source>
+        <translation>Oklar: hızlar, rad/s.</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: speeds in rad/s; to the left: torques on the lever in N m.</source>
+        <translation>Çubukların sağındaki oklar: hızlar, rad/s; solundakiler: kaldıraca etkiyen momentler, N m.</translation>
+    </message>
+    <message>
+        <source>No states yet: a state engages brakes and clutches and names its drive.</source>
+        <translation>Henüz durum yok: bir durum frenleri ve kavramaları devreye alır ve giriş uzvunu belirtir.</translation>
+    </message>
+    <message>
+        <source>No state has one motion: each is locked or free.</source>
+        <translation>Hiçbir durumun tek bir hareketi yok: her biri kilitli ya da serbest.</translation>
+    </message>
+    <message>
+        <source>The plan shows two freedoms; the links on the ground&apos;s axis have %1.</source>
+        <translation>Plan iki serbestliği gösterir; gövdenin eksenindeki uzuvların serbestliği %1.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>yer</translation>
+    </message>
+    <message>
+        <source>no set</source>
+        <translation>takım yok</translation>
+    </message>
+    <message>
+        <source>%1: 1 lever, freedom %2</source>
+        <translation>%1: 1 kaldıraç, serbestlik derecesi %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 levers, freedom %3</source>
+        <translation>%1: %2 kaldıraç, serbestlik derecesi %3</translation>
+    </message>
+    <message>
+        <source>* there by these tooth counts only</source>
+        <translation>* yalnız bu diş sayılarıyla orada</translation>
+    </message>
+    <message>
+        <source>the levers</source>
+        <translation>kaldıraçlar</translation>
+    </message>
+    <message>
+        <source>The levers of a train: where the links of the ground&apos;s axis have their points.</source>
+        <translation>Bir düzenin kaldıraçları: gövdenin eksenindeki uzuvların noktalarının yeri.</translation>
+    </message>
+    <message>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>%1 numaralı uzuvlar yalnız bu diş sayılarıyla tek uzuv gibi döner.</translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,7 @@ std::vector<Call> callsOf(const json& document) {
                           {"validation", {"validate"}},
                           {"inputs", {"inputs", "--limit", "5"}},
                           {"states", {"states"}},
+                          {"levers", {"levers"}},
                           {"statics", {"statics"}},
                           {"statics", {"statics", "--eta", "0.98", "--share", "stiffness"}},
                           {"staticsOfStates", {"statics", "--all-states", "--eta", "0.97"}},
@@ -77,6 +78,7 @@ std::vector<Call> callsOf(const json& document) {
   if (!states.empty()) {
     const QString name = QString::fromStdString(states.front().at("name"));
     calls.push_back({"analysis", {"analyze", "--state", name}});
+    calls.push_back({"levers", {"levers", "--state", name}});
     calls.push_back({"statics", {"statics", "--state", name}});
     calls.push_back({"dynamics", {"dynamics", "--state", name}});
   }

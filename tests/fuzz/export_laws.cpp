@@ -45,6 +45,7 @@ const std::vector<Case>& cases() {
       {&cli::kValidate, Output::json, {"--json"}},
       {&cli::kInputs, Output::json, {"--json", "--limit", "20"}},
       {&cli::kStates, Output::json, {"--json"}},
+      {&cli::kLevers, Output::json, {"--json"}},
       {&cli::kPose, Output::json, {"--json"}},
       exported(Output::text, {"csv", "--matrix", "p"}),
       exported(Output::text, {"csv", "--matrix", "solution"}),

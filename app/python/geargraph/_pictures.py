@@ -17,7 +17,7 @@ class Drawing:
     Attributes
     ----------
     name : str
-        "schematic", "digraph" or "ttgraph".
+        "schematic", "digraph", "ttgraph", "levers", "nomogram" or "plan".
     """
 
     __slots__ = ("name", "_snapshot", "_dark", "_transparent", "_size")
