@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -300,11 +301,33 @@ bool hasBrakeComparison(const ExerciseSource& source) {
   return !comparisonsOf(source, allTorques(source)).empty();
 }
 
+namespace {
+
 Question brakeTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const std::vector<StateTorques> states = allTorques(source);
   Comparison comparison = random.oneOf(comparisonsOf(source, states));
   const int drive = random.between(kLeastTorque, kMaxTorque);
   return BrakeQuestion(source, std::move(comparison), drive).make();
+}
+
+Lack withoutBrakeTorques(const ExerciseSource& source) {
+  if (const Lack reason = withoutStates(source)) return reason;
+  return hasBrakeComparison(source) ? Lack() : translated("no two torques of brakes or clutches to compare");
+}
+
+}  // namespace
+
+ExerciseEntry brakeTorqueEntry() {
+  return {
+      .kind = ExerciseKind::brakeTorque,
+      .name = "brake-torque",
+      .title = toTranslate("Largest torque of a brake"),
+      .hint = toTranslate(
+          "The torques of all shafts and brakes of the train add up to zero, and so do their powers. Write "
+          "both sums for what is engaged, then compare the sizes."),
+      .view = LessonView::schematic,
+      .lack = withoutBrakeTorques,
+      .make = brakeTorqueQuestion};
 }
 
 }  // namespace geargraph::inline exercises

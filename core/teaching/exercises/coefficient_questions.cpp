@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -15,8 +16,6 @@ std::vector<std::string> picked(const std::vector<Rational>& row, const std::vec
   for (const JointOrdinal joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
   return asTexts(some);
 }
-
-}  // namespace
 
 Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
@@ -125,6 +124,19 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
                   {field});
   }
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry coefficientEntry() {
+  return {.kind = ExerciseKind::coefficients,
+          .name = "p",
+          .title = toTranslate("Fill in a row of P"),
+          .hint = toTranslate(
+              "Start from the cycle of the mesh: only its joints have entries. The size of an entry is "
+              "the number of teeth of the gear on whose axis the joint turns."),
+          .lack = withoutEquations,
+          .make = coefficientQuestion};
 }
 
 }  // namespace geargraph::inline exercises

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -39,8 +40,6 @@ std::vector<ElementId> idsOf(const ExerciseSource& source, const std::vector<int
   for (const int edge : edges) ids.push_back(source.edgeId(edge));
   return ids;
 }
-
-}  // namespace
 
 Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
@@ -211,6 +210,50 @@ Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& /*rando
               translated("You leave out the meshes: each cycle holds the mesh that closes it."));
   build.wrongNonSigns();
   return std::move(build.question);
+}
+
+constexpr int kMaxAnyCycles = 3;
+constexpr int kMaxAnyEdges = 14;
+
+Lack withoutOneCycle(const ExerciseSource& source) {
+  if (const Lack reason = withoutMeshes(source)) return reason;
+  const bool isSmall = source.graph().c() <= kMaxAnyCycles && source.graph().edgeCount() <= kMaxAnyEdges;
+  return isSmall ? Lack() : translated("too many cycles");
+}
+
+}  // namespace
+
+ExerciseEntry cycleEntry() {
+  return {.kind = ExerciseKind::cycle,
+          .name = "cycle",
+          .title = toTranslate("Find the cycle of a mesh"),
+          .hint = toTranslate(
+              "From both links of the mesh, walk along turning joints toward the ground until the two "
+              "walks meet. What they share from there on is not part of the cycle."),
+          .lack = withoutMeshes,
+          .make = cycleQuestion};
+}
+
+ExerciseEntry cycleSenseEntry() {
+  return {.kind = ExerciseKind::cycleSense,
+          .name = "cycle-sense",
+          .title = toTranslate("Walk a cycle in either sense"),
+          .hint = toTranslate(
+              "Choose a link of the cycle and go once round without turning back. Only the direction of "
+              "each arrow against your own counts."),
+          .lack = withoutMeshes,
+          .make = cycleSenseQuestion};
+}
+
+ExerciseEntry anyCyclesEntry() {
+  return {.kind = ExerciseKind::anyCycles,
+          .name = "any-cycles",
+          .title = toTranslate("Write all cycles"),
+          .hint = toTranslate(
+              "Each mesh closes one cycle with the turning joints. Go round one after the other; within a "
+              "row all signs belong to the same walk."),
+          .lack = withoutOneCycle,
+          .make = anyCyclesQuestion};
 }
 
 }  // namespace geargraph::inline exercises

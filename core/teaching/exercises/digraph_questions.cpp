@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -137,8 +138,6 @@ constexpr const char* kExchanged =
 constexpr const char* kUnsigned =
     toTranslate("You mark both ends alike: the end where the arrow begins is −1, the one where it ends 1.");
 
-}  // namespace
-
 Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   QuestionBuilder build(ExerciseKind::incidence, 4);
   IncidenceTable table(source, build, random);
@@ -268,6 +267,41 @@ Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& rando
     }
   }
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry incidenceEntry() {
+  return {.kind = ExerciseKind::incidence,
+          .name = "incidence",
+          .title = toTranslate("Fill in Γ⁰"),
+          .hint = toTranslate(
+              "Take one column at a time. Its arrow touches two links only: the one that it leaves gets "
+              "−1, the one that it points to gets 1."),
+          .lack = withoutEdges,
+          .make = incidenceQuestion};
+}
+
+ExerciseEntry orientationEntry() {
+  return {.kind = ExerciseKind::orientation,
+          .name = "orientation",
+          .title = toTranslate("Orient the digraph"),
+          .hint = toTranslate(
+              "Read the matrix, not the drawing, one column at a time: the arrow leaves the link whose "
+              "entry is −1 and points to the link whose entry is 1."),
+          .lack = withoutEdges,
+          .make = orientationQuestion};
+}
+
+ExerciseEntry reducedIncidenceEntry() {
+  return {.kind = ExerciseKind::reducedIncidence,
+          .name = "reduced-incidence",
+          .title = toTranslate("Fill in Γ"),
+          .hint = toTranslate(
+              "All speeds are measured against one link: Γ leaves out its row. The other rows are "
+              "those of Γ⁰."),
+          .lack = withoutEdges,
+          .make = reducedIncidenceQuestion};
 }
 
 }  // namespace geargraph::inline exercises

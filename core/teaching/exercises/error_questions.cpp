@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -68,6 +69,8 @@ std::vector<MatrixKind> searchableMatrices(const ExerciseSource& source) {
   return kinds;
 }
 
+namespace {
+
 Question wrongEntryQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const MatrixKind kind = random.oneOf(searchableMatrices(source));
   const IntegerMatrix& matrix = *source.matrix(kind);
@@ -119,6 +122,25 @@ Question wrongEntryQuestion(const ExerciseSource& source, ExerciseRandom& random
       translated("The entry that you name is right: follow the arrows of its row and column once more."), {},
       {0, 1});
   return std::move(build.question);
+}
+
+Lack withoutSearchable(const ExerciseSource& source) {
+  if (const Lack reason = withoutEdges(source)) return reason;
+  return searchableMatrices(source).empty() ? Lack(translated("the matrices are too large or too small"))
+                                            : std::nullopt;
+}
+
+}  // namespace
+
+ExerciseEntry wrongEntryEntry() {
+  return {.kind = ExerciseKind::wrongEntry,
+          .name = "wrong-entry",
+          .title = toTranslate("Find the wrong entry"),
+          .hint = toTranslate(
+              "Derive the matrix from the drawing, row by row, and stop at the first entry that differs. "
+              "Compare signs with the directions of the arrows."),
+          .lack = withoutSearchable,
+          .make = wrongEntryQuestion};
 }
 
 }  // namespace geargraph::inline exercises

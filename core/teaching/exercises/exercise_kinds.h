@@ -40,8 +40,12 @@ enum class ExerciseKind : std::uint8_t {
   engagement,
   brakeTorque,
   selfLocking,
-  brakeReaction,
+  brakeReaction,  // the last: kExerciseKindCount
 };
+constexpr std::size_t kExerciseKindCount = static_cast<std::size_t>(ExerciseKind::brakeReaction) + 1;
+
+/// The drawing shown during a step of a lesson, or beside a question.
+enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
 
 [[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();
 [[nodiscard]] std::string_view kindName(ExerciseKind kind);  ///< "cycle-basis": stable, for the command line
@@ -50,6 +54,8 @@ enum class ExerciseKind : std::uint8_t {
 /// A hint where to look and which rule to use, in plain text. It is the same for every mechanism, so it
 /// cannot reveal the answer.
 [[nodiscard]] std::string kindHint(ExerciseKind kind);
+/// The drawing that shows what the question asks about.
+[[nodiscard]] LessonView kindView(ExerciseKind kind);
 
 /// Why there is no question of this kind for the mechanism: "no brakes or clutches". std::nullopt if there is
 /// one.

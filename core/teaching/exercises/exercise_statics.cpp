@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -24,6 +25,17 @@ std::optional<Rational> factorBetween(const std::vector<Rational>& a, const std:
 }
 
 }  // namespace
+
+std::vector<char> dispensableMeshes(const ExerciseSource& source) {
+  ByMesh<char> dispensable(static_cast<std::size_t>(source.graph().c()), 0);
+  for (const Redundancy& redundancy : source.matroid()->redundancies) {
+    dispensable[redundancy.equation] = 1;
+    for (const MeshOrdinal mesh : redundancy.dependsOn) dispensable[mesh] = 1;
+  }
+  return dispensable;
+}
+
+namespace {
 
 Question freedomQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
   const MatroidAnalysis& matroid = *source.matroid();
@@ -164,15 +176,6 @@ Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/
   return std::move(build.question);
 }
 
-std::vector<char> dispensableMeshes(const ExerciseSource& source) {
-  ByMesh<char> dispensable(static_cast<std::size_t>(source.graph().c()), 0);
-  for (const Redundancy& redundancy : source.matroid()->redundancies) {
-    dispensable[redundancy.equation] = 1;
-    for (const MeshOrdinal mesh : redundancy.dependsOn) dispensable[mesh] = 1;
-  }
-  return dispensable;
-}
-
 Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
   const int c = source.graph().c();
   const std::string count = asText(c - source.matroid()->rank);
@@ -219,6 +222,46 @@ Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*r
         {source.meshId(mesh)});
   }
   return std::move(build.question);
+}
+
+Lack withoutRedundancy(const ExerciseSource& source) {
+  if (const Lack reason = withoutEquations(source)) return reason;
+  return source.matroid()->redundancies.empty() ? Lack(translated("no mesh is redundant")) : std::nullopt;
+}
+
+}  // namespace
+
+ExerciseEntry freedomEntry() {
+  return {.kind = ExerciseKind::freedom,
+          .name = "freedom",
+          .title = toTranslate("Rank and DOF"),
+          .hint = toTranslate(
+              "Each mesh gives one equation. Count those that do not follow from the others, and subtract "
+              "their number from that of the turning joints."),
+          .lack = withoutEquations,
+          .make = freedomQuestion};
+}
+
+ExerciseEntry redundantMeshEntry() {
+  return {.kind = ExerciseKind::redundantMesh,
+          .name = "redundant-mesh",
+          .title = toTranslate("Redundant mesh"),
+          .hint = toTranslate(
+              "Look for meshes that tie the same links together in two ways. Leave one out: if the others "
+              "still force the same speeds, it is redundant."),
+          .lack = withoutRedundancy,
+          .make = redundantMeshQuestion};
+}
+
+ExerciseEntry inputsEntry() {
+  return {.kind = ExerciseKind::inputs,
+          .name = "inputs",
+          .title = toTranslate("Valid inputs"),
+          .hint = toTranslate(
+              "Take as many joints as there are degrees of freedom. Imagine all of them locked: nothing "
+              "else may move, and no mesh may tie two of them to each other."),
+          .lack = withoutFreedom,
+          .make = inputsQuestion};
 }
 
 }  // namespace geargraph::inline exercises

@@ -3,9 +3,10 @@
 #include <array>
 #include <charconv>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -184,8 +185,6 @@ class LockingQuestion {
   QuestionBuilder m_build{ExerciseKind::selfLocking, 5};
 };
 
-}  // namespace
-
 Question selfLockingQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const std::vector<DrivenTrain> trains = drivenTrains(source);
   const bool wantsLocked = random.below(2) == 0;
@@ -199,6 +198,26 @@ Question selfLockingQuestion(const ExerciseSource& source, ExerciseRandom& rando
     if (!losses->passed.backward.has_value() == wantsLocked) break;
   }
   return LockingQuestion(source, trains[static_cast<std::size_t>(chosen)], std::move(*losses)).make();
+}
+
+Lack withoutLosses(const ExerciseSource& source) {
+  if (const Lack reason = withoutFreedom(source)) return reason;
+  return drivenTrains(source).empty() ? Lack(translated("no drive passes power through 1 to 6 meshes"))
+                                      : std::nullopt;
+}
+
+}  // namespace
+
+ExerciseEntry selfLockingEntry() {
+  return {.kind = ExerciseKind::selfLocking,
+          .name = "self-locking",
+          .title = toTranslate("Self-locking"),
+          .hint = toTranslate(
+              "Let the load drive: behind each mesh less power arrives, by its efficiency. If none "
+              "would be left at the input, or it would have to be driven, the train locks."),
+          .view = LessonView::schematic,
+          .lack = withoutLosses,
+          .make = selfLockingQuestion};
 }
 
 }  // namespace geargraph::inline exercises

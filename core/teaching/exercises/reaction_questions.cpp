@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -165,10 +166,32 @@ bool hasBrakeReaction(const ExerciseSource& source) {
   return !holdingBrakes(source).empty();
 }
 
+namespace {
+
 Question brakeReactionQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   HoldingBrake brake = random.oneOf(holdingBrakes(source));
   const int drive = random.between(kLeastTorque, kMaxTorque);
   return ReactionQuestion(source, std::move(brake), drive).make();
+}
+
+Lack withoutReactions(const ExerciseSource& source) {
+  if (const Lack reason = withoutStates(source)) return reason;
+  return hasBrakeReaction(source) ? Lack()
+                                  : translated("no brake that carries a torque about the drive's axis");
+}
+
+}  // namespace
+
+ExerciseEntry brakeReactionEntry() {
+  return {.kind = ExerciseKind::brakeReaction,
+          .name = "brake-reaction",
+          .title = toTranslate("Reaction of a brake, sense"),
+          .hint = toTranslate(
+              "The torques of drive, load and brake on the train add up to zero, and a brake passes no "
+              "power. What acts on a link acts on the other part in the opposite sense."),
+          .view = LessonView::schematic,
+          .lack = withoutReactions,
+          .make = brakeReactionQuestion};
 }
 
 }  // namespace geargraph::inline exercises

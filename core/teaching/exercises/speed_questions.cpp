@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 #include "core/teaching/exercises/rate_system.h"
 
 namespace geargraph::inline exercises {
@@ -51,6 +52,8 @@ std::vector<int> predictableJoints(const ExerciseSource& source) {
   }
   return joints;
 }
+
+namespace {
 
 Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const JointOrdinal joint = random.oneOf(predictableJoints(source));
@@ -129,6 +132,28 @@ Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random) {
                 {source.edgeId(joint), source.linkId(child)});
   }
   return std::move(build.question);
+}
+
+Lack withoutPredictable(const ExerciseSource& source) {
+  if (const Lack reason = withoutFreedom(source)) return reason;
+  constexpr int kMaxInputs = 6;
+  if (source.matroid()->dof > kMaxInputs) return translated("too many inputs");
+  return predictableJoints(source).empty() ? Lack(translated("no speed follows from the inputs"))
+                                           : std::nullopt;
+}
+
+}  // namespace
+
+ExerciseEntry speedEntry() {
+  return {.kind = ExerciseKind::speed,
+          .name = "speed",
+          .title = toTranslate("Predict a speed"),
+          .hint = toTranslate(
+              "Look for a mesh whose equation has one unknown speed only, solve it, and go on to the "
+              "next. A row of P θ̇ = 0 holds the joints of one cycle."),
+          .view = LessonView::schematic,
+          .lack = withoutPredictable,
+          .make = speedQuestion};
 }
 
 }  // namespace geargraph::inline exercises

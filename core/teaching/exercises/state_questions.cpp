@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -44,6 +45,8 @@ std::vector<int> statesWithRatio(const ExerciseSource& source) {
   }
   return states;
 }
+
+namespace {
 
 Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const int asked = random.oneOf(statesWithRatio(source));
@@ -102,6 +105,20 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
         translated("The drive turns with these couplings, but its ratio is not %1.", {inWords(ratio)}));
   }
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry engagementEntry() {
+  return {.kind = ExerciseKind::engagement,
+          .name = "brakes",
+          .title = toTranslate("Brakes for a gear"),
+          .hint = toTranslate(
+              "Each engaged element takes degrees of freedom away until one is left. An engaged brake "
+              "makes the speed of its link zero: try which set gives the ratio."),
+          .view = LessonView::schematic,
+          .lack = withoutStates,
+          .make = engagementQuestion};
 }
 
 }  // namespace geargraph::inline exercises

@@ -1,9 +1,11 @@
 // The torques of a mesh's two ports.
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
+namespace {
 
 Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const MeshOrdinal mesh = random.below(source.graph().c());
@@ -40,6 +42,20 @@ Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random
               translated("Your ratio is upside down: the gear that turns more slowly has the larger torque."),
               elements);
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry portTorqueEntry() {
+  return {.kind = ExerciseKind::portTorque,
+          .name = "port-torque",
+          .title = toTranslate("Torque of a port, sign"),
+          .hint = toTranslate(
+              "Write the power of each port, torque times speed. Their sum is zero if no power is lost; "
+              "then put in the terminal equation."),
+          .view = LessonView::schematic,
+          .lack = withoutEquations,
+          .make = portTorqueQuestion};
 }
 
 }  // namespace geargraph::inline exercises

@@ -2,8 +2,9 @@
 
 #include <numeric>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -13,6 +14,38 @@ constexpr int kMaxTeethAsked = 120;
 constexpr int kLargestTerm = 5;  ///< of a ratio
 
 }  // namespace
+
+std::vector<PlanetPair> planetPairs(const ExerciseSource& source) {
+  std::vector<PlanetPair> pairs;
+  const TtGraph* const graph = source.ttGraph();
+  if (graph == nullptr) return pairs;
+  const auto& vertices = graph->transferVertices().ofMesh;
+  for (MeshOrdinal sunMesh = 0; sunMesh < source.graph().c(); ++sunMesh) {
+    if (source.meshKind(sunMesh) != MeshKind::external) continue;
+    const TerminalPair& sunPair = *graph->terminal(sunMesh);
+    for (MeshOrdinal ringMesh = 0; ringMesh < source.graph().c(); ++ringMesh) {
+      if (source.meshKind(ringMesh) != MeshKind::internal) continue;
+      const TerminalPair& ringPair = *graph->terminal(ringMesh);
+      const bool isRingTail = ringPair.tailTeeth > ringPair.headTeeth;
+      const int planet = isRingTail ? ringPair.head : ringPair.tail;
+      if ((sunPair.tail != planet && sunPair.head != planet) || sunPair.carrier != ringPair.carrier) continue;
+      const bool isSunTail = sunPair.head == planet;
+      const TransferVertex& atSun = *vertices[sunMesh];
+      const TransferVertex& atRing = *vertices[ringMesh];
+      const int sunLevel = isSunTail ? atSun.tailLevel : atSun.headLevel;
+      const int ringLevel = isRingTail ? atRing.tailLevel : atRing.headLevel;
+      if (sunLevel != ringLevel) continue;
+      pairs.push_back({sunMesh, ringMesh, planet, isSunTail ? sunPair.tail : sunPair.head,
+                       isRingTail ? ringPair.tail : ringPair.head,
+                       isSunTail ? sunPair.tailTeeth : sunPair.headTeeth,
+                       isSunTail ? sunPair.headTeeth : sunPair.tailTeeth,
+                       isRingTail ? ringPair.headTeeth : ringPair.tailTeeth});
+    }
+  }
+  return pairs;
+}
+
+namespace {
 
 Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const MeshOrdinal mesh = random.below(source.graph().c());
@@ -57,36 +90,6 @@ Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   return std::move(build.question);
 }
 
-std::vector<PlanetPair> planetPairs(const ExerciseSource& source) {
-  std::vector<PlanetPair> pairs;
-  const TtGraph* const graph = source.ttGraph();
-  if (graph == nullptr) return pairs;
-  const auto& vertices = graph->transferVertices().ofMesh;
-  for (MeshOrdinal sunMesh = 0; sunMesh < source.graph().c(); ++sunMesh) {
-    if (source.meshKind(sunMesh) != MeshKind::external) continue;
-    const TerminalPair& sunPair = *graph->terminal(sunMesh);
-    for (MeshOrdinal ringMesh = 0; ringMesh < source.graph().c(); ++ringMesh) {
-      if (source.meshKind(ringMesh) != MeshKind::internal) continue;
-      const TerminalPair& ringPair = *graph->terminal(ringMesh);
-      const bool isRingTail = ringPair.tailTeeth > ringPair.headTeeth;
-      const int planet = isRingTail ? ringPair.head : ringPair.tail;
-      if ((sunPair.tail != planet && sunPair.head != planet) || sunPair.carrier != ringPair.carrier) continue;
-      const bool isSunTail = sunPair.head == planet;
-      const TransferVertex& atSun = *vertices[sunMesh];
-      const TransferVertex& atRing = *vertices[ringMesh];
-      const int sunLevel = isSunTail ? atSun.tailLevel : atSun.headLevel;
-      const int ringLevel = isRingTail ? atRing.tailLevel : atRing.headLevel;
-      if (sunLevel != ringLevel) continue;
-      pairs.push_back({sunMesh, ringMesh, planet, isSunTail ? sunPair.tail : sunPair.head,
-                       isRingTail ? ringPair.tail : ringPair.head,
-                       isSunTail ? sunPair.tailTeeth : sunPair.headTeeth,
-                       isSunTail ? sunPair.headTeeth : sunPair.tailTeeth,
-                       isRingTail ? ringPair.headTeeth : ringPair.tailTeeth});
-    }
-  }
-  return pairs;
-}
-
 Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const PlanetPair pair = random.oneOf(planetPairs(source));
   const int sun = random.between(16, 40);
@@ -128,6 +131,37 @@ Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random)
               translated("You count the planet once: it is between the sun and the ring on both sides."),
               {source.linkId(pair.planet)});
   return std::move(build.question);
+}
+
+Lack withoutPlanets(const ExerciseSource& source) {
+  if (const Lack reason = withoutEquations(source)) return reason;
+  return planetPairs(source).empty() ? Lack(translated("no planet between a sun and a ring")) : std::nullopt;
+}
+
+}  // namespace
+
+ExerciseEntry teethEntry() {
+  return {.kind = ExerciseKind::teeth,
+          .name = "teeth",
+          .title = toTranslate("Teeth for a ratio"),
+          .hint = toTranslate(
+              "Reduce the fraction. Then multiply both of its parts by the same whole number until both "
+              "are within the bounds."),
+          .view = LessonView::schematic,
+          .lack = withoutEquations,
+          .make = teethQuestion};
+}
+
+ExerciseEntry ringTeethEntry() {
+  return {.kind = ExerciseKind::ringTeeth,
+          .name = "ring-teeth",
+          .title = toTranslate("Teeth of the ring"),
+          .hint = toTranslate(
+              "The centre distance goes with the sum of the teeth where both gears are external, and with "
+              "their difference where one is a ring."),
+          .view = LessonView::schematic,
+          .lack = withoutPlanets,
+          .make = ringTeethQuestion};
 }
 
 }  // namespace geargraph::inline exercises

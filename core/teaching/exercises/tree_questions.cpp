@@ -1,10 +1,12 @@
 // Spanning trees of the whole graph, with meshes as edges.
 
 #include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
+namespace {
 
 Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
@@ -54,6 +56,26 @@ Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& rand
                 translated("Your edges are a spanning tree, but mesh %1 is not among them.", {label}),
                 {source.meshId(mesh)});
   return std::move(build.question);
+}
+
+constexpr int kMaxTreeEdges = 24;
+
+Lack withoutSmallGraph(const ExerciseSource& source) {
+  if (const Lack reason = withoutMeshes(source)) return reason;
+  return source.graph().edgeCount() <= kMaxTreeEdges ? Lack() : translated("too many edges");
+}
+
+}  // namespace
+
+ExerciseEntry spanningTreeEntry() {
+  return {.kind = ExerciseKind::spanningTree,
+          .name = "spanning-tree",
+          .title = toTranslate("Choose a spanning tree"),
+          .hint = toTranslate(
+              "The turning joints are a spanning tree already. With the mesh they close a loop: which "
+              "edges of this loop could go?"),
+          .lack = withoutSmallGraph,
+          .make = spanningTreeQuestion};
 }
 
 }  // namespace geargraph::inline exercises

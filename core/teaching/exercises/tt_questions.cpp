@@ -4,8 +4,9 @@
 #include <set>
 
 #include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 #include "core/theory/ttgraph/notation.h"
 
 namespace geargraph::inline exercises {
@@ -72,8 +73,6 @@ std::vector<std::string> picked(const std::vector<int>& row, const std::vector<i
   for (const JointOrdinal joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
   return asTexts(some);
 }
-
-}  // namespace
 
 Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const TtGraph& graph = *source.ttGraph();
@@ -305,6 +304,44 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
   }
   build.wrongNonSigns();
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry levelsEntry() {
+  return {.kind = ExerciseKind::levels,
+          .name = "levels",
+          .title = toTranslate("Levels and transfer vertex"),
+          .hint = toTranslate(
+              "The level of a joint is the letter of its axis. Name the axis of each joint on the walk: "
+              "where the letter changes is the transfer vertex."),
+          .view = LessonView::schematic,
+          .lack = withoutEquations,
+          .make = levelsQuestion};
+}
+
+ExerciseEntry terminalEquationEntry() {
+  return {.kind = ExerciseKind::terminalEquation,
+          .name = "terminal",
+          .title = toTranslate("Terminal equation, sign"),
+          .hint = toTranslate(
+              "The carrier is the link where the level changes on the way between both gears. The gear "
+              "with fewer teeth turns faster; for the sign, look at each gear along its own axis."),
+          .view = LessonView::schematic,
+          .lack = withoutEquations,
+          .make = terminalEquationQuestion};
+}
+
+ExerciseEntry fundamentalCircuitEntry() {
+  return {.kind = ExerciseKind::fundamentalCircuit,
+          .name = "f-circuit",
+          .title = toTranslate("f-circuit equation"),
+          .hint = toTranslate(
+              "Walk from the carrier to the gear along turning joints: only these joints count. Compare "
+              "their arrows with your direction."),
+          .view = LessonView::schematic,
+          .lack = withoutEquations,
+          .make = fundamentalCircuitQuestion};
 }
 
 }  // namespace geargraph::inline exercises

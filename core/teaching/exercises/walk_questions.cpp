@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_builder.h"
-#include "core/teaching/exercises/question_makers.h"
+#include "core/teaching/exercises/question_facts.h"
 
 namespace geargraph::inline exercises {
 namespace {
@@ -172,8 +173,6 @@ void addCycleRows(const ExerciseSource& source, QuestionBuilder& build, WalkTabl
   }
   build.wrongNonSigns();
 }
-
-}  // namespace
 
 Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const SpanningTree& tree = *source.tree();
@@ -349,6 +348,53 @@ Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   }
   build.wrongNonSigns();
   return std::move(build.question);
+}
+
+}  // namespace
+
+ExerciseEntry pathEntry() {
+  return {.kind = ExerciseKind::path,
+          .name = "path",
+          .title = toTranslate("Fill in Z"),
+          .hint = toTranslate(
+              "Start at the link of the column and walk to the ground along turning joints only. Then "
+              "compare the arrow of each joint on the walk with your direction."),
+          .lack = withoutTree,
+          .make = pathQuestion};
+}
+
+ExerciseEntry treeMatrixEntry() {
+  return {.kind = ExerciseKind::treeMatrix,
+          .name = "tree-matrix",
+          .title = toTranslate("Fill in T"),
+          .hint = toTranslate(
+              "Keep the turning joints and only the mesh of the row: together they close one cycle. Begin "
+              "along the mesh, from tail to head, and compare each arrow on the way back with your "
+              "direction."),
+          .lack = withoutMeshes,
+          .make = treeMatrixQuestion};
+}
+
+ExerciseEntry cycleBasisEntry() {
+  return {.kind = ExerciseKind::cycleBasis,
+          .name = "cycle-basis",
+          .title = toTranslate("Fill in a row of C"),
+          .hint = toTranslate(
+              "Begin with the columns of the meshes: a cycle of the basis holds one mesh, its own. Then "
+              "walk from the head of the mesh back to its tail along turning joints."),
+          .lack = withoutMeshes,
+          .make = cycleBasisQuestion};
+}
+
+ExerciseEntry cutsetEntry() {
+  return {.kind = ExerciseKind::cutset,
+          .name = "cutset",
+          .title = toTranslate("Fill in a row of Q"),
+          .hint = toTranslate(
+              "Without the joint the turning joints fall into two groups of links. Look for edges with "
+              "one end in each group, and compare their direction with that of the joint."),
+          .lack = withoutMeshes,
+          .make = cutsetQuestion};
 }
 
 }  // namespace geargraph::inline exercises

@@ -122,9 +122,6 @@ struct DrawTask {
 
 using LessonTask = std::variant<AnswerTask, ExerciseTask, QuestionTask, DrawTask>;
 
-/// The drawing shown during a step.
-enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
-
 struct LessonStep {
   std::string title;
   std::string text;                              ///< sentences, with formulas in TeX between dollar signs

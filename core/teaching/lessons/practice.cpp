@@ -3,29 +3,6 @@
 #include "core/foundations/base/contract.h"
 
 namespace geargraph::inline lessons {
-namespace {
-
-/// What is drawn with what the question asks for.
-LessonView viewOf(ExerciseKind kind) {
-  switch (kind) {
-    case ExerciseKind::levels:
-    case ExerciseKind::terminalEquation:
-    case ExerciseKind::fundamentalCircuit:
-    case ExerciseKind::speed:
-    case ExerciseKind::portTorque:
-    case ExerciseKind::teeth:
-    case ExerciseKind::ringTeeth:
-    case ExerciseKind::engagement:
-    case ExerciseKind::brakeTorque:
-    case ExerciseKind::brakeReaction:
-    case ExerciseKind::selfLocking:
-      return LessonView::schematic;  // the T-T graph would show levels and transfer vertices
-    default:
-      return LessonView::digraph;
-  }
-}
-
-}  // namespace
 
 Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant) {
   GEARGRAPH_REQUIRE(!plan.kinds.empty() && plan.kinds.size() <= kMaxLessonSteps);
@@ -38,7 +15,7 @@ Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int v
     Question& question = sheet.questions[i];
     LessonStep step;
     step.title = kindTitle(plan.kinds[i]);
-    step.view = viewOf(plan.kinds[i]);
+    step.view = kindView(plan.kinds[i]);
     step.document.mechanism = mechanism;
     step.elements = question.elements;
     step.hints = {std::string(kindHint(plan.kinds[i]))};
