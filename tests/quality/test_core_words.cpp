@@ -49,8 +49,9 @@ bool speaks(QString text) {
 }
 
 bool isMarked(const QString& source, qsizetype literal) {
+  // Words to search with are English in every language, beside the text that is found by its own words.
   static const QRegularExpression kMark(
-      R"re((?:^|[^A-Za-z0-9_])(?:(?:translated|toTranslate|tr|words)\(|(?:translate|QT_TRANSLATE_NOOP)\(\s*"\w+",)\s*$)re");
+      R"re((?:^|[^A-Za-z0-9_])(?:(?:translated|toTranslate|tr|words)\(|(?:translate|QT_TRANSLATE_NOOP)\(\s*"\w+",)\s*$|\.searchWords =[^";]*$)re");
   return kMark.match(source.mid(std::max<qsizetype>(literal - 200, 0), std::min<qsizetype>(literal, 200)))
       .hasMatch();
 }
@@ -93,7 +94,6 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"app/cli/serve", "the protocol of programs"},
     {"ui/crash/", "reports for developers"},
     {"ui/mainwindow/about_dialog.cpp", "what developers ask for"},
-    {"ui/search/synonyms.cpp", "further words to search with, in English"},
 };
 
 /// Names in files and of notices, which stay as they are, heads of a command's options, style sheets, and

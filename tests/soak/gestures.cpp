@@ -419,7 +419,7 @@ void GestureSoak::playOrStop() {
   if (oneIn(30)) return closeAndReopen();
   const QPointer<MainWindow> on(window());
   std::vector<std::function<void()>> steps{[on] {
-    if (on) on->actions().play->trigger();
+    if (on) on->actions()[CommandId::play]->trigger();
   }};
   for (int i = below(40); i > 0; --i) steps.emplace_back([] {});
   begin(QStringLiteral("playing or stopping"), std::move(steps));

@@ -6,6 +6,8 @@
 #include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/power_drawing/torque_marks.h"
 #include "ui/canvas/cycle_walk.h"
+#include "ui/models/term_tips.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -120,6 +122,22 @@ Expected<Mechanism> DigraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
 Expected<Mechanism> DigraphView::withNoteAt(const Mechanism& mechanism, SheetPoint at,
                                             const std::string& text) const {
   return withNote(m_placer->adopted(mechanism), at, text);
+}
+
+ViewEntry digraphView() {
+  return {.id = QStringLiteral("digraph"),
+          .title = DigraphView::tr("Digraph"),
+          .tip = tipOf(Term::digraph),
+          .purpose = DigraphView::tr("The mechanism as a directed graph: links as circles, turning joints as "
+                                     "solid arrows, gear meshes as dashed ones."),
+          .helpPage = QStringLiteral("drawing"),
+          .place = ViewPlace::drawings,
+          .holdsAnswers = false,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            auto* drawing = new DigraphView(views.document(), views.selection(), parent);
+            QObject::connect(drawing, &DigraphView::settled, &views, &Views::settled);
+            return drawing;
+          }};
 }
 
 }  // namespace geargraph::inline canvas

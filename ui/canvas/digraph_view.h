@@ -16,7 +16,7 @@ class DigraphView final : public GraphView {
   DigraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
 
   /// Are all links placed and drawn?
-  [[nodiscard]] bool isSettled() const;
+  [[nodiscard]] bool isSettled() const override;
   [[nodiscard]] PowerDraw powerDraw() const override;
   [[nodiscard]] bool showsNotes() const override { return true; }
 
@@ -60,5 +60,7 @@ class DigraphView final : public GraphView {
   MechanismPtr m_drawn;  ///< whose digraph is on the scene; null while a large one is being drawn
   bool m_fitWhenDrawn = false;
 };
+
+[[nodiscard]] ViewEntry digraphView();
 
 }  // namespace geargraph::inline canvas

@@ -12,6 +12,8 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/tools/load_tool.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QMenu;
 
@@ -35,7 +37,7 @@ namespace geargraph::inline canvas {
 /// one in that direction, with Shift in addition to the selection. Return acts like a click with the tool: an
 /// arrow begins at the current element and ends at the next one; with Select it opens the element. The Menu
 /// key opens its menu, Tab moves to the next control.
-class DrawingView : public QGraphicsView {
+class DrawingView : public QGraphicsView, public ResultsView {
   Q_OBJECT
 
  public:
@@ -47,8 +49,9 @@ class DrawingView : public QGraphicsView {
   /// What the tool expects next, as last emitted by hintChanged().
   [[nodiscard]] QString hint() const { return m_hint; }
 
-  /// Sets the newest analysis.
-  virtual void setSnapshot(const SnapshotPtr& snapshot);
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  [[nodiscard]] QString emptyText() const override { return message(); }
 
   void setTheme(Theme theme);
   /// Switches a grid to which new and dragged nodes snap, if the drawing has nodes; Alt suspends it.

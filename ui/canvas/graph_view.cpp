@@ -66,8 +66,8 @@ void GraphView::showCycle(MeshId mesh) {
   updateEmphases();
 }
 
-void GraphView::setCircuitsShown(bool isShown) {
-  m_showsCircuits = isShown;
+void GraphView::setAnswersOpen(bool isOpen) {
+  m_showsCircuits = isOpen;
   updateEmphases();
 }
 

@@ -25,7 +25,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   /// cycle (a row of C in the matrices), else a mesh that is selected alone.
   void showCycle(MeshId mesh);
   /// While they are hidden no circuit is highlighted: a question may ask for it.
-  void setCircuitsShown(bool isShown);
+  void setAnswersOpen(bool isOpen) override;
 
  public slots:
   void toggleInputs() override;

@@ -5,6 +5,7 @@
 #include "core/theory/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline canvas {
 namespace {
@@ -223,6 +224,22 @@ Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
   const NodeMoves place{{next.links.back().id, at}};
   next.view.nodes.erase(place.front().first);  // that place is one of this drawing, not of the digraph
   return withTtNodesMoved(std::move(next), place);
+}
+
+ViewEntry ttGraphView() {
+  return {.id = QStringLiteral("ttgraph"),
+          .title = TtGraphView::tr("T–T graph"),
+          .tip = tipOf(Term::ttGraph),
+          .purpose = TtGraphView::tr(
+              "The mechanism after Tsai and Tokad, with levels, chords and transfer vertices."),
+          .helpPage = QStringLiteral("t-t-graph-method"),
+          .place = ViewPlace::drawings,
+          .holdsAnswers = false,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            auto* drawing = new TtGraphView(views.document(), views.selection(), parent);
+            QObject::connect(drawing, &TtGraphView::drawn, &views, &Views::settled);
+            return drawing;
+          }};
 }
 
 }  // namespace geargraph::inline canvas

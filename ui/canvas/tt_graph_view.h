@@ -24,6 +24,7 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   void setSnapshot(const SnapshotPtr& snapshot) override;
   /// Is the last requested drawing shown? A hidden view requests none.
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
+  [[nodiscard]] bool isSettled() const override { return isUpToDate(); }
   [[nodiscard]] QString whyNoPicture() const override;
   void requestStop() override;
   [[nodiscard]] bool hasStopped() const override { return m_worker.hasStopped(); }
@@ -77,5 +78,7 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   std::stop_source m_stop;          ///< of the requests of this document
   RequestWorker<Request> m_worker;  ///< last: stopped before the members it uses are destroyed
 };
+
+[[nodiscard]] ViewEntry ttGraphView();
 
 }  // namespace geargraph::inline canvas

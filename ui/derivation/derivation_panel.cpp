@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/theme/empty_label.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline ui_derivation {
 
@@ -129,6 +130,30 @@ void DerivationPanel::fillSections() {
     m_sections->addItems(names);
   }
   m_sections->setCurrentIndex(m_view->currentHeading());
+}
+
+QString whyNoDerivation(const Mechanism& mechanism) {
+  if (mechanism.n() == 0) return DerivationPanel::tr("There is nothing drawn to derive anything for.");
+  if (mechanism.n() <= kMaxReportLinks) return {};
+  return DerivationPanel::tr(
+             "A derivation of more than %1 links is not written: it would be too long to read.")
+      .arg(kMaxReportLinks);
+}
+
+void DerivationPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  setSnapshot(snapshot, whyNoDerivation(*snapshot->mechanism));
+}
+
+ViewEntry derivationView() {
+  return {.id = QStringLiteral("derivation"),
+          .title = DerivationPanel::tr("Derivation"),
+          .purpose = DerivationPanel::tr("Both methods worked out step by step for this mechanism."),
+          .helpPage = QStringLiteral("matroid-method"),
+          .searchWords = QStringLiteral("proof steps explanation equations report"),
+          .place = ViewPlace::bottom,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            return new DerivationPanel(views.selection(), parent);
+          }};
 }
 
 }  // namespace geargraph::inline ui_derivation

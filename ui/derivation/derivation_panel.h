@@ -3,6 +3,8 @@
 #include <QWidget>
 
 #include "ui/derivation/derivation_view.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QComboBox;
 class QLabel;
@@ -13,16 +15,17 @@ namespace geargraph::inline ui_derivation {
 
 /// The derivation of the newest snapshot: a list of its sections, and the derivation as a page. Computed only
 /// while the panel is visible.
-class DerivationPanel : public QWidget {
+class DerivationPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
   explicit DerivationPanel(Selection* selection, QWidget* parent = nullptr);
 
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  void setSnapshot(const SnapshotPtr& snapshot) override;
   /// `whyNot`: why there is no derivation of this mechanism; empty if there is one.
   void setSnapshot(const SnapshotPtr& snapshot, const QString& whyNot);
-  /// Tells whether the panel is visible.
-  void setAwake(bool awake);
+  void setAwake(bool awake) override;
   /// Scrolls to the section with this heading as soon as the derivation is available; to the beginning if
   /// there is no such section.
   void showSection(const QString& heading);
@@ -31,8 +34,7 @@ class DerivationPanel : public QWidget {
 
   [[nodiscard]] DerivationView& view() { return *m_view; }
   [[nodiscard]] QComboBox& sections() { return *m_sections; }
-  /// The text shown instead; empty while a derivation is shown.
-  [[nodiscard]] QString emptyText() const;
+  [[nodiscard]] QString emptyText() const override;
 
  signals:
   void exportWanted();
@@ -59,5 +61,10 @@ class DerivationPanel : public QWidget {
   QString m_section;  ///< the heading to scroll to with the next report
   bool m_isAwake = false;
 };
+
+/// Why there is no derivation of a mechanism, as a sentence; empty if there is one.
+[[nodiscard]] QString whyNoDerivation(const Mechanism& mechanism);
+
+[[nodiscard]] ViewEntry derivationView();
 
 }  // namespace geargraph::inline ui_derivation

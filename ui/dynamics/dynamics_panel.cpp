@@ -18,6 +18,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/sideways_scroll.h"
 #include "ui/view3d/view3d.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline ui_dynamics {
 
@@ -210,6 +211,23 @@ std::optional<std::pair<QString, std::string>> DynamicsPanel::csv(char separator
   }
   const auto motion = m_motion->csv(separator);
   return motion ? std::optional(std::pair(tr("motion.csv"), *motion)) : std::nullopt;
+}
+
+ViewEntry dynamicsView() {
+  return {
+      .id = QStringLiteral("dynamics"),
+      .title = DynamicsPanel::tr("Dynamics"),
+      .purpose = DynamicsPanel::tr("Masses, the inertia at each motor, and the motion that torques cause."),
+      .helpPage = QStringLiteral("forces-and-dynamics#dynamics"),
+      .searchWords = QStringLiteral(
+          "mass inertia weight density gravity acceleration simulation dynamic energy equation of motion "
+          "motor torque"),
+      .place = ViewPlace::bottom,
+      .make = [](Views& views, QWidget* parent) -> ResultsView* {
+        auto* panel = new DynamicsPanel(views.document(), views.selection(), &views.get<View3D>(), parent);
+        QObject::connect(panel, &DynamicsPanel::exportWanted, &views, &Views::tableExportWanted);
+        return panel;
+      }};
 }
 
 }  // namespace geargraph::inline ui_dynamics

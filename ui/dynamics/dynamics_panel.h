@@ -5,6 +5,8 @@
 #include "ui/document/document.h"
 #include "ui/dynamics/dynamics_service.h"
 #include "ui/selection/selection.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QButtonGroup;
 class QLabel;
@@ -26,15 +28,15 @@ enum class DynamicsView { masses, inertia, equation, motion };
 
 /// Dynamics of the window's document: masses, inertia reflected to the motors, the equation of motion at the
 /// pose of the 3D view, and forward dynamics. Nothing is computed while the panel is hidden.
-class DynamicsPanel : public QWidget {
+class DynamicsPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
   DynamicsPanel(Document* document, Selection* selection, View3D* view, QWidget* parent = nullptr);
 
-  void setSnapshot(const SnapshotPtr& snapshot);
-  /// Tells whether the panel is visible.
-  void setAwake(bool awake);
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  void setAwake(bool awake) override;
   void showView(DynamicsView view);
 
   [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
@@ -43,8 +45,7 @@ class DynamicsPanel : public QWidget {
   [[nodiscard]] InertiaBars& inertia() { return *m_bars; }
   [[nodiscard]] EquationPage& equation() { return *m_equation; }
   [[nodiscard]] MotionPage& motion() { return *m_motion; }
-  /// The text shown instead of the views; empty while they are shown.
-  [[nodiscard]] QString emptyText() const;
+  [[nodiscard]] QString emptyText() const override;
   /// The line below the view.
   [[nodiscard]] QString remark() const;
 
@@ -76,5 +77,7 @@ class DynamicsPanel : public QWidget {
   EquationPage* m_equation;
   MotionPage* m_motion;
 };
+
+[[nodiscard]] ViewEntry dynamicsView();
 
 }  // namespace geargraph::inline ui_dynamics

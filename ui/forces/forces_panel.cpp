@@ -348,10 +348,6 @@ QString ForcesPanel::explanation() const {
   return m_explanation->text();
 }
 
-QString ForcesPanel::emptyText() const {
-  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
-}
-
 /// As wide as the rows of the loads, and the card, need.
 void ForcesPanel::fitSide() {
   const int width = m_side->minimumSizeHint().width() + m_sideView->verticalScrollBar()->sizeHint().width();

@@ -6,6 +6,8 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/statics/forces_service.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -28,17 +30,17 @@ class DualityLine;
 /// Torques, forces and powers of the newest snapshot: the loads, a table of the torques that hold them, and
 /// the power balance. Rows are linked with the selection in both directions. Documents without loads are
 /// solved only while the panel is visible.
-class ForcesPanel : public QWidget {
+class ForcesPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
   /// `service`: the window's, which follows the document
   ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent = nullptr);
 
+  [[nodiscard]] QWidget& widget() override { return *this; }
   /// Sets the snapshot, whose states can be chosen.
-  void setSnapshot(const SnapshotPtr& snapshot);
-  /// Tells whether the panel is visible.
-  void setAwake(bool awake);
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  void setAwake(bool awake) override;
   void showTable(ForceTableKind kind);
   /// Shows the forces of this state; -1: of the document's engagement.
   void showState(int state);
@@ -58,8 +60,7 @@ class ForcesPanel : public QWidget {
   /// The text of the ExplanationLabel: the cutset of the one selected joint with its equation, or which gear
   /// of the one selected mesh drives; else empty.
   [[nodiscard]] QString explanation() const;
-  /// The text shown instead of the table; empty while the table is shown.
-  [[nodiscard]] QString emptyText() const;
+  [[nodiscard]] QString emptyText() const override;
   /// A value below the table, by its name: "fed", "forward".
   [[nodiscard]] QString total(const QString& name) const;
 
@@ -119,5 +120,7 @@ class ForcesPanel : public QWidget {
   QToolButton* m_export = nullptr;
   QLabel* m_verdict = nullptr;
 };
+
+[[nodiscard]] ViewEntry forcesView();
 
 }  // namespace geargraph::inline forces

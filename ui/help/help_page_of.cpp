@@ -15,41 +15,6 @@ struct Entry {
 };
 
 constexpr Entry kEntries[] = {
-    {"dock.matrices", "digraph-and-matrices",
-     QT_TRANSLATE_NOOP(
-         "HelpPages",
-         "Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.")},
-    {"dock.problems", "problems",
-     QT_TRANSLATE_NOOP("HelpPages", "What is wrong with the mechanism, and how to mend it.")},
-    {"dock.view3d", "teeth-axes-and-3d#the-3d-view",
-     QT_TRANSLATE_NOOP("HelpPages",
-                       "The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.")},
-    {"dock.inputs", "inputs-and-results",
-     QT_TRANSLATE_NOOP("HelpPages", "The speeds of the motors, and how fast every joint turns with them.")},
-    {"dock.gearbox", "gearboxes",
-     QT_TRANSLATE_NOOP("HelpPages", "Brakes and clutches, what is engaged, and the states of a gearbox.")},
-    {"dock.properties", "teeth-axes-and-3d",
-     QT_TRANSLATE_NOOP("HelpPages", "Teeth, axes and names of what is selected.")},
-    {"dock.speeds", "inputs-and-results#motion",
-     QT_TRANSLATE_NOOP("HelpPages", "Speeds over one period of the motion.")},
-    {"dock.derivation", "matroid-method",
-     QT_TRANSLATE_NOOP("HelpPages", "Both methods worked out step by step for this mechanism.")},
-    {"dock.forces", "forces-and-dynamics",
-     QT_TRANSLATE_NOOP("HelpPages", "Loads, and the torques, forces and powers that they cause.")},
-    {"dock.dynamics", "forces-and-dynamics#dynamics",
-     QT_TRANSLATE_NOOP("HelpPages", "Masses, the inertia at each motor, and the motion that torques cause.")},
-    {"dock.lesson", "lessons-and-exercises",
-     QT_TRANSLATE_NOOP("HelpPages",
-                       "A lesson: what is asked, your answer, hints, and the reason where it is wrong.")},
-    {"digraph", "drawing",
-     QT_TRANSLATE_NOOP("HelpPages",
-                       "The mechanism as a directed graph: links as circles, turning joints as solid arrows, "
-                       "gear meshes as dashed ones.")},
-    {"ttgraph", "t-t-graph-method",
-     QT_TRANSLATE_NOOP("HelpPages",
-                       "The mechanism after Tsai and Tokad, with levels, chords and transfer vertices.")},
-    {"schematic", "drawing#in-the-schematic",
-     QT_TRANSLATE_NOOP("HelpPages", "The mechanism in section, as in textbooks. You can draw here, too.")},
     {"drawings", "drawing",
      QT_TRANSLATE_NOOP("HelpPages", "The mechanism drawn in three ways; a click on a tab chooses one.")},
     {"toolBar", "drawing#tools",
@@ -94,8 +59,10 @@ QString helpPageOf(const QWidget* widget) {
   return {};
 }
 
-QString purposeOf(const QString& objectName) {
-  const Entry* entry = entryOf(objectName);
+QString purposeOf(const QWidget& widget) {
+  const QString own = widget.property(kPurpose).toString();
+  if (!own.isEmpty()) return own;
+  const Entry* entry = entryOf(widget.objectName());
   if (entry == nullptr || entry->purpose == nullptr) return {};
   return QCoreApplication::translate("HelpPages", entry->purpose);
 }

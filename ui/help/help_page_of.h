@@ -9,15 +9,18 @@ namespace geargraph::inline ui_help {
 
 /// The property of a widget with its help page ("glossary#rank"); empty: the page of its object name.
 constexpr const char* kHelpPage = "helpPage";
+/// The property of a widget with its purpose, as a sentence; empty: that of its object name.
+constexpr const char* kPurpose = "purpose";
 
 /// The page about a widget, "page" or "page#anchor": its own, else that of the nearest ancestor with one;
-/// empty if none has. Panels, drawings and dialogs have theirs by object name.
+/// empty if none has. Panels and drawings bring theirs (ui/views), other parts and dialogs have it by object
+/// name.
 [[nodiscard]] QString helpPageOf(const QWidget* widget);
 
-/// The purpose of the panel or drawing with this object name, as a sentence; empty for others.
-[[nodiscard]] QString purposeOf(const QString& objectName);
+/// The purpose of a part of the window, as a sentence; empty if it has none of its own.
+[[nodiscard]] QString purposeOf(const QWidget& widget);
 
-/// All pages in the table, for tests.
+/// All pages by object name, for tests.
 [[nodiscard]] QStringList namedPages();
 
 }  // namespace geargraph::inline ui_help

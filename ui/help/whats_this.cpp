@@ -32,7 +32,7 @@ QString WhatsThis::textFor(const QWidget* widget) {
   for (const QWidget* each = widget; each != nullptr; each = each->parentWidget()) {
     if (!each->whatsThis().isEmpty()) return each->whatsThis();
     if (tip.isEmpty()) tip = each->toolTip();
-    const QString purpose = purposeOf(each->objectName());
+    const QString purpose = purposeOf(*each);
     if (purpose.isEmpty()) continue;
     const QString more = tr("F1 opens the page of the manual.");
     return (tip.isEmpty() ? QString() : rich(tip)) +

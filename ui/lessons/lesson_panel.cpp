@@ -18,6 +18,7 @@
 #include "ui/lessons/lesson_words.h"
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline ui_lessons {
 
@@ -428,6 +429,21 @@ void LessonPanel::fitText() {
 void LessonPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitText();
+}
+
+ViewEntry lessonView() {
+  constexpr int kMinWidth = 320;  // px
+  return {.id = QStringLiteral("lesson"),
+          .title = LessonPanel::tr("Lesson"),
+          .purpose = LessonPanel::tr(
+              "A lesson: what is asked, your answer, hints, and the reason where it is wrong."),
+          .helpPage = QStringLiteral("lessons-and-exercises"),
+          .place = ViewPlace::left,
+          .minimumSize = {kMinWidth, 0},
+          .holdsAnswers = false,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            return new LessonPanel(views.document(), views.selection(), parent);
+          }};
 }
 
 }  // namespace geargraph::inline ui_lessons

@@ -7,6 +7,8 @@
 #include "ui/lessons/lesson_progress.h"
 #include "ui/lessons/lesson_service.h"
 #include "ui/selection/selection.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QLabel;
 class QPushButton;
@@ -25,7 +27,7 @@ class StepBar;
 /// Plays a lesson step by step on the document of a window of its own: text, task, answer, hints, and the
 /// reason when the answer is wrong. Each step begins with its mechanism; the elements of a task are
 /// highlighted by the shared selection. Progress is stored in the settings.
-class LessonPanel : public QWidget {
+class LessonPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
@@ -34,6 +36,7 @@ class LessonPanel : public QWidget {
 
   LessonPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
 
+  [[nodiscard]] QWidget& widget() override { return *this; }
   /// Plays a lesson from the stored progress. `place`: "Lesson 4 of 15", or its origin.
   void play(const LessonPtr& lesson, const QString& place);
   /// Replaces the lesson by a new version of its file, at the same step if it still exists.
@@ -115,5 +118,7 @@ class LessonPanel : public QWidget {
   QPushButton* m_back = nullptr;
   QPushButton* m_next = nullptr;
 };
+
+[[nodiscard]] ViewEntry lessonView();
 
 }  // namespace geargraph::inline ui_lessons

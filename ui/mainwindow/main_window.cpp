@@ -14,9 +14,10 @@
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
-#include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
-#include "ui/mainwindow/dock_titles.h"
+#include "ui/help/help_page_of.h"
+#include "ui/inputs/inputs_and_results.h"
+#include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/edit_preview.h"
@@ -30,16 +31,18 @@
 #include "ui/mainwindow/renumbering_notice.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/view_docks.h"
+#include "ui/mainwindow/view_table.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/mainwindow/window_help.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/gearbox_panel.h"
-#include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
+#include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/recovery/autosave.h"
 #include "ui/schematic/schematic_view.h"
@@ -51,25 +54,6 @@
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
-namespace {
-
-QString whyNoGears(const AnalysisSnapshot& snapshot) {
-  if (snapshot.mechanism->n() == 0)
-    return MainWindow::tr("The gears appear here. Draw the first link: L, then click.");
-  if (!snapshot.tree) {
-    return MainWindow::tr(
-        "The gears appear when the turning joints tie every link to the ground and close no loop.");
-  }
-  if (snapshot.mechanism->n() > kMaxStageLinks) {
-    return MainWindow::tr("The 3D view shows trains of up to %1 links; this one has %2.")
-        .arg(kMaxStageLinks)
-        .arg(snapshot.mechanism->n());
-  }
-  if (snapshot.kinematics && snapshot.mechanism->c() > 0) return View3D::waitingText();
-  return MainWindow::tr("The gears appear when a mesh joins two of the links: G, then drag.");
-}
-
-}  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(new Workbench, parent) {}
 
@@ -78,7 +62,8 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
       m_workbench(workbench),
       m_document(&m_workbench->document()),
       m_selection(&m_workbench->selection()),
-      m_actions(std::make_unique<WindowActions>(this)) {
+      m_actions(std::make_unique<WindowActions>(this)),
+      m_views(new Views(*m_workbench, this)) {
   m_workbench->setParent(this);
   installDrawingAccessibility();
   installStageAccessibility();
@@ -99,10 +84,8 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   m_exportJobs = new ExportJobs(m_notices, this);
   m_files = std::make_unique<WindowFiles>(*m_workbench, this, m_notices, m_recent,
                                           [this] { return documentToSave(); });
-  m_titles = new DockTitles(this);
   m_presentation = new Presentation(this);
-  makeDrawings();
-  makeDocks();
+  makeViews();
   makeCommands();
   makeHelp();
   makeMenus();
@@ -121,7 +104,6 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   resize(1366, 768);
   m_workbench->request();
   onDocumentChanged();
-  renewPowerFlow();
   renewTitle();
 }
 
@@ -153,30 +135,77 @@ std::vector<BackgroundWork*> MainWindow::backgroundWork() const {
   return all;
 }
 
-void MainWindow::makeDrawings() {
-  m_drawings = new QTabWidget(this);
-  m_drawings->setObjectName(QStringLiteral("drawings"));
-  m_drawings->setDocumentMode(true);
-  setCentralWidget(m_drawings);
-  m_digraph = new DigraphView(m_document, m_selection, m_drawings);
-  addDrawing(m_digraph, "digraph", tr("Digraph"), tipOf(Term::digraph));
-  m_ttGraph = new TtGraphView(m_document, m_selection, m_drawings);
-  addDrawing(m_ttGraph, "ttgraph", tr("T–T graph"), tipOf(Term::ttGraph));
-  m_schematic = new SchematicView(m_document, m_selection, m_drawings);
-  addDrawing(m_schematic, "schematic", tr("Schematic"), tipOf(Term::functionalSchematic));
-  connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);
-  connect(m_ttGraph, &TtGraphView::drawn, this, &MainWindow::tellWhenSettled);
+DigraphView& MainWindow::digraph() const {
+  return m_views->get<DigraphView>();
+}
+TtGraphView& MainWindow::ttGraph() const {
+  return m_views->get<TtGraphView>();
+}
+View3D& MainWindow::view3d() const {
+  return m_views->get<View3D>();
+}
+MatricesPanel& MainWindow::matrices() const {
+  return m_views->get<MatricesPanel>();
+}
+DerivationPanel& MainWindow::derivation() const {
+  return m_views->get<DerivationPanel>();
+}
+ResultsPanel& MainWindow::results() const {
+  return m_views->get<InputsAndResults>().results();
+}
+GearboxPanel& MainWindow::gearbox() const {
+  return m_views->get<GearboxPanel>();
+}
+ForcesPanel& MainWindow::forces() const {
+  return m_views->get<ForcesPanel>();
+}
+DynamicsPanel& MainWindow::dynamics() const {
+  return m_views->get<DynamicsPanel>();
+}
+ProblemsPanel& MainWindow::problems() const {
+  return m_views->get<ProblemsPanel>();
+}
+MotionPanel& MainWindow::motion() const {
+  return m_views->get<MotionPanel>();
+}
+
+void MainWindow::makeViews() {
+  new DockDrag(this);
+  m_docks = new ViewDocks(this, [this] { drawing().setFocus(); });
+  connect(m_views, &Views::settled, this, &MainWindow::tellWhenSettled);
+  connect(m_views, &Views::revealWanted, m_docks,
+          [this](const ResultsView* view) { m_docks->reveal(*view); });
+  connect(m_views, &Views::rejected, m_status, &StatusLine::showRejection);
+  connect(m_views, &Views::menuWanted, this, &MainWindow::popUpMenuFor);
+  makeDrawings();
+  for (const ViewEntry& entry : viewTable()) {
+    if (entry.place == ViewPlace::drawings) {
+      addDrawing(entry);
+    } else {
+      m_docks->add(entry, m_views->make(entry, this));
+    }
+  }
   m_power = new PowerView(*m_workbench, m_allDrawings, this);
   connect(m_power, &PowerView::shown, this, &MainWindow::tellWhenSettled);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
 
-void MainWindow::addDrawing(DrawingView* drawing, const char* name, const QString& title,
-                            const QString& tip) {
-  drawing->setObjectName(QLatin1String(name));
-  const int tab = m_drawings->addTab(drawing, title);
-  m_drawings->setTabToolTip(tab, tip);
+void MainWindow::makeDrawings() {
+  m_drawings = new QTabWidget(this);
+  m_drawings->setObjectName(QStringLiteral("drawings"));
+  m_drawings->setDocumentMode(true);
+  setCentralWidget(m_drawings);
+}
+
+void MainWindow::addDrawing(const ViewEntry& entry) {
+  auto* drawing = dynamic_cast<DrawingView*>(&m_views->make(entry, m_drawings));
+  GEARGRAPH_REQUIRE(drawing != nullptr);
+  drawing->setObjectName(entry.id);
+  drawing->setProperty(kHelpPage, entry.helpPage);
+  drawing->setProperty(kPurpose, entry.purpose);
+  const int tab = m_drawings->addTab(drawing, entry.title);
+  m_drawings->setTabToolTip(tab, entry.tip);
   m_allDrawings.push_back(drawing);
   // Files are dropped on the window; a drawing would swallow them.
   drawing->setAcceptDrops(false);
@@ -210,11 +239,13 @@ void MainWindow::makeCommands() {
       *m_workbench, clipboard, [this] { return drawing().pictureMaker(); }, this);
   connect(m_commands, &EditCommands::rejected, m_status, &StatusLine::showRejection);
   connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
-  m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},
+  m_exports = new WindowExports(*m_workbench, *m_files,
+                                {m_allDrawings, &m_views->get<SchematicView>(), &view3d(), &motion()},
                                 m_exportJobs, clipboard, this);
   connect(m_exports, &WindowExports::rejected, m_status, &StatusLine::showRejection);
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
-  connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);
+  connect(&derivation(), &DerivationPanel::exportWanted, m_exports,
+          &WindowExports::chooseAndExportDerivation);
 }
 
 void MainWindow::makeHelp() {
@@ -230,6 +261,7 @@ void MainWindow::makeHelp() {
     m_start->dismiss(&drawing());
   };
   stage.showDrawing = [this](const QString& name) { showDrawing(name); };
+  stage.panel = [this](const QString& id) { return m_docks->of(m_views->byId(id)); };
   stage.end = [this] {
     if (m_start->isHidden()) return drawing().setFocus();
     m_start->setFocus();
@@ -256,42 +288,22 @@ void MainWindow::wireViews() {
     });
   }
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::onSelectionChanged);
-  connect(&m_matrices->view(), &MatrixView::menuWanted, this, &MainWindow::popUpMenuFor);
-  connect(m_results, &ResultsPanel::menuWanted, this, &MainWindow::popUpMenuFor);
   connect(m_presentation, &Presentation::changed, this, [this](bool on) {
-    m_actions->presentation->setChecked(on);
+    (*m_actions)[CommandId::presentation]->setChecked(on);
     setTheme(themeOf(QApplication::palette()), !on);
   });
-  connect(m_presentation, &Presentation::played, this, [this] { m_view3d->playback().toggle(); });
-  m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr& report) {
-    m_problems->setMotionDiagnostics(
-        report ? report->diagnostics : Diagnostics(),
-        shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
-    tellWhenSettled();
-  });
-  m_workbench->forces().onAnswer(this, [this](const ForcesPtr& forces) { onForces(forces); });
-  connect(m_problems, &ProblemsPanel::fixesOffered, this, &MainWindow::tellWhenSettled);
-  connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
-    m_view3d->showMoment(time);
-    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
-    dock->show();
-    dock->raise();
-  });
-  connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
-    m_document->apply({shownText(fix.text), fix.edit, 0});
-  });
-  connect(m_matrices, &MatricesPanel::rejected, this,
-          [this](const QString& why) { m_status->showRejection(why); });
-  connect(m_matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
-  for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
-    connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
-  }
-  connect(m_gearbox, &GearboxPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
-  connect(m_forces, &ForcesPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
-  connect(m_dynamics, &DynamicsPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
-  connect(m_matrices, &MatricesPanel::quantityExportWanted, m_exports,
+  connect(m_presentation, &Presentation::played, this, [this] { view3d().playback().toggle(); });
+  m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr&) { tellWhenSettled(); });
+  m_workbench->forces().onAnswer(this, [this](const ForcesPtr&) { onForces(); });
+  connect(m_views, &Views::tableExportWanted, m_exports, &WindowExports::chooseAndExportTable);
+  MatricesPanel& matrices = this->matrices();
+  connect(&matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
+  connect(&matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
-  connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
+  connect(&matrices.model(), &MatrixModel::matrixChanged, this, &MainWindow::renewCommands);
+  for (GraphView* graph : std::initializer_list<GraphView*>{&digraph(), &ttGraph()}) {
+    connect(&matrices.view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
+  }
 }
 
 void MainWindow::wireDrawing(DrawingView* drawing) {
@@ -301,13 +313,11 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
     if (drawing == m_drawings->currentWidget()) m_status->setHint(hint);
   });
   connect(drawing, &DrawingView::previewChanged, this, [this](const std::optional<JointPreview>& preview) {
-    m_matrices->setPreview(preview ? previewOf(*m_document->mechanism(), *preview) : std::nullopt);
+    matrices().setPreview(preview ? previewOf(*m_document->mechanism(), *preview) : std::nullopt);
   });
   connect(drawing, &DrawingView::propertiesWanted, this, [this](const ElementId& element) {
     m_selection->select({element});
-    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.properties"));
-    dock->show();
-    dock->raise();
+    m_docks->reveal(m_views->get<PropertiesPanel>());
   });
   connect(drawing, &DrawingView::menuOpening, this,
           [this, drawing](QMenu* menu, const std::optional<ElementId>& element) {
@@ -317,15 +327,14 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
               });
             }
             menu->addSeparator();
-            menu->addAction(m_actions->copyPicture->text(), m_exports,
+            menu->addAction((*m_actions)[CommandId::copyPicture]->text(), m_exports,
                             [this, drawing] { m_exports->copyPicture(drawing->objectName()); });
           });
-  connect(drawing, &DrawingView::spaceTapped, this, [this] { m_view3d->playback().toggle(); });
+  connect(drawing, &DrawingView::spaceTapped, this, [this] { view3d().playback().toggle(); });
 }
 
 void MainWindow::wireView3D() {
-  connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
-  m_workbench->stages().setPaintedByWindow(!m_view3d->isImage());
+  m_workbench->stages().setPaintedByWindow(!view3d().isImage());
   m_workbench->stages().onAnswer(this, [this](const StagePtr& stage) { onStage(stage); });
   connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();
@@ -338,18 +347,14 @@ void MainWindow::onStage(const StagePtr& stage) {
   const Diagnostics why =
       empty && m_hasPicture && mechanism.n() > 0 ? treeDiagnostics(mechanism) : Diagnostics();
   if (why.empty()) {
-    m_view3d->setStage(stage);
+    view3d().setStage(stage);
     m_hasPicture = !empty;
   }
   const QString notShown =
       stage->notes.empty() ? QString() : QString::fromStdString(stage->notes.front().text);
-  m_view3d->setNote(why.empty()
-                        ? notShown
-                        : tr("Shown as before the last changes. %1").arg(shownText(why.front().message)));
-  Diagnostics missing;
-  for (const StageNote& note : stage->notes)
-    if (note.isMissingFile) missing.push_back({Code::missingFile, note.text, {note.element}, {}});
-  m_problems->setShapeDiagnostics(missing);
+  view3d().setNote(why.empty()
+                       ? notShown
+                       : tr("Shown as before the last changes. %1").arg(shownText(why.front().message)));
   tellWhenSettled();
 }
 
@@ -359,7 +364,7 @@ void MainWindow::onSelectionChanged() {
   const auto isThere = [&](const ElementId& element) { return elements.contains(element); };
   const auto& selected = m_selection->selected();
   if (!std::all_of(selected.begin(), selected.end(), isThere)) return m_selection->keepOnly(isThere);
-  renewActions();
+  renewCommands();
 }
 
 void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
@@ -370,8 +375,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 }
 
 bool MainWindow::isSettled() const {
-  return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate() && m_problems->isSettled() && m_power->isSettled() &&
+  return m_workbench->isUpToDate() && m_views->isSettled() && m_power->isSettled() &&
          findChild<PowerArrows*>()->isSettled();
 }
 
@@ -384,56 +388,22 @@ void MainWindow::onDocumentChanged() {
     m_selection->keepOnly(
         [this](const ElementId& element) { return m_document->elements().contains(element); });
   }
-  m_results->setNames(m_document->mechanism());
-  m_motion->setNames(m_document->mechanism());
+  m_views->setMechanism(m_document->mechanism());
   m_status->clearRejection();
-  renewActions();
+  renewCommands();
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
-  m_matrices->setSnapshot(snapshot);
-  for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
-  m_results->setSnapshot(snapshot);
-  m_gearbox->setSnapshot(snapshot);
-  m_forces->setSnapshot(snapshot);
-  m_dynamics->setSnapshot(snapshot);
-  m_inputs->setSnapshot(snapshot);
-  m_problems->setSnapshot(snapshot);
+  m_views->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
-  m_derivation->setSnapshot(snapshot, m_exports->whyNoDerivation());
-  m_view3d->setEmptyText(whyNoGears(*snapshot));
-  renewExport();
+  renewCommands();
   raiseProblems(*snapshot);
   tellWhenSettled();
 }
 
-/// Null: the document has no loads, and no view shows torques.
-void MainWindow::onForces(const ForcesPtr& forces) {
-  m_problems->setLoadDiagnostics(forces ? forces->diagnostics : Diagnostics());
-  const ForceTable* const torques = forces ? forces->table(ForceTableKind::states) : nullptr;
-  // A first part comes without: the torques before it stay, else they would blink.
-  if (torques != nullptr || m_workbench->forces().isComplete())
-    m_gearbox->setTorques(std::shared_ptr<const ForceTable>(forces, torques),
-                          forces ? forces->snapshot->mechanism : nullptr);
-  m_view3d->setForces(forces ? forces->arrows : nullptr, forcesCaption(forces));
-  renewPowerFlow();
+void MainWindow::onForces() {
+  renewCommands();
   tellWhenSettled();
-}
-
-void MainWindow::renewPowerFlow() {
-  const QString why = m_power->whyNone();
-  WindowActions::setAvailable(m_actions->powerFlow, why.isEmpty(), why);
-}
-
-void MainWindow::renewExport() {
-  WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().isThere(),
-                              m_matrices->model().quantityKind()
-                                  ? tr("This matrix needs a mechanism without errors.")
-                                  : tr("This matrix needs the turning joints to be a spanning tree."));
-  const QString why = m_exports->whyNoDerivation();
-  for (QAction* action : {m_actions->exportDerivation, m_actions->exportHandout, m_actions->showDerivation,
-                          m_actions->compareMethods})
-    WindowActions::setAvailable(action, why.isEmpty(), why);
 }
 
 bool MainWindow::openDocument(const QString& path) {
@@ -460,7 +430,7 @@ void MainWindow::setTheme(Theme theme, bool isLaidOutNext) {
     each->setTheme(theme);
     each->setLargestFit(largest);
   }
-  m_view3d->setDark(theme != Theme::light);
+  view3d().setDark(theme != Theme::light);
 }
 
 bool MainWindow::event(QEvent* event) {

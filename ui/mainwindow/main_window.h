@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/mainwindow/window_actions.h"
+#include "ui/views/views.h"
 #include "ui/workbench/workbench.h"
 
 namespace geargraph::inline canvas {
@@ -20,11 +21,9 @@ struct Lesson;
 }  // namespace geargraph::inline lessons
 namespace geargraph::inline panels {
 class GearboxPanel;
-class InputsPanel;
 class InsertSetDialog;
 class MatricesPanel;
 class ProblemsPanel;
-class PropertiesPanel;
 class ResultsPanel;
 }  // namespace geargraph::inline panels
 namespace geargraph::inline printing {
@@ -59,7 +58,6 @@ class View3D;
 
 namespace geargraph::inline mainwindow {
 
-class DockTitles;
 class EditCommands;
 class NoticeBar;
 class ExportJobs;
@@ -69,12 +67,13 @@ class Presentation;
 class RecentFiles;
 class StatusLine;
 class StartPage;
+class ViewDocks;
 class WindowExports;
 class WindowFiles;
 class WindowHelp;
 
-/// The window of one document with all its views: creates them, lays them out, and distributes the results of
-/// the workbench.
+/// The window of one document with the views of the table (view_table.h): makes them and lays them out,
+/// passes the results of the workbench on, and connects them with its commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -90,20 +89,23 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Document& document() { return *m_document; }
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return m_workbench->analysis(); }
-  [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
-  [[nodiscard]] TtGraphView& ttGraph() { return *m_ttGraph; }
+  /// The views of the window; `views().get<LeverPanel>()` is one of them.
+  [[nodiscard]] Views& views() { return *m_views; }
+  [[nodiscard]] ViewDocks& docks() { return *m_docks; }
+  [[nodiscard]] DigraphView& digraph() const;
+  [[nodiscard]] TtGraphView& ttGraph() const;
   /// The drawing in front, to which commands and tools apply.
   [[nodiscard]] DrawingView& drawing();
   /// Brings a drawing to the front by name: "digraph", "ttgraph". False if there is no such drawing.
   bool showDrawing(const QString& name);
-  [[nodiscard]] View3D& view3d() { return *m_view3d; }
-  [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
-  [[nodiscard]] DerivationPanel& derivation() { return *m_derivation; }
-  [[nodiscard]] ResultsPanel& results() { return *m_results; }
-  [[nodiscard]] GearboxPanel& gearbox() { return *m_gearbox; }
-  [[nodiscard]] ForcesPanel& forces() { return *m_forces; }
-  [[nodiscard]] DynamicsPanel& dynamics() { return *m_dynamics; }
-  [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
+  [[nodiscard]] View3D& view3d() const;
+  [[nodiscard]] MatricesPanel& matrices() const;
+  [[nodiscard]] DerivationPanel& derivation() const;
+  [[nodiscard]] ResultsPanel& results() const;
+  [[nodiscard]] GearboxPanel& gearbox() const;
+  [[nodiscard]] ForcesPanel& forces() const;
+  [[nodiscard]] DynamicsPanel& dynamics() const;
+  [[nodiscard]] ProblemsPanel& problems() const;
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
   [[nodiscard]] WindowFiles& files() { return *m_files; }
@@ -119,7 +121,7 @@ class MainWindow : public QMainWindow {
   /// The document with the state of views to be saved: the camera of the 3D view, if the user has changed it.
   [[nodiscard]] Mechanism documentToSave() const;
   [[nodiscard]] WindowExports& exports() { return *m_exports; }
-  [[nodiscard]] MotionPanel& motion() { return *m_motion; }
+  [[nodiscard]] MotionPanel& motion() const;
 
   /// Restores places and sizes of windows and docks from when the last window closed.
   void restoreLayout();
@@ -173,16 +175,11 @@ class MainWindow : public QMainWindow {
   MainWindow(Workbench* workbench, QWidget* parent);
   [[nodiscard]] std::vector<BackgroundWork*> backgroundWork() const;
   void makeDrawings();
-  void addDrawing(DrawingView* drawing, const char* name, const QString& title, const QString& tip);
+  void addDrawing(const ViewEntry& entry);
   void onDrawingChosen();
-  void makeDocks();
+  void makeViews();
   void makeCommands();
   void makeHelp();
-  QWidget* makeInputsAndResults();
-  QAction* makePanelAction(QDockWidget* dock);
-  QDockWidget* addDock(const char* name, const QString& title, QWidget* widget);
-  [[nodiscard]] QDockWidget* dock(const char* name) const;
-  void placeDocks();
   void applyDefaultLayout();
   void raiseResults();
   void onOpened();
@@ -201,11 +198,10 @@ class MainWindow : public QMainWindow {
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
-  void onForces(const ForcesPtr& forces);
-  void renewPowerFlow();
+  void onForces();
   void tellWhenSettled();
-  void renewActions();
-  void renewExport();
+  [[nodiscard]] CommandState commandState();
+  void renewCommands();
   void renewTitle();
   void showInsertSet();
   void showElement(const ElementId& element);
@@ -240,36 +236,22 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<WindowActions> m_actions;
   std::unique_ptr<WindowFiles> m_files;
 
-  QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
-  DigraphView* m_digraph = nullptr;
-  TtGraphView* m_ttGraph = nullptr;
-  SchematicView* m_schematic = nullptr;
-  InputsPanel* m_inputs = nullptr;
-  MatricesPanel* m_matrices = nullptr;
-  ProblemsPanel* m_problems = nullptr;
-  PropertiesPanel* m_properties = nullptr;
-  ResultsPanel* m_results = nullptr;
-  GearboxPanel* m_gearbox = nullptr;
-  MotionPanel* m_motion = nullptr;
-  DerivationPanel* m_derivation = nullptr;
-  ForcesPanel* m_forces = nullptr;
-  DynamicsPanel* m_dynamics = nullptr;
+  Views* m_views;
+  ViewDocks* m_docks = nullptr;
+  QTabWidget* m_drawings = nullptr;        ///< of DrawingViews
   InsertSetDialog* m_insertSet = nullptr;  ///< created on first use
-  View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;
   StartPage* m_start = nullptr;
   RecentFiles* m_recent = nullptr;
   SearchField* m_search = nullptr;
-  DockTitles* m_titles = nullptr;
   Presentation* m_presentation = nullptr;
   std::vector<DrawingView*> m_allDrawings;
-  std::vector<QDockWidget*> m_docks;
-  std::vector<QAction*> m_panelActions;  ///< of the docks
-  QByteArray m_layout;                   ///< to be restored when the window is shown
+  QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
-  bool m_isOpened = false;    ///< since the last complete snapshot
+  bool m_areAnswersOpen = true;
+  bool m_isOpened = false;  ///< since the last complete snapshot
   ExportJobs* m_exportJobs = nullptr;
   PowerView* m_power = nullptr;
   EditCommands* m_commands = nullptr;

@@ -42,7 +42,7 @@ void Presentation::choosePanels() {
   const QByteArray layout = savedSetting(kLayoutKey).toByteArray();
   if (!layout.isEmpty() && m_window->restoreState(layout)) return;
   for (auto* dock : m_window->findChildren<QDockWidget*>()) {
-    dock->setVisible(dock->objectName() == QLatin1String("dock.matrices"));
+    dock->setVisible(dock->property(kIsPresented).toBool());
   }
 }
 

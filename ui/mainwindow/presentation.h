@@ -18,6 +18,8 @@ class Presentation : public QObject {
 
  public:
   static constexpr double kTypeScale = 1.5;
+  /// The property of docks that the first presentation shows.
+  static constexpr const char* kIsPresented = "isPresented";
 
   struct Layout {
     QByteArray geometry;  ///< QWidget::saveGeometry()

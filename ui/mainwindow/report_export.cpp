@@ -49,11 +49,7 @@ bool isPackage(const QString& path) {
 }  // namespace
 
 QString WindowExports::whyNoDerivation() const {
-  if (m_workbench.document().mechanism()->n() == 0)
-    return tr("There is nothing drawn to derive anything for.");
-  if (m_workbench.document().mechanism()->n() <= kMaxReportLinks) return {};
-  return tr("A derivation of more than %1 links is not written: it would be too long to read.")
-      .arg(kMaxReportLinks);
+  return ui_derivation::whyNoDerivation(*m_workbench.document().mechanism());
 }
 
 void WindowExports::chooseAndExportDerivation() {

@@ -3,110 +3,48 @@
 #include <QAction>
 #include <QActionGroup>
 #include <array>
+#include <initializer_list>
 #include <optional>
+#include <vector>
 
 #include "core/presentation/drawing/palette.h"
+#include "ui/mainwindow/commands.h"
 #include "ui/tools/tool.h"
 
 class QMainWindow;
 
 namespace geargraph::inline mainwindow {
 
-/// All commands of the window, with shortcut, icon and tool tip, for menus and the tool bar. An unavailable
-/// one is disabled, with the reason as its tool tip.
+/// The actions of the commands of a window, for menus and the tool bar, made from commandTable(). An
+/// unavailable one is disabled, with the reason as its tool tip.
 struct WindowActions {
   explicit WindowActions(QMainWindow* window);
 
+  [[nodiscard]] QAction* operator[](CommandId command) const {
+    return m_actions[static_cast<std::size_t>(command)];
+  }
+  [[nodiscard]] QList<QAction*> of(std::initializer_list<CommandId> commands) const;
+
+  /// Enables what is possible now, and says why all else is not.
+  void renew(const CommandState& now);
   /// Enables or disables an action; `why` becomes the tip of a disabled one.
   static void setAvailable(QAction* action, bool available, const QString& why);
   void setTheme(Theme theme, bool asSystem, double typeScale);
 
-  QAction* newDocument;
-  QAction* newWindow;
-  QAction* startPage;
-  QAction* open;
-  QAction* save;
-  QAction* saveAs;
-  QAction* revert;
-  QAction* exportMatrix;
-  QAction* restoreSession;
-  QAction* exportPicture;
-  QAction* exportDerivation;
-  QAction* exportHandout;
-  QAction* print;
-  QAction* showDerivation;
-  QAction* compareMethods;
-  QAction* lessons;
-  QAction* lessonFile;
-  QAction* close;
-  QAction* quit;
-
-  QAction* undo;
-  QAction* redo;
-  QAction* cut;
-  QAction* history;
-  QAction* copy;
-  QAction* copyPicture;
-  QAction* paste;
-  QAction* duplicate;
-  QAction* remove;
-  QAction* rename;
-  QAction* selectAll;
-
   QActionGroup* tools;
   std::array<QAction*, kToolCount> tool{};
-
-  QAction* flip;
-  QAction* makeGround;
-  QAction* attachGear;
-  QAction* drive;
-  QAction* tidy;
-  QAction* hold;
-  QAction* load;
-  QAction* releaseAll;
-  QAction* insertSet;
   std::array<QAction*, 5> planets{};  ///< 2 to 6 planets like the selected one
-
-  QAction* fit;
-  QAction* zoomIn;
-  QAction* zoomOut;
-  QAction* fitSelected;
-  QAction* asSystem;
-  QAction* light;
-  QAction* dark;
-  QAction* highContrast;
-  QActionGroup* typeSizes;  ///< with the scale as data
-  QAction* presentation;
-  QAction* half3d;
-  QAction* grid;
-  QAction* powerFlow;
-  QAction* resetLayout;
-
-  QAction* play;
-  QAction* toStart;
-  QAction* faster;
-  QAction* slower;
-  QAction* normalSpeed;
-  QAction* backwards;
-
-  QAction* exercises;
-  QAction* checkPaper;
-  QAction* lookUp;
-  QAction* search;
-  QAction* manual;
-  QAction* whatsThis;
-  QAction* tour;
-  QAction* shortcuts;
-  QAction* about;
+  QActionGroup* typeSizes;            ///< with the scale as data
 
  private:
-  QAction* make(const char* name, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
-                const QString& iconName = {});
+  QAction* make(const Command& command);
   void makeTools();
-  void makeMotion();
-  void makeAppearance();
+  void makePlanets();
+  void makeTypeSizes();
 
   QMainWindow* m_window;
+  std::vector<Command> m_commands;
+  std::array<QAction*, kCommandCount> m_actions{};
   std::vector<std::pair<QAction*, QString>> m_icons;
   std::optional<Theme> m_iconTheme;  ///< that the icons have the colours of; none: not yet
 };

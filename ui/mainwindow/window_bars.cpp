@@ -42,13 +42,13 @@ void MainWindow::makeToolBar() {
   // Without their words the bar holds the longer ones of other languages on a small screen.
   bar->addAction(note);
   bar->addSeparator();
-  bar->addActions({m_actions->undo, m_actions->redo});
-  for (QAction* action : {note, m_actions->undo, m_actions->redo}) {
+  bar->addActions({(*m_actions)[CommandId::undo], (*m_actions)[CommandId::redo]});
+  for (QAction* action : {note, (*m_actions)[CommandId::undo], (*m_actions)[CommandId::redo]}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
   for (auto* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   bar->addSeparator();
-  bar->addWidget(new PlayControls(&m_view3d->playback(), bar));
+  bar->addWidget(new PlayControls(&view3d().playback(), bar));
   auto* gap = new QWidget(bar);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);
@@ -61,22 +61,26 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::wireMotion() {
   const WindowActions& a = *m_actions;
-  Playback& playback = m_view3d->playback();
-  connect(a.play, &QAction::triggered, &playback, &Playback::toggle);
-  connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
-  connect(a.faster, &QAction::triggered, &playback, [&playback] { multiplySpeed(playback, kFaster); });
-  connect(a.slower, &QAction::triggered, &playback, [&playback] { multiplySpeed(playback, 1 / kFaster); });
-  connect(a.normalSpeed, &QAction::triggered, &playback, [&playback] { playback.setSpeed(1); });
-  connect(a.backwards, &QAction::triggered, &playback, [&playback] { playback.setSpeed(-playback.speed()); });
-  connect(&playback, &Playback::playingChanged, this,
-          [&a](bool playing) { a.play->setText(playing ? tr("&Pause\tSpace") : tr("&Play\tSpace")); });
+  Playback& playback = view3d().playback();
+  connect(a[CommandId::play], &QAction::triggered, &playback, &Playback::toggle);
+  connect(a[CommandId::toStart], &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
+  connect(a[CommandId::faster], &QAction::triggered, &playback,
+          [&playback] { multiplySpeed(playback, kFaster); });
+  connect(a[CommandId::slower], &QAction::triggered, &playback,
+          [&playback] { multiplySpeed(playback, 1 / kFaster); });
+  connect(a[CommandId::normalSpeed], &QAction::triggered, &playback, [&playback] { playback.setSpeed(1); });
+  connect(a[CommandId::backwards], &QAction::triggered, &playback,
+          [&playback] { playback.setSpeed(-playback.speed()); });
+  connect(&playback, &Playback::playingChanged, this, [&a](bool playing) {
+    a[CommandId::play]->setText(playing ? tr("&Pause\tSpace") : tr("&Play\tSpace"));
+  });
   connect(&playback, &Playback::speedChanged, this,
-          [&a](double speed) { a.backwards->setChecked(speed < 0); });
+          [&a](double speed) { a[CommandId::backwards]->setChecked(speed < 0); });
 }
 
 /// Selects an element and brings it into sight.
 void MainWindow::showElement(const ElementId& element) {
-  if (element.kind == ElementKind::note) showDrawing(m_digraph->objectName());
+  if (element.kind == ElementKind::note) showDrawing(digraph().objectName());
   m_selection->select({element});
   const QRect box = drawing().boxOf(element);
   if (!box.isNull()) drawing().ensureVisible(drawing().mapToScene(box).boundingRect());

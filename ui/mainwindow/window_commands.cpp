@@ -28,6 +28,7 @@
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/view_docks.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/mainwindow/window_help.h"
@@ -53,6 +54,7 @@ QString inSentence(const QString& edit) {
 }  // namespace
 
 void MainWindow::makeMenus() {
+  using enum CommandId;
   const WindowActions& a = *m_actions;
   const auto menu = [this](const QString& title) {
     QMenu* made = menuBar()->addMenu(title);
@@ -60,7 +62,7 @@ void MainWindow::makeMenus() {
     return made;
   };
   QMenu* file = menu(tr("&File"));
-  file->addActions({a.newDocument, a.newWindow, a.startPage, a.open});
+  file->addActions(a.of({newDocument, newWindow, startPage, open}));
   file->addMenu(m_recent);
   QMenu* examples = file->addMenu(tr("Open e&xample"));
   for (const QString& path : examplePaths()) {
@@ -69,168 +71,169 @@ void MainWindow::makeMenus() {
   }
   file->addSeparator();
   file->addActions(
-      {a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture, a.exportDerivation, a.exportHandout});
+      a.of({save, saveAs, revert, exportMatrix, exportPicture, exportDerivation, exportHandout}));
   file->addSeparator();
-  file->addAction(a.print);
+  file->addAction(a[print]);
   file->addSeparator();
-  file->addAction(a.restoreSession);
+  file->addAction(a[restoreSession]);
   file->addSeparator();
-  file->addActions({a.close, a.quit});
+  file->addActions(a.of({close, quit}));
 
   QMenu* edit = menu(tr("&Edit"));
-  edit->addActions({a.undo, a.redo, a.history});
+  edit->addActions(a.of({undo, redo, history}));
   edit->addSeparator();
-  edit->addActions({a.cut, a.copy, a.copyPicture, a.paste, a.duplicate, a.remove});
+  edit->addActions(a.of({cut, copy, copyPicture, paste, duplicate, remove}));
   edit->addSeparator();
-  edit->addActions({a.rename, a.selectAll});
+  edit->addActions(a.of({rename, selectAll}));
 
   QMenu* view = menu(tr("&View"));
-  view->addActions({a.fit, a.fitSelected, a.zoomIn, a.zoomOut, a.grid});
+  view->addActions(a.of({fit, fitSelected, zoomIn, zoomOut, grid}));
   view->addSeparator();
-  view->addAction(a.powerFlow);
+  view->addAction(a[powerFlow]);
   QMenu* observers = view->addMenu(tr("Power seen fro&m"));
   connect(observers, &QMenu::aboutToShow, this, [this, observers] { m_power->fillObservers(*observers); });
   view->addSeparator();
-  for (QAction* panel : m_panelActions) view->addAction(panel);
-  view->addAction(a.resetLayout);
+  view->addActions(m_docks->actions());
+  view->addAction(a[resetLayout]);
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Theme"));
-  theme->addActions({a.asSystem, a.light, a.dark, a.highContrast});
+  theme->addActions(a.of({asSystem, light, dark, highContrast}));
   view->addMenu(tr("T&ype size"))->addActions(a.typeSizes->actions());
   addLanguages(*view->addMenu(tr("La&nguage")));
-  view->addActions({a.half3d, a.presentation});
+  view->addActions(a.of({half3d, presentation}));
 
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
   mechanism->addSeparator();
-  mechanism->addActions({a.flip, a.drive, a.load, a.hold, a.releaseAll, a.attachGear, a.makeGround});
+  mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addAction(a.insertSet);
+  mechanism->addAction(a[insertSet]);
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
-  mechanism->addAction(a.tidy);
+  mechanism->addAction(a[tidy]);
 
   QMenu* motion = menu(tr("M&otion"));
-  motion->addActions({a.play, a.toStart});
+  motion->addActions(a.of({play, toStart}));
   motion->addSeparator();
-  motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
+  motion->addActions(a.of({faster, slower, normalSpeed, backwards}));
 
   menu(tr("&Learn"))
       ->addActions(
-          {a.lessons, a.lessonFile, a.exercises, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
-  menu(tr("&Help"))->addActions({a.manual, a.whatsThis, a.tour, a.search, a.shortcuts, a.about});
+          a.of({lessons, lessonFile, exercises, checkPaper, showDerivation, compareMethods, lookUp}));
+  menu(tr("&Help"))->addActions(a.of({manual, whatsThis, tour, search, shortcuts, about}));
 }
 
 void MainWindow::wireActions() {
+  using enum CommandId;
   const WindowActions& a = *m_actions;
   QUndoStack& stack = m_document->undoStack();
-  connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
-  connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
-  connect(a.exportDerivation, &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
-  connect(a.exportHandout, &QAction::triggered, m_exports, &WindowExports::chooseAndExportHandout);
-  connect(a.print, &QAction::triggered, this, &MainWindow::showPrintDialog);
-  connect(a.history, &QAction::triggered, this, &MainWindow::showHistory);
-  connect(a.copyPicture, &QAction::triggered, this, [this] {
+  connect(a[exportMatrix], &QAction::triggered, this, [this] { matrices().wantExport(); });
+  connect(a[exportPicture], &QAction::triggered, this, &MainWindow::askForPicture);
+  connect(a[exportDerivation], &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
+  connect(a[exportHandout], &QAction::triggered, m_exports, &WindowExports::chooseAndExportHandout);
+  connect(a[print], &QAction::triggered, this, &MainWindow::showPrintDialog);
+  connect(a[history], &QAction::triggered, this, &MainWindow::showHistory);
+  connect(a[copyPicture], &QAction::triggered, this, [this] {
     m_exports->copyPicture(isView3DInFocus() ? QStringLiteral("3d") : drawing().objectName());
   });
-  connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
-  connect(a.compareMethods, &QAction::triggered, this, [this] {
-    showDerivation();
-    m_derivation->showSection(shownText(base::translated(kComparisonHeading)));
+  connect(a[showDerivation], &QAction::triggered, this, &MainWindow::showDerivation);
+  connect(a[compareMethods], &QAction::triggered, this, [this] {
+    this->showDerivation();
+    derivation().showSection(shownText(base::translated(kComparisonHeading)));
   });
-  connect(a.lessons, &QAction::triggered, this, &MainWindow::showCourse);
-  connect(a.lessonFile, &QAction::triggered, this, &MainWindow::chooseLessonFile);
-  connect(a.exercises, &QAction::triggered, this, &MainWindow::showExercises);
-  connect(a.checkPaper, &QAction::triggered, this, &MainWindow::showPaperCheck);
-  connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
-  connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
-  connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);
-  connect(a.cut, &QAction::triggered, m_commands, &EditCommands::cut);
-  connect(a.copy, &QAction::triggered, m_commands, &EditCommands::copy);
-  connect(a.paste, &QAction::triggered, m_commands, &EditCommands::paste);
-  connect(a.duplicate, &QAction::triggered, m_commands, &EditCommands::duplicate);
-  connect(a.remove, &QAction::triggered, this, [this] { drawing().deleteSelected(); });
-  connect(a.rename, &QAction::triggered, this, [this] { drawing().renameSelected(); });
-  connect(a.selectAll, &QAction::triggered, this, [this] { drawing().selectAll(); });
+  connect(a[lessons], &QAction::triggered, this, &MainWindow::showCourse);
+  connect(a[lessonFile], &QAction::triggered, this, &MainWindow::chooseLessonFile);
+  connect(a[exercises], &QAction::triggered, this, &MainWindow::showExercises);
+  connect(a[checkPaper], &QAction::triggered, this, &MainWindow::showPaperCheck);
+  connect(a[undo], &QAction::triggered, &stack, &QUndoStack::undo);
+  connect(a[redo], &QAction::triggered, &stack, &QUndoStack::redo);
+  connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewCommands);
+  connect(a[cut], &QAction::triggered, m_commands, &EditCommands::cut);
+  connect(a[copy], &QAction::triggered, m_commands, &EditCommands::copy);
+  connect(a[paste], &QAction::triggered, m_commands, &EditCommands::paste);
+  connect(a[duplicate], &QAction::triggered, m_commands, &EditCommands::duplicate);
+  connect(a[remove], &QAction::triggered, this, [this] { drawing().deleteSelected(); });
+  connect(a[rename], &QAction::triggered, this, [this] { drawing().renameSelected(); });
+  connect(a[selectAll], &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
     const auto kind = static_cast<ToolKind>(tool->data().toInt());
-    if (kind == ToolKind::note) showDrawing(m_digraph->objectName());
+    if (kind == ToolKind::note) showDrawing(digraph().objectName());
     drawing().setTool(kind);
     drawing().setFocus();
     if (kind == ToolKind::load) drawing().editLoad();
   });
-  connect(a.flip, &QAction::triggered, this, [this] { drawing().flipSelected(); });
-  connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });
-  connect(a.hold, &QAction::triggered, this, [this] { drawing().toggleBrake(); });
-  connect(a.load, &QAction::triggered, this, [this] { drawing().editLoad(); });
-  connect(a.releaseAll, &QAction::triggered, this, [this] { m_document->apply(releaseAllEdit()); });
-  connect(a.tidy, &QAction::triggered, this, [this] { drawing().tidy(); });
-  connect(a.makeGround, &QAction::triggered, m_commands, &EditCommands::makeGround);
-  connect(a.insertSet, &QAction::triggered, this, &MainWindow::showInsertSet);
+  connect(a[flip], &QAction::triggered, this, [this] { drawing().flipSelected(); });
+  connect(a[drive], &QAction::triggered, this, [this] { drawing().toggleInputs(); });
+  connect(a[hold], &QAction::triggered, this, [this] { drawing().toggleBrake(); });
+  connect(a[load], &QAction::triggered, this, [this] { drawing().editLoad(); });
+  connect(a[releaseAll], &QAction::triggered, this, [this] { m_document->apply(releaseAllEdit()); });
+  connect(a[tidy], &QAction::triggered, this, [this] { drawing().tidy(); });
+  connect(a[makeGround], &QAction::triggered, m_commands, &EditCommands::makeGround);
+  connect(a[insertSet], &QAction::triggered, this, &MainWindow::showInsertSet);
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
     connect(a.planets[i], &QAction::triggered, m_commands,
             [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
   }
-  connect(a.fit, &QAction::triggered, this, [this] { drawing().fit(); });
-  connect(a.zoomIn, &QAction::triggered, this, [this] { drawing().zoomIn(); });
-  connect(a.zoomOut, &QAction::triggered, this, [this] { drawing().zoomOut(); });
-  connect(a.fitSelected, &QAction::triggered, this, [this] { drawing().fitSelected(); });
-  connect(a.asSystem, &QAction::triggered, this, [this] { chooseTheme(std::nullopt); });
+  connect(a[fit], &QAction::triggered, this, [this] { drawing().fit(); });
+  connect(a[zoomIn], &QAction::triggered, this, [this] { drawing().zoomIn(); });
+  connect(a[zoomOut], &QAction::triggered, this, [this] { drawing().zoomOut(); });
+  connect(a[fitSelected], &QAction::triggered, this, [this] { drawing().fitSelected(); });
+  connect(a[asSystem], &QAction::triggered, this, [this] { chooseTheme(std::nullopt); });
   connect(a.typeSizes, &QActionGroup::triggered, this,
           [this](const QAction* size) { chooseTypeScale(size->data().toDouble()); });
-  connect(a.half3d, &QAction::triggered, this, &MainWindow::showView3DOnHalf);
-  connect(a.light, &QAction::triggered, this, [this] { chooseTheme(Theme::light); });
-  connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
-  connect(a.highContrast, &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
-  connect(a.grid, &QAction::toggled, this, [this](bool on) {
+  connect(a[half3d], &QAction::triggered, this, &MainWindow::showView3DOnHalf);
+  connect(a[light], &QAction::triggered, this, [this] { chooseTheme(Theme::light); });
+  connect(a[dark], &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
+  connect(a[highContrast], &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
+  connect(a[grid], &QAction::toggled, this, [this](bool on) {
     saveSetting(QStringLiteral("grid"), on);
     for (DrawingView* each : m_allDrawings) each->setGrid(on);
   });
-  a.grid->setChecked(savedSetting(QStringLiteral("grid"), false).toBool());
-  connect(a.powerFlow, &QAction::toggled, this, [this](bool on) {
+  a[grid]->setChecked(savedSetting(QStringLiteral("grid"), false).toBool());
+  connect(a[powerFlow], &QAction::toggled, this, [this](bool on) {
     saveSetting(QStringLiteral("powerFlow"), on);
     m_power->setOn(on);
   });
-  a.powerFlow->setChecked(savedSetting(QStringLiteral("powerFlow"), false).toBool());
-  const auto* arrows = new PowerArrows(*m_workbench, *m_view3d, *m_power, *a.powerFlow, m_power);
+  a[powerFlow]->setChecked(savedSetting(QStringLiteral("powerFlow"), false).toBool());
+  const auto* arrows = new PowerArrows(*m_workbench, view3d(), *m_power, *a[powerFlow], m_power);
   connect(arrows, &PowerArrows::changed, this, &MainWindow::tellWhenSettled);
-  connect(a.presentation, &QAction::triggered, m_presentation, &Presentation::setOn);
-  connect(a.attachGear, &QAction::triggered, this, [this] { drawing().attachGear(); });
-  connect(a.shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(a.resetLayout, &QAction::triggered, this, &MainWindow::applyDefaultLayout);
-  connect(a.search, &QAction::triggered, this, [this] { m_search->begin(); });
-  connect(a.lookUp, &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
-  connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
-  connect(a.manual, &QAction::triggered, m_help, &WindowHelp::showPageForFocus);
-  connect(a.whatsThis, &QAction::triggered, m_help, [] { QWhatsThis::enterWhatsThisMode(); });
-  connect(a.tour, &QAction::triggered, m_help, &WindowHelp::startTour);
+  connect(a[presentation], &QAction::triggered, m_presentation, &Presentation::setOn);
+  connect(a[attachGear], &QAction::triggered, this, [this] { drawing().attachGear(); });
+  connect(a[shortcuts], &QAction::triggered, this, &MainWindow::showShortcuts);
+  connect(a[resetLayout], &QAction::triggered, this, &MainWindow::applyDefaultLayout);
+  connect(a[search], &QAction::triggered, this, [this] { m_search->begin(); });
+  connect(a[lookUp], &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
+  connect(a[about], &QAction::triggered, this, &MainWindow::showAbout);
+  connect(a[manual], &QAction::triggered, m_help, &WindowHelp::showPageForFocus);
+  connect(a[whatsThis], &QAction::triggered, m_help, [] { QWhatsThis::enterWhatsThisMode(); });
+  connect(a[tour], &QAction::triggered, m_help, &WindowHelp::startTour);
 }
 
 void MainWindow::wireFiles() {
+  using enum CommandId;
   const WindowActions& a = *m_actions;
   WindowFiles* files = m_files.get();
   connect(files, &WindowFiles::titleChanged, this, &MainWindow::renewTitle);
-  connect(files, &WindowFiles::joined, this, &MainWindow::renewActions);
+  connect(files, &WindowFiles::joined, this, &MainWindow::renewCommands);
   connect(files, &WindowFiles::rejected, m_status, &StatusLine::showRejection);
   connect(files, &WindowFiles::noted, m_status, &StatusLine::showNote);
-  connect(files, &WindowFiles::read, m_problems, &ProblemsPanel::clearFileProblems);
+  connect(files, &WindowFiles::read, &problems(), &ProblemsPanel::clearFileProblems);
   connect(files, &WindowFiles::unreadable, this, [this](const QString& name, const Diagnostics& why) {
-    m_problems->setFileProblems(name, why);
-    dock("dock.problems")->show();
-    dock("dock.problems")->raise();
+    problems().setFileProblems(name, why);
+    m_docks->reveal(problems());
   });
   connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openByUser);
-  connect(a.newDocument, &QAction::triggered, files, &WindowFiles::newByUser);
-  connect(a.newWindow, &QAction::triggered, files, &WindowFiles::newWindow);
-  connect(a.startPage, &QAction::triggered, this, [this] { showStartPage(); });
-  connect(a.open, &QAction::triggered, files, &WindowFiles::chooseAndOpen);
-  connect(a.save, &QAction::triggered, files, &WindowFiles::saveOrChoose);
-  connect(a.saveAs, &QAction::triggered, files, &WindowFiles::chooseAndSave);
-  connect(a.revert, &QAction::triggered, files, &WindowFiles::revert);
-  connect(a.restoreSession, &QAction::triggered, files, &WindowFiles::setRestoresSession);
-  connect(a.close, &QAction::triggered, this, &QWidget::close);
-  connect(a.quit, &QAction::triggered, files, &WindowFiles::quit);
+  connect(a[newDocument], &QAction::triggered, files, &WindowFiles::newByUser);
+  connect(a[newWindow], &QAction::triggered, files, &WindowFiles::newWindow);
+  connect(a[startPage], &QAction::triggered, this, [this] { showStartPage(); });
+  connect(a[open], &QAction::triggered, files, &WindowFiles::chooseAndOpen);
+  connect(a[save], &QAction::triggered, files, &WindowFiles::saveOrChoose);
+  connect(a[saveAs], &QAction::triggered, files, &WindowFiles::chooseAndSave);
+  connect(a[revert], &QAction::triggered, files, &WindowFiles::revert);
+  connect(a[restoreSession], &QAction::triggered, files, &WindowFiles::setRestoresSession);
+  connect(a[close], &QAction::triggered, this, &QWidget::close);
+  connect(a[quit], &QAction::triggered, files, &WindowFiles::quit);
   connect(m_start, &StartPage::newWanted, files, &WindowFiles::newByUser);
   connect(m_start, &StartPage::openWanted, files, &WindowFiles::chooseAndOpen);
   connect(m_start, &StartPage::chosen, files, &WindowFiles::openByUser);
@@ -255,57 +258,44 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-void MainWindow::renewActions() {
-  const WindowActions& a = *m_actions;
+CommandState MainWindow::commandState() {
   const QUndoStack& stack = m_document->undoStack();
   const auto& selected = m_selection->selected();
   const Mechanism& mechanism = *m_document->mechanism();
-  const ElementId ground = mechanism.links.front().id;
   const auto count = [&](ElementKind kind) {
-    return std::count_if(selected.begin(), selected.end(),
-                         [kind](const ElementId& element) { return element.kind == kind; });
+    return static_cast<int>(std::count_if(selected.begin(), selected.end(),
+                                          [kind](const ElementId& element) { return element.kind == kind; }));
   };
-  const auto links = count(ElementKind::link);
-  const auto joints = count(ElementKind::turningJoint);
-  const auto arrows = joints + count(ElementKind::gearMesh);
-  const QString nothing = tr("Nothing is selected.");
-  m_files->renewActions(a);
+  CommandState now;
+  now.canUndo = stack.canUndo();
+  now.canRedo = stack.canRedo();
+  now.links = count(ElementKind::link);
+  now.joints = count(ElementKind::turningJoint);
+  now.meshes = count(ElementKind::gearMesh);
+  now.notes = count(ElementKind::note);
+  now.selected = static_cast<int>(selected.size());
+  now.isGroundSelected = selected.contains(ElementId(mechanism.links.front().id));
+  now.hasLinks = mechanism.n() > 0;
+  now.isEngaged = !mechanism.engaged.empty();
+  m_files->describe(now);
+  now.hasMatrix = matrices().model().isThere();
+  now.isQuantity = matrices().model().quantityKind().has_value();
+  now.areAnswersOpen = m_areAnswersOpen;
+  now.whyNoLoad = drawing().whyNoLoad();
+  now.whyNoGear = now.isOneLink() ? drawing().whyNoGear() : QString();
+  now.whyNoDerivation = m_exports->whyNoDerivation();
+  now.whyNoPowerFlow = m_power->whyNone();
+  return now;
+}
 
-  a.undo->setText(stack.canUndo() ? tr("&Undo %1").arg(inSentence(stack.undoText())) : tr("&Undo"));
-  a.redo->setText(stack.canRedo() ? tr("&Redo %1").arg(inSentence(stack.redoText())) : tr("&Redo"));
-  WindowActions::setAvailable(a.undo, stack.canUndo(), tr("There is nothing to undo."));
-  WindowActions::setAvailable(a.redo, stack.canRedo(), tr("There is nothing to redo."));
-  const bool onlyGround = selected.size() == 1 && selected.contains(ground);
-  for (QAction* action : {a.cut, a.copy, a.duplicate}) {
-    WindowActions::setAvailable(action, !selected.empty() && !onlyGround,
-                                onlyGround ? tr("There is one ground in every document.") : nothing);
-  }
-  WindowActions::setAvailable(a.remove, !selected.empty() && !onlyGround,
-                              onlyGround ? tr("The ground cannot be deleted.") : nothing);
-  const bool oneNote = selected.size() == 1 && count(ElementKind::note) == 1;
-  WindowActions::setAvailable(a.rename, (links == 1 && arrows == 0) || oneNote,
-                              tr("Select one link to rename it, or one note to change it."));
-  const QString whyNoLoad = drawing().whyNoLoad();
-  WindowActions::setAvailable(a.load, whyNoLoad.isEmpty(), whyNoLoad);
-  WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));
-  WindowActions::setAvailable(a.drive, joints + links > 0 && !onlyGround,
-                              tr("Select a turning joint, or the link it carries."));
-  WindowActions::setAvailable(
-      a.hold, links == 1 && arrows == 0 && !onlyGround,
-      onlyGround ? tr("The ground does not move.") : tr("Select one link to hold it."));
-  WindowActions::setAvailable(a.releaseAll, !mechanism.engaged.empty(),
-                              tr("No brake and no clutch is engaged."));
-  for (QAction* planets : a.planets)
-    WindowActions::setAvailable(planets, links == 1 && !onlyGround, tr("Select one planet."));
-  const bool oneLink = links == 1 && arrows == 0;
-  const QString whyNoGear =
-      oneLink ? drawing().whyNoGear() : tr("Select the link that the gear should mesh with.");
-  WindowActions::setAvailable(a.attachGear, whyNoGear.isEmpty(), whyNoGear);
-  WindowActions::setAvailable(a.fitSelected, !selected.empty(), nothing);
-  WindowActions::setAvailable(a.makeGround, links == 1 && !selected.contains(ground),
-                              selected.contains(ground) ? tr("This link is the ground already.")
-                                                        : tr("Select one link to make it the ground."));
-  WindowActions::setAvailable(a.tidy, mechanism.n() > 0, tr("There is no link to lay out yet."));
+void MainWindow::renewCommands() {
+  const WindowActions& a = *m_actions;
+  const QUndoStack& stack = m_document->undoStack();
+  a[CommandId::undo]->setText(stack.canUndo() ? tr("&Undo %1").arg(inSentence(stack.undoText()))
+                                              : tr("&Undo"));
+  a[CommandId::redo]->setText(stack.canRedo() ? tr("&Redo %1").arg(inSentence(stack.redoText()))
+                                              : tr("&Redo"));
+  m_actions->renew(commandState());
 }
 
 /// None: the system's.
@@ -324,7 +314,7 @@ void MainWindow::chooseTypeScale(double scale) {
 }
 
 void MainWindow::showView3DOnHalf() {
-  QDockWidget* view = dock("dock.view3d");
+  QDockWidget* view = m_docks->of(view3d());
   view->setFloating(false);
   view->show();
   view->raise();
@@ -363,7 +353,7 @@ void MainWindow::askForPicture() {
 
 bool MainWindow::isView3DInFocus() const {
   const QWidget* focus = QApplication::focusWidget();
-  return focus == m_view3d || m_view3d->isAncestorOf(focus);
+  return focus == &view3d() || view3d().isAncestorOf(focus);
 }
 
 /// Prints the document as it is now, whatever is edited while the dialog is open.
@@ -405,8 +395,7 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::showDerivation() {
-  dock("dock.derivation")->show();
-  dock("dock.derivation")->raise();
+  m_docks->reveal(derivation());
 }
 
 void MainWindow::showAbout() {

@@ -46,7 +46,7 @@ ExportJobs::Job tableJob(const QString& path, qint64 entries, const std::functio
 
 }  // namespace
 
-WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
+WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Sources views, ExportJobs* jobs,
                              PictureClipboard* clipboard, QWidget* window)
     : QObject(window),
       m_workbench(workbench),

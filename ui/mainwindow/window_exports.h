@@ -49,8 +49,8 @@ class WindowExports : public QObject {
   Q_OBJECT
 
  public:
-  /// The exported views; they are exported as shown.
-  struct Views {
+  /// The views that are exported, as they are shown.
+  struct Sources {
     std::vector<DrawingView*> drawings;
     SchematicView* schematic = nullptr;
     View3D* view3d = nullptr;
@@ -58,7 +58,7 @@ class WindowExports : public QObject {
   };
 
   /// `window`: parent of the dialogs, and of this object.
-  WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
+  WindowExports(Workbench& workbench, const WindowFiles& files, Sources views, ExportJobs* jobs,
                 PictureClipboard* clipboard, QWidget* window);
 
   /// Exports a matrix with its labels as CSV; written() follows; a large one can be stopped. Cost: O(rows ·
@@ -120,7 +120,7 @@ class WindowExports : public QObject {
 
   Workbench& m_workbench;
   const WindowFiles& m_files;
-  Views m_views;
+  Sources m_views;
   ExportJobs* m_jobs;
   PictureClipboard* m_clipboard;
   QWidget* m_window;

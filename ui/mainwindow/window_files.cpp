@@ -9,12 +9,12 @@
 #include <QUrl>
 
 #include "core/mechanism/model/difference.h"
+#include "ui/mainwindow/commands.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/file_texts.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/thumbnails.h"
-#include "ui/mainwindow/window_actions.h"
 #include "ui/models/term_tips.h"
 #include "ui/workbench/workbench.h"
 
@@ -181,18 +181,12 @@ void WindowFiles::setRestoresSession(bool restores) {
   if (m_windows != nullptr) m_windows->setRestoresSession(restores);
 }
 
-void WindowFiles::renewActions(const WindowActions& actions) const {
-  const QString alone = tr("This window is not connected to others.");
-  WindowActions::setAvailable(actions.newWindow, m_windows != nullptr, alone);
-  WindowActions::setAvailable(actions.restoreSession, m_windows != nullptr, alone);
-  actions.restoreSession->setChecked(m_windows != nullptr && m_windows->restoresSession());
-  for (QAction* save : {actions.save, actions.saveAs})
-    WindowActions::setAvailable(
-        save, !isTransient(), tr("A lesson's drawing is not kept: copy what you need into another window."));
-  const bool hasFile = !m_document->filePath().isEmpty();
-  WindowActions::setAvailable(
-      actions.revert, hasFile && m_document->isModified(),
-      hasFile ? tr("Nothing has been changed since it was saved.") : tr("The document has no file yet."));
+void WindowFiles::describe(CommandState& state) const {
+  state.hasSiblings = m_windows != nullptr;
+  state.restoresSession = m_windows != nullptr && m_windows->restoresSession();
+  state.isTransient = isTransient();
+  state.hasFile = !m_document->filePath().isEmpty();
+  state.isModified = m_document->isModified();
 }
 
 void WindowFiles::raiseWindow() {

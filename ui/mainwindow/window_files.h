@@ -26,7 +26,7 @@ class Workbench;
 
 namespace geargraph::inline mainwindow {
 
-struct WindowActions;
+struct CommandState;
 class NoticeBar;
 class RecentFiles;
 
@@ -85,7 +85,7 @@ class WindowFiles : public QObject {
 
   /// The local files in dragged data.
   [[nodiscard]] static QStringList filesIn(const QMimeData& dragged);
-  void renewActions(const WindowActions& actions) const;
+  void describe(CommandState& state) const;
 
   // User commands: in this window if isUnused(), else in another one.
   void newByUser();
@@ -127,7 +127,7 @@ class WindowFiles : public QObject {
  signals:
   void titleChanged();
   void sourceChanged();
-  /// renewActions() is to be called: after join(), takeOver() and makeTransient().
+  /// Other commands are possible: after join(), takeOver() and makeTransient().
   void joined();
   /// Messages for the status bar: why a command was rejected, and what was done.
   void rejected(const QString& why);

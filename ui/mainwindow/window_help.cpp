@@ -99,8 +99,8 @@ QRegion WindowHelp::searchAndLearn() const {
   return area;
 }
 
-TourStep WindowHelp::panelStep(const char* dock, const QString& title, const QString& text) {
-  auto* panel = m_window->findChild<QDockWidget*>(QLatin1String(dock));
+TourStep WindowHelp::panelStep(const QString& view, const QString& title, const QString& text) {
+  QDockWidget* const panel = m_stage.panel(view);
   return {title, text,
           [panel] {
             panel->show();
@@ -133,7 +133,7 @@ std::vector<TourStep> WindowHelp::tourSteps() {
   };
   steps.push_back(std::move(drawing));
   steps.push_back(
-      panelStep("dock.matrices", tr("The Matroid method"),
+      panelStep(QStringLiteral("matrices"), tr("The Matroid method"),
                 tr("The matrices follow from the drawing at once. Rest the mouse on an entry to have it "
                    "explained; the arrow "
                    "that it stands for lights up. Each row of C is the cycle that a mesh closes.")));
@@ -142,15 +142,15 @@ std::vector<TourStep> WindowHelp::tourSteps() {
       tr("The same mechanism by the second method: levels on the branches, two chords for each mesh, carrier "
          "arms "
          "with a second ring. Select a mesh to see its equations. Both methods give the same speeds.")));
-  steps.push_back(panelStep("dock.view3d", tr("The gears in motion"),
+  steps.push_back(panelStep(QStringLiteral("view3d"), tr("The gears in motion"),
                             tr("Space plays. Drag a gear to turn the train by hand, drag elsewhere to look "
                                "from another side. Section "
                                "cuts it open.")));
-  steps.push_back(panelStep("dock.inputs", tr("Motors and speeds"),
+  steps.push_back(panelStep(QStringLiteral("inputs"), tr("Motors and speeds"),
                             tr("The sliders set the speeds of the motors. Below are the speeds of all other "
                                "joints: as formulas in the "
                                "gear ratios, and as they are now.")));
-  steps.push_back(panelStep("dock.problems", tr("When something is wrong"),
+  steps.push_back(panelStep(QStringLiteral("problems"), tr("When something is wrong"),
                             tr("Problems says what is wrong, where, and what to do. A click on a line shows "
                                "the place, and many lines "
                                "bring a button that mends it.")));
@@ -160,7 +160,7 @@ std::vector<TourStep> WindowHelp::tourSteps() {
           "pages of the manual. F1 opens the page about what you are working with."),
        [this] {
          m_stage.showDrawing(QStringLiteral("digraph"));
-         m_window->findChild<QDockWidget*>(QStringLiteral("dock.matrices"))->raise();
+         m_stage.panel(QStringLiteral("matrices"))->raise();
        },
        [this] { return searchAndLearn(); }});
   return steps;

@@ -11,6 +11,7 @@ namespace geargraph::inline ui_help {
 class HelpWindow;
 }  // namespace geargraph::inline ui_help
 
+class QDockWidget;
 class QMainWindow;
 
 namespace geargraph::inline mainwindow {
@@ -21,6 +22,8 @@ struct TourStage {
   std::function<void()> begin;       ///< shows a mechanism and its drawing
   std::function<void(const QString& drawing)> showDrawing;
   std::function<void()> end;
+  /// The panel of a view by its id.
+  std::function<QDockWidget*(const QString& id)> panel;
 };
 
 /// The manual, "What's this" and the tour of a window.
@@ -56,7 +59,7 @@ class WindowHelp : public QObject {
 
  private:
   [[nodiscard]] std::vector<TourStep> tourSteps();
-  [[nodiscard]] TourStep panelStep(const char* dock, const QString& title, const QString& text);
+  [[nodiscard]] TourStep panelStep(const QString& view, const QString& title, const QString& text);
   [[nodiscard]] TourStep drawingStep(const QString& drawing, const QString& title, const QString& text);
   [[nodiscard]] QRect areaOf(const QWidget* part) const;
   [[nodiscard]] QRegion searchAndLearn() const;

@@ -37,7 +37,7 @@ std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   const QPoint place = former.pos();
   const QString drawing = former.drawing().objectName();
   const int tool = former.m_actions->tools->checkedAction()->data().toInt();
-  const Playback& motion = former.m_view3d->playback();
+  const Playback& motion = former.view3d().playback();
   const double time = motion.time();
   const double speed = motion.speed();
   const bool isPlaying = motion.isPlaying();
@@ -51,8 +51,8 @@ std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   window->move(place);
   window->m_actions->tool[static_cast<std::size_t>(tool)]->setChecked(true);
   window->showDrawing(drawing);
-  if (former.m_view3d->isCameraChosen()) window->m_view3d->startAnew(former.m_view3d->camera());
-  Playback& renewed = window->m_view3d->playback();
+  if (former.view3d().isCameraChosen()) window->view3d().startAnew(former.view3d().camera());
+  Playback& renewed = window->view3d().playback();
   renewed.setSpeed(speed);
   renewed.setTime(time);
   renewed.setPlaying(isPlaying);

@@ -10,18 +10,20 @@
 #include "core/foundations/files/file.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_reader.h"
-#include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/canvas/tt_graph_view.h"
 #include "ui/exercises/exercises_dialog.h"
 #include "ui/lessons/course_dialog.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/view_docks.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/properties_panel.h"
 #include "ui/paper_check/paper_check_dialog.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -30,13 +32,6 @@ constexpr std::size_t kLargestLesson = std::size_t{4} * 1024 * 1024;
 constexpr int kLessonWidth = 352;  ///< px
 constexpr int kPictureWidth = 430;
 constexpr int kProblemsPart = 6;  ///< of the height of the window, while something is drawn
-
-/// What shows the numbers that a step asks for.
-constexpr std::array kAnswerDocks = {"dock.problems", "dock.matrices",   "dock.inputs", "dock.gearbox",
-                                     "dock.speeds",   "dock.derivation", "dock.forces", "dock.dynamics"};
-
-/// What the learner needs to draw.
-constexpr std::array kDrawingDocks = {"dock.problems", "dock.inputs", "dock.properties"};
 
 /// The lesson of a file, or why there is none, with its place.
 std::variant<std::shared_ptr<const Lesson>, QString> lessonOf(const QString& path) {
@@ -141,14 +136,13 @@ void MainWindow::playLesson(const std::shared_ptr<const Lesson>& lesson, const Q
 }
 
 void MainWindow::makeLesson() {
-  m_lesson = new LessonPanel(m_document, m_selection, this);
-  m_lesson->setMinimumWidth(kLessonWidth - 32);
-  QDockWidget* lesson = addDock("dock.lesson", tr("Lesson"), m_lesson);
+  const ViewEntry entry = lessonView();
+  QDockWidget* const lesson = m_docks->add(entry, m_views->make(entry, this));
+  m_lesson = &m_views->get<LessonPanel>();
   lesson->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-  addDockWidget(Qt::LeftDockWidgetArea, lesson);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  for (QDockWidget* each : m_docks) each->setVisible(each == lesson || each == dock("dock.view3d"));
-  resizeDocks({lesson, dock("dock.view3d")}, {kLessonWidth, kPictureWidth}, Qt::Horizontal);
+  m_docks->showOnly({m_lesson, &view3d()});
+  resizeDocks({lesson, m_docks->of(view3d())}, {kLessonWidth, kPictureWidth}, Qt::Horizontal);
   m_lessonWatch = new FileWatch(this);
   connect(m_lessonWatch, &FileWatch::changed, this, [this] {
     m_lessonWatch->accept();
@@ -166,10 +160,10 @@ void MainWindow::makeLesson() {
     const auto& steps = m_lesson->lesson()->steps;
     const bool draws =
         std::holds_alternative<DrawTask>(steps[static_cast<std::size_t>(m_lesson->step())].task);
-    for (const char* name : kDrawingDocks) dock(name)->setVisible(draws);
+    m_docks->showForDrawing(draws);
     if (!draws) return;
-    dock("dock.properties")->raise();
-    resizeDocks({dock("dock.problems")}, {height() / kProblemsPart}, Qt::Vertical);
+    m_docks->of(m_views->get<PropertiesPanel>())->raise();
+    resizeDocks({m_docks->of(problems())}, {height() / kProblemsPart}, Qt::Vertical);
   });
 }
 
@@ -207,18 +201,12 @@ void MainWindow::resumeLesson(const MainWindow& former) {
 
 /// Views that hold the answer of a step are closed until it is right or shown, and say so.
 void MainWindow::setAnswersOpen(bool isOpen) {
-  for (const char* name : kAnswerDocks) {
-    QAction* action = findChild<QAction*>(QLatin1String(name));
-    WindowActions::setAvailable(action, isOpen,
-                                tr("This panel holds the answer: it opens when the step is right or shown."));
-    if (!isOpen) dock(name)->hide();
-  }
+  m_docks->setAnswersOpen(isOpen,
+                          tr("This panel holds the answer: it opens when the step is right or shown."));
+  m_views->setAnswersOpen(isOpen);
   m_status->showCounts(isOpen);
-  m_digraph->setCircuitsShown(isOpen);
-  m_ttGraph->setCircuitsShown(isOpen);
-  WindowActions::setAvailable(
-      m_actions->showDerivation, isOpen,
-      tr("The derivation holds the answer: it opens when the step is right or shown."));
+  m_areAnswersOpen = isOpen;
+  renewCommands();
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -5,6 +5,8 @@
 #include "ui/document/document.h"
 #include "ui/models/states_model.h"
 #include "ui/selection/selection.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QLabel;
 class QMenu;
@@ -21,15 +23,16 @@ class StatesTable;
 /// none); a click on a heading engages or releases that coupling. All views show the train as engaged, and
 /// every change can be undone. Beside each dot is the torque of its coupling, under the same torque at the
 /// drive of every state, which a field above the table sets, and other loads of the document.
-class GearboxPanel : public QWidget {
+class GearboxPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
   GearboxPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
 
-  void setSnapshot(const SnapshotPtr& snapshot);
-  /// Sets whether the panel is visible.
-  void setAwake(bool awake);
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  void setAwake(bool awake) override;
+  [[nodiscard]] QString emptyText() const override;
   /// Sets the torques of all states of `mechanism`; null: there are none.
   void setTorques(const std::shared_ptr<const ForceTable>& torques, const MechanismPtr& mechanism);
   [[nodiscard]] StatesModel& model() { return *m_model; }
@@ -91,5 +94,7 @@ class GearboxPanel : public QWidget {
   bool m_wantsTorques = false;
   int m_shownState = -1;  ///< the state whose diagnostic is shown under the table
 };
+
+[[nodiscard]] ViewEntry gearboxView();
 
 }  // namespace geargraph::inline panels

@@ -23,6 +23,7 @@
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/folding_bar.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -378,6 +379,27 @@ void MatricesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitCard();
   m_card->setVisible(width() >= kWidthForCard);
+}
+
+QString MatricesPanel::emptyText() const {
+  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
+}
+
+ViewEntry matricesView() {
+  return {.id = QStringLiteral("matrices"),
+          .title = MatricesPanel::tr("Matrices"),
+          .purpose = MatricesPanel::tr(
+              "Every matrix of the Matroid method. Rest the mouse on an entry to have it explained."),
+          .helpPage = QStringLiteral("digraph-and-matrices"),
+          .searchWords = QStringLiteral("matrix table incidence path cycle"),
+          .place = ViewPlace::bottom,
+          .isPresented = true,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            auto* panel = new MatricesPanel(views.selection(), parent);
+            QObject::connect(panel, &MatricesPanel::rejected, &views, &Views::rejected);
+            QObject::connect(&panel->view(), &MatrixView::menuWanted, &views, &Views::menuWanted);
+            return panel;
+          }};
 }
 
 }  // namespace geargraph::inline panels

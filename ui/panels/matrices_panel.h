@@ -10,6 +10,8 @@
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
 #include "ui/service/background_work.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QButtonGroup;
 class QFrame;
@@ -23,7 +25,7 @@ namespace geargraph::inline panels {
 class MatrixView;
 
 /// The matrices of the newest snapshot: a chip for each, the matrix, and an explanation of the hovered cell.
-class MatricesPanel : public QWidget, public BackgroundWork {
+class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork {
   Q_OBJECT
 
  public:
@@ -32,7 +34,9 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   void requestStop() override { m_writer.requestStop(); }
   [[nodiscard]] bool hasStopped() const override { return m_writer.hasStopped(); }
 
-  void setSnapshot(const SnapshotPtr& snapshot);
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  [[nodiscard]] QString emptyText() const override;
   void setPreview(std::optional<PreviewSnapshot> preview);
   void showMatrix(MatrixKind kind);
   /// Shows the screws, P or the solution in the last chosen form.
@@ -85,5 +89,7 @@ class MatricesPanel : public QWidget, public BackgroundWork {
   QLabel* m_cardText = nullptr;
   RequestWorker<std::function<std::string()>> m_writer;  ///< last: uses the members above
 };
+
+[[nodiscard]] ViewEntry matricesView();
 
 }  // namespace geargraph::inline panels

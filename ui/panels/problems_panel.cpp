@@ -12,11 +12,14 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/design/collision/motion_diagnostics.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/fix_row.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/icons.h"
+#include "ui/views/views.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph::inline panels {
 namespace {
@@ -278,6 +281,44 @@ void ProblemsPanel::renew() {
 bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Leave) m_selection->unhover();
   return QWidget::eventFilter(watched, event);
+}
+
+ViewEntry problemsView() {
+  return {.id = QStringLiteral("problems"),
+          .title = ProblemsPanel::tr("Problems"),
+          .purpose = ProblemsPanel::tr("What is wrong with the mechanism, and how to mend it."),
+          .helpPage = QStringLiteral("problems"),
+          .searchWords = QStringLiteral("error warning hint fix diagnostics mistake wrong message"),
+          .place = ViewPlace::bottom,
+          .servesDrawing = true,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            Workbench& workbench = views.workbench();
+            auto* panel = new ProblemsPanel(views.selection(), parent);
+            QObject::connect(panel, &ProblemsPanel::countChanged, panel, [panel](int count) {
+              panel->setWindowTitle(ProblemsPanel::tr("Problems %1").arg(count));
+            });
+            QObject::connect(panel, &ProblemsPanel::fixesOffered, &views, &Views::settled);
+            QObject::connect(panel, &ProblemsPanel::momentWanted, &views, &Views::momentWanted);
+            QObject::connect(panel, &ProblemsPanel::fixWanted, &workbench.document(),
+                             [document = &workbench.document()](const Fix& fix) {
+                               document->apply({shownText(fix.text), fix.edit, 0});
+                             });
+            workbench.motionCheck().onAnswer(panel, [panel, &workbench](const MotionReportPtr& report) {
+              panel->setMotionDiagnostics(
+                  report ? report->diagnostics : Diagnostics(),
+                  shownText(motionNote(*workbench.analysis().snapshot(), report.get())));
+            });
+            workbench.forces().onAnswer(panel, [panel](const ForcesPtr& forces) {
+              panel->setLoadDiagnostics(forces ? forces->diagnostics : Diagnostics());
+            });
+            workbench.stages().onAnswer(panel, [panel](const StagePtr& stage) {
+              Diagnostics missing;
+              for (const StageNote& note : stage->notes)
+                if (note.isMissingFile) missing.push_back({Code::missingFile, note.text, {note.element}, {}});
+              panel->setShapeDiagnostics(missing);
+            });
+            return panel;
+          }};
 }
 
 }  // namespace geargraph::inline panels

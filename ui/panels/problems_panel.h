@@ -6,6 +6,8 @@
 #include "ui/models/diagnostic_model.h"
 #include "ui/selection/selection.h"
 #include "ui/service/service.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QFrame;
 class QLabel;
@@ -17,7 +19,7 @@ namespace geargraph::inline panels {
 /// The diagnostics of the mechanism, or of a file that could not be opened. Hovering one highlights its
 /// elements in all views, a click selects them, and buttons under it apply quick fixes. In large documents,
 /// and far down the list, the buttons appear only when a diagnostic is clicked.
-class ProblemsPanel : public QWidget {
+class ProblemsPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
@@ -26,8 +28,9 @@ class ProblemsPanel : public QWidget {
   static constexpr int kMaxLinksWithImmediateFixes = 300;  ///< beyond, fixes are computed on a click
   static constexpr int kMaxImmediateFixes = 12;
 
+  [[nodiscard]] QWidget& widget() override { return *this; }
   /// Sets the diagnostics of the newest analysis.
-  void setSnapshot(const SnapshotPtr& snapshot);
+  void setSnapshot(const SnapshotPtr& snapshot) override;
   /// Sets the diagnostics of the motion check, listed after the others, and a sentence below them on what was
   /// not checked (motionNote()); empty: none.
   void setMotionDiagnostics(const Diagnostics& diagnostics, const QString& note);
@@ -43,7 +46,7 @@ class ProblemsPanel : public QWidget {
   [[nodiscard]] DiagnosticModel& model() { return *m_model; }
   [[nodiscard]] QListView& list() { return *m_list; }
   /// Are all fixes offered that were asked for?
-  [[nodiscard]] bool isSettled() const { return m_fixFinder->isUpToDate(); }
+  [[nodiscard]] bool isSettled() const override { return m_fixFinder->isUpToDate(); }
 
  signals:
   void fixesOffered();  ///< those that were found in the background
@@ -85,5 +88,7 @@ class ProblemsPanel : public QWidget {
   std::vector<int> m_rowsAsked;  ///< whose fixes are found in the background
   FixFinder* m_fixFinder;
 };
+
+[[nodiscard]] ViewEntry problemsView();
 
 }  // namespace geargraph::inline panels

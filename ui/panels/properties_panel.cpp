@@ -1,6 +1,7 @@
 #include "ui/panels/properties_panel.h"
 
 #include "ui/panels/element_forms.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline panels {
 
@@ -31,6 +32,20 @@ void PropertiesPanel::rebuild() {
 
 void PropertiesPanel::refresh() {
   if (m_form->isAboutExisting()) m_form->refresh();
+}
+
+ViewEntry propertiesView() {
+  return {.id = QStringLiteral("properties"),
+          .title = PropertiesPanel::tr("Properties"),
+          .purpose = PropertiesPanel::tr("Teeth, axes and names of what is selected."),
+          .helpPage = QStringLiteral("teeth-axes-and-3d"),
+          .searchWords = QStringLiteral("teeth tooth count module axis name edit value"),
+          .place = ViewPlace::right,
+          .holdsAnswers = false,
+          .servesDrawing = true,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            return new PropertiesPanel(views.document(), views.selection(), parent);
+          }};
 }
 
 }  // namespace geargraph::inline panels

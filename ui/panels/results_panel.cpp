@@ -346,6 +346,10 @@ void ResultsPanel::paintVerdict() {
   setInk(*m_verdict, role);
 }
 
+QString ResultsPanel::emptyText() const {
+  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
+}
+
 QString ResultsPanel::whyNone() const {
   if (!m_snapshot) return tr("The results appear as soon as the mechanism is analysed.");
   for (const Diagnostic& diagnostic : m_snapshot->diagnostics) {

@@ -45,6 +45,8 @@ class ResultsPanel : public QWidget {
   /// While not awake (behind another panel) the panel takes results but updates its layout only when visible
   /// again.
   void setAwake(bool awake);
+  /// The text shown instead of the rates; empty while they are shown.
+  [[nodiscard]] QString emptyText() const;
 
  signals:
   /// These joints (ordinals of the snapshot's digraph) are to become the inputs, with the same motion.

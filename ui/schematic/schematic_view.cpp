@@ -6,6 +6,8 @@
 #include "core/presentation/power_drawing/torque_marks.h"
 #include "core/presentation/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
+#include "ui/models/term_tips.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline ui_schematic {
 
@@ -332,6 +334,21 @@ std::optional<Mark> SchematicView::axisPreview(SheetPoint moved) const {
               kPreviewDepth,
               Stroke{Polyline{{course.at(0) + way, course.at(1) + way}, false}, ColorRole::accent, 1.6,
                      Dash::dashDotted}};
+}
+
+ViewEntry schematicView() {
+  return {.id = QStringLiteral("schematic"),
+          .title = SchematicView::tr("Schematic"),
+          .tip = tipOf(Term::functionalSchematic),
+          .purpose = SchematicView::tr("The mechanism in section, as in textbooks. You can draw here, too."),
+          .helpPage = QStringLiteral("drawing#in-the-schematic"),
+          .place = ViewPlace::drawings,
+          .holdsAnswers = false,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            auto* drawing = new SchematicView(views.document(), views.selection(), parent);
+            QObject::connect(drawing, &SchematicView::drawn, &views, &Views::settled);
+            return drawing;
+          }};
 }
 
 }  // namespace geargraph::inline ui_schematic

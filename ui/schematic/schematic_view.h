@@ -25,7 +25,7 @@ class SchematicView : public DrawingView {
   [[nodiscard]] bool isUpToDate() const { return !m_behind && isSettled(); }
   /// Have all requested layouts been drawn? While hidden, the view may not have requested the current
   /// document's.
-  [[nodiscard]] bool isSettled() const { return m_service->isUpToDate(); }
+  [[nodiscard]] bool isSettled() const override { return m_service->isUpToDate(); }
   [[nodiscard]] QString whyNoPicture() const override;
   void setTool(ToolKind tool) override;
   [[nodiscard]] PowerDraw powerDraw() const override;
@@ -96,5 +96,7 @@ class SchematicView : public DrawingView {
   bool m_fitNext = true;  ///< the next drawing is of another document
   bool m_behind = false;  ///< the document has changed while the view was hidden
 };
+
+[[nodiscard]] ViewEntry schematicView();
 
 }  // namespace geargraph::inline ui_schematic

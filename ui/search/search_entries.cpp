@@ -9,7 +9,6 @@
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/manual/manual.h"
-#include "ui/search/synonyms.h"
 #include "ui/search/word_match.h"
 
 namespace geargraph::inline search {
@@ -36,7 +35,7 @@ void addCommands(const QMenu& menu, const QString& path, std::vector<SearchEntry
     entry.side = action->shortcut().toString(QKeySequence::NativeText);
     if (entry.side.isEmpty()) entry.side = action->text().section(QLatin1Char('\t'), 1);
     entry.haystack = foldedText(entry.title + QLatin1Char(' ') + plainText(menu.title()));
-    entry.synonyms = synonymsFor(action->objectName());
+    entry.synonyms = foldedText(action->property(kSearchWords).toString());
     entry.action = action;
     entries.push_back(std::move(entry));
   }

@@ -29,6 +29,10 @@ struct SearchEntry {
 /// The property of an action that shows a panel, or hides it if it is in front. The search only shows it.
 constexpr const char* kRevealsPanel = "revealsPanel";
 
+/// The property of an action with its synonyms in English ("brake" for the gearbox panel), by which it is
+/// found if nothing else is.
+constexpr const char* kSearchWords = "searchWords";
+
 /// The text of a menu entry without mnemonic and ellipsis: "&Open…" gives "Open".
 [[nodiscard]] QString plainText(const QString& menuText);
 

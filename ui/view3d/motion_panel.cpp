@@ -8,6 +8,7 @@
 
 #include "ui/view3d/motion_plot.h"
 #include "ui/view3d/view3d.h"
+#include "ui/views/views.h"
 
 namespace geargraph::inline view3d {
 namespace {
@@ -118,7 +119,7 @@ void MotionPanel::showSheets() {
   }
 }
 
-void MotionPanel::setNames(const MechanismPtr& newest) {
+void MotionPanel::setMechanism(const MechanismPtr& newest) {
   const bool isOther = !m_names || m_names->links != newest->links;
   m_names = newest;
   if (isOther && !m_sheets.empty()) showSheets();
@@ -140,6 +141,22 @@ CurveSheet MotionPanel::withNames(CurveSheet sheet) const {
     if (!name.empty()) curve.name += " (" + name + ")";
   }
   return sheet;
+}
+
+QString MotionPanel::emptyText() const {
+  return m_empty->isHidden() ? QString() : m_empty->text();
+}
+
+ViewEntry speedsView() {
+  return {.id = QStringLiteral("speeds"),
+          .title = MotionPanel::tr("Speeds"),
+          .purpose = MotionPanel::tr("Speeds over one period of the motion."),
+          .helpPage = QStringLiteral("inputs-and-results#motion"),
+          .searchWords = QStringLiteral("plot graph chart curve diagram time"),
+          .place = ViewPlace::bottom,
+          .make = [](Views& views, QWidget* parent) -> ResultsView* {
+            return new MotionPanel(views.selection(), &views.get<View3D>(), parent);
+          }};
 }
 
 }  // namespace geargraph::inline view3d

@@ -7,6 +7,8 @@
 #include "core/presentation/stage/motion_curves.h"
 #include "ui/selection/selection.h"
 #include "ui/service/background_work.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QCheckBox;
 class QLabel;
@@ -20,17 +22,19 @@ class View3D;
 /// Plots of speeds over one period of the motion, or along the trajectory played by the 3D view: of the
 /// selected joints and links, and of the points traced in the 3D view. Computed on a background thread for
 /// the newest request; a hidden panel computes nothing.
-class MotionPanel : public QWidget, public BackgroundWork {
+class MotionPanel : public QWidget, public ResultsView, public BackgroundWork {
   Q_OBJECT
 
  public:
   MotionPanel(Selection* selection, View3D* view, QWidget* parent = nullptr);
 
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  [[nodiscard]] QString emptyText() const override;
   [[nodiscard]] const std::vector<CurveSheet>& sheets() const { return m_sheets; }
   void setComponents(bool shown);
   /// Sets the document that names in legends are taken from. Sheets, and files exported from them, have
   /// labels only.
-  void setNames(const MechanismPtr& newest);
+  void setMechanism(const MechanismPtr& newest) override;
   void requestStop() override { m_worker.requestStop(); }
   [[nodiscard]] bool hasStopped() const override { return m_worker.hasStopped(); }
   /// Do the sheets show the current choice?
@@ -68,5 +72,7 @@ class MotionPanel : public QWidget, public BackgroundWork {
   quint64 m_shown = 0;
   RequestWorker<Request> m_worker;  ///< last: stopped before the members it uses are destroyed
 };
+
+[[nodiscard]] ViewEntry speedsView();
 
 }  // namespace geargraph::inline view3d

@@ -272,6 +272,10 @@ void View3D::setEmptyText(const QString& text) {
   d->bar->setVisible(moves);
 }
 
+QString View3D::emptyText() const {
+  return d->emptyText->isHidden() ? QString() : d->emptyText->text();
+}
+
 void View3D::setNote(const QString& text) {
   d->note->setText(text);
   d->note->setVisible(!text.isEmpty());

@@ -9,6 +9,8 @@
 #include "ui/view3d/axis_pull.h"
 #include "ui/view3d/playback.h"
 #include "ui/view3d/viewer.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
 
 class QMenu;
 
@@ -22,7 +24,7 @@ namespace geargraph::inline view3d {
 /// the selected link or releases it, A looks along its axis, S toggles the section, E the exploded view, H
 /// hides the selected links or shows all; Backspace resets the angles turned by hand; Page Down and Up select
 /// the next and the previous link, the Menu key opens its menu. Mouse: viewer.h.
-class View3D : public QWidget {
+class View3D : public QWidget, public ResultsView {
   Q_OBJECT
 
  public:
@@ -43,6 +45,10 @@ class View3D : public QWidget {
   /// the legend, why some or all are not drawn; empty if all are.
   void setForces(StageForces forces, const QString& caption = {});
   [[nodiscard]] const QString& forcesCaption() const;
+  [[nodiscard]] QWidget& widget() override { return *this; }
+  /// Sets the text shown instead of an empty stage from what the mechanism lacks.
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+  [[nodiscard]] QString emptyText() const override;
   /// Sets the text shown instead of an empty stage: the reason, and what to do.
   void setEmptyText(const QString& text);
   /// Sets a sentence shown over the picture: why it does not show the current document. Empty: it does.
@@ -143,5 +149,7 @@ class View3D : public QWidget {
   class Private;
   std::unique_ptr<Private> d;
 };
+
+[[nodiscard]] ViewEntry view3dView();
 
 }  // namespace geargraph::inline view3d

@@ -111,7 +111,7 @@ class AxisIn3DTest : public QObject {
     QCOMPARE(window->document().undoStack().undoText(),
              QStringLiteral("Move axis %1").arg(QString::fromStdString(second().text())));
     QVERIFY(window->view3d().camera() == camera);  // the picture stays as it was
-    window->actions().undo->trigger();
+    window->actions()[CommandId::undo]->trigger();
     QCOMPARE(reach(second()).distance, before.distance);
   }
 

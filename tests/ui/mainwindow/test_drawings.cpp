@@ -80,7 +80,7 @@ class DrawingsTest : public QObject {
     };
     const QByteArray before = schematic("before.svg");
     window->selection().select({LinkId("3")});
-    window->actions().remove->trigger();
+    window->actions()[CommandId::remove]->trigger();
     const QByteArray behind = schematic("behind.svg");
     QVERIFY(!behind.isEmpty() && behind != before);
     QVERIFY(window->showDrawing("schematic"));
@@ -90,7 +90,7 @@ class DrawingsTest : public QObject {
 
   // A page with the three drawings as they are in the window, the curves, and both methods' last equations.
   void theDerivationIsAFile() {
-    QVERIFY(window->actions().exportDerivation->isEnabled());
+    QVERIFY(window->actions()[CommandId::exportDerivation]->isEnabled());
     const QByteArray page = derivation("derivation.html");
     QCOMPARE(page.count("<svg"), qsizetype{4});
     QVERIFY(page.contains("id=\"eq25\"") && page.contains("id=\"eq45\""));
@@ -101,7 +101,7 @@ class DrawingsTest : public QObject {
 
   // The page has what the file on disk would give, with the train and its still picture.
   void theHandoutIsAFile() {
-    QVERIFY(window->actions().exportHandout->isEnabled());
+    QVERIFY(window->actions()[CommandId::exportHandout]->isEnabled());
     const QByteArray page = handout("handout.html");
     QCOMPARE(page.count("<figure data-name="), qsizetype{3});
     QVERIFY(page.contains("id=\"geometry\"") && page.contains("src=\"data:image/png;base64,"));
@@ -159,16 +159,16 @@ class DrawingsTest : public QObject {
     QTRY_VERIFY(isInSight(panel) && panel.isUpToDate() && panel.view().report() != nullptr);
     QVERIFY(!panel.view().equationPlace(45).isEmpty());
     window->selection().select({LinkId("3")});
-    window->actions().remove->trigger();
+    window->actions()[CommandId::remove]->trigger();
     QTRY_VERIFY(panel.isUpToDate() && panel.view().equationPlace(45).isEmpty());
   }
 
   void anEmptyDocumentHasNoDerivation() {
     MainWindow empty;
     QTRY_VERIFY(empty.isSettled());
-    QVERIFY(!empty.actions().exportDerivation->isEnabled());
-    QVERIFY(!empty.actions().exportHandout->isEnabled());
-    QVERIFY(empty.actions().exportDerivation->toolTip().contains("nothing drawn"));
+    QVERIFY(!empty.actions()[CommandId::exportDerivation]->isEnabled());
+    QVERIFY(!empty.actions()[CommandId::exportHandout]->isEnabled());
+    QVERIFY(empty.actions()[CommandId::exportDerivation]->toolTip().contains("nothing drawn"));
   }
 
   void toolAndCommandsBelongToTheDrawingInFront() {
@@ -180,7 +180,7 @@ class DrawingsTest : public QObject {
     QCOMPARE(window->digraph().tool(), ToolKind::select);
     QVERIFY(window->showDrawing("ttgraph"));
     window->selection().select({LinkId("3")});
-    window->actions().remove->trigger();
+    window->actions()[CommandId::remove]->trigger();
     QCOMPARE(window->document().mechanism()->n(), 6);
   }
 

@@ -125,8 +125,8 @@ class MainWindowTest : public QObject {
       if (action->isEnabled() || action->objectName().isEmpty()) continue;
       QVERIFY2(action->toolTip().endsWith(QLatin1Char('.')), qPrintable(action->objectName()));
     }
-    QVERIFY(!window->actions().undo->isEnabled());
-    QCOMPARE(window->actions().undo->toolTip(), QStringLiteral("There is nothing to undo."));
+    QVERIFY(!window->actions()[CommandId::undo]->isEnabled());
+    QCOMPARE(window->actions()[CommandId::undo]->toolTip(), QStringLiteral("There is nothing to undo."));
   }
 
   void chipsCountAndAreHighlighted() {
@@ -160,14 +160,14 @@ class MainWindowTest : public QObject {
     next.show();
     QVERIFY(QTest::qWaitForWindowExposed(&next));
     QVERIFY(!next.findChild<QDockWidget*>(QStringLiteral("dock.problems"))->isVisible());
-    next.actions().resetLayout->trigger();
+    next.actions()[CommandId::resetLayout]->trigger();
     QVERIFY(!next.findChild<QDockWidget*>(QStringLiteral("dock.problems"))->isHidden());
     next.close();
   }
 
   void theWindowFitsASmallScreen() {
     QCOMPARE(window->size(), QSize(1366, 768));  // docks side by side have made it wider at the first show
-    window->actions().resetLayout->trigger();
+    window->actions()[CommandId::resetLayout]->trigger();
     QVERIFY(QTest::qWaitForWindowExposed(window.get()));
     QCoreApplication::sendPostedEvents();
     QCOMPARE(window->size(), QSize(1366, 768));
@@ -214,10 +214,10 @@ class MainWindowTest : public QObject {
   }
 
   void themesSwitchInARunningWindow() {
-    window->actions().dark->trigger();
+    window->actions()[CommandId::dark]->trigger();
     QCOMPARE(themeOf(QApplication::palette()), Theme::dark);
     QCOMPARE(window->digraph().theme(), Theme::dark);
-    window->actions().light->trigger();
+    window->actions()[CommandId::light]->trigger();
     QCOMPARE(themeOf(QApplication::palette()), Theme::light);
   }
 

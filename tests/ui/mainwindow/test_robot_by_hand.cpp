@@ -29,7 +29,7 @@ class RobotByHandTest : public QObject {
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window.get()));
     window->activateWindow();
-    window->actions().newDocument->trigger();
+    window->actions()[CommandId::newDocument]->trigger();
     empty = now();
     test::Hand(*window).drawRobot();
     QCOMPARE(now()->n(), 7);
@@ -75,10 +75,10 @@ class RobotByHandTest : public QObject {
   void everythingIsUndoneAndDoneAgain() {
     const MechanismPtr drawn = now();
     test::Hand hand(*window);
-    while (window->actions().undo->isEnabled()) hand.key(Qt::Key_Z, Qt::ControlModifier);
+    while (window->actions()[CommandId::undo]->isEnabled()) hand.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(now().get(), empty.get());
     QVERIFY(!window->document().isModified());
-    for (bool withY = true; window->actions().redo->isEnabled(); withY = !withY) {
+    for (bool withY = true; window->actions()[CommandId::redo]->isEnabled(); withY = !withY) {
       if (withY) {
         hand.key(Qt::Key_Y, Qt::ControlModifier);
       } else {

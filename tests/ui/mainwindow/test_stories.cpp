@@ -32,7 +32,7 @@ class StoriesTest : public QObject {
 
   [[nodiscard]] const MechanismPtr& now() const { return window->document().mechanism(); }
   void insertSet() {
-    window->actions().insertSet->trigger();
+    window->actions()[CommandId::insertSet]->trigger();
     auto* dialog = window->findChild<QDialog*>(QStringLiteral("insertSet"));
     QVERIFY(QTest::qWaitForWindowExposed(dialog));
     QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("insert")), Qt::LeftButton);
@@ -166,8 +166,8 @@ class StoriesTest : public QObject {
   }
 
   void aPlanetarySetFromTheDialogTakesThreeGestures() {
-    window->actions().newDocument->trigger();  // 1
-    insertSet();                               // 2 and 3
+    window->actions()[CommandId::newDocument]->trigger();  // 1
+    insertSet();                                           // 2 and 3
     QCOMPARE(now()->n(), 6);
     QTRY_VERIFY(window->isSettled());
     QCOMPARE(window->results().verdict(),
@@ -185,7 +185,7 @@ class StoriesTest : public QObject {
     const std::vector<ElementId> planets{now()->links[5].id, now()->links[6].id};
     for (const ElementId& planet : planets) {
       window->selection().select({planet});
-      window->actions().remove->trigger();
+      window->actions()[CommandId::remove]->trigger();
     }
     QCOMPARE(now()->n(), 4);
     window->selection().select({now()->links[4].id});
@@ -217,7 +217,7 @@ class StoriesTest : public QObject {
     QVERIFY(now()->engaged.empty());
     QVERIFY(!states.isRunning(4));
     QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 4"));
-    window->actions().undo->trigger();
+    window->actions()[CommandId::undo]->trigger();
     QTRY_VERIFY(window->isSettled());
     QVERIFY(states.isRunning(4));
   }

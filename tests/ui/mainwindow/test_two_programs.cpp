@@ -139,7 +139,7 @@ class TwoProgramsTest : public QObject {
     QVERIFY2(notice().contains(QStringLiteral("open in another window")), qPrintable(notice()));
     answer(QStringLiteral("Read-only"));
     addLink();  // can be tried out
-    first().actions().save->trigger();
+    first().actions()[CommandId::save]->trigger();
     QVERIFY2(notice().contains(QStringLiteral("was not saved")), qPrintable(notice()));
     QVERIFY(first().isWindowModified());
     QCOMPARE(readDocument(document())->n(), 1);
@@ -183,7 +183,7 @@ class TwoProgramsTest : public QObject {
     addLink();
     editor->kill();
     QVERIFY(editor->waitForFinished());
-    first().actions().save->trigger();
+    first().actions()[CommandId::save]->trigger();
     QVERIFY(!first().isWindowModified());
     QVERIFY(!first().files().isReadOnly());
     QCOMPARE(readDocument(document())->n(), 2);
@@ -251,7 +251,7 @@ class TwoProgramsTest : public QObject {
 
   void aboutCopiesTheDetails() {
     startSecond();
-    first().actions().about->trigger();
+    first().actions()[CommandId::about]->trigger();
     auto* about = first().findChild<QMessageBox*>(QStringLiteral("about"));
     QVERIFY(about != nullptr);
     for (auto* button : about->findChildren<QPushButton*>()) {

@@ -307,8 +307,9 @@ class WindowClipboardTest : public QObject {
 
   void theGroundAloneIsNotCopied() {
     window->selection().select({LinkId("0")});
-    QVERIFY(!window->actions().copy->isEnabled());
-    QCOMPARE(window->actions().copy->toolTip(), QString("There is one ground in every document."));
+    QVERIFY(!window->actions()[CommandId::copy]->isEnabled());
+    QCOMPARE(window->actions()[CommandId::copy]->toolTip(),
+             QString("There is one ground in every document."));
   }
 
   void idsOfOnesOwnKeepTheirWord() {

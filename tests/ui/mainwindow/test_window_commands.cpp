@@ -98,11 +98,11 @@ class WindowCommandsTest : public QObject {
                               return withoutElements(before, last);
                             },
                             0});
-    first.actions().newDocument->trigger();
+    first.actions()[CommandId::newDocument]->trigger();
     QCOMPARE(windows.windows().size(), std::size_t{1});
     QVERIFY(!first.document().isModified());
     addLink();
-    first.actions().newDocument->trigger();
+    first.actions()[CommandId::newDocument]->trigger();
     QCOMPARE(windows.windows().size(), std::size_t{2});
   }
 

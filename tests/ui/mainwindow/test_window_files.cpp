@@ -104,7 +104,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     set->start({});
     first().actions().tool[static_cast<std::size_t>(ToolKind::link)]->trigger();
     QVERIFY(first().startPage().isHidden());
-    first().actions().startPage->trigger();
+    first().actions()[CommandId::startPage]->trigger();
     QVERIFY(first().startPage().isVisible());
     QTest::mouseClick(first().startPage().findChild<QPushButton*>(QStringLiteral("startNew")),
                       Qt::LeftButton);
@@ -122,7 +122,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     QCOMPARE(set->windows().back()->document().mechanism()->n(), 2);
     set->openFrom(one, set->windows().back()->files());  // it is open already
     QCOMPARE(set->windows().size(), std::size_t{2});
-    first().actions().newWindow->trigger();
+    first().actions()[CommandId::newWindow]->trigger();
     QCOMPARE(set->windows().size(), std::size_t{3});
     QVERIFY(set->windows().back()->close());
     QTRY_COMPARE(set->windows().size(), std::size_t{2});
@@ -271,7 +271,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     QTRY_VERIFY(!Thumbnails::kept(one, Theme::light).isNull());
     QTRY_VERIFY(!Thumbnails::kept(one, Theme::dark).isNull());
     QVERIFY(Thumbnails::kept(one, Theme::light) != Thumbnails::kept(one, Theme::dark));
-    first().actions().startPage->trigger();
+    first().actions()[CommandId::startPage]->trigger();
     QCOMPARE(first().startPage().recent().model()->rowCount(), 1);
   }
 
@@ -329,10 +329,10 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
   void revertingCanBeUndone() {
     const QString path = written(QStringLiteral("one.geargraph"), 1);
     set->start({path});
-    QVERIFY(!first().actions().revert->isEnabled());
+    QVERIFY(!first().actions()[CommandId::revert]->isEnabled());
     addLink(first());
-    QVERIFY(first().actions().revert->isEnabled());
-    first().actions().revert->trigger();
+    QVERIFY(first().actions()[CommandId::revert]->isEnabled());
+    first().actions()[CommandId::revert]->trigger();
     QCOMPARE(first().document().mechanism()->n(), 1);
     QVERIFY(!first().isWindowModified());
     first().document().undoStack().undo();
@@ -355,7 +355,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     startAgain();  // after a crash, and with a file that is gone
     QCOMPARE(set->windows().size(), std::size_t{1});
     QVERIFY(first().statusLine().text().contains(QStringLiteral("two.geargraph")));
-    first().actions().restoreSession->trigger();
+    first().actions()[CommandId::restoreSession]->trigger();
     QVERIFY(!set->restoresSession());
     startAgain();
     QVERIFY(first().startPage().isVisible());
@@ -467,7 +467,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
 
   void aDocumentWithoutAFileIsOfferedAndRestored() {
     set->start({});
-    first().actions().newDocument->trigger();
+    first().actions()[CommandId::newDocument]->trigger();
     addLink(first());
     startAgain();
     QVERIFY(first().startPage().isVisible());

@@ -239,8 +239,8 @@ class WindowHabitsTest : public QObject {
       QVERIFY2(action->text().contains('('), what);  // the reason
     }
     window->selection().select({LinkId("0")});
-    QVERIFY(!window->actions().attachGear->isEnabled());
-    QCOMPARE(window->actions().attachGear->toolTip(),
+    QVERIFY(!window->actions()[CommandId::attachGear]->isEnabled());
+    QCOMPARE(window->actions()[CommandId::attachGear]->toolTip(),
              QString("No gear can be attached: the ground does not move."));
   }
 
@@ -267,16 +267,16 @@ class WindowHabitsTest : public QObject {
   }
 
   void themesAreChosenAndRemembered() {
-    window->actions().highContrast->trigger();
+    window->actions()[CommandId::highContrast]->trigger();
     QCOMPARE(themeOf(QApplication::palette()), Theme::highContrast);
     QCOMPARE(window->digraph().theme(), Theme::highContrast);
     QCOMPARE(savedTheme(), Theme::highContrast);
     QCOMPARE(QApplication::palette().color(QPalette::Base), QColor(Qt::black));
-    window->actions().dark->trigger();
+    window->actions()[CommandId::dark]->trigger();
     QCOMPARE(themeOf(QApplication::palette()), Theme::dark);
-    window->actions().light->trigger();
+    window->actions()[CommandId::light]->trigger();
     QCOMPARE(savedTheme(), Theme::light);
-    QVERIFY(window->actions().light->isChecked());
+    QVERIFY(window->actions()[CommandId::light]->isChecked());
   }
 
   void thePresentationIsLargeAndBareAndGoesAway() {
@@ -414,7 +414,7 @@ class WindowHabitsTest : public QObject {
 
   void nodesKeepToTheGrid() {
     press(Qt::Key_NumberSign);
-    QVERIFY(window->actions().grid->isChecked());
+    QVERIFY(window->actions()[CommandId::grid]->isChecked());
     const auto isOnGrid = [](SheetPoint p) { return std::fmod(p.x, 20) == 0 && std::fmod(p.y, 20) == 0; };
     const auto placeOf = [this](const char* id) { return now()->view.nodes.at(LinkId(id)); };
     QVERIFY(!isOnGrid(placeOf("1")));  // nothing moves by itself
@@ -436,7 +436,7 @@ class WindowHabitsTest : public QObject {
     dragWith(Qt::AltModifier, {13, 8});
     QVERIFY(!isOnGrid(placeOf("1")));
     press(Qt::Key_NumberSign);
-    QVERIFY(!window->actions().grid->isChecked());
+    QVERIFY(!window->actions()[CommandId::grid]->isChecked());
   }
 
   void allKeysStandOnOneSheet() {

@@ -31,6 +31,7 @@
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/view_table.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/mainwindow/window_help.h"
 #include "ui/search/search_entries.h"
@@ -141,6 +142,7 @@ class WindowHelpTest : public QObject {
 
   void everyPageInTheTableExists() {
     for (const QString& page : namedPages()) QVERIFY2(isPlace(page), qPrintable(page));
+    for (const ViewEntry& view : viewTable()) QVERIFY2(isPlace(view.helpPage), qPrintable(view.id));
   }
 
   void everyPanelAndDrawingHasAPage() {
@@ -150,7 +152,7 @@ class WindowHelpTest : public QObject {
       dock->show();
       dock->raise();
       QCoreApplication::processEvents();
-      QVERIFY2(!purposeOf(dock->objectName()).isEmpty(), qPrintable(dock->objectName()));
+      QVERIFY2(!purposeOf(*dock).isEmpty(), qPrintable(dock->objectName()));
       const QString page = helpPageOf(dock);
       for (const auto* inside : dock->findChildren<QWidget*>()) QCOMPARE(helpPageOf(inside), page);
     }
@@ -175,20 +177,21 @@ class WindowHelpTest : public QObject {
     window->activateWindow();
     window->showDrawing(QStringLiteral("ttgraph"));
     window->drawing().setFocus();
-    window->actions().manual->trigger();
+    window->actions()[CommandId::manual]->trigger();
     QCOMPARE(manual()->place(), QStringLiteral("t-t-graph-method"));
   }
 
   void f1WorksInDialogsToo() {
-    const std::pair<QAction*, const char*> dialogs[] = {{window->actions().insertSet, "insertSet"},
-                                                        {window->actions().print, "printDialog"},
-                                                        {window->actions().exportPicture, "pictureDialog"},
-                                                        {window->actions().history, "historyDialog"},
-                                                        {window->actions().shortcuts, "shortcutSheet"},
-                                                        {window->actions().lessons, "courseDialog"},
-                                                        {window->actions().checkPaper, "paperCheck"},
-                                                        {window->actions().exercises, "exercisesDialog"},
-                                                        {window->actions().about, "about"}};
+    const std::pair<QAction*, const char*> dialogs[] = {
+        {window->actions()[CommandId::insertSet], "insertSet"},
+        {window->actions()[CommandId::print], "printDialog"},
+        {window->actions()[CommandId::exportPicture], "pictureDialog"},
+        {window->actions()[CommandId::history], "historyDialog"},
+        {window->actions()[CommandId::shortcuts], "shortcutSheet"},
+        {window->actions()[CommandId::lessons], "courseDialog"},
+        {window->actions()[CommandId::checkPaper], "paperCheck"},
+        {window->actions()[CommandId::exercises], "exercisesDialog"},
+        {window->actions()[CommandId::about], "about"}};
     for (const auto& [action, name] : dialogs) {
       action->trigger();
       QTRY_VERIFY2(part<QDialog>(name) != nullptr, name);  // drawings to be printed come one by one
@@ -251,7 +254,7 @@ class WindowHelpTest : public QObject {
     QSignalSpy rejected(&help(), &WindowHelp::rejected);
     emit manual()->browser().commandWanted(QStringLiteral("Mechanism > Make ground"));
     QCOMPARE(rejected.size(), 1);
-    QCOMPARE(rejected.front().front().toString(), window->actions().makeGround->toolTip());
+    QCOMPARE(rejected.front().front().toString(), window->actions()[CommandId::makeGround]->toolTip());
   }
 
   void lessonsOfThePagesAreOpened() {
@@ -339,7 +342,7 @@ class WindowHelpTest : public QObject {
   }
 
   void everyCommandSaysWhatItDoes() {
-    window->actions().whatsThis->trigger();
+    window->actions()[CommandId::whatsThis]->trigger();
     QVERIFY(QWhatsThis::inWhatsThisMode());
     QWhatsThis::leaveWhatsThisMode();
     int count = 0;
@@ -348,7 +351,8 @@ class WindowHelpTest : public QObject {
       QVERIFY2(!action->whatsThis().isEmpty(), qPrintable(action->text()));
       ++count;
     }
-    for (const auto* action : {window->actions().save, window->actions().flip, window->actions().tour})
+    for (const auto* action : {window->actions()[CommandId::save], window->actions()[CommandId::flip],
+                               window->actions()[CommandId::tour]})
       QVERIFY(action->whatsThis().contains(action->toolTip().toHtmlEscaped()));
   }
 
@@ -364,7 +368,7 @@ class WindowHelpTest : public QObject {
     QFETCH(QSize, size);
     window->resize(size);
     part<QDockWidget>("dock.inputs")->hide();
-    window->actions().tour->trigger();
+    window->actions()[CommandId::tour]->trigger();
     Tour* tour = help().tour();
     QVERIFY(tour != nullptr && tour->isVisible());
     QVERIFY(tour->count() >= 6 && tour->count() <= 8);

@@ -90,9 +90,9 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     QTRY_VERIFY(first().isSettled());  // the views of the new window have their answers
     QVERIFY(first().analysis().snapshot() != nullptr);
 
-    first().actions().undo->trigger();
+    first().actions()[CommandId::undo]->trigger();
     QVERIFY(!first().document().isModified());
-    first().actions().redo->trigger();
+    first().actions()[CommandId::redo]->trigger();
     QVERIFY(first().saveDocument(first().files().source()));
 
     QVERIFY(tipOf(Term::pathMatrix).contains(QStringLiteral("Wegmatrix")));  // core's words

@@ -92,7 +92,7 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     set->openNew();
     addLink(first());
     const MechanismPtr own = first().document().mechanism();
-    first().actions().lessons->trigger();
+    first().actions()[CommandId::lessons]->trigger();
     auto* dialog = first().findChild<CourseDialog*>();
     QVERIFY(dialog != nullptr && dialog->isVisible());
     QCOMPARE(dialog->list().model()->rowCount(), static_cast<int>(course().size()));
@@ -291,7 +291,7 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
   void theOwnMechanismIsPractised() {
     set->openNew();
     first().document().replace(**bundledExample("robot"), {});
-    first().actions().exercises->trigger();
+    first().actions()[CommandId::exercises]->trigger();
     auto* dialog = first().findChild<ExercisesDialog*>();
     QVERIFY(dialog != nullptr && dialog->isVisible());
     QTRY_VERIFY(dialog->isUpToDate() && dialog->findChild<QPushButton*>("exercisePractise")->isEnabled());

@@ -128,7 +128,7 @@ class WindowNotesTest : public QObject {
     QCOMPARE(wrong->text(), QStringLiteral("A note needs a text."));
     window->digraph().setFocus();
     QCOMPARE(text->toPlainText(), QStringLiteral("two words"));
-    window->actions().undo->trigger();
+    window->actions()[CommandId::undo]->trigger();
     QCOMPARE(notes()[0].text, std::string("one"));
   }
 
@@ -172,9 +172,9 @@ class WindowNotesTest : public QObject {
     window->selection().clear();
     window->digraph().fit();
     const int before = window->digraph().boxOf(NoteId("N1")).height();
-    window->actions().presentation->trigger();
+    window->actions()[CommandId::presentation]->trigger();
     QTRY_VERIFY(window->digraph().boxOf(NoteId("N1")).height() > before);
-    window->actions().presentation->trigger();
+    window->actions()[CommandId::presentation]->trigger();
   }
 };
 

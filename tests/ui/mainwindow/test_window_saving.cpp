@@ -34,7 +34,7 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     const Notice* notice = window.notices().current();
     return notice == nullptr ? QString() : notice->text;
   }
-  static void pressSave(MainWindow& window) { window.actions().save->trigger(); }
+  static void pressSave(MainWindow& window) { window.actions()[CommandId::save]->trigger(); }
   /// An informational notice, as an export posts one.
   static void postOther(MainWindow& window) {
     window.notices().post({QStringLiteral("other"), Severity::info, QStringLiteral("Painting."), {}});

@@ -132,7 +132,7 @@ class WindowSearchTest : public QObject {
     QVERIFY(part<QLabel>("searchDefinition")->text().contains("two halves"));
     press(Qt::Key_Escape);
     QVERIFY(!popup().isVisible());
-    window->actions().lookUp->trigger();  // terms alone
+    window->actions()[CommandId::lookUp]->trigger();  // terms alone
     QTest::keyClicks(search(), "turning joint");
     QCOMPARE(search()->model().index(0).data(SearchModel::KindRole).toString(), QString("term"));
   }
@@ -287,10 +287,10 @@ class WindowSearchTest : public QObject {
     QVERIFY(play->toolTip().startsWith("Pause"));
     QTest::keyClick(&window->digraph(), Qt::Key_Space);
     QVERIFY(!playback.isPlaying());
-    window->actions().play->trigger();
+    window->actions()[CommandId::play]->trigger();
     QVERIFY(playback.isPlaying());
-    QVERIFY(window->actions().play->text().startsWith("&Pause"));
-    window->actions().play->trigger();
+    QVERIFY(window->actions()[CommandId::play]->text().startsWith("&Pause"));
+    window->actions()[CommandId::play]->trigger();
   }
 
   void theSliderSetsTheSpeed() {
@@ -302,19 +302,19 @@ class WindowSearchTest : public QObject {
     QTest::keyClick(slider, Qt::Key_End);
     QCOMPARE(playback.speed(), 8.0);
     QCOMPARE(shown->text(), QString("8.0×"));
-    window->actions().faster->trigger();
+    window->actions()[CommandId::faster]->trigger();
     QCOMPARE(playback.speed(), 8.0);  // the fastest
-    window->actions().slower->trigger();
+    window->actions()[CommandId::slower]->trigger();
     QVERIFY(playback.speed() < 8);
     QTest::mouseDClick(slider, Qt::LeftButton);
     QCOMPARE(playback.speed(), 1.0);
-    window->actions().backwards->trigger();
+    window->actions()[CommandId::backwards]->trigger();
     QCOMPARE(shown->text(), QString("−1.0×"));
     QTest::keyClick(slider, Qt::Key_Home);
     QCOMPARE(playback.speed(), -0.125);
     QCOMPARE(shown->text(), QString("−0.13×"));
-    window->actions().normalSpeed->trigger();
-    QVERIFY(!window->actions().backwards->isChecked());
+    window->actions()[CommandId::normalSpeed]->trigger();
+    QVERIFY(!window->actions()[CommandId::backwards]->isChecked());
   }
 };
 

@@ -32,8 +32,8 @@ class SearchTest : public QObject {
     mechanism->addAction("Turning joint");
     QAction* ground = mechanism->addAction("Make &ground");
     ground->setEnabled(false);
-    mechanism->addAction("Gearbox")->setObjectName("dock.gearbox");
-    mechanism->addAction("Speeds")->setObjectName("dock.speeds");
+    mechanism->addAction("Gearbox")->setProperty(kSearchWords, "Brake clutch hold shift");
+    mechanism->addAction("Speeds")->setProperty(kSearchWords, "plot graph");
     ground->setToolTip("Select one link to make it the ground.");
 
     std::vector<SearchEntry> entries = commandEntries(menus);

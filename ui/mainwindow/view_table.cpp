@@ -1,0 +1,27 @@
+#include "ui/mainwindow/view_table.h"
+
+#include "ui/canvas/digraph_view.h"
+#include "ui/canvas/tt_graph_view.h"
+#include "ui/derivation/derivation_panel.h"
+#include "ui/dynamics/dynamics_panel.h"
+#include "ui/forces/forces_panel.h"
+#include "ui/inputs/inputs_and_results.h"
+#include "ui/panels/gearbox_panel.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/schematic/schematic_view.h"
+#include "ui/view3d/motion_panel.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph::inline mainwindow {
+
+std::vector<ViewEntry> viewTable() {
+  return {
+      digraphView(),    ttGraphView(), schematicView(), matricesView(),   problemsView(),
+      view3dView(),     inputsView(),  gearboxView(),   propertiesView(), speedsView(),
+      derivationView(), forcesView(),  dynamicsView(),
+  };
+}
+
+}  // namespace geargraph::inline mainwindow

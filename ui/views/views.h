@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <vector>
+
+#include "core/foundations/base/contract.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
+
+namespace geargraph::inline document {
+class Document;
+}  // namespace geargraph::inline document
+namespace geargraph::inline selection {
+class Selection;
+}  // namespace geargraph::inline selection
+namespace geargraph::inline workbench {
+class Workbench;
+}  // namespace geargraph::inline workbench
+
+namespace geargraph::inline views {
+
+/// The views of one window, and what they ask of it: its signals are emitted by views and answered by the
+/// window, or by another view.
+class Views final : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Made {
+    ViewEntry entry;
+    ResultsView* view;
+  };
+
+  Views(Workbench& workbench, QObject* parent);
+
+  [[nodiscard]] Workbench& workbench() const { return m_workbench; }
+  [[nodiscard]] Document* document() const;
+  [[nodiscard]] Selection* selection() const;
+
+  /// Makes a view. @pre no view with this id has been made
+  ResultsView& make(const ViewEntry& entry, QWidget* parent);
+  /// In the order in which they were made.
+  [[nodiscard]] const std::vector<Made>& made() const { return m_made; }
+
+  /// The view of this type. @pre it has been made. Cost: O(views)
+  template <class T>
+  [[nodiscard]] T& get() const {
+    T* const found = find<T>();
+    GEARGRAPH_REQUIRE(found != nullptr);
+    return *found;
+  }
+  /// The same; null if it has not been made.
+  template <class T>
+  [[nodiscard]] T* find() const {
+    for (const Made& each : m_made)
+      if (auto* found = dynamic_cast<T*>(each.view)) return found;
+    return nullptr;
+  }
+
+  /// @pre a view with this id has been made
+  [[nodiscard]] ResultsView& byId(const QString& id) const;
+
+  void setMechanism(const MechanismPtr& mechanism);
+  void setSnapshot(const SnapshotPtr& snapshot);
+  void setAnswersOpen(bool isOpen);
+  [[nodiscard]] bool isSettled() const;
+
+ signals:
+  /// A view has done what it was asked for.
+  void settled();
+  /// A view is to come to the front.
+  void revealWanted(geargraph::ResultsView* view);
+  /// The menu of an element.
+  void menuWanted(const geargraph::ElementId& element, QPoint globalPlace);
+  /// The motion at this time, s.
+  void momentWanted(double time);
+  /// A table as CSV is to be saved, with a name for its file.
+  void tableExportWanted(const QString& name, const QString& csv);
+  /// Something was not possible: why, as a sentence.
+  void rejected(const QString& why);
+
+ private:
+  Workbench& m_workbench;
+  std::vector<Made> m_made;
+};
+
+}  // namespace geargraph::inline views
