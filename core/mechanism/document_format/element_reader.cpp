@@ -11,7 +11,7 @@ namespace {
 std::optional<MeshKind> meshKindOf(JsonObject& from, std::string_view name) {
   const auto value = from.member(name);
   if (!value) return std::nullopt;
-  for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
+  for (const MeshKind kind : meshKinds()) {
     if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
   }
   from.wrong(name, *value, toTranslate("\"external\", \"internal\" or \"bevel\""));

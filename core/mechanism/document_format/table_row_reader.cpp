@@ -163,9 +163,7 @@ void TableRowReader::teeth(std::string_view column, int& teeth) {
 void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& kind) {
   const std::string& text = cell(column);
   if (text.empty()) return;
-  for (const MeshKind each : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
-    if (text == meshKindName(each)) kind = each;
-  }
+  kind = meshKindFrom(text);
   if (!kind) unexpected(column, toTranslate("external, internal or bevel"));
 }
 

@@ -100,8 +100,9 @@ Expected<PlacedMechanism> withKindsFor(PlacedMechanism next, AxisId axis, const 
         std::find_if(all.begin(), all.end(), [&](const Neighbour& each) { return each.mesh == before.mesh; });
     if (now == all.end()) continue;
     const bool parallel = areParallel(direction, lineOf(next, now->axis).direction);
-    if (parallel != (now->kind == MeshKind::bevel)) continue;
-    auto changed = withKindFitted(next, now->mesh, parallel ? MeshKind::external : MeshKind::bevel);
+    if (parallel == hasParallelAxes(now->kind)) continue;
+    const MeshKind fitting = usualKind(parallel ? LinePosition::parallel : LinePosition::intersecting);
+    auto changed = withKindFitted(next, now->mesh, fitting);
     if (!changed) return changed;
     next = *std::move(changed);
   }
@@ -149,7 +150,7 @@ Expected<PlacedMechanism> withIntersectionPoint(const PlacedMechanism& before, A
   const ExactLine line = lineOf(before, other);
   ExactVector3 point = line.point;
   for (const Neighbour& neighbour : neighboursOf(before, other)) {
-    if (neighbour.kind != MeshKind::bevel || neighbour.axis == axis) continue;
+    if (!hasIntersectingAxes(neighbour.kind) || neighbour.axis == axis) continue;
     if (const auto apex = pointTowards(line, lineOf(before, neighbour.axis))) {
       point = *apex;
       break;

@@ -26,7 +26,7 @@ std::set<AxisPair> pairsOfOneModule(const Mechanism& mechanism, const Placement&
   std::set<AxisPair> pairs;
   for (const MeshOrdinal mesh : meshesOfOneModule(mechanism, placement, [&](int each) {
          const MeshGeometry& geometry = *placement.meshes[each];
-         return geometry.kind != MeshKind::bevel &&
+         return hasParallelAxes(geometry.kind) &&
                 (geometry.tailClass == axisClass || geometry.headClass == axisClass);
        })) {
     pairs.insert(axisPairOf(*placement.meshes[mesh]));
@@ -46,7 +46,7 @@ MovedAxis movedAxis(const Mechanism& mechanism, const Placement& placement, Axis
     if (mechanism.axes[classes[c].axis].id == axis) moved.axisClass = static_cast<int>(c);
   }
   for (const auto& mesh : placement.meshes) {
-    if (mesh->kind == MeshKind::bevel) continue;
+    if (!hasParallelAxes(mesh->kind)) continue;
     if (mesh->tailClass != moved.axisClass && mesh->headClass != moved.axisClass) continue;
     const int other = mesh->tailClass == moved.axisClass ? mesh->headClass : mesh->tailClass;
     const auto depth = [&](int c) { return classes[c].depth; };
@@ -66,15 +66,13 @@ Vector3 valuesOf(const NumberTriple& triple) {
 
 /// A mesh whose distance is that between the moved axis and its neighbour.
 bool isBetween(const MeshGeometry& geometry, const MovedAxis& moved) {
-  return geometry.kind != MeshKind::bevel &&
+  return hasParallelAxes(geometry.kind) &&
          axisPairOf(geometry) ==
              AxisPair(std::min(moved.axisClass, moved.neighbour), std::max(moved.axisClass, moved.neighbour));
 }
 
-/// Teeth whose sum or difference makes the centre distance.
 int reachOf(MeshKind kind, const GearMesh& mesh) {
-  return kind == MeshKind::internal ? std::abs(mesh.tailTeeth - mesh.headTeeth)
-                                    : mesh.tailTeeth + mesh.headTeeth;
+  return distanceTeeth(kind, mesh.tailTeeth, mesh.headTeeth);
 }
 
 }  // namespace
@@ -192,12 +190,11 @@ std::vector<TeethOffer> teethNear(const PlacedMechanism& placed, AxisId axis, do
     const double perTooth = was / reachOf(geometry.kind, mesh);
     const bool tailMoves = geometry.tailClass == moved.axisClass;
     const int kept = tailMoves ? mesh.headTeeth : mesh.tailTeeth;
-    const bool isRing = (tailMoves ? mesh.tailTeeth : mesh.headTeeth) > kept;
+    const bool isLarger = (tailMoves ? mesh.tailTeeth : mesh.headTeeth) > kept;
+    const DistanceForm form = pairKind(geometry.kind).distanceForm(kept, isLarger);
     const int reach = static_cast<int>(std::lround(distance / perTooth));
     for (int other = std::max(reach - 2, 1); other <= reach + 2; ++other) {
-      const int teeth = geometry.kind != MeshKind::internal ? other - kept
-                        : isRing                            ? kept + other
-                                                            : kept - other;
+      const int teeth = form.sign * (other - form.rest);
       if (teeth < kMinTeeth || teeth > kMaxTeeth) continue;
       offers.push_back({mesh.id, tailMoves ? teeth : kept, tailMoves ? kept : teeth, perTooth * other});
     }

@@ -53,7 +53,7 @@ class AxisFitter {
     for (const auto& mesh : placement.meshes) {
       const auto tail = static_cast<std::size_t>(mesh->tailClass);
       const auto head = static_cast<std::size_t>(mesh->headClass);
-      auto& lists = mesh->kind == MeshKind::bevel ? m_along : m_neighbours;
+      auto& lists = hasParallelAxes(mesh->kind) ? m_neighbours : m_along;
       lists[tail].push_back(mesh->headClass);
       lists[head].push_back(mesh->tailClass);
     }
@@ -145,7 +145,7 @@ class AxisFitter {
   void checkHeld() {
     for (std::size_t m = 0; m < m_placement.meshes.size() && m_rejections.empty(); ++m) {
       const MeshGeometry& mesh = *m_placement.meshes[m];
-      if (mesh.kind == MeshKind::bevel) continue;
+      if (!hasParallelAxes(mesh.kind)) continue;
       const ExactVector3 was = radial(mesh.tailClass, mesh.headClass);
       const ExactVector3 shift = *m_shift[mesh.headClass] - *m_shift[mesh.tailClass];
       const Vector3 direction = unit(toDoubles(m_lines[mesh.tailClass].direction));
@@ -253,13 +253,13 @@ class PitchPointFitter {
     const ExactLine tail = lineNow(was.tailClass);
     const ExactLine head = lineNow(was.headClass);
     const GearMesh& element = m_edited.gearMeshes[mesh];
-    if (was.kind == MeshKind::bevel) return bevelPoint(mesh, was, tail, head);
+    if (hasIntersectingAxes(was.kind)) return bevelPoint(mesh, was, tail, head);
     const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                   head.direction, element.tailTeeth, element.headTeeth};
-    const bool internal = element.kind.value_or(was.kind) == MeshKind::internal;
+    const bool alike = turnsAlike(element.kind.value_or(was.kind));
     const NumberTriple& point = *m_before.gearMeshes[mesh].pitchPoint;
     const ExactVector3 level{point[0].exact(), point[1].exact(), point[2].exact()};
-    return parallelPitchPoint(pair, internal, level + m_shifts[static_cast<std::size_t>(was.tailClass)]);
+    return parallelPitchPoint(pair, alike, level + m_shifts[static_cast<std::size_t>(was.tailClass)]);
   }
 
  private:

@@ -38,7 +38,7 @@ Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, Me
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Placement& placement = before.placement();
   const auto& geometry = placement.meshes[position];
-  if (!geometry || geometry->kind != MeshKind::bevel) {
+  if (!geometry || !hasIntersectingAxes(geometry->kind)) {
     Diagnostic rejection;
     rejection.code = Code::pitchGeometry;
     rejection.detail = Detail::noBevelPair;

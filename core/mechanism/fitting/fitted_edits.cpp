@@ -84,20 +84,20 @@ void makeSideGear(GearMesh& ring, const GearMesh& sun, LinkId planet) {
   if (ringTeeth == sunTeeth + 2 * planetTeeth) ringTeeth = sunTeeth;
 }
 
-/// The mesh becomes a bevel pair, and so do those that must be with it.
-Mechanism withBevels(const Mechanism& before, const Placement& placement, MeshOrdinal mesh) {
+/// The mesh becomes a bevel pair of this kind, and so do those that must be with it.
+Mechanism withBevels(const Mechanism& before, const Placement& placement, MeshOrdinal mesh, MeshKind kind) {
   Mechanism edited = before;
   const std::vector<int> bevels = bevelsWith(before, placement, mesh);
   for (const int each : bevels) {
     const MeshGeometry& geometry = *placement.meshes[each];
     GearMesh& element = edited.gearMeshes[each];
-    if (geometry.kind == MeshKind::bevel) continue;
-    element.kind = MeshKind::bevel;
-    if (geometry.kind != MeshKind::internal) continue;
+    if (!hasParallelAxes(geometry.kind)) continue;
+    element.kind = kind;
+    if (!hasRing(geometry.kind)) continue;
     for (const int other : bevels) {
       const GearMesh& sun = before.gearMeshes[other];
       const MeshGeometry& place = *placement.meshes[other];
-      if (place.kind != MeshKind::external || !areBetweenTheSame(geometry, place)) continue;
+      if (!isBesideEachOther(place.kind) || !areBetweenTheSame(geometry, place)) continue;
       for (const LinkId planet : {element.tail, element.head}) {
         if (planet == sun.tail || planet == sun.head) makeSideGear(element, sun, planet);
       }
@@ -142,9 +142,9 @@ Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId m
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
   const MeshKind was = placement.meshes[position]->kind;
-  if (was != kind && kind == MeshKind::bevel)
-    return unlessBroken(before, withBevels(mechanism, placement, position));
-  if (was == kind || was == MeshKind::bevel) return unlessBroken(before, std::move(plain));
+  if (was != kind && !hasParallelAxes(kind))
+    return unlessBroken(before, withBevels(mechanism, placement, position, kind));
+  if (was == kind || !hasParallelAxes(was)) return unlessBroken(before, std::move(plain));
   const GearMesh& element = mechanism.gearMeshes[position];
   return fitted(before, {position, element.tailTeeth, element.headTeeth, kind});
 }

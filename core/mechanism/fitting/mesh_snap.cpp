@@ -29,15 +29,15 @@ std::array<Side, 2> sidesOf(const Mechanism& mechanism, const Placement& placeme
           Side{geometry.head, geometry.headClass, element.headTeeth, std::abs(geometry.headRadius)}};
 }
 
-bool isBevel(const Placement& placement, MeshOrdinal mesh) {
-  return placement.meshes[mesh]->kind == MeshKind::bevel;
+bool hasDistance(const Placement& placement, MeshOrdinal mesh) {
+  return hasParallelAxes(placement.meshes[mesh]->kind);
 }
 
 /// The module that a gear of the mesh has in the others.
 std::optional<double> moduleElsewhere(const Mechanism& mechanism, const Placement& placement,
                                       MeshOrdinal mesh, const Side& wheel) {
   for (MeshOrdinal other = 0; other < mechanism.c(); ++other) {
-    if (other == mesh || isBevel(placement, other)) continue;
+    if (other == mesh || !hasDistance(placement, other)) continue;
     for (const Side& side : sidesOf(mechanism, placement, other)) {
       if (side.link == wheel.link && side.axisClass == wheel.axisClass && side.teeth == wheel.teeth)
         return 2 * side.radius / side.teeth;
@@ -58,7 +58,7 @@ bool holdsOther(const Mechanism& mechanism, const Placement& placement, MeshOrdi
 /// By how much the distance of the axes has to grow; nothing where it is right, or nothing says what is.
 std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
   const auto [tail, head] = sidesOf(mechanism, placement, mesh);
-  if (isBevel(placement, mesh) || placement.lineOfClass(tail.axisClass).automatic ||
+  if (!hasDistance(placement, mesh) || placement.lineOfClass(tail.axisClass).automatic ||
       placement.lineOfClass(head.axisClass).automatic) {
     return std::nullopt;
   }
@@ -68,10 +68,9 @@ std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& pl
   if (!ofTail && !ofHead) return std::nullopt;
   const double module = ofTail.value_or(ofHead.value_or(1));
   if (ofHead && std::abs(*ofHead - module) > kGeometryFits * module) return std::nullopt;
-  const bool isInternal = placement.meshes[mesh]->kind == MeshKind::internal;
-  const double now = isInternal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius;
-  const int teeth = isInternal ? std::abs(tail.teeth - head.teeth) : tail.teeth + head.teeth;
-  const double wanted = module * teeth / 2;
+  const MeshKind kind = placement.meshes[mesh]->kind;
+  const double now = pairKind(kind).distance(tail.radius, head.radius);
+  const double wanted = module * distanceTeeth(kind, tail.teeth, head.teeth) / 2;
   if (std::abs(now - wanted) <= kGeometryFits * wanted) return std::nullopt;
   return plainDecimal(wanted) / plainDecimal(now);
 }

@@ -77,7 +77,7 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   const std::vector<int> along =
       meshesOfOneModule(mechanism, placement, [position](int each) { return each == position; });
   Mechanism edited = mechanism;
-  if (geometryOf(placement, position).kind == MeshKind::bevel) {
+  if (!hasParallelAxes(geometryOf(placement, position).kind)) {
     for (const int each : along)
       edited.gearMeshes[each].pitchPoint = grownPoint(mechanism, placement, each, factor);
     return unlessBroken(before, std::move(edited));

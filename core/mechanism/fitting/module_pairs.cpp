@@ -17,7 +17,7 @@ std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& 
     for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
       if (isReached[mesh]) continue;
       const MeshGeometry& geometry = *placement.meshes[mesh];
-      const bool isBevel = geometry.kind == MeshKind::bevel;
+      const bool isBevel = !hasParallelAxes(geometry.kind);
       const std::pair tail(wheels.wheelOf(2 * mesh), isBevel), head(wheels.wheelOf(2 * mesh + 1), isBevel);
       if (!starts(mesh) && !reached.contains(tail) && !reached.contains(head) &&
           (isBevel || !pairs.contains(axisPairOf(geometry))))

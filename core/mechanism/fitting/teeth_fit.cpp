@@ -20,7 +20,7 @@ class TeethFitter {
       : m_mechanism(mechanism), m_placement(placement), m_wheels(wheels), m_change(change) {
     for (int end = 0; end < 2 * mechanism.c(); ++end) m_fit.teeth.push_back(teethOf(mechanism, end));
     for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
-      if (geometry(mesh).kind != MeshKind::bevel) m_pairs[axisPairOf(geometry(mesh))].push_back(mesh);
+      if (hasParallelAxes(geometry(mesh).kind)) m_pairs[axisPairOf(geometry(mesh))].push_back(mesh);
     }
     for (int wheel = 0; wheel < wheels.count(); ++wheel) {
       if (isPinned(linkOf(wheels.ends(wheel).front()))) m_pinned.insert(wheel);
@@ -52,16 +52,13 @@ class TeethFitter {
   [[nodiscard]] MeshKind kindOf(MeshOrdinal mesh) const {
     return mesh == m_change.mesh ? m_change.kind : geometry(mesh).kind;
   }
-  /// Teeth whose sum or difference makes the centre distance.
-  static int reach(MeshKind kind, int tail, int head) {
-    return kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
-  }
   [[nodiscard]] int oldReach(MeshOrdinal mesh) const {
-    return reach(geometry(mesh).kind, teethOf(m_mechanism, 2 * mesh), teethOf(m_mechanism, 2 * mesh + 1));
+    return distanceTeeth(geometry(mesh).kind, teethOf(m_mechanism, 2 * mesh),
+                         teethOf(m_mechanism, 2 * mesh + 1));
   }
   [[nodiscard]] int newReach(MeshOrdinal mesh) const {
-    return reach(kindOf(mesh), m_fit.teeth[static_cast<std::size_t>(2 * mesh)],
-                 m_fit.teeth[static_cast<std::size_t>(2 * mesh + 1)]);
+    return distanceTeeth(kindOf(mesh), m_fit.teeth[static_cast<std::size_t>(2 * mesh)],
+                         m_fit.teeth[static_cast<std::size_t>(2 * mesh + 1)]);
   }
 
   [[nodiscard]] const Link& linkOf(int end) const {
@@ -91,7 +88,7 @@ class TeethFitter {
 
   /// A pinned module is kept before others, and one of an external pair before that of an internal one.
   [[nodiscard]] int rankAsBase(MeshOrdinal mesh) const {
-    return (isPinned(m_mechanism.gearMeshes[mesh]) ? 2 : 0) + (kindOf(mesh) == MeshKind::external ? 1 : 0);
+    return (isPinned(m_mechanism.gearMeshes[mesh]) ? 2 : 0) + (hasRing(kindOf(mesh)) ? 0 : 1);
   }
 
   /// A pair with a changed wheel that has no distance yet, and the mesh that gives it one.
@@ -139,8 +136,8 @@ class TeethFitter {
       for (const int own : {2 * base, 2 * base + 1}) {
         if (m_wheels.wheelOf(own) != wheel) continue;
         // (s z + k) / old is the same for both meshes.
-        const auto [signB, restB] = reachOver(own);
-        const auto [signM, restM] = reachOver(end);
+        const auto [signB, restB] = distanceForm(own);
+        const auto [signM, restM] = distanceForm(end);
         const int slope = signB * oldReach(mesh) - signM * oldReach(base);
         const int rest = restM * oldReach(base) - restB * oldReach(mesh);
         const bool whole = slope != 0 && rest % slope == 0 && rest / slope >= kMinFollowing;
@@ -149,12 +146,11 @@ class TeethFitter {
     }
   }
 
-  /// The mesh's reach as sign * z + rest, z the teeth of the end.
-  [[nodiscard]] std::pair<int, int> reachOver(int end) const {
-    const int other = m_fit.teeth[static_cast<std::size_t>(otherEnd(end))];
-    if (kindOf(end / 2) != MeshKind::internal) return {1, other};
-    const bool isRing = teethOf(m_mechanism, end) > teethOf(m_mechanism, otherEnd(end));
-    return isRing ? std::pair(1, -other) : std::pair(-1, other);
+  /// The mesh's reach by the teeth of the end.
+  [[nodiscard]] DistanceForm distanceForm(int end) const {
+    const bool isLarger = teethOf(m_mechanism, end) > teethOf(m_mechanism, otherEnd(end));
+    return pairKind(kindOf(end / 2))
+        .distanceForm(m_fit.teeth[static_cast<std::size_t>(otherEnd(end))], isLarger);
   }
 
   /// `strict`: the axes cannot give way, so that a wheel has to.
@@ -169,7 +165,7 @@ class TeethFitter {
         rejectPinned(mesh);
       return;
     }
-    const auto [sign, rest] = reachOver(end);
+    const auto [sign, rest] = distanceForm(end);
     const int teeth = sign * (reachWanted - rest);
     if (teeth < kMinFollowing || teeth > kMaxTeeth) {
       const LinkOrdinal link = isTailEnd(end) ? geometry(mesh).tail : geometry(mesh).head;

@@ -24,7 +24,7 @@ struct MeshChange {
   MeshOrdinal mesh = 0;
   int tailTeeth = 1;
   int headTeeth = 1;
-  MeshKind kind = MeshKind::external;
+  MeshKind kind = kUsualKind;
 };
 
 /// What follows from the change, with the module kept and coaxial axes kept coaxial:

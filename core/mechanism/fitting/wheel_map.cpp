@@ -48,8 +48,7 @@ bool WheelMap::isSame(const Mechanism& mechanism, const Placement& placement, in
   if (teethOf(mechanism, end) != teethOf(mechanism, other)) return false;
   if (classOfEnd(placement, end) != classOfEnd(placement, other)) return false;
   const MeshGeometry& geometry = geometryOf(placement, end);
-  if ((geometry.kind == MeshKind::bevel) != (geometryOf(placement, other).kind == MeshKind::bevel))
-    return false;
+  if (hasParallelAxes(geometry.kind) != hasParallelAxes(geometryOf(placement, other).kind)) return false;
   const double size = std::abs(geometry.tailRadius) + std::abs(geometry.headRadius);
   return std::abs(levelOf(placement, end) - levelOf(placement, other)) <= kGeometryFits * size;
 }

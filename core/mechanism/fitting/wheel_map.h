@@ -27,7 +27,7 @@ class WheelMap {
  private:
   struct Neighbour {
     int wheel = 0;
-    MeshKind kind = MeshKind::external;
+    MeshKind kind = kUsualKind;
     LinkOrdinal carrier = 0;
     friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
   };

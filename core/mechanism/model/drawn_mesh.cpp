@@ -145,9 +145,8 @@ std::optional<Guess> asSecondCentralGear(const std::vector<Neighbour>& neighbour
     const bool same = first.gear == planet && first.axis == planetAxis && first.otherAxis == centralAxis &&
                       first.otherGear != central;
     if (!same) continue;
-    if (first.mesh->kind == MeshKind::internal) continue;
-    if (first.mesh->kind == MeshKind::bevel) return Guess{first.teeth, first.otherTeeth, MeshKind::bevel};
-    return Guess{first.teeth, first.otherTeeth + 2 * first.teeth, MeshKind::internal};
+    const auto second = pairKind(saidKind(*first.mesh)).secondCentral(first.teeth, first.otherTeeth);
+    if (second) return Guess{first.teeth, second->teeth, second->kind};
   }
   return std::nullopt;
 }

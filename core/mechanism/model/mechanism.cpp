@@ -23,18 +23,6 @@ std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
 
 }  // namespace
 
-std::string_view meshKindName(MeshKind kind) {
-  switch (kind) {
-    case MeshKind::external:
-      return "external";
-    case MeshKind::internal:
-      return "internal";
-    case MeshKind::bevel:
-      return "bevel";
-  }
-  GEARGRAPH_REQUIRE(false);
-}
-
 std::string_view loadSharingName(LoadSharing sharing) {
   return sharing == LoadSharing::stiffness ? "stiffness" : "none";
 }

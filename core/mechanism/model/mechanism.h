@@ -12,6 +12,7 @@
 #include "core/foundations/base/id.h"
 #include "core/foundations/base/ordinal.h"
 #include "core/foundations/base/shared_optional.h"
+#include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/link_mass.h"
 #include "core/mechanism/model/load.h"
 #include "core/mechanism/model/number.h"
@@ -78,9 +79,6 @@ struct TurningJoint {
   friend bool operator==(const TurningJoint&, const TurningJoint&) = default;
 };
 
-enum class MeshKind : std::uint8_t { external, internal, bevel };
-[[nodiscard]] std::string_view meshKindName(MeshKind kind);
-
 constexpr int kMinTeeth = 1;
 constexpr int kMaxTeeth = 100'000;
 
@@ -105,6 +103,11 @@ struct GearMesh {
   UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
+
+/// The kind that the document says, kUsualKind where it says none.
+[[nodiscard]] inline MeshKind saidKind(const GearMesh& mesh) {
+  return mesh.kind.value_or(kUsualKind);
+}
 
 /// The shape of a toothed wheel that meshes may name. Lengths are in the document's unit, `profileShift` and
 /// `backlash` in modules.

@@ -14,10 +14,6 @@
 namespace geargraph::inline placement {
 namespace {
 
-bool isInternal(const GearMesh& mesh) {
-  return mesh.kind == MeshKind::internal;
-}
-
 /// A vector at right angles: of z it is y, of y it is z, of x it is y.
 ExactVector3 acrossOf(const ExactVector3& direction) {
   if (direction[0].isZero() && direction[2].isZero()) return {0, 0, 1};
@@ -123,10 +119,9 @@ class AxisPlacer {
 
   [[nodiscard]] const GearMesh& mesh(MeshOrdinal of) const { return m_mechanism.gearMeshes[of]; }
 
-  /// Teeth whose sum (external) or difference (internal) times half the module is the centre distance.
-  [[nodiscard]] int distanceTeeth(MeshOrdinal position) const {
+  [[nodiscard]] int distanceTeethOf(MeshOrdinal position) const {
     const GearMesh& of = mesh(position);
-    return isInternal(of) ? std::abs(of.tailTeeth - of.headTeeth) : of.tailTeeth + of.headTeeth;
+    return distanceTeeth(saidKind(of), of.tailTeeth, of.headTeeth);
   }
 
   [[nodiscard]] Rational moduleOfGiven() const {
@@ -134,7 +129,7 @@ class AxisPlacer {
       if (!m_words[i]) continue;
       const auto& a = m_lines[m_classes.classes[m_words[i]->tailClass].axis];
       const auto& b = m_lines[m_classes.classes[m_words[i]->headClass].axis];
-      const int teeth = distanceTeeth(static_cast<int>(i));
+      const int teeth = distanceTeethOf(static_cast<int>(i));
       if (!a || !b || teeth == 0) continue;
       if (positionOfLines(*a, *b) != LinePosition::parallel) continue;
       const ExactVector3 off = cross(a->exact.direction, b->exact.point - a->exact.point);
@@ -201,7 +196,7 @@ class AxisPlacer {
     const Axis& element = m_mechanism.axes[partner.axis];
     const ExactVector3 outward = spoke(from.exact.direction, index, count);
     const bool bevel = element.direction ? !isParallel(from.exact.direction, toFractions(*element.direction))
-                                         : mesh(partner.mesh).kind == MeshKind::bevel;
+                                         : hasIntersectingAxes(saidKind(mesh(partner.mesh)));
     ExactVector3 point;
     ExactVector3 direction;
     if (bevel) {
@@ -212,7 +207,7 @@ class AxisPlacer {
                 scaledTo(from.exact.direction, Rational(BevelArranger::kStep * apex) * m_module);
       }
     } else {
-      const Rational distance = m_module * Rational(distanceTeeth(partner.mesh), 2);
+      const Rational distance = m_module * Rational(distanceTeethOf(partner.mesh), 2);
       point = from.exact.point + scaledTo(outward, distance);
       direction = from.exact.direction;
       if (const auto held = heldByTwo(axis, partner)) point = *held;
@@ -258,12 +253,13 @@ class AxisPlacer {
   [[nodiscard]] std::optional<ExactVector3> heldByTwo(AxisOrdinal axis, const Partner& partner) const {
     const PlacedLine& a = *m_lines[axis];
     for (const Partner& other : m_meshesAt[partner.axis]) {
-      if (other.axis == axis || !m_lines[other.axis] || mesh(other.mesh).kind == MeshKind::bevel) continue;
+      if (other.axis == axis || !m_lines[other.axis] || !hasParallelAxes(saidKind(mesh(other.mesh))))
+        continue;
       const PlacedLine& b = *m_lines[other.axis];
       if (!isParallel(a.exact.direction, b.exact.direction)) continue;
       const double half = m_module.toDouble() / 2;
-      const double radiusA = half * distanceTeeth(partner.mesh);
-      const double radiusB = half * distanceTeeth(other.mesh);
+      const double radiusA = half * distanceTeethOf(partner.mesh);
+      const double radiusB = half * distanceTeethOf(other.mesh);
       Vector3 between = exactDifference(b.exact.point, a.exact.point);
       between = between - dot(between, a.direction) * a.direction;
       const double distance = length(between);

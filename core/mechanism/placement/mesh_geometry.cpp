@@ -84,18 +84,6 @@ std::string fit(const GearPair<double>& pair, LinePosition position, const MeshG
                     {text(found.pitchPoint + (*point - found.tailToPitch), reachOf(found.tailToPitch))});
 }
 
-std::string kindWord(MeshKind kind) {
-  switch (kind) {
-    case MeshKind::external:
-      return translated("external");
-    case MeshKind::internal:
-      return translated("internal");
-    case MeshKind::bevel:
-      break;
-  }
-  return translated("bevel");
-}
-
 Diagnostic onAxis(const Mechanism& mechanism, MeshOrdinal mesh, const MeshGeometry& found, bool ofTail) {
   return makeDiagnostic(mechanism, mesh, Code::pitchPointOnAxis,
                         ofTail
@@ -140,7 +128,7 @@ Diagnostic wrongKind(const Mechanism& mechanism, MeshOrdinal mesh, MeshKind kind
 
 Diagnostic wrongSign(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
                      LinePosition position, const MeshGeometry& found) {
-  const bool saysInternal = found.kind != MeshKind::internal;  // what it is, is the other one
+  const bool saysInternal = !turnsAlike(found.kind);  // what it is, is the other one
   std::string message =
       saysInternal
           ? translated(
@@ -227,16 +215,16 @@ bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<
   geometry.tailRadius = dot(geometry.normal, tail);
   geometry.headRadius = dot(geometry.normal, head);
   geometry.sign = geometry.tailRadius * geometry.headRadius < 0 ? -1 : 1;
-  geometry.kind = position == LinePosition::intersecting                            ? MeshKind::bevel
-                  : geometry.sign * dot(pair.tailDirection, pair.headDirection) < 0 ? MeshKind::external
-                                                                                    : MeshKind::internal;
-  const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind;
-  if (said && (*said == MeshKind::bevel) != (geometry.kind == MeshKind::bevel)) {
-    return reject(wrongKind(mechanism, mesh, *said, position));
+  const int sense = geometry.sign * dot(pair.tailDirection, pair.headDirection) < 0 ? -1 : 1;
+  geometry.kind = usualKind(position, sense);
+  if (const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind) {
+    const PairKind& kind = pairKind(*said);
+    if (kind.axes != position) return reject(wrongKind(mechanism, mesh, *said, position));
+    if (kind.sense == -sense) return reject(wrongSign(mechanism, mesh, pair, position, geometry));
+    geometry.kind = *said;
   }
-  if (said && *said != geometry.kind) return reject(wrongSign(mechanism, mesh, pair, position, geometry));
   // Radii of nearly coincident axes fit equal teeth, but no such gears lie in each other.
-  if (geometry.kind == MeshKind::internal && pair.tailTeeth == pair.headTeeth)
+  if (distanceTeeth(geometry.kind, pair.tailTeeth, pair.headTeeth) == 0)
     return reject(equalInternalTeeth(mechanism, mesh));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;

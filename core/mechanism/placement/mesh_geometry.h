@@ -26,7 +26,7 @@ struct MeshGeometry {
   BevelSides sides;      ///< of a derived bevel pair
   int bevelSize = 2;     ///< of a derived bevel pair: its module in halves of the placement's
   bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
-  MeshKind kind = MeshKind::external;
+  MeshKind kind = kUsualKind;
   Vector3 pitchPoint{};
   /// From the point of the tail's line to that of the head's and to the pitch point: as differences, so that
   /// a train far from the origin loses no precision.
@@ -39,8 +39,6 @@ struct MeshGeometry {
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
 };
 
-/// The relative position of two lines.
-enum class LinePosition { parallel, intersecting, skew };
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
 
 /// Checks a pitch point against axes, teeth and kind (the moment equation has rank 1 exactly if both radii
@@ -53,7 +51,7 @@ enum class LinePosition { parallel, intersecting, skew };
 
 /// pitch-geometry, for axes that are neither parallel nor intersecting.
 [[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair);
-/// teeth-geometry, for an internal pair with equal tooth counts.
+/// teeth-geometry, for a pair with a ring and equal tooth counts.
 [[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, MeshOrdinal mesh);
 
 }  // namespace geargraph::inline placement

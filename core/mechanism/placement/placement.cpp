@@ -5,6 +5,7 @@
 
 #include "core/mechanism/placement/axis_placer.h"
 #include "core/mechanism/placement/bevel_arranger.h"
+#include "core/mechanism/placement/pair_rule.h"
 #include "core/mechanism/placement/tolerance.h"
 
 namespace geargraph::inline placement {
@@ -130,21 +131,23 @@ class MeshLocator {
     if (element.pitchPoint) geometry.tailToPitch = exactDifference(toFractions(*element.pitchPoint), origin);
   }
 
-  /// False where an internal pair has equal teeth.
+  /// False where a pair with a ring has equal teeth.
   bool derivePitchPoint(MeshOrdinal mesh, const GearPair<double>& pair, const MeshWord& word,
                         LinePosition position, MeshGeometry& geometry) {
     geometry.derived = true;
+    const MeshKind said = saidKind(m_mechanism.gearMeshes[mesh]);
+    const MeshKind kind = pairKind(said).axes == position ? said : usualKind(position);
+    if (distanceTeeth(kind, pair.tailTeeth, pair.headTeeth) == 0) return false;
+    PitchPlace<double> place;
     if (position == LinePosition::intersecting) {
-      geometry.sides = m_sides.choose(mesh, word, pair);
+      geometry.sides = place.sides = m_sides.choose(mesh, word, pair);
       if (!m_bevelSizes.empty()) geometry.bevelSize = m_bevelSizes[mesh];
-      geometry.tailToPitch =
-          bevelPitchPoint(pair, geometry.sides, m_module * geometry.bevelSize / kUsualBevelSize);
-      return true;
+      place.module = m_module * geometry.bevelSize / kUsualBevelSize;
+    } else {
+      const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+      place.level = inner ? pair.tailPoint : pair.headPoint;
     }
-    const bool internal = m_mechanism.gearMeshes[mesh].kind == MeshKind::internal;
-    if (internal && pair.tailTeeth == pair.headTeeth) return false;
-    const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
-    geometry.tailToPitch = parallelPitchPoint(pair, internal, inner ? pair.tailPoint : pair.headPoint);
+    geometry.tailToPitch = pairRule(kind).pitchPoint(pair, place);
     return true;
   }
 
@@ -220,12 +223,10 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
   const GearMesh& element = mechanism.gearMeshes[mesh];
   const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                 head.direction, element.tailTeeth, element.headTeeth};
-  if (geometry.kind == MeshKind::bevel)
-    return bevelPitchPoint(pair, geometry.sides,
-                           Rational(geometry.bevelSize, kUsualBevelSize) * placement.module);
   const bool inner = tailIsInner(placement, geometry.tailClass, geometry.headClass);
-  return parallelPitchPoint(pair, geometry.kind == MeshKind::internal,
-                            inner ? pair.tailPoint : pair.headPoint);
+  return pairRule(geometry.kind)
+      .exactPitchPoint(pair, {inner ? pair.tailPoint : pair.headPoint, geometry.sides,
+                              Rational(geometry.bevelSize, kUsualBevelSize) * placement.module});
 }
 
 }  // namespace geargraph::inline placement

@@ -1,0 +1,143 @@
+#include "core/mechanism/kinds/pair_kind.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/foundations/base/words.h"
+
+namespace geargraph::inline kinds {
+namespace {
+
+double sumOf(double tail, double head) {
+  return tail + head;
+}
+
+double differenceOf(double tail, double head) {
+  return std::abs(tail - head);
+}
+
+DistanceForm sumForm(int partner, bool /*isLarger*/) {
+  return {1, partner};
+}
+
+DistanceForm differenceForm(int partner, bool isLarger) {
+  return isLarger ? DistanceForm{1, -partner} : DistanceForm{-1, partner};
+}
+
+/// The ring round sun and planet.
+std::optional<SecondCentral> ringAround(int planet, int sun) {
+  return SecondCentral{MeshKind::internal, sun + 2 * planet};
+}
+
+std::optional<SecondCentral> noSecond(int /*planet*/, int /*central*/) {
+  return std::nullopt;
+}
+
+/// The second side gear of a differential.
+std::optional<SecondCentral> sideGear(int /*planet*/, int side) {
+  return SecondCentral{MeshKind::bevel, side};
+}
+
+constexpr PairKind kExternal{.name = "external",
+                             .word = toTranslate("external"),
+                             .makeIt = toTranslate("Make %1 external"),
+                             .distance = sumOf,
+                             .distanceForm = sumForm,
+                             .secondCentral = ringAround,
+                             .other = MeshKind::internal};
+
+constexpr PairKind kInternal{.name = "internal",
+                             .word = toTranslate("internal"),
+                             .makeIt = toTranslate("Make %1 internal"),
+                             .sense = 1,
+                             .hasRing = true,
+                             .distance = differenceOf,
+                             .distanceForm = differenceForm,
+                             .secondCentral = noSecond,
+                             .other = MeshKind::external};
+
+constexpr PairKind kBevel{.name = "bevel",
+                          .word = toTranslate("bevel"),
+                          .makeIt = toTranslate("Make %1 bevel"),
+                          .axes = LinePosition::intersecting,
+                          .sense = 0,
+                          .distance = sumOf,
+                          .distanceForm = sumForm,
+                          .secondCentral = sideGear,
+                          .other = std::nullopt};
+
+template <class Fits>
+MeshKind firstKind(const Fits& fits) {
+  const auto all = meshKinds();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](MeshKind each) { return fits(pairKind(each)); });
+  GEARGRAPH_REQUIRE(found != all.end());
+  return *found;
+}
+
+}  // namespace
+
+KindTable<MeshKind, PairKind>& pairKinds() {
+  static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel);
+  return table;
+}
+
+const PairKind& pairKind(MeshKind kind) {
+  return pairKinds()[kind];
+}
+
+std::span<const MeshKind> meshKinds() {
+  return pairKinds().kinds();
+}
+
+std::string_view meshKindName(MeshKind kind) {
+  return pairKind(kind).name;
+}
+
+std::string kindWord(MeshKind kind) {
+  return translated(std::string_view(pairKind(kind).word));
+}
+
+std::optional<MeshKind> meshKindFrom(std::string_view name) {
+  for (const MeshKind kind : meshKinds()) {
+    if (name == meshKindName(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+MeshKind usualKind(LinePosition axes, int sense) {
+  return firstKind([&](const PairKind& kind) {
+    return kind.axes == axes && (sense * kind.sense == 0 || kind.sense == sense);
+  });
+}
+
+MeshKind ringKind() {
+  return firstKind([](const PairKind& kind) { return kind.hasRing; });
+}
+
+bool hasParallelAxes(MeshKind kind) {
+  return pairKind(kind).axes == LinePosition::parallel;
+}
+
+bool hasIntersectingAxes(MeshKind kind) {
+  return pairKind(kind).axes == LinePosition::intersecting;
+}
+
+bool isBesideEachOther(MeshKind kind) {
+  return hasParallelAxes(kind) && !hasRing(kind);
+}
+
+bool hasRing(MeshKind kind) {
+  return pairKind(kind).hasRing;
+}
+
+bool turnsAlike(MeshKind kind) {
+  return pairKind(kind).sense > 0;
+}
+
+int distanceTeeth(MeshKind kind, int tailTeeth, int headTeeth) {
+  const DistanceForm form = pairKind(kind).distanceForm(headTeeth, tailTeeth > headTeeth);
+  return form.sign * tailTeeth + form.rest;
+}
+
+}  // namespace geargraph::inline kinds

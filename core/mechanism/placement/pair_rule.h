@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "core/foundations/base/rational.h"
+#include "core/foundations/base/triple.h"
+#include "core/mechanism/kinds/pair_kind.h"
+#include "core/mechanism/placement/pitch_point.h"
+
+namespace geargraph::inline placement {
+
+/// What the pitch point of a pair depends on besides its axes and teeth.
+template <class Scalar>
+struct PitchPlace {
+  Triple<Scalar> level{};  ///< parallel axes: a point of the plane in which the pitch circles touch
+  BevelSides sides;        ///< intersecting axes: the half axes of the wheels
+  Scalar module{};         ///< intersecting axes
+};
+
+/// What placement knows of a kind of gear pair: where the two wheels touch, which gives the pitch radii and
+/// with them the row of P and the ratio with its sign (mesh_geometry.h).
+struct PairRule {
+  /// @pre the axes are as the kind says, and distanceTeeth() is not 0
+  Vector3 (*pitchPoint)(const GearPair<double>& pair, const PitchPlace<double>& place) = nullptr;
+  /// The same in fractions; std::nullopt if it is irrational.
+  std::optional<ExactVector3> (*exactPitchPoint)(const GearPair<Rational>& pair,
+                                                 const PitchPlace<Rational>& place) = nullptr;
+};
+
+[[nodiscard]] KindTable<MeshKind, PairRule>& pairRules();
+[[nodiscard]] const PairRule& pairRule(MeshKind kind);
+
+/// The rules of the kinds that are there; an added kind may use one of them.
+extern const PairRule kExternalRule;
+extern const PairRule kInternalRule;
+extern const PairRule kBevelRule;
+
+}  // namespace geargraph::inline placement
