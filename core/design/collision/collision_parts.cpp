@@ -26,16 +26,7 @@ TurningLine axisOf(const Eigen::Isometry3d& frame) {
 
 /// The solid that the tips of a wheel sweep, in the wheel's frame.
 Solid sweptWheel(const GearSpec& spec) {
-  std::vector<ProfileVertex> outline;
-  if (spec.kind == GearKind::bevel) {
-    outline = bevelOutline(spec);
-  } else {
-    outline = bodyProfile(spec);
-    const double tip = nominalTipRadius(spec);
-    outline.push_back({tip, outline.back().height});
-    outline.push_back({tip, outline.front().height});
-  }
-  return revolved(outline, kCollisionTolerance * spec.module);
+  return revolved(wheelOutline(spec), kCollisionTolerance * spec.module);
 }
 
 bool isRevolved(const BodyPart& part) {

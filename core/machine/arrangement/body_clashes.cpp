@@ -8,6 +8,7 @@
 
 #include "core/machine/arrangement/body_hulls.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -88,7 +89,7 @@ std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& tra
     }
   }
   for (const TrainGear& gear : train.gears) {
-    if (gear.spec.kind == GearKind::internal || stop.stop_requested()) continue;
+    if (isRing(gear.spec) || stop.stop_requested()) continue;
     for (const std::size_t s : plan.shaftsOn[gear.axisClass]) {
       const ShaftSegment& shaft = plan.shafts[s];
       if (shaft.link != gear.link && runsThrough(plan, shaft, gear))

@@ -7,6 +7,7 @@
 
 #include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -46,15 +47,15 @@ class HullMaker {
     const auto add = [&](double radius, double height) {
       hull.discs.push_back({narrow(gear.pose.translation() + height * k), narrow(k), std::max(radius, 0.0)});
     };
-    if (spec.kind == GearKind::external || (spec.kind == GearKind::internal && m_options.isWhole)) {
+    if (isDisc(spec) || (isRing(spec) && m_options.isWhole)) {
       const AxialSpan span = axialSpan(spec);
-      const double radius = spec.kind == GearKind::internal ? rimDiameter(spec) / 2 : nominalTipRadius(spec);
+      const double radius = outerRadius(spec);
       add(radius, span.low);
       add(radius, span.high);
-    } else if (spec.kind == GearKind::bevel && (spec.coneAngle < kFlattest || m_options.isWhole)) {
+    } else if (isConical(spec) && (spec.coneAngle < kFlattest || m_options.isWhole)) {
       // The small ends of the teeth stand out from a hollow that a hull would fill.
       const std::vector<ProfileVertex> body = bodyProfile(spec);
-      const std::vector<ProfileVertex> all = bevelOutline(spec);
+      const std::vector<ProfileVertex> all = wheelOutline(spec);
       const ProfileVertex small = all[all.size() - 2], large = all.back();
       for (const ProfileVertex& c : body) add(c.radius, c.height);
       add(large.radius, large.height);

@@ -12,6 +12,7 @@
 #include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/arrangement/swept_envelope.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -132,7 +133,7 @@ std::vector<PassedGear> FlangeMaker::circles() const {
     const auto [low, high] = std::minmax({m_made.arms, m_made.level});
     if (!own().overlap(at - half, at + half, low, high)) continue;
     const Vector3d local = frame.inverse() * gear.pose.translation();
-    circles.push_back({local.head<2>(), nominalTipRadius(gear.spec), gear.spec.kind == GearKind::internal});
+    circles.push_back({local.head<2>(), nominalTipRadius(gear.spec), isRing(gear.spec)});
   }
   return circles;
 }

@@ -6,6 +6,7 @@
 #include "core/machine/arrangement/coaxial_sections.h"
 #include "core/machine/arrangement/profile_outline.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -424,7 +425,7 @@ void CoaxialMaker::placeBearing(NetOrdinal net) {
 void CoaxialMaker::setHubs() {
   for (std::size_t g = 0; g < m_sections.netsOfGear.size(); ++g) {
     const GearSpec& spec = m_train.gears[g].spec;
-    if (m_sections.netsOfGear[g].empty() || spec.kind == GearKind::internal) continue;
+    if (m_sections.netsOfGear[g].empty() || isRing(spec)) continue;
     const NetOrdinal net = m_sections.netsOfGear[g].front();
     const int row = m_sections.innerRows;
     for (const CellOrdinal cell : m_routes[net].cells) {
@@ -447,13 +448,12 @@ bool needsCoaxialPlan(ClassOrdinal axisClass, const Placement& placement, const 
   if (classes.classes[axisClass].rootLink != 0) return false;
   int rings = 0;
   for (const TrainGear& gear : train.gears) {
-    if (gear.axisClass == axisClass && gear.spec.kind == GearKind::internal) ++rings;
-    if (gear.axisClass == axisClass && gear.spec.kind == GearKind::bevel) return false;
+    if (gear.axisClass == axisClass && isRing(gear.spec)) ++rings;
+    if (gear.axisClass == axisClass && isConical(gear.spec)) return false;
     if (gear.axisClass == axisClass && gear.link != 0 && !isOf(gear.link)) return false;
     const LinkOrdinal rootLink = classes.classes[gear.axisClass].rootLink;
     if (gear.axisClass == axisClass || !isOf(rootLink)) continue;
-    if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(gear.link) == gear.axisClass))
-      return false;
+    if (isRing(gear.spec) || !(classes.classOfLink(gear.link) == gear.axisClass)) return false;
   }
   if (rings < 2) return false;
   for (std::size_t c = 0; c < classes.classes.size(); ++c) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -53,13 +54,13 @@ class SectionMaker {
   void findWheels();
   /// Does the gear run in a ring of this axis?
   [[nodiscard]] bool meshesInside(GearOrdinal gear) const {
-    const auto isRing = [&](GearOrdinal g) {
+    const auto isOwnRing = [&](GearOrdinal g) {
       const TrainGear& other = m_train.gears[g];
-      return other.axisClass == m_class && other.spec.kind == GearKind::internal;
+      return other.axisClass == m_class && isRing(other.spec);
     };
     return std::any_of(m_train.meshes.begin(), m_train.meshes.end(), [&](const TrainMesh& mesh) {
-      return (mesh.tailGear == gear && isRing(mesh.headGear)) ||
-             (mesh.headGear == gear && isRing(mesh.tailGear));
+      return (mesh.tailGear == gear && isOwnRing(mesh.headGear)) ||
+             (mesh.headGear == gear && isOwnRing(mesh.tailGear));
     });
   }
   void cutColumns();
@@ -210,9 +211,8 @@ void SectionMaker::cutRows() {
   double room = (1.8 + 1.0 * (m_made.innerRows - 1)) * m_made.module;
   double most = 0;
   for (const Wheel& w : m_wheels) {
-    const bool ring = spec(w).kind == GearKind::internal;
-    if (!ring) room = std::min(room, shaftRoom(spec(w)));
-    most = std::max(most, ring ? rimDiameter(spec(w)) / 2 : nominalTipRadius(spec(w)));
+    if (!isRing(spec(w))) room = std::min(room, shaftRoom(spec(w)));
+    most = std::max(most, outerRadius(spec(w)));
   }
   for (const CoaxialPlanets& p : m_made.planets) {
     room = std::min(room, p.distance - m_planetTip[p.axisClass] - 0.4 * m_made.module);
@@ -260,7 +260,7 @@ int SectionMaker::netOf(LinkOrdinal link) {
 /// A wheel is its net's; a ring is landed on behind its roots, another on its hub.
 void SectionMaker::addWheel(const Wheel& wheel) {
   const GearSpec& s = spec(wheel);
-  const bool ring = s.kind == GearKind::internal;
+  const bool ring = isRing(s);
   const double play = 0.3 * m_made.module;
   const double rim = ring ? rimDiameter(s) / 2 : 0;
   block(wheel.span, ring ? nominalTipRadius(s) - play : 0, ring ? rim + play : nominalTipRadius(s) + play);

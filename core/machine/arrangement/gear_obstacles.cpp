@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -22,17 +23,17 @@ GearObstacles::GearObstacles(const GearTrain& train) {
     const AxialSpan span = axialSpan(spec);
     Gear gear;
     gear.link = drawn.link;
-    gear.ring = spec.kind == GearKind::internal;
+    gear.ring = isRing(spec);
     gear.origin = drawn.pose.translation();
     gear.axis = drawn.pose.linear().col(2);
     gear.low = span.low;
     gear.high = span.high;
     gear.tip = nominalTipRadius(spec);
-    if (spec.kind == GearKind::bevel && spec.coneAngle < kSteepest) {
+    if (isConical(spec) && spec.coneAngle < kSteepest) {
       gear.slope = std::tan(spec.coneAngle + (spec.addendum + 0.5) * spec.module / coneDistance(spec));
     }
     gear.middle = gear.origin + (span.low + span.high) / 2 * gear.axis;
-    gear.reach = std::hypot((span.high - span.low) / 2, gear.ring ? rimDiameter(spec) / 2 : gear.tip);
+    gear.reach = std::hypot((span.high - span.low) / 2, outerRadius(spec));
     m_gears.push_back(gear);
   }
 }

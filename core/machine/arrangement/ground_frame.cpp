@@ -12,6 +12,7 @@
 #include "core/machine/arrangement/carrier_cases.h"
 #include "core/machine/arrangement/swept_envelope.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -173,7 +174,7 @@ void FrameMaker::findPieces() {
 /// Rings of the ground, and rings without anything else, as pieces of their own.
 void FrameMaker::findRims() {
   for (const TrainGear& gear : m_train.gears) {
-    if (gear.link != 0 || gear.spec.kind != GearKind::internal) continue;
+    if (gear.link != 0 || !isRing(gear.spec)) continue;
     const AxisLayout& on = axis(gear.axisClass);
     const double middle = on.coordinate(gear.pose.translation()), half = gear.spec.faceWidth / 2;
     Rim rim{gear.axisClass, middle - half, middle + half,

@@ -7,6 +7,7 @@
 
 #include "core/machine/arrangement/coaxial_sections.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -16,7 +17,7 @@ double boreRoom(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal link
   double room = 1e300;
   for (const GearOrdinal g : draft.gearsOn[axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
-    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    if (gear.link != link || isRing(gear.spec)) continue;
     room = std::min(room, shaftRoom(gear.spec));
   }
   return room;
@@ -33,7 +34,7 @@ int cutsBy(const PlanDraft& draft, const ShaftSegment& outer, LinkOrdinal link) 
   int cuts = 0;
   for (const GearOrdinal g : draft.gearsOn[outer.axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
-    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    if (gear.link != link || isRing(gear.spec)) continue;
     const Interval wheel = draft.intervalOf(gear, axialSpan(gear.spec));
     cuts += isCut(wheel.low, wheel.high);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 
@@ -75,7 +76,7 @@ int ringCarrierSideFor(const PlanDraft& draft, const TrainGear& ring) {
 void placeRingCarriers(PlanDraft& draft) {
   for (const GearOrdinal g : draft.train.gears.ordinals()) {
     const TrainGear& gear = draft.train.gears[g];
-    if (gear.spec.kind != GearKind::internal || draft.isCoaxial(gear.axisClass)) continue;
+    if (!isRing(gear.spec) || draft.isCoaxial(gear.axisClass)) continue;
     AxisLayout& layout = draft.axis(gear.axisClass);
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/wheel_envelopes.h"
 
 namespace geargraph::inline arrangement {
@@ -67,7 +68,7 @@ Interval hubInterval(const PlanDraft& draft, ClassOrdinal axisClass, LinkOrdinal
   Interval hubs{1e300, -1e300, link};
   for (const GearOrdinal g : draft.gearsOn[axisClass]) {
     const TrainGear& gear = draft.train.gears[g];
-    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    if (gear.link != link || isRing(gear.spec)) continue;
     const Interval hub = draft.intervalOf(gear, hubSpan(gear.spec));
     hubs.low = std::min(hubs.low, hub.low);
     hubs.high = std::max(hubs.high, hub.high);
@@ -104,7 +105,7 @@ bool shaftPasses(const PlanDraft& draft, const Bearing& bearing, double at) {
     const double half = gear.spec.faceWidth / 2;
     if (!layout.overlap(middle - half, middle + half, from, to)) continue;
     const double distance = nearestAxes(orbit, orbitOf(gear.axisClass, draft.placement), layout.direction);
-    if (gear.spec.kind == GearKind::internal) {
+    if (isRing(gear.spec)) {
       const Vector3d apart = draft.axis(gear.axisClass).point - layout.point;
       const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
       if (now + radius > nominalTipRadius(gear.spec) && now - radius < rimDiameter(gear.spec) / 2)

@@ -6,6 +6,7 @@
 
 #include "core/machine/arrangement/nested_shafts.h"
 #include "core/machine/arrangement/shaft_extents.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -48,7 +49,7 @@ void planWithoutRouting(PlanDraft& draft) {
   draft.plan.isSimple = true;
   for (const GearOrdinal g : draft.train.gears.ordinals()) {
     const TrainGear& gear = draft.train.gears[g];
-    if (gear.spec.kind != GearKind::internal) continue;
+    if (!isRing(gear.spec)) continue;
     AxisLayout& layout = draft.axis(gear.axisClass);
     const double plate = layout.coordinate(gear.pose.translation()) +
                          layout.bearingSide * (gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2);

@@ -18,6 +18,7 @@
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_solid.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline bodies {
@@ -183,8 +184,7 @@ bool BodyBuilder::hasRoom(int c, double coordinate, double radius) const {
     const Vector3d k = gear.pose.linear().col(2);
     const Vector3d middle = gear.pose.translation() + (span.low + span.high) / 2 * k;
     const double half = (span.high - span.low) / 2;
-    const double tip =
-        gear.spec.kind == GearKind::internal ? rimDiameter(gear.spec) / 2 : nominalTipRadius(gear.spec);
+    const double tip = outerRadius(gear.spec);
     const double tilt = k.cross(layout.direction).norm();
     const double along = half * std::abs(k.dot(layout.direction)) + tip * tilt;
     if (std::abs(layout.coordinate(middle) - coordinate) > along + layout.width()) return false;
@@ -322,7 +322,7 @@ void BodyBuilder::addFrame(const FramePlan& frame) {
 
 /// The bore about the link's own shaft, or with play about what passes.
 void fitBore(const Arrangement& plan, TrainGear& gear) {
-  if (gear.spec.kind == GearKind::internal || gear.spec.bore != 0) return;
+  if (isRing(gear.spec) || gear.spec.bore != 0) return;
   const AxisLayout& layout = plan.axes[gear.axisClass];
   const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
   const AxialSpan hub = hubSpan(gear.spec);

@@ -14,14 +14,18 @@ namespace geargraph::inline solids {
 /// or rim only. GearBody::dressed: hub, recessed web and rim where there is room for them.
 [[nodiscard]] std::vector<ProfileVertex> bodyProfile(const GearSpec& spec);
 
-/// Body and teeth of a bevel together: a closed outline in the half plane through its axis, the teeth last.
-[[nodiscard]] std::vector<ProfileVertex> bevelOutline(const GearSpec& spec);
+/// Body and tips of the teeth together: a closed outline in the half plane through the axis, the two tips
+/// last.
+[[nodiscard]] std::vector<ProfileVertex> wheelOutline(const GearSpec& spec);
 
 /// Openings in the web of a dressed wheel, where it is large enough to have them.
 [[nodiscard]] std::optional<WebWindows> bodyWindows(const GearSpec& spec);
 
 /// Outer diameter of a ring's rim: spec.rim, or if 0 enough for a stiff ring.
 [[nodiscard]] double rimDiameter(const GearSpec& spec);
+
+/// How far the wheel reaches from its axis: its rim, or its tips.
+[[nodiscard]] double outerRadius(const GearSpec& spec);
 
 /// The largest bore (diameter) that leaves 0.2 modules of material below the teeth.
 [[nodiscard]] double largestBore(const GearSpec& spec);

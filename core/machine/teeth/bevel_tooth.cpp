@@ -5,6 +5,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/sampling.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline teeth {
 namespace {
@@ -249,7 +250,7 @@ void addTrochoid(const CrownRack& r, double wF, double tolerance, HalfTooth& too
 }  // namespace
 
 HalfTooth bevelTooth(const GearSpec& spec, double tolerance) {
-  GEARGRAPH_REQUIRE(spec.kind == GearKind::bevel);
+  GEARGRAPH_REQUIRE(isConical(spec));
   CrownRack r(spec);
   const double chord = tolerance * r.mu;
   HalfTooth tooth;

@@ -5,6 +5,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/sampling.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline teeth {
 namespace {
@@ -124,7 +125,7 @@ double involuteHalfAngle(const GearSpec& spec, double rad) {
 }
 
 HalfTooth externalTooth(const GearSpec& spec, double tolerance) {
-  GEARGRAPH_REQUIRE(spec.kind == GearKind::external);
+  GEARGRAPH_REQUIRE(isDisc(spec));
   Generation g(spec);
   HalfTooth tooth;
   // Where the flank ends, measured along the line of action from the base circle; below it the rack

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/machine/teeth/wheel_kind.h"
+
 namespace geargraph::inline teeth {
 
 GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth) {
@@ -10,8 +12,7 @@ GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth)
   spec.teeth = teeth;
   spec.module = module;
   spec.faceWidth = faceWidth;
-  if (kind == GearKind::internal) spec.rootRadius = 0.25;
-  if (kind == GearKind::bevel) spec.rootRadius = 0.30;
+  spec.rootRadius = wheelKind(kind).cornerRadius;
   return spec;
 }
 
@@ -24,20 +25,11 @@ double coneDistance(const GearSpec& spec) {
 }
 
 double nominalTipRadius(const GearSpec& spec) {
-  const double height = (spec.addendum + spec.profileShift) * spec.module;
-  if (spec.kind == GearKind::bevel) return pitchRadius(spec) + height * std::cos(spec.coneAngle);
-  if (spec.tipRadius > 0) return spec.tipRadius * spec.module;
-  if (spec.kind == GearKind::internal)
-    return pitchRadius(spec) - (spec.addendum - spec.profileShift) * spec.module;
-  return pitchRadius(spec) + height;
+  return wheelKind(spec.kind).tipRadius(spec);
 }
 
 double nominalRootRadius(const GearSpec& spec) {
-  const double depth = (spec.dedendum - spec.profileShift) * spec.module;
-  if (spec.kind == GearKind::bevel) return pitchRadius(spec) - depth * std::cos(spec.coneAngle);
-  if (spec.kind == GearKind::internal)
-    return pitchRadius(spec) + (spec.dedendum + spec.profileShift) * spec.module;
-  return pitchRadius(spec) - depth;
+  return wheelKind(spec.kind).rootRadius(spec);
 }
 
 }  // namespace geargraph::inline teeth

@@ -5,6 +5,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/sampling.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline teeth {
 namespace {
@@ -74,7 +75,7 @@ void addFillet(const RingSpace& s, double halfPitch, double tolerance, HalfTooth
 }  // namespace
 
 HalfTooth ringTooth(const GearSpec& spec, double tolerance) {
-  GEARGRAPH_REQUIRE(spec.kind == GearKind::internal);
+  GEARGRAPH_REQUIRE(isRing(spec));
   const RingSpace s(spec);
   const double halfPitch = pi / spec.teeth;
   HalfTooth tooth;

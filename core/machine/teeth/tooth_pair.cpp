@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/machine/teeth/involute.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline teeth {
 namespace {
@@ -31,34 +32,15 @@ ActiveFlank planeFlank(const GearSpec& spec, const HalfTooth& tooth) {
   return {roll(tooth.formRad), roll(tooth.tipRad)};
 }
 
-/// On the great circle through the pitch point that makes the pressure angle with the pitch cones' common
-/// plane a point has the colatitude c with cos c = cos(arc) cos(base cone): for crowns and internal cones,
-/// too.
-double bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
-                         const HalfTooth& toothB) {
-  const auto baseCosine = [](const GearSpec& spec) {
-    const double sine = std::sin(spec.coneAngle) * std::cos(spec.pressureAngle);
-    return std::sqrt(1 - sine * sine);
-  };
-  const auto arc = [&](const GearSpec& spec, double colatitude) {
-    return std::acos(std::clamp(std::cos(colatitude) / baseCosine(spec), -1.0, 1.0));
-  };
-  const double line = arc(a, a.coneAngle) + arc(b, b.coneAngle);
-  const double begin = std::max(arc(a, toothA.formRad), line - arc(b, toothB.tipRad));
-  const double end = std::min(arc(a, toothA.tipRad), line - arc(b, toothB.formRad));
-  const double basePitch = 2 * std::numbers::pi * std::sin(a.coneAngle) * std::cos(a.pressureAngle) / a.teeth;
-  return (end - begin) / basePitch;
-}
-
 }  // namespace
 
 double fewestTeethWithoutUndercut(const GearSpec& spec) {
   const double flat = 2 * (spec.addendum - spec.profileShift) / squareOfSine(spec);
-  return spec.kind == GearKind::bevel ? flat * std::cos(spec.coneAngle) : flat;
+  return flat * wheelKind(spec.kind).shareOfVirtual(spec);
 }
 
 double leastShiftWithoutUndercut(const GearSpec& spec) {
-  const double teeth = spec.kind == GearKind::bevel ? spec.teeth / std::cos(spec.coneAngle) : spec.teeth;
+  const double teeth = spec.teeth / wheelKind(spec.kind).shareOfVirtual(spec);
   return spec.addendum - teeth * squareOfSine(spec) / 2;
 }
 
@@ -90,9 +72,31 @@ double trochoidMargin(const GearSpec& pinion, const GearSpec& ring, double dista
 
 double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b, const HalfTooth& toothB,
                     double distance) {
-  if (a.kind == GearKind::bevel) return bevelContactRatio(a, toothA, b, toothB);
-  if (a.kind == GearKind::internal) return contactRatio(b, toothB, a, toothA, distance);
-  const bool inRing = b.kind == GearKind::internal;
+  return wheelKind(a.kind).contactRatio(a, toothA, b, toothB, distance);
+}
+
+/// On the great circle through the pitch point that makes the pressure angle with the pitch cones' common
+/// plane a point has the colatitude c with cos c = cos(arc) cos(base cone): for crowns and internal cones,
+/// too.
+double bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                         const HalfTooth& toothB, double /*distance*/) {
+  const auto baseCosine = [](const GearSpec& spec) {
+    const double sine = std::sin(spec.coneAngle) * std::cos(spec.pressureAngle);
+    return std::sqrt(1 - sine * sine);
+  };
+  const auto arc = [&](const GearSpec& spec, double colatitude) {
+    return std::acos(std::clamp(std::cos(colatitude) / baseCosine(spec), -1.0, 1.0));
+  };
+  const double line = arc(a, a.coneAngle) + arc(b, b.coneAngle);
+  const double begin = std::max(arc(a, toothA.formRad), line - arc(b, toothB.tipRad));
+  const double end = std::min(arc(a, toothA.tipRad), line - arc(b, toothB.formRad));
+  const double basePitch = 2 * std::numbers::pi * std::sin(a.coneAngle) * std::cos(a.pressureAngle) / a.teeth;
+  return (end - begin) / basePitch;
+}
+
+double planeContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                         const HalfTooth& toothB, double distance) {
+  const bool inRing = isRing(b);
   const double working =
       workingPressureAngle(inRing ? b.teeth - a.teeth : a.teeth + b.teeth, distance, a.pressureAngle);
   const double line = distance * std::sin(working);  // between the points where it leaves the base circles

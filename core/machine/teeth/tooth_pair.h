@@ -30,4 +30,10 @@ namespace geargraph::inline teeth {
 [[nodiscard]] double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
                                   const HalfTooth& toothB, double distance);
 
+/// contactRatio() by kinds: of two wheels on parallel axes, `b` a ring or not; of two bevels.
+[[nodiscard]] double planeContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                                       const HalfTooth& toothB, double distance);
+[[nodiscard]] double bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                                       const HalfTooth& toothB, double distance);
+
 }  // namespace geargraph::inline teeth

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/foundations/base/words.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
@@ -136,10 +137,10 @@ std::string planetAdvice(const Mechanism& mechanism, const GearTrain& train, con
                         fixedText(std::abs(residual) * 360 / perTurn, 3)});
   int sun = set.centralA;
   int ring = set.centralB;
-  if (Epicyclic::gear(train, sun).spec.kind == GearKind::internal) std::swap(sun, ring);
+  if (isRing(Epicyclic::gear(train, sun).spec)) std::swap(sun, ring);
   const TrainGear& inner = Epicyclic::gear(train, sun);
   const TrainGear& outer = Epicyclic::gear(train, ring);
-  if (inner.spec.kind != GearKind::external || outer.spec.kind != GearKind::internal) return text + ".";
+  if (!isDisc(inner.spec) || !isRing(outer.spec)) return text + ".";
   return text + countAdvice(inner, outer, planet, planetsOf(train, sun)) + ".";
 }
 

@@ -18,7 +18,7 @@ Outline outlineOf(const TrainWheel& wheel, const TrainWheel& along) {
   const double origin = (wheel.origin - along.origin).dot(along.axis);
   const double sense = wheel.axis.dot(along.axis);
   Outline outline;
-  for (const ProfileVertex& c : bevelOutline(wheel.spec))
+  for (const ProfileVertex& c : wheelOutline(wheel.spec))
     outline.emplace_back(c.radius, origin + sense * c.height);
   return outline;
 }

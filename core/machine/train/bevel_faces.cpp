@@ -51,7 +51,7 @@ class FaceShortener {
     for (std::size_t next = 0; next < found.size(); ++next) {
       for (const std::size_t p : m_pairsOf[found[next]]) {
         const TrainPair& pair = m_train.pairs[p];
-        if (pair.kind != MeshKind::bevel || !pair.openFace) return {};
+        if (!hasIntersectingAxes(pair.kind) || !pair.openFace) return {};
         const GearOrdinal partner = pair.tail == found[next] ? pair.head : pair.tail;
         if (std::find(found.begin(), found.end(), partner) == found.end()) found.push_back(partner);
       }
@@ -79,7 +79,7 @@ class FaceShortener {
 
 void shortenFaces(TrainWheels& train, const Placement& placement, const std::stop_token& stop) {
   const bool open = std::any_of(train.pairs.begin(), train.pairs.end(), [](const TrainPair& pair) {
-    return pair.kind == MeshKind::bevel && pair.openFace;
+    return hasIntersectingAxes(pair.kind) && pair.openFace;
   });
   if (!open) return;
   // In the order of meshes, of each the smaller wheel first: tail and head make no difference.

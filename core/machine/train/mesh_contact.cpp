@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/machine/teeth/involute.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_wheels.h"
 
 namespace geargraph::inline train {
@@ -19,12 +20,11 @@ struct PlaneGear {
 };
 
 PlaneGear planeGear(const GearSpec& spec) {
-  if (spec.kind == GearKind::bevel) {
-    const double teeth = spec.teeth / std::cos(spec.coneAngle);
+  if (isConical(spec)) {
+    const double teeth = spec.teeth / wheelKind(spec.kind).shareOfVirtual(spec);
     return {teeth, teeth / 2 + spec.addendum + spec.profileShift, teeth < 0};
   }
-  return {static_cast<double>(spec.teeth), nominalTipRadius(spec) / spec.module,
-          spec.kind == GearKind::internal};
+  return {static_cast<double>(spec.teeth), nominalTipRadius(spec) / spec.module, isRing(spec)};
 }
 
 /// From the pitch point to where contact ends at this gear's tip, in base pitches: no further than where the
@@ -46,17 +46,16 @@ MeshContact contactOf(const TrainPair& pair, const GearSpec& tailSpec, const Gea
   MeshContact contact;
   const double angle = tailSpec.pressureAngle;
   contact.pressureAngle = angle;
-  if (pair.kind != MeshKind::bevel) {
-    const int sum = pair.kind == MeshKind::internal ? std::abs(headSpec.teeth - tailSpec.teeth)
-                                                    : headSpec.teeth + tailSpec.teeth;
+  if (hasParallelAxes(pair.kind)) {
+    const int sum = distanceTeeth(pair.kind, tailSpec.teeth, headSpec.teeth);
     contact.pressureAngle = workingPressureAngle(sum, pair.distance / tailSpec.module, angle);
   }
   contact.tailAddendum = addendumRatio(tail, head, angle, contact.pressureAngle);
   contact.headAddendum = addendumRatio(head, tail, angle, contact.pressureAngle);
   // A crown gear has no virtual teeth: 1 / z is 0.
   const auto inverse = [](const PlaneGear& gear) { return std::isfinite(gear.teeth) ? 1 / gear.teeth : 0; };
-  contact.slidingTeeth = pair.kind == MeshKind::internal ? std::abs(inverse(tail) - inverse(head))
-                                                         : std::abs(inverse(tail) + inverse(head));
+  contact.slidingTeeth =
+      hasRing(pair.kind) ? std::abs(inverse(tail) - inverse(head)) : std::abs(inverse(tail) + inverse(head));
   return contact;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/foundations/base/words.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
@@ -52,9 +53,8 @@ class NeighbourFinder {
 void NeighbourFinder::addPlanet(int centre, int planet, LinkOrdinal carrier) {
   const TrainGear& middle = gear(centre);
   const TrainGear& round = gear(planet);
-  if (round.spec.kind == GearKind::internal || round.spec.coneAngle > pi / 2)
-    return;  // a ring about the centre
-  const bool bevel = round.spec.kind == GearKind::bevel;
+  if (isRing(round.spec) || round.spec.coneAngle > pi / 2) return;  // a ring about the centre
+  const bool bevel = isConical(round.spec);
   const Vector3d out = bevel ? Vector3d(round.pose.linear().col(2))
                              : Vector3d(round.pose.translation() - middle.pose.translation());
   const Vector3d seen = middle.pose.linear().transpose() * out;
@@ -63,7 +63,7 @@ void NeighbourFinder::addPlanet(int centre, int planet, LinkOrdinal carrier) {
 
 double NeighbourFinder::overlap(const TrainGear& a, const TrainGear& b) {
   const Vector3d axis = a.pose.linear().col(2);
-  if (a.spec.kind == GearKind::bevel) {
+  if (isConical(a.spec)) {
     const auto tipCone = [](const GearSpec& spec) {
       return spec.coneAngle +
              std::atan((spec.addendum + spec.profileShift) * spec.module / coneDistance(spec));
@@ -101,7 +101,7 @@ void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const 
   const double orbit =
       (a.pose.translation() - centre.pose.translation()).cross(Vector3d(centre.pose.linear().col(2))).norm();
   const double tip = nominalTipRadius(a.spec);
-  if (a.spec == b.spec && a.spec.kind == GearKind::external && tip < orbit) {
+  if (a.spec == b.spec && isDisc(a.spec) && tip < orbit) {
     message += translated("At most %1 of them fit round it, at equal distances.",
                           {std::to_string(static_cast<int>(pi / std::asin(tip / orbit)))});
   } else {

@@ -7,6 +7,7 @@
 
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 #include "core/mechanism/placement/planet_groups.h"
 
@@ -145,7 +146,7 @@ bool PlanetSet::findGears() {
 Eigen::Vector3d PlanetSet::axisOf(const EqualLinks& of, std::size_t planet) const {
   const Gears& gears = of.gears[planet];
   for (const GearOrdinal g : gears)
-    if (gear(g).spec.kind == GearKind::bevel) return wheel(g).axis;
+    if (isConical(gear(g).spec)) return wheel(g).axis;
   const Eigen::Vector3d own = wheel(gears.front()).axis;
   return own.dot(wheel(of.gears.front().front()).axis) < 0 ? Eigen::Vector3d(-own) : own;
 }
@@ -183,7 +184,7 @@ std::pair<double, double> PlanetSet::orbitAndTip() const {
   if (m_links.size() != 1 || central < 0) return {0, 0};
   double tip = 0;
   for (const GearOrdinal g : m_links.front().gears.front()) {
-    if (gear(g).spec.kind != GearKind::external) return {0, 0};
+    if (!isDisc(gear(g).spec)) return {0, 0};
     tip = std::max(tip, nominalTipRadius(gear(g).spec));
   }
   const PhaseWheel planet = wheel(m_links.front().gears.front().front());

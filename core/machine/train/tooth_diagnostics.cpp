@@ -6,6 +6,7 @@
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
@@ -24,18 +25,6 @@ std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear)
   elements.emplace_back(mechanism.links[gear.link].id);
   if (gear.wheel) elements.emplace_back(*gear.wheel);
   return elements;
-}
-
-HalfTooth toothOf(const GearSpec& spec) {
-  switch (spec.kind) {
-    case GearKind::internal:
-      return ringTooth(spec, kDiagnosticTolerance);
-    case GearKind::bevel:
-      return bevelTooth(spec, kDiagnosticTolerance);
-    case GearKind::external:
-      break;
-  }
-  return externalTooth(spec, kDiagnosticTolerance);
 }
 
 class ToothFinder {
@@ -81,7 +70,11 @@ void ToothFinder::addGear(const TrainGear& gear) {
         blamed(m_mechanism, gear));
     return;
   }
-  m_teeth.emplace_back(toothOf(spec));
+  if (!isToothed(spec)) {
+    m_teeth.emplace_back();
+    return;
+  }
+  m_teeth.emplace_back(toothOf(spec, kDiagnosticTolerance));
   const HalfTooth& tooth = *m_teeth.back();
   if (tooth.undercut) {
     Diagnostic undercut;
@@ -116,11 +109,11 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
                                        std::to_string(tail.spec.teeth), std::to_string(head.spec.teeth)});
   const double distance = distanceOf(tail, head);
   addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
-  if (tail.spec.kind == GearKind::bevel) {
+  if (isConical(tail.spec)) {
     addFace(tail.spec, pair, id);
-  } else if (tail.spec.kind == GearKind::internal) {
+  } else if (isRing(tail.spec)) {
     addRing(head.spec, tail.spec, distance, id);
-  } else if (head.spec.kind == GearKind::internal) {
+  } else if (isRing(head.spec)) {
     addRing(tail.spec, head.spec, distance, id);
   }
 }

@@ -3,6 +3,7 @@
 #include "core/foundations/base/words.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/teeth/phase.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
 namespace geargraph::inline train {
@@ -45,7 +46,7 @@ std::string overlapAdvice(const Mechanism& mechanism, const TrainGear& one, cons
       statesFace = statesFace || mechanism.gearMeshes[mesh].faceWidth.has_value();
     }
   }
-  const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
+  const bool bevels = isConical(one.spec) && isConical(other.spec);
   if (bevels && statesFace)
     return translated("Use smaller face widths, or leave them or a pitch point open.");
   if (bevels && statesPoint) return translated("Move a pitch point on its axes, or leave it open.");

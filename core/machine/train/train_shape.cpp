@@ -10,6 +10,7 @@
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_wheels.h"
 
 namespace geargraph::inline train {
@@ -25,7 +26,7 @@ class Groups {
   explicit Groups(const TrainWheels& train) : m_parent(train.wheels.size()) {
     std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
     for (const TrainPair& pair : train.pairs) {
-      if (pair.kind != MeshKind::bevel) m_parent[root(pair.tail)] = root(pair.head);
+      if (hasParallelAxes(pair.kind)) m_parent[root(pair.tail)] = root(pair.head);
     }
   }
   std::size_t root(GearOrdinal wheel) {
@@ -50,21 +51,21 @@ constexpr double kAngleStep = 1e-7;
 int teethSum(const TrainPair& pair, const TrainWheels& train) {
   const int tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec.teeth;
   const int head = train.wheels[static_cast<std::size_t>(pair.head)].spec.teeth;
-  return pair.kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
+  return distanceTeeth(pair.kind, tail, head);
 }
 
 void setModules(TrainWheels& train) {
   Groups groups(train);
   std::vector<double> module(train.wheels.size(), 0);
   for (const TrainPair& pair : train.pairs) {
-    if (pair.kind == MeshKind::bevel) continue;
+    if (!hasParallelAxes(pair.kind)) continue;
     const double wanted = 2 * pair.distance / teethSum(pair, train);
     double& least = module[groups.root(pair.tail)];
     if (least == 0 || wanted < least) least = wanted;
   }
   for (const GearOrdinal w : train.wheels.ordinals()) {
     GearSpec& spec = train.wheels[w].spec;
-    if (spec.kind != GearKind::bevel) spec.module = module[groups.root(static_cast<int>(w))];
+    if (!isConical(spec)) spec.module = module[groups.root(static_cast<int>(w))];
     spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
     spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
   }
@@ -125,10 +126,10 @@ class ShiftSolver {
     for (const TrainPair& pair : train.pairs) {
       const GearSpec& spec = train.wheels[pair.tail].spec;
       wanted.push_back(
-          pair.kind == MeshKind::bevel
-              ? 0
-              : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
-                        kShiftStep));
+          hasParallelAxes(pair.kind)
+              ? rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
+                        kShiftStep)
+              : 0);
     }
     m_classOf = equalWheels(train, wanted, fixed);
     m_shifts.resize(train.wheels.size(), 0);
@@ -139,7 +140,7 @@ class ShiftSolver {
     }
     std::set<ShiftEquation> known;
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
-      if (train.pairs[p].kind == MeshKind::bevel) continue;
+      if (!hasParallelAxes(train.pairs[p].kind)) continue;
       const ShiftEquation equation = equationOf(train, train.pairs[p], wanted[p]);
       if (known.insert(equation).second) m_equations.push_back(equation);
     }
@@ -162,7 +163,7 @@ class ShiftSolver {
   [[nodiscard]] ShiftEquation equationOf(const TrainWheels& train, const TrainPair& pair,
                                          double wanted) const {
     const auto sign = [&](GearOrdinal wheel) -> double {
-      return pair.kind == MeshKind::internal && train.wheels[wheel].spec.kind == GearKind::external ? -1 : 1;
+      return hasRing(pair.kind) && !isRing(train.wheels[wheel].spec) ? -1 : 1;
     };
     return {m_classOf[static_cast<std::size_t>(pair.tail)], m_classOf[static_cast<std::size_t>(pair.head)],
             sign(pair.tail), sign(pair.head), wanted};
@@ -199,7 +200,7 @@ void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::st
 /// A bevel pair's shifts cancel out, so that the pitch cones stay the working cones.
 void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
   for (const TrainPair& pair : train.pairs) {
-    if (pair.kind != MeshKind::bevel) continue;
+    if (!hasIntersectingAxes(pair.kind)) continue;
     const auto a = static_cast<std::size_t>(pair.tail);
     const auto b = static_cast<std::size_t>(pair.head);
     if (fixed[a] && !fixed[b]) train.wheels[b].spec.profileShift = -train.wheels[a].spec.profileShift;
@@ -208,7 +209,7 @@ void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
 }
 
 double defaultFace(const GearSpec& spec) {
-  if (spec.kind != GearKind::bevel) return kDefaultSpurFace * spec.module;
+  if (!isConical(spec)) return kDefaultSpurFace * spec.module;
   return std::min(coneDistance(spec) / 3, kMaxBevelFace * spec.module);
 }
 
@@ -227,7 +228,7 @@ void setFaces(const Mechanism& mechanism, TrainWheels& train) {
     for (const GearOrdinal w : {pair.tail, pair.head}) {
       const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
       double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec);
-      if (wheel.spec.kind == GearKind::bevel) face = std::min(face, 0.6 * coneDistance(wheel.spec));
+      if (isConical(wheel.spec)) face = std::min(face, 0.6 * coneDistance(wheel.spec));
       const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
       const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
       Cover& cover = covers[w];
@@ -249,23 +250,23 @@ void setFaces(const Mechanism& mechanism, TrainWheels& train) {
 void setTips(TrainWheels& train) {
   const auto lower = [](GearSpec& spec, double tip) {
     const double now = nominalTipRadius(spec) / spec.module;
-    if (spec.kind == GearKind::internal ? tip > now : tip < now) spec.tipRadius = tip;
+    if (isRing(spec) ? tip > now : tip < now) spec.tipRadius = tip;
   };
   for (const TrainPair& pair : train.pairs) {
     GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
     GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
-    if (pair.kind != MeshKind::external) continue;
+    if (!isBesideEachOther(pair.kind)) continue;
     const double k = tipShortening(tail, head, pair.distance / tail.module);
     if (k > -1e-9) continue;
     for (GearSpec* spec : {&tail, &head})
       lower(*spec, spec->teeth / 2.0 + spec->addendum + spec->profileShift + k);
   }
   for (const TrainPair& pair : train.pairs) {
-    if (pair.kind != MeshKind::internal) continue;
+    if (!hasRing(pair.kind)) continue;
     GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
     GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
-    GearSpec& ring = tail.kind == GearKind::internal ? tail : head;
-    const GearSpec& pinion = tail.kind == GearKind::internal ? head : tail;
+    GearSpec& ring = isRing(tail) ? tail : head;
+    const GearSpec& pinion = isRing(tail) ? head : tail;
     if (specDiagnostics(pinion).empty()) lower(ring, leastRingTip(pinion, ring, pair.distance / ring.module));
   }
 }

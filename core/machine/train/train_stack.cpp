@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/stack_order.h"
 #include "core/machine/train/wheel_envelopes.h"
 
@@ -46,7 +47,7 @@ std::vector<Plane> planesOf(const TrainWheels& train) {
   for (const TrainPair& pair : train.pairs) {
     const int a = planeOf[static_cast<std::size_t>(pair.tail)];
     const int b = planeOf[static_cast<std::size_t>(pair.head)];
-    if (pair.kind != MeshKind::bevel && a != b) join(std::max(a, b), std::min(a, b));
+    if (hasParallelAxes(pair.kind) && a != b) join(std::max(a, b), std::min(a, b));
   }
   for (const TrainPair& pair : train.pairs) {
     if (!pair.movable)
@@ -259,8 +260,8 @@ void stackWheels(TrainWheels& train, const Placement& placement, const std::stop
   if (train.wheels.empty()) return;  // nor need there be a tree
   std::vector<Plane> planes = planesOf(train);
   std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) { return !plane.movable; });
-  const auto isRing = [](const TrainWheel& wheel) { return wheel.spec.kind == GearKind::internal; };
-  const auto rings = std::count_if(train.wheels.begin(), train.wheels.end(), isRing);
+  const auto rings = std::count_if(train.wheels.begin(), train.wheels.end(),
+                                   [](const TrainWheel& wheel) { return isRing(wheel.spec); });
   const double gap = rings > 1 ? kLinkedGap : kPlaneGap;
   const PlaneStacker stacker(train, planes, placement, gap, stop);
   std::vector<Vector3d> moves = stacker.nearest();

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/machine/teeth/wheel_kind.h"
+#include "core/machine/train/pair_wheels.h"
 #include "core/machine/train/wheel_sharing.h"
 
 namespace geargraph::inline train {
@@ -44,7 +46,7 @@ class WheelFinder {
 
  private:
   void addPair(MeshOrdinal mesh, const MeshGeometry& geometry);
-  [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const;
+  [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const;
   void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
   [[nodiscard]] std::vector<GearOrdinal> like(const TrainWheel& wheel) const;
@@ -68,16 +70,15 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   pair.mesh = mesh;
   pair.kind = geometry.kind;
   pair.pitchPoint = wide(geometry.pitchPoint);
-  pair.movable = geometry.derived && geometry.kind != MeshKind::bevel;
+  pair.movable = geometry.derived && hasParallelAxes(geometry.kind);
   TrainWheel a;
   TrainWheel b;
-  if (geometry.kind == MeshKind::bevel) {
+  if (hasIntersectingAxes(geometry.kind)) {
     bevelWheels(tail, head, geometry, a, b);
   } else {
-    const bool internal = geometry.kind == MeshKind::internal;
-    pair.distance = internal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius;
-    a = parallelWheel(tail, geometry, internal && tail.teeth > head.teeth);
-    b = parallelWheel(head, geometry, internal && head.teeth > tail.teeth);
+    pair.distance = pairKind(geometry.kind).distance(tail.radius, head.radius);
+    a = parallelWheel(tail, geometry, wheelOf(geometry.kind, tail.teeth, head.teeth));
+    b = parallelWheel(head, geometry, wheelOf(geometry.kind, head.teeth, tail.teeth));
   }
   a.id = tail.named;
   b.id = head.named;
@@ -93,7 +94,7 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   m_train.pairs.push_back(pair);
 }
 
-TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const {
+TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const {
   const AxisLine& line = m_placement.lineOfClass(side.axisClass);
   TrainWheel wheel;
   wheel.link = side.link;
@@ -102,7 +103,7 @@ TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geom
   wheel.origin =
       wide(line.point) + (wide(geometry.pitchPoint) - wide(line.point)).dot(wheel.axis) * wheel.axis;
   wheel.workingRadius = side.radius;
-  wheel.spec = standardGear(ring ? GearKind::internal : GearKind::external, side.teeth, 1, 1);
+  wheel.spec = standardGear(kind, side.teeth, 1, 1);
   return wheel;
 }
 
@@ -127,17 +128,18 @@ void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeom
   if (isCrown(kb) && ka.dot(kb) > 0) kb = -kb;
   const bool between = ka.cross(line).dot(line.cross(kb)) > 0;
   if (!between && !isCrown(ka) && !isCrown(kb)) (tail.radius > head.radius ? ka : kb) *= -1;
-  const auto fill = [&](TrainWheel& wheel, const Side& side, const Vector3d& k) {
+  const auto fill = [&](TrainWheel& wheel, const Side& side, int partnerTeeth, const Vector3d& k) {
     wheel.link = side.link;
     wheel.axisClass = side.axisClass;
     wheel.axis = k;
     wheel.origin = apex;
     wheel.workingRadius = side.radius;
-    wheel.spec = standardGear(GearKind::bevel, side.teeth, 2 * side.radius / side.teeth, 1);
+    const GearKind kind = wheelOf(geometry.kind, side.teeth, partnerTeeth);
+    wheel.spec = standardGear(kind, side.teeth, 2 * side.radius / side.teeth, 1);
     wheel.spec.coneAngle = std::atan2(k.cross(line).norm(), k.dot(line));
   };
-  fill(a, tail, ka);
-  fill(b, head, kb);
+  fill(a, tail, head.teeth, ka);
+  fill(b, head, tail.teeth, kb);
 }
 
 bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
@@ -145,7 +147,7 @@ bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
   if (a.axisClass != b.axisClass || a.spec.teeth != b.spec.teeth || a.spec.kind != b.spec.kind) return false;
   const double scale = a.workingRadius;
   if ((a.origin - b.origin).norm() > 1e-6 * scale) return false;
-  if (a.spec.kind != GearKind::bevel) {
+  if (!isConical(a.spec)) {
     return std::abs(a.workingRadius - b.workingRadius) <= kSameWheel * scale;
   }
   return a.axis.dot(b.axis) > 0 && same(a.workingRadius, b.workingRadius, scale) &&

@@ -29,7 +29,7 @@ struct TrainPair {
   MeshOrdinal mesh = 0;
   GearOrdinal tail;
   GearOrdinal head;
-  MeshKind kind = MeshKind::external;
+  MeshKind kind = kUsualKind;
   Eigen::Vector3d pitchPoint;
   double distance = 0;    ///< of the axes; 0 for bevels
   bool movable = false;   ///< the document leaves the pair's position along the axes open

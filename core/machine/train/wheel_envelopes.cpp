@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/bevel_collision.h"
 #include "core/mechanism/placement/tolerance.h"
 
@@ -31,11 +32,11 @@ DiscHull hullOf(const TrainWheel& wheel, double low, double high, double outer) 
   const auto add = [&](double radius, double height) {
     hull.push_back({narrow(wheel.origin + height * wheel.axis), narrow(wheel.axis), radius});
   };
-  if (spec.kind != GearKind::bevel) {
+  if (!isConical(spec)) {
     add(outer, low);
     add(outer, high);
-  } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
-    for (const ProfileVertex& c : bevelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
+  } else if (spec.coneAngle < kFlattest) {
+    for (const ProfileVertex& c : wheelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
   }
   return hull;
 }
@@ -94,17 +95,16 @@ WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, boo
   envelope.axisClass = wheel.axisClass;
   envelope.low = span.low;
   envelope.high = span.high;
-  envelope.bevel = wheel.spec.kind == GearKind::bevel;
-  const bool ring = wheel.spec.kind == GearKind::internal;
-  if (ring) envelope.inner = nominalTipRadius(wheel.spec);
-  envelope.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+  envelope.bevel = isConical(wheel.spec);
+  if (isRing(wheel.spec)) envelope.inner = nominalTipRadius(wheel.spec);
+  envelope.outer = outerRadius(wheel.spec);
   envelope.orbit = m_orbits[wheel.axisClass];
   envelope.hasArm = hasArms && !envelope.bevel;
   const double arm = envelope.hasArm ? kArmAllowance * wheel.spec.module : 0;
   envelope.hull = hullOf(wheel, envelope.low - arm, envelope.high + arm, envelope.outer);
   double low = envelope.low - arm, high = envelope.high + arm, outer = envelope.outer;
   if (envelope.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
-    for (const ProfileVertex& c : bevelOutline(wheel.spec)) {
+    for (const ProfileVertex& c : wheelOutline(wheel.spec)) {
       low = std::min(low, c.height);
       high = std::max(high, c.height);
       outer = std::max(outer, c.radius);

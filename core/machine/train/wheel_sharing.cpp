@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/machine/teeth/wheel_kind.h"
+
 namespace geargraph::inline train {
 namespace {
 
@@ -27,7 +29,7 @@ WheelSharing::WheelSharing(const Mechanism& mechanism, const Placement& placemen
 WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
   const double radius = wheel.workingRadius;
   const double module = 2 * radius / wheel.spec.teeth;
-  const bool ring = wheel.spec.kind == GearKind::internal;
+  const bool ring = isRing(wheel.spec);
   return {wheel.link,
           wheel.spec.teeth,
           wheel.axisClass,

@@ -1,0 +1,115 @@
+#include "core/machine/teeth/wheel_kind.h"
+
+#include <cmath>
+
+#include "core/machine/teeth/tooth_pair.h"
+
+namespace geargraph::inline teeth {
+namespace {
+
+double discTip(const GearSpec& spec) {
+  if (spec.tipRadius > 0) return spec.tipRadius * spec.module;
+  return pitchRadius(spec) + (spec.addendum + spec.profileShift) * spec.module;
+}
+
+double discRoot(const GearSpec& spec) {
+  return pitchRadius(spec) - (spec.dedendum - spec.profileShift) * spec.module;
+}
+
+double ringTip(const GearSpec& spec) {
+  if (spec.tipRadius > 0) return spec.tipRadius * spec.module;
+  return pitchRadius(spec) - (spec.addendum - spec.profileShift) * spec.module;
+}
+
+double ringRoot(const GearSpec& spec) {
+  return pitchRadius(spec) + (spec.dedendum + spec.profileShift) * spec.module;
+}
+
+double coneTip(const GearSpec& spec) {
+  return pitchRadius(spec) + (spec.addendum + spec.profileShift) * spec.module * std::cos(spec.coneAngle);
+}
+
+double coneRoot(const GearSpec& spec) {
+  return pitchRadius(spec) - (spec.dedendum - spec.profileShift) * spec.module * std::cos(spec.coneAngle);
+}
+
+double sameAsVirtual(const GearSpec& /*spec*/) {
+  return 1;
+}
+
+double backConeShare(const GearSpec& spec) {
+  return std::cos(spec.coneAngle);
+}
+
+double ringContactRatio(const GearSpec& ring, const HalfTooth& ringTooth, const GearSpec& pinion,
+                        const HalfTooth& pinionTooth, double distance) {
+  return planeContactRatio(pinion, pinionTooth, ring, ringTooth, distance);
+}
+
+constexpr WheelKind kExternalWheel{.name = "external",
+                                   .tipRadius = discTip,
+                                   .rootRadius = discRoot,
+                                   .shareOfVirtual = sameAsVirtual,
+                                   .tooth = externalTooth,
+                                   .contactRatio = planeContactRatio};
+
+constexpr WheelKind kRingWheel{.name = "internal",
+                               .isRing = true,
+                               .cornerRadius = 0.25,
+                               .fewestTeeth = kMinRingTeeth,
+                               .tipRadius = ringTip,
+                               .rootRadius = ringRoot,
+                               .shareOfVirtual = sameAsVirtual,
+                               .tooth = ringTooth,
+                               .contactRatio = ringContactRatio};
+
+constexpr WheelKind kBevelWheel{.name = "bevel",
+                                .isConical = true,
+                                .cornerRadius = 0.30,
+                                .tipRadius = coneTip,
+                                .rootRadius = coneRoot,
+                                .shareOfVirtual = backConeShare,
+                                .tooth = bevelTooth,
+                                .contactRatio = bevelContactRatio};
+
+}  // namespace
+
+KindTable<GearKind, WheelKind>& wheelKinds() {
+  static constinit KindTable<GearKind, WheelKind> table(&kExternalWheel, &kRingWheel, &kBevelWheel);
+  return table;
+}
+
+const WheelKind& wheelKind(GearKind kind) {
+  return wheelKinds()[kind];
+}
+
+std::span<const GearKind> gearKinds() {
+  return wheelKinds().kinds();
+}
+
+std::string_view gearKindName(GearKind kind) {
+  return wheelKind(kind).name;
+}
+
+HalfTooth toothOf(const GearSpec& spec, double tolerance) {
+  GEARGRAPH_REQUIRE(isToothed(spec));
+  return wheelKind(spec.kind).tooth(spec, tolerance);
+}
+
+bool isRing(const GearSpec& spec) {
+  return wheelKind(spec.kind).isRing;
+}
+
+bool isConical(const GearSpec& spec) {
+  return wheelKind(spec.kind).isConical;
+}
+
+bool isToothed(const GearSpec& spec) {
+  return wheelKind(spec.kind).tooth != nullptr;
+}
+
+bool isDisc(const GearSpec& spec) {
+  return !isRing(spec) && !isConical(spec);
+}
+
+}  // namespace geargraph::inline teeth
