@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/teaching/exercises/exercise_entry.h"
+#include "core/teaching/exercises/pair_teaching.h"
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
@@ -51,25 +52,13 @@ Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& rando
   build.accept(right, {{Test::multiple, {}, {right}}});
 
   const std::vector<ElementId> elements{source.meshId(mesh)};
-  const MeshKind kind = source.meshKind(mesh);
-  const char* const signName = kind == MeshKind::internal   ? "internal-as-external"
-                               : kind == MeshKind::external ? "external-as-internal"
-                                                            : "bevel-sign";
-  const std::string signReason =
-      kind == MeshKind::internal
-          ? translated("Mesh %1 is internal: both gears turn the same way, seen from their carrier.", {label})
-      : kind == MeshKind::external
-          ? translated("Mesh %1 is external: its gears turn against each other, seen from their carrier.",
-                       {label})
-          : translated(
-                "The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes.",
-                {label});
+  const PairTeaching& teaching = pairTeaching(source.meshKind(mesh));
   build.wrongMultiple("ratio-upside-down", picked(source.teethRow(mesh, RowChange::upsideDown), joints),
                       translated("You exchange the radii of both gears: the joints on an axis count with the "
                                  "radius of the gear on it."),
                       elements);
-  build.wrongMultiple(signName, picked(source.teethRow(mesh, RowChange::signOfHead), joints), signReason,
-                      elements);
+  build.wrongMultiple(teaching.signMistake, picked(source.teethRow(mesh, RowChange::signOfHead), joints),
+                      filled(translated(std::string_view(teaching.signInRow)), {label}), elements);
   std::vector<Rational> cycle(row.size());
   std::vector<Rational> senseless(row.size());
   for (std::size_t joint = 0; joint < row.size(); ++joint) {

@@ -21,10 +21,10 @@ std::vector<PlanetPair> planetPairs(const ExerciseSource& source) {
   if (graph == nullptr) return pairs;
   const auto& vertices = graph->transferVertices().ofMesh;
   for (MeshOrdinal sunMesh = 0; sunMesh < source.graph().c(); ++sunMesh) {
-    if (source.meshKind(sunMesh) != MeshKind::external) continue;
+    if (!isBesideEachOther(source.meshKind(sunMesh))) continue;
     const TerminalPair& sunPair = *graph->terminal(sunMesh);
     for (MeshOrdinal ringMesh = 0; ringMesh < source.graph().c(); ++ringMesh) {
-      if (source.meshKind(ringMesh) != MeshKind::internal) continue;
+      if (!hasRing(source.meshKind(ringMesh))) continue;
       const TerminalPair& ringPair = *graph->terminal(ringMesh);
       const bool isRingTail = ringPair.tailTeeth > ringPair.headTeeth;
       const int planet = isRingTail ? ringPair.head : ringPair.tail;
@@ -51,7 +51,7 @@ Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random) {
   const MeshOrdinal mesh = random.below(source.graph().c());
   const std::string label = source.meshLabel(mesh);
   const GearMesh& gears = source.mechanism().gearMeshes[mesh];
-  const bool isInternal = source.meshKind(mesh) == MeshKind::internal;
+  const bool isInternal = hasRing(source.meshKind(mesh));
   const bool isRingTail = gears.tailTeeth > gears.headTeeth;
   int above = 1;
   int below = 1;

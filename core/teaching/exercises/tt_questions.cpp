@@ -5,6 +5,7 @@
 
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/teaching/exercises/exercise_entry.h"
+#include "core/teaching/exercises/pair_teaching.h"
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 #include "core/theory/ttgraph/notation.h"
@@ -139,7 +140,7 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
       {label, tail, asText(pair.tailTeeth), head, asText(pair.headTeeth)});
   build.question.formula = "\\omega_{" + tail + comma + "k} = f \\, \\omega_{" + head + comma + "k}";
   build.question.elements = {source.meshId(mesh)};
-  const MeshKind kind = source.meshKind(mesh);
+  const PairTeaching& teaching = pairTeaching(source.meshKind(mesh));
   const bool isSame = pair.sign > 0;
   const std::string right = inWords(factor);
   build.question.rule = isSame ? translated(
@@ -150,32 +151,14 @@ Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& 
                                      "Seen from carrier %1, the gears of mesh %2 turn against each other, "
                                      "each along its own axis: f = %3.",
                                      {source.linkLabel(pair.carrier), label, right});
-  const std::string why =
-      kind == MeshKind::internal
-          ? translated(
-                "Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.",
-                {label, right})
-      : kind == MeshKind::external ? translated(
-                                         "Mesh %1 is external: seen from the carrier, its gears turn against "
-                                         "each other, so that f is %2.",
-                                         {label, right})
-      : isSame ? translated(
-                     "Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f "
-                     "is %2.",
-                     {label, right})
-               : translated(
-                     "Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so "
-                     "that f is %2.",
-                     {label, right});
+  const std::string why = filled(
+      translated(std::string_view(isSame ? teaching.sameWay : teaching.againstEachOther)), {label, right});
   build.field("k", FieldKind::choice, linkLabels(source));
   build.field("f", FieldKind::number, {}, {source.meshId(mesh)});
   build.accept({source.linkLabel(pair.carrier), factor.toString()});
 
   const std::vector<ElementId> elements{source.meshId(mesh)};
-  const char* const signName = kind == MeshKind::internal   ? "internal-as-external"
-                               : kind == MeshKind::external ? "external-as-internal"
-                                                            : "bevel-sign";
-  build.wrongField(signName, 1, {(-factor).toString()}, why, elements);
+  build.wrongField(teaching.signMistake, 1, {(-factor).toString()}, why, elements);
   build.wrongField(
       "ratio-upside-down", 1, {factor.inverse().toString()},
       translated("Your ratio is upside down: the gear with more teeth turns more slowly, f = %1.",

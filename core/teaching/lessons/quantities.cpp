@@ -104,8 +104,7 @@ std::int64_t axesIn(const Mechanism& mechanism, const AnalysisSnapshot& live) {
 
 /// The centre distance of two gears on parallel axes, in halves of their module; 0 for bevels.
 int distanceInTeeth(const MeshGeometry& mesh) {
-  if (mesh.kind == MeshKind::bevel) return 0;
-  return std::abs(mesh.tailTeeth + (mesh.kind == MeshKind::internal ? -mesh.headTeeth : mesh.headTeeth));
+  return hasParallelAxes(mesh.kind) ? distanceTeeth(mesh.kind, mesh.tailTeeth, mesh.headTeeth) : 0;
 }
 
 /// A gear that is in two meshes has one module: between the same axes both need the same distance.

@@ -4,6 +4,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/teaching/derivation/cell_explanation.h"
+#include "core/teaching/exercises/pair_teaching.h"
 #include "core/teaching/paper_check/table_mistakes.h"
 
 namespace geargraph::inline paper_check {
@@ -216,25 +217,14 @@ class TableDifferences {
     }
     const std::string label = m_source.meshLabel(mesh);
     const std::vector<ElementId> elements{m_source.meshId(mesh)};
-    const MeshKind kind = m_source.meshKind(mesh);
-    const bool isBevel = kind == MeshKind::bevel;
-    const bool isInternal = kind == MeshKind::internal;
+    const PairTeaching& teaching = pairTeaching(m_source.meshKind(mesh));
     rows.push_back(
         {"ratio-upside-down",
          translated("You exchange the gears of mesh %1: i%1 belongs to the joints on the tail's axis.",
                     {label}),
          inverse, elements});
-    rows.push_back(
-        {isBevel      ? "bevel-sign"
-         : isInternal ? "internal-as-external"
-                      : "external-as-internal",
-         isBevel ? translated("The sign of bevel mesh %1 follows from its pitch point, seen from both axes.",
-                              {label})
-         : isInternal
-             ? translated("Mesh %1 is internal: its gears turn the same way, seen from the carrier.", {label})
-             : translated("Mesh %1 is external: its gears turn opposite ways, seen from the carrier.",
-                          {label}),
-         headTurned, elements});
+    rows.push_back({teaching.signMistake, filled(translated(std::string_view(teaching.signInTable)), {label}),
+                    headTurned, elements});
     rows.push_back({"sign-and-ratio",
                     translated("The ratio of mesh %1 is upside down and its sign is wrong.", {label}), both,
                     elements});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/theory/ttgraph/terminal_rule.h"
+
 namespace geargraph::inline ttgraph {
 namespace {
 
@@ -12,10 +14,14 @@ Vector3 armTo(const AxisLine& line, const Vector3& point) {
   return from - dot(from, line.direction) * line.direction;
 }
 
+/// As the kind says, where it is known and its gears' sense does not depend on the pitch point.
+std::optional<int> signOfKind(const MeshPose& pose, int sense) {
+  return pose.kind ? terminalRules()[*pose.kind].alongParallels(sense) : std::nullopt;
+}
+
 std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
   const int sense = dot(tail.direction, head.direction) > 0 ? 1 : -1;
-  if (pose.kind == MeshKind::external) return -sense;
-  if (pose.kind == MeshKind::internal) return sense;
+  if (const std::optional<int> sign = signOfKind(pose, sense)) return sign;
   if (pose.pitchPoint == nullptr) return std::nullopt;
   const double between = dot(armTo(tail, *pose.pitchPoint), armTo(head, *pose.pitchPoint));
   if (between == 0) return std::nullopt;
@@ -53,9 +59,7 @@ std::optional<int> meshSign(const MeshPose& pose) {
                : signOfIntersecting(pose, *pose.tailAxis, *pose.headAxis);
   }
   // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
-  if (pose.kind == MeshKind::external) return -1;
-  if (pose.kind == MeshKind::internal) return 1;
-  return std::nullopt;
+  return signOfKind(pose, 1);
 }
 
 }  // namespace geargraph::inline ttgraph

@@ -1,0 +1,54 @@
+#include "core/teaching/exercises/pair_teaching.h"
+
+#include "core/foundations/base/words.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr const char* kExternalFactor = toTranslate(
+    "Mesh %1 is external: seen from the carrier, its gears turn against each other, so that f is %2.");
+
+constexpr const char* kInternalFactor =
+    toTranslate("Mesh %1 is internal: seen from the carrier, its gears turn the same way, so that f is %2.");
+
+constexpr PairTeaching kExternalTeaching{
+    .signMistake = "external-as-internal",
+    .signInRow =
+        toTranslate("Mesh %1 is external: its gears turn against each other, seen from their carrier."),
+    .signInTable = toTranslate("Mesh %1 is external: its gears turn opposite ways, seen from the carrier."),
+    .sameWay = kExternalFactor,
+    .againstEachOther = kExternalFactor};
+
+constexpr PairTeaching kInternalTeaching{
+    .signMistake = "internal-as-external",
+    .signInRow = toTranslate("Mesh %1 is internal: both gears turn the same way, seen from their carrier."),
+    .signInTable = toTranslate("Mesh %1 is internal: its gears turn the same way, seen from the carrier."),
+    .sameWay = kInternalFactor,
+    .againstEachOther = kInternalFactor};
+
+constexpr PairTeaching kBevelTeaching{
+    .signMistake = "bevel-sign",
+    .signInRow =
+        toTranslate("The sign of bevel mesh %1 follows from where its pitch point is, seen from both axes."),
+    .signInTable =
+        toTranslate("The sign of bevel mesh %1 follows from its pitch point, seen from both axes."),
+    .sameWay =
+        toTranslate("Mesh %1 is a bevel mesh: seen from the carrier, its gears turn the same way, so that f "
+                    "is %2."),
+    .againstEachOther =
+        toTranslate("Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so "
+                    "that f is %2.")};
+
+}  // namespace
+
+KindTable<MeshKind, PairTeaching>& pairTeachings() {
+  static constinit KindTable<MeshKind, PairTeaching> table(&kExternalTeaching, &kInternalTeaching,
+                                                           &kBevelTeaching);
+  return table;
+}
+
+const PairTeaching& pairTeaching(MeshKind kind) {
+  return pairTeachings()[kind];
+}
+
+}  // namespace geargraph::inline exercises

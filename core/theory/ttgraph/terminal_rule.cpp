@@ -1,0 +1,30 @@
+#include "core/theory/ttgraph/terminal_rule.h"
+
+namespace geargraph::inline ttgraph {
+namespace {
+
+std::optional<int> againstEachOther(int sense) {
+  return -sense;
+}
+
+std::optional<int> theSameWay(int sense) {
+  return sense;
+}
+
+std::optional<int> asThePointSays(int /*sense*/) {
+  return std::nullopt;
+}
+
+constexpr TerminalRule kExternalTerminals{againstEachOther};
+constexpr TerminalRule kInternalTerminals{theSameWay};
+constexpr TerminalRule kBevelTerminals{asThePointSays};
+
+}  // namespace
+
+KindTable<MeshKind, TerminalRule>& terminalRules() {
+  static constinit KindTable<MeshKind, TerminalRule> table(&kExternalTerminals, &kInternalTerminals,
+                                                           &kBevelTerminals);
+  return table;
+}
+
+}  // namespace geargraph::inline ttgraph
