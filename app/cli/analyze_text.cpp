@@ -58,7 +58,7 @@ std::string elements(const Mechanism& m) {
     const GearMesh& mesh = m.gearMeshes[static_cast<std::size_t>(i)];
     text += rightAligned(std::to_string(m.meshLabel(i)), 5) + "  " + arrow(mesh.tail, mesh.head) + "  " +
             translated("teeth %1 : %2", {std::to_string(mesh.tailTeeth), std::to_string(mesh.headTeeth)}) +
-            (mesh.kind ? "  " + translated(meshKindName(*mesh.kind)) : "") + '\n';
+            (mesh.kind ? "  " + kindWord(*mesh.kind) : "") + '\n';
   }
   return text;
 }

@@ -100,19 +100,16 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
   const std::optional<MeshKind> kind = actions.kindOf(mesh);
   if (!kind) return;
   const GearMesh& element = *mechanism.find(mesh);
-  if (*kind == MeshKind::bevel) {
+  if (hasIntersectingAxes(*kind)) {
     for (const bool ofTail : {true, false}) {
       add(menu,
           tr("Move gear %1 to the other side of the apex")
               .arg(QString::fromStdString(*labelOf(mechanism, ofTail ? element.tail : element.head))),
           {}, [flipSide = actions.flipSide, ofTail] { flipSide(ofTail); });
     }
-  } else {
-    const bool internal = *kind == MeshKind::internal;
-    add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
-        [setMeshKind = actions.setMeshKind, internal] {
-          setMeshKind(internal ? MeshKind::external : MeshKind::internal);
-        });
+  } else if (const std::optional<MeshKind> other = pairKind(*kind).other) {
+    add(menu, hasRing(*other) ? tr("Make it internal") : tr("Make it external"), {},
+        [setMeshKind = actions.setMeshKind, other] { setMeshKind(*other); });
   }
   addTick(menu, tr("Pin the module"), isPinned(element),
           [pin = actions.pin, mesh](bool on) { pin(mesh, on); });

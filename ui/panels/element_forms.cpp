@@ -287,7 +287,8 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
                         "teeth by themselves.")
                          .arg(kMaxFittedMeshes));
   m_kind->setObjectName(QStringLiteral("meshKind"));
-  m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
+  m_kind->addItem(tr("from the geometry"));
+  for (const MeshKind kind : meshKinds()) m_kind->addItem(QString::fromStdString(kindWord(kind)));
   const bool one = elements().size() == 1;
   const GearMesh& first = *this->meshes().front();
   addTeethRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), m_tailTeeth,
@@ -324,7 +325,7 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
                 [index](const PlacedMechanism& before, const ElementId& id) -> Expected<PlacedMechanism> {
                   const MeshId mesh(id.id);
                   if (index <= 0) return unplaced(withMeshKind(before, mesh, std::nullopt));
-                  return withKindFitted(before, mesh, static_cast<MeshKind>(index - 1));
+                  return withKindFitted(before, mesh, meshKinds()[static_cast<std::size_t>(index) - 1]);
                 });
   });
   connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);

@@ -36,7 +36,7 @@ void SetPreview::setMechanism(const Mechanism& mechanism) {
   m_mechanism = mechanism;
   m_placement = placementOf(mechanism);
   m_across = std::any_of(m_placement.meshes.begin(), m_placement.meshes.end(),
-                         [](const auto& mesh) { return mesh && mesh->kind == MeshKind::bevel; });
+                         [](const auto& mesh) { return mesh && hasIntersectingAxes(mesh->kind); });
   update();
 }
 
@@ -69,12 +69,11 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
   QPen pen(qColor(linkColor(m_mechanism.colorNumber(link))), 2.5);
   pen.setCosmetic(true);
   painter.setPen(pen);
-  const bool isRing =
-      mesh.kind == MeshKind::internal && radius > std::abs(tail ? mesh.headRadius : mesh.tailRadius);
+  const bool isRing = hasRing(mesh.kind) && radius > std::abs(tail ? mesh.headRadius : mesh.tailRadius);
   QColor fill = pen.color();
-  fill.setAlphaF(isRing || mesh.kind == MeshKind::bevel ? 0.0F : 0.12F);
+  fill.setAlphaF(isRing || !hasParallelAxes(mesh.kind) ? 0.0F : 0.12F);
   painter.setBrush(fill);
-  if (mesh.kind != MeshKind::bevel) {
+  if (hasParallelAxes(mesh.kind)) {
     painter.drawEllipse((a + b) / 2, radius, radius);
     return;
   }

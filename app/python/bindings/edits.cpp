@@ -31,9 +31,7 @@ std::vector<Id> idsFrom(const std::vector<std::string>& names) {
 
 std::optional<MeshKind> meshKindFrom(const OptionalText& name) {
   if (!name) return std::nullopt;
-  for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
-    if (meshKindName(kind) == *name) return kind;
-  }
+  if (const std::optional<MeshKind> kind = meshKindFrom(*name)) return kind;
   throw py::value_error("The kind of a mesh is external, internal or bevel, not \"" + *name + "\".");
 }
 

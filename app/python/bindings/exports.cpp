@@ -6,6 +6,7 @@
 #include "app/python/bindings/snapshot.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/results/csv_tables.h"
@@ -99,11 +100,6 @@ std::vector<double> numbersOf(const Eigen::Isometry3d& pose) {
 
 py::tuple arraysOf(const Solid& solid) {
   return py::make_tuple(packed(solid.positions), packed(solid.normals), packed(solid.triangles));
-}
-
-std::string_view gearKindName(GearKind kind) {
-  constexpr std::array<std::string_view, 3> kNames = {"external", "internal", "bevel"};
-  return kNames.at(static_cast<std::size_t>(kind));
 }
 
 /// By gear: its name, link, meshes, spec and pose.

@@ -52,24 +52,12 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
   }
 }
 
-const char* textForKind(MeshKind kind) {
-  switch (kind) {
-    case MeshKind::external:
-      return toTranslate("Make %1 external");
-    case MeshKind::internal:
-      return toTranslate("Make %1 internal");
-    case MeshKind::bevel:
-      break;
-  }
-  return toTranslate("Make %1 bevel");
-}
-
 void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
   const std::string name = wordFor(mechanism, mesh.id);
-  for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
+  for (const MeshKind kind : meshKinds()) {
     if (mesh.kind == kind || !mesh.kind) continue;
     fixes.push_back(
-        {filled(translated(textForKind(kind)), {name}),
+        {filled(translated(std::string_view(pairKind(kind).makeIt)), {name}),
          [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }});
   }
 }

@@ -70,7 +70,7 @@ std::vector<TeethChange> teethChanges(const Mechanism& mechanism, const PlanetGr
     for (const int change : {step, -step}) {
       for (const MeshOrdinal ordinal : planet.meshes) {
         const GearMesh& mesh = mechanism.gearMeshes[ordinal];
-        const int opposite = mesh.kind == MeshKind::internal ? change : -change;
+        const int opposite = hasRing(saidKind(mesh)) ? change : -change;
         changes.push_back({mesh.id, mesh.tailTeeth + change, mesh.headTeeth + opposite});
       }
       for (const MeshOrdinal ordinal : planet.meshes) {

@@ -49,7 +49,7 @@ std::optional<PlanetarySet> planetarySetOf(const Mechanism& mechanism, const Dia
   PlanetarySet set;
   for (const ElementId& element : diagnostic.elements) {
     const GearMesh* mesh = mechanism.find(MeshId(element.id));
-    if (mesh == nullptr || mesh->kind != MeshKind::internal) continue;
+    if (mesh == nullptr || !hasRing(saidKind(*mesh))) continue;
     const MeshEnds ends = endsOfInternal(*mesh);
     if (!set.ring.empty() && set.ring != ends.larger) return std::nullopt;
     set.ring = ends.larger;

@@ -206,7 +206,7 @@ class DataWriter {
     const std::string tail = linkName(edge.tail), head = linkName(edge.head);
     const std::string tailTeeth = std::to_string(gears.tailTeeth),
                       headTeeth = std::to_string(gears.headTeeth);
-    const std::string kind = gears.kind ? translated(meshKindName(*gears.kind)) : std::string();
+    const std::string kind = gears.kind ? kindWord(*gears.kind) : std::string();
     std::optional<int> carrier;
     if (m_snapshot.kinematics) {
       const auto& vertices = m_snapshot.kinematics->ttGraph->transferVertices().ofMesh;

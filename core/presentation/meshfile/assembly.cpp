@@ -6,6 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/files/folder.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph::inline meshfile {
 namespace {
@@ -34,12 +35,12 @@ void writeGear(JsonWriter& out, const AssemblyGear& gear, const std::string& fil
   out.beginObject();
   out.member("name", gear.name);
   out.member("file", file);
-  out.member("type", meshKindName(gear.kind));
+  out.member("type", gearKindName(gear.kind));
   out.member("z", gear.teeth);
   out.member("module", gear.module);
   out.member("alpha_deg", gear.pressureAngle * kDegrees);
   out.member("x", gear.profileShift);
-  if (gear.kind == MeshKind::bevel) {
+  if (wheelKind(gear.kind).isConical) {
     out.member("face", gear.width);
     out.member("delta_deg", gear.coneAngle * kDegrees);
     out.member("flank", "spherical_involute");

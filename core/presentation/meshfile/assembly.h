@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mechanism/model/mechanism.h"
+#include "core/machine/teeth/gear_spec.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
 namespace geargraph::inline meshfile {
@@ -15,7 +15,7 @@ namespace geargraph::inline meshfile {
 /// document's unit; `profileShift`, `addendum`, `dedendum` and `rootRadius` in modules; angles in radians.
 struct AssemblyGear {
   std::string name;  ///< "15:tail", "15:head", or one name for a wheel that serves several meshes
-  MeshKind kind = MeshKind::external;  ///< internal: this gear is the ring
+  GearKind kind{};
   int teeth = 0;
   double module = 0;  ///< at the reference circle
   double pressureAngle = 0;

@@ -5,6 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/half_tooth.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/theory/pose/turning_lines.h"
 
 namespace geargraph::inline meshfile {
@@ -22,25 +23,12 @@ Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates
   return sum;
 }
 
-MeshKind kindOf(GearKind kind) {
-  switch (kind) {
-    case GearKind::external:
-      return MeshKind::external;
-    case GearKind::internal:
-      return MeshKind::internal;
-    case GearKind::bevel:
-      return MeshKind::bevel;
-  }
-  return MeshKind::external;
-}
-
 /// The circles where they are not what module, teeth, shift, addendum and dedendum say.
 void setCircles(AssemblyGear& gear, const GearSpec& spec) {
-  if (spec.kind == GearKind::bevel) return;
-  const bool isRing = spec.kind == GearKind::internal;
-  const HalfTooth tooth = isRing ? ringTooth(spec, kScreenTolerance) : externalTooth(spec, kScreenTolerance);
+  if (isConical(spec) || !isToothed(spec)) return;
+  const HalfTooth tooth = toothOf(spec, kScreenTolerance);
   const double pitch = 0.5 * spec.teeth;
-  const double outward = isRing ? -1 : 1;
+  const double outward = isRing(spec) ? -1 : 1;
   const double tip = pitch + outward * spec.addendum + spec.profileShift;
   const double root = pitch - outward * spec.dedendum + spec.profileShift;
   constexpr double kSame = 1e-9;
@@ -51,7 +39,7 @@ void setCircles(AssemblyGear& gear, const GearSpec& spec) {
 AssemblyGear assemblyGear(const TrainGear& source, const GearSpec& spec, std::shared_ptr<const Solid> solid) {
   AssemblyGear gear;
   gear.name = source.name;
-  gear.kind = kindOf(spec.kind);
+  gear.kind = spec.kind;
   gear.teeth = spec.teeth;
   gear.module = spec.module;
   gear.pressureAngle = spec.pressureAngle;

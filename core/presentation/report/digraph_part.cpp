@@ -13,18 +13,6 @@ std::string counted(int count, const char* one, const char* many) {
   return filled(translated(count == 1 ? one : many), {std::to_string(count)});
 }
 
-const char* wordOf(MeshKind kind) {
-  switch (kind) {
-    case MeshKind::external:
-      return toTranslate("external");
-    case MeshKind::internal:
-      return toTranslate("internal");
-    case MeshKind::bevel:
-      break;
-  }
-  return toTranslate("bevel");
-}
-
 class DigraphPart : private ReportPart {
  public:
   DigraphPart(Report& report, const AnalysisSnapshot& snapshot)
@@ -122,7 +110,7 @@ class DigraphPart : private ReportPart {
           {plainWords(std::to_string(m_mechanism.meshLabel(i))), plainWords(m_labels[mesh.tail]),
            plainWords(m_labels[mesh.head]),
            plainWords(std::to_string(mesh.tailTeeth) + " : " + std::to_string(mesh.headTeeth)),
-           plainWords(mesh.kind ? translated(wordOf(*mesh.kind)) : std::string())});
+           plainWords(mesh.kind ? kindWord(*mesh.kind) : std::string())});
     }
     if (!table.rows.empty()) put(std::move(table));
   }

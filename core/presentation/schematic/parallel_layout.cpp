@@ -4,8 +4,10 @@
 #include <set>
 #include <utility>
 
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/schematic/radial_system.h"
 #include "core/presentation/schematic/sheet_layout.h"
+#include "core/presentation/schematic/wheel_symbol.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -131,9 +133,9 @@ class Roller {
     if (std::abs(m_along[w] - m_along[v]) > 0.45 * (a.spec.faceWidth + b.spec.faceWidth)) return false;
     const double apart = std::abs(m_height[a.axisClass] - m_height[b.axisClass]);
     const double slack = 0.02 * std::min(a.workingRadius, b.workingRadius);
-    if (a.spec.kind == GearKind::internal && b.spec.kind == GearKind::internal) return apart < slack;
-    if (a.spec.kind == GearKind::internal) return apart + b.workingRadius > a.workingRadius + slack;
-    if (b.spec.kind == GearKind::internal) return apart + a.workingRadius > b.workingRadius + slack;
+    if (isRing(a.spec) && isRing(b.spec)) return apart < slack;
+    if (isRing(a.spec)) return apart + b.workingRadius > a.workingRadius + slack;
+    if (isRing(b.spec)) return apart + a.workingRadius > b.workingRadius + slack;
     return apart < a.workingRadius + b.workingRadius - slack;
   }
 
@@ -207,7 +209,7 @@ std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheel
     }
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
       const TrainPair& pair = train.pairs[p];
-      system.contacts.push_back({pair.tail, pair.head, pair.kind == MeshKind::internal, !givenUp[p]});
+      system.contacts.push_back({pair.tail, pair.head, hasRing(pair.kind), !givenUp[p]});
     }
     system.settle(stop);
     bool more = false;
@@ -293,7 +295,7 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
     wheel.low = layout.stretched(*low);
     wheel.high = layout.stretched(*high);
     wheel.at = (wheel.low + wheel.high) / 2;
-    wheel.radius = system.wheels[w].radius * layout.scale + (wheel.isRing() ? kBarGap : -kBarGap);
+    wheel.radius = system.wheels[w].radius * layout.scale + wheelSymbol(wheel.kind).side * kBarGap;
     wheel.barFrom = {wheel.low - kBarHalf, wheel.radius};
     wheel.barTo = {wheel.high + kBarHalf, wheel.radius};
     wheel.outward = {0, wheel.isRing() ? -1.0 : 1.0};

@@ -7,6 +7,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
+#include "core/presentation/schematic/wheel_symbol.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -137,7 +138,7 @@ void SectionBuilder::addWheel(std::size_t w) {
          on.at(wheel.barTo.x, side * wheel.barTo.y), kLinkWidth);
     m_hold = turns ? kHoldOnWheel : kNoHold;
     const double foot = wheel.isRing() ? wheel.radius + kRimHeight : lane;
-    if (own || wheel.isRing() || wheel.kind == GearKind::external) {
+    if (own || wheelSymbol(wheel.kind).frame != FrameSymbol::behind) {
       line(wheel.link, on.at(wheel.at, side * foot), on.at(wheel.at, side * wheel.radius), kLinkWidth);
     }
   }
@@ -152,13 +153,13 @@ void SectionBuilder::addWheel(std::size_t w) {
 void SectionBuilder::addFrame(const SheetWheel& wheel) {
   const SheetAxis& on = axis(wheel.axis);
   for (const double side : sides(wheel.axis)) {
-    if (wheel.isRing()) {
+    if (wheelSymbol(wheel.kind).frame == FrameSymbol::rim) {
       const double rim = side * (wheel.radius + kRimHeight);
       const SheetPoint from = on.at(wheel.at - kHubHalf - 2, rim);
       const SheetPoint to = on.at(wheel.at + kHubHalf + 2, rim);
       line(0, from, to, kLinkWidth);
       hatch(idOf(0), from, to, side * on.up);
-    } else if (wheel.kind == GearKind::bevel) {
+    } else if (wheelSymbol(wheel.kind).frame == FrameSymbol::behind) {
       const SheetPoint back = -10.0 * wheel.outward;
       const SheetPoint a = wheel.barFrom + back;
       const SheetPoint b = wheel.barTo + back;

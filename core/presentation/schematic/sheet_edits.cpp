@@ -69,7 +69,7 @@ Expected<Mechanism> withCarriedLink(Mechanism mechanism, LinkId carrier, AxisId 
 std::optional<int> teethOf(const Mechanism& mechanism, const Placement& placement, int link, int axisClass) {
   for (std::size_t m = 0; m + 1 < mechanism.gearMeshes.size(); ++m) {  // the last one is new
     const auto& geometry = placement.meshes[m];
-    if (!geometry || geometry->kind == MeshKind::bevel) continue;
+    if (!geometry || !hasParallelAxes(geometry->kind)) continue;
     if (geometry->tail == link && geometry->tailClass == axisClass) return mechanism.gearMeshes[m].tailTeeth;
     if (geometry->head == link && geometry->headClass == axisClass) return mechanism.gearMeshes[m].headTeeth;
   }
@@ -174,7 +174,7 @@ Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame&
   if (!drawn) return drawn;
   const Placement& placement = drawn->placement();
   const auto& geometry = placement.meshes.back();
-  if (!geometry || geometry->kind == MeshKind::bevel) return drawn;
+  if (!geometry || !hasParallelAxes(geometry->kind)) return drawn;
   const AxisLine& a = placement.lineOfClass(geometry->tailClass);
   const AxisLine& b = placement.lineOfClass(geometry->headClass);
   const double distance = length(cross(a.direction, b.point - a.point));
@@ -195,7 +195,7 @@ Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame&
   }
   const MeshId id = drawn->mechanism().gearMeshes.back().id;
   Expected<Mechanism> next = withTeeth(*drawn, id, teeth.tail, teeth.head);
-  if (next && ring != RingOf::neither) next = withMeshKind(std::move(next).value(), id, MeshKind::internal);
+  if (next && ring != RingOf::neither) next = withMeshKind(std::move(next).value(), id, ringKind());
   Expected<PlacedMechanism> fits = unplaced(std::move(next));
   return fits && tail && head ? withMeshSnapped(*fits, id) : fits;
 }

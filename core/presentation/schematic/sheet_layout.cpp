@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mechanism/placement/tolerance.h"
+#include "core/presentation/schematic/wheel_symbol.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -32,6 +33,10 @@ void collectAxes(const DrawnPart& part, const Placement& placement, SheetLayout&
 }
 
 }  // namespace
+
+bool isInFrame(const SheetWheel& wheel) {
+  return wheel.link == 0 && wheelSymbol(wheel.kind).frame != FrameSymbol::hub;
+}
 
 double SheetLayout::stretched(double coordinate) const {
   if (planes.empty()) return coordinate * scale;

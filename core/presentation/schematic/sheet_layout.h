@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/foundations/base/triple.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_wheels.h"
 #include "core/presentation/drawing/planar.h"
 #include "core/presentation/schematic/drawn_part.h"
@@ -39,7 +40,7 @@ struct SheetAxis {
 struct SheetWheel {
   int link = 0;
   int axis = 0;  ///< of the layout
-  GearKind kind = GearKind::external;
+  GearKind kind{};
   std::vector<MeshOrdinal> meshes;
   double space = 0;  ///< coordinate along the axis in space
   double at = 0;     ///< where its body is on the axis
@@ -49,13 +50,11 @@ struct SheetWheel {
   SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
   SheetPoint barTo;
   SheetPoint outward;  ///< unit (coordinate, height): from the pitch line into the partner
-  [[nodiscard]] bool isRing() const { return kind == GearKind::internal; }
+  [[nodiscard]] bool isRing() const { return wheelKind(kind).isRing; }
 };
 
 /// Is the wheel fixed to the frame behind its teeth?
-[[nodiscard]] inline bool isInFrame(const SheetWheel& wheel) {
-  return wheel.link == 0 && wheel.kind != GearKind::external;
-}
+[[nodiscard]] bool isInFrame(const SheetWheel& wheel);
 
 /// Two wheels in mesh.
 struct SheetPair {

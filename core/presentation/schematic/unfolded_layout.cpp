@@ -4,6 +4,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 #include "core/presentation/schematic/sheet_layout.h"
+#include "core/presentation/schematic/wheel_symbol.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -215,31 +216,6 @@ class Unfolder {
   Plane m_plane;
 };
 
-/// Pitch line of a wheel, (coordinate, height) at scale 1.
-void setBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& axis, double scale) {
-  const double origin = axis.spaceCoordinate(narrow(from.origin)) * scale;
-  if (from.spec.kind != GearKind::bevel) {
-    wheel.at = origin;
-    wheel.radius = from.workingRadius * scale + (wheel.isRing() ? kBarGap : -kBarGap);
-    wheel.barFrom = {wheel.at - kBarHalf, wheel.radius};
-    wheel.barTo = {wheel.at + kBarHalf, wheel.radius};
-    wheel.outward = {0, wheel.isRing() ? -1.0 : 1.0};
-    return;
-  }
-  const double way = dot(narrow(from.axis), axis.direction) < 0 ? -1 : 1;
-  const double angle = from.spec.coneAngle;
-  const SheetPoint line{way * std::cos(angle), std::sin(angle)};
-  wheel.outward = {-way * std::sin(angle), std::cos(angle)};
-  const double outer = from.workingRadius * scale / std::sin(angle);
-  const double face = std::min(std::max(from.spec.faceWidth * scale, 9.0), 0.5 * outer);
-  const SheetPoint apex{origin, 0};
-  wheel.barFrom = apex + outer * line - kBarGap * wheel.outward;
-  wheel.barTo = apex + (outer - face) * line - kBarGap * wheel.outward;
-  const SheetPoint middle = between(wheel.barFrom, wheel.barTo, 0.5);
-  wheel.at = middle.x;
-  wheel.radius = middle.y;
-}
-
 double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   constexpr double kSheet = 340;
   constexpr double kLeastRadius = 24;
@@ -249,10 +225,8 @@ double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   for (const TrainWheel& wheel : train.wheels) {
     const SheetAxis& axis = layout.axes[wheel.axisClass];
     double coordinate = axis.spaceCoordinate(narrow(wheel.origin));
-    if (wheel.spec.kind == GearKind::bevel) {
-      const double way = dot(narrow(wheel.axis), axis.direction) < 0 ? -1 : 1;
-      coordinate += way * wheel.workingRadius / std::tan(wheel.spec.coneAngle);
-    }
+    const double way = dot(narrow(wheel.axis), axis.direction) < 0 ? -1 : 1;
+    coordinate += way * wheelSymbol(wheel.spec.kind).away(wheel);
     for (const double height : {-wheel.workingRadius, wheel.workingRadius}) {
       all = all.united({axis.at(coordinate, height), 0, 0});
     }
@@ -287,7 +261,8 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
   layout.scale = scaleFor(layout, train);
   for (SheetAxis& axis : layout.axes) axis.origin = layout.scale * axis.origin;
   for (std::size_t w = 0; w < layout.wheels.size(); ++w) {
-    setBar(layout.wheels[w], train.wheels[w], layout.axes[layout.wheels[w].axis], layout.scale);
+    SheetWheel& wheel = layout.wheels[w];
+    wheelSymbol(wheel.kind).setBar(wheel, train.wheels[w], layout.axes[wheel.axis], layout.scale);
   }
   for (SheetPair& pair : layout.pairs) pair.apart = !touch(layout, pair);
 }

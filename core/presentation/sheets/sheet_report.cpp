@@ -96,7 +96,7 @@ class SheetWriter {
   }
   [[nodiscard]] std::string kindOf(int mesh) const {
     if (m_source.matroid() == nullptr) return {};
-    return translated(meshKindName(m_source.meshKind(mesh)));
+    return kindWord(m_source.meshKind(mesh));
   }
   [[nodiscard]] ReportWords cell(const Question& question, std::size_t field) const {
     return plainWords(m_isSolution ? printed(question.fields[field], question.solution[field])

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/theory/pose/turning_lines.h"
 
 namespace geargraph::inline train_stage {
@@ -24,7 +25,7 @@ void addPitchCircle(Stage& stage, std::size_t instance, const GearSpec& spec,
   };
   for (int side = 0; side <= kCircleSides; ++side) circle.points.push_back(at(double(side) / kCircleSides));
   stage.marks.push_back(std::move(circle));
-  if (spec.kind != GearKind::bevel) return;
+  if (!isConical(spec)) return;
   for (int k = 0; k < kConeLines; ++k) {
     stage.marks.push_back({MarkKind::pitchCircle, instance, {{0, 0, 0}, at(double(k) / kConeLines)}, false});
   }

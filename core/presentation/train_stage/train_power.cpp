@@ -199,7 +199,7 @@ class ArrowMaker {
     const auto& geometry = m_placement.meshes[mesh];
     if (!geometry) return;
     const Eigen::Vector3d pitch = vectorOf(geometry->pitchPoint);
-    const bool isInternal = geometry->kind == MeshKind::internal;
+    const bool isInternal = hasRing(geometry->kind);
     const bool isTailRing = isInternal && std::abs(geometry->tailRadius) > std::abs(geometry->headRadius);
     const auto gear = [&](LinkOrdinal link, ClassOrdinal axisClass, bool isRing) {
       const AxisLine& axis = m_placement.lineOfClass(axisClass);

@@ -10,6 +10,7 @@
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/solids/toothless_gear.h"
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/train_stage/joint_motion.h"
 #include "core/presentation/train_stage/joint_stops.h"
@@ -31,7 +32,7 @@ Rgb colourOf(const Mechanism& mechanism, LinkOrdinal link) {
 
 /// Middle of a gear's teeth, in its own frame.
 Eigen::Vector3d middleOf(const GearSpec& spec) {
-  if (spec.kind != GearKind::bevel) return Eigen::Vector3d::Zero();
+  if (!isConical(spec)) return Eigen::Vector3d::Zero();
   return {0, 0, (coneDistance(spec) - 0.5 * spec.faceWidth) * std::cos(spec.coneAngle)};
 }
 

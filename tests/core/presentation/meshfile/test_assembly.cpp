@@ -23,7 +23,7 @@ Assembly twoGears() {
   pinion.solid = std::make_shared<const Solid>(cog(12, 6, 5));
   AssemblyGear& bevel = assembly.gears.emplace_back(pinion);
   bevel.name = "15:head";
-  bevel.kind = MeshKind::bevel;
+  bevel.kind = GearKind::bevel;
   bevel.teeth = 30;
   bevel.coneAngle = M_PI / 3;
   bevel.addendum = 0.9;

@@ -16,9 +16,7 @@ void addGear(Assembly& assembly, const std::string& name, GearSpec spec, const E
   spec.backlashAllowance = 0.02;
   AssemblyGear& gear = assembly.gears.emplace_back();
   gear.name = name;
-  gear.kind = spec.kind == GearKind::bevel      ? MeshKind::bevel
-              : spec.kind == GearKind::internal ? MeshKind::internal
-                                                : MeshKind::external;
+  gear.kind = spec.kind;
   gear.teeth = spec.teeth;
   gear.module = spec.module;
   gear.coneAngle = spec.coneAngle;
