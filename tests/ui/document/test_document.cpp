@@ -4,6 +4,8 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/limits.h"
+#include "tests/core/support/toy_kind.h"
+#include "tests/core/support/train_sketch.h"
 #include "ui/document/document.h"
 #include "ui/document/history_model.h"
 
@@ -42,6 +44,25 @@ class DocumentTest : public QObject {
     QCOMPARE(document.mechanism().get(), before.get());
     document.undoStack().redo();
     QCOMPARE(document.mechanism().get(), after.get());
+  }
+
+  void aKindThatOnlyATestKnowsIsUndone() {
+    const test::ToyKind toy;
+    Document document;
+    QVERIFY(document.apply(
+        {QStringLiteral("Draw"), [](const Mechanism&) {
+           return Expected<Mechanism>(
+               test::TrainSketch(2).joint(0, 1, "a").joint(0, 2, "b").mesh(1, 2, 20, 40).build());
+         }}));
+    const MeshId mesh = document.mechanism()->gearMeshes[0].id;
+    QVERIFY(document.apply({QStringLiteral("Change kind"), [&](const Mechanism& before) {
+                              return withMeshKind(before, mesh, toy.pair());
+                            }}));
+    QVERIFY(document.mechanism()->gearMeshes[0].kind == toy.pair());
+    document.undoStack().undo();
+    QVERIFY(!document.mechanism()->gearMeshes[0].kind);
+    document.undoStack().redo();
+    QVERIFY(document.mechanism()->gearMeshes[0].kind == toy.pair());
   }
 
   void revisionOnlyGrows() {
