@@ -8,10 +8,10 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
-#include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
+#include "core/presentation/exporters/input_options.h"
 #include "core/presentation/results/analysis_json.h"
 
 namespace geargraph::cli {

@@ -37,17 +37,6 @@ UsageError mismatch(std::span<const std::string> words, std::span<const Option> 
 
 }  // namespace
 
-std::optional<std::string> Arguments::value(std::string_view option) const {
-  const auto found = options.find(option);
-  if (found == options.end()) return std::nullopt;
-  return found->second.back();
-}
-
-std::vector<std::string> Arguments::values(std::string_view option) const {
-  const auto found = options.find(option);
-  return found == options.end() ? std::vector<std::string>{} : found->second;
-}
-
 std::variant<Arguments, UsageError> parseArguments(std::span<const std::string> words,
                                                    std::span<const Option> known) {
   CLI::App parser;

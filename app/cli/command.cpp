@@ -60,6 +60,12 @@ int fileFailure(std::string_view message) {
   return kUsageOrFile;
 }
 
+int writeOutput(std::string_view bytes, const std::string& path) {
+  if (path == "-") return print(bytes);
+  const auto error = writeFile(path, bytes);
+  return error ? fileFailure(error->message) : kFine;
+}
+
 int print(std::string_view text, int fine) {
   StandardOutput out;
   out.write(text);

@@ -62,6 +62,8 @@ int runCommand(const Command& command, const std::vector<std::string>& words, st
 int wrongUsage(const Command& command, std::string_view message);
 /// Reports what could not be read or written; returns the exit status.
 int fileFailure(std::string_view message);
+/// Writes a file whole or not at all, or to standard output for "-"; returns the exit status.
+int writeOutput(std::string_view bytes, const std::string& path);
 /// Writes text to standard output; returns the exit status, `fine` if all of it was written.
 int print(std::string_view text, int fine = kFine);
 

@@ -6,7 +6,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
@@ -78,7 +77,7 @@ int runConvert(const Arguments& arguments) {
   const auto text =
       converted(std::get<Mechanism>(document), form, TableOptions{*separator, arguments.has("--bom")});
   if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the conversion"));
-  return writePicture(*text, arguments.value("-o").value_or("-"));
+  return writeOutput(*text, arguments.value("-o").value_or("-"));
 }
 
 constexpr std::array kConvertOptions = {

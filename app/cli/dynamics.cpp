@@ -9,10 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/dynamics_output.h"
-#include "app/cli/element_words.h"
 #include "app/cli/engagement_options.h"
-#include "app/cli/input_options.h"
-#include "app/cli/mass_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -20,6 +17,9 @@
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
 #include "core/mechanism/model/quantity.h"
+#include "core/presentation/exporters/element_words.h"
+#include "core/presentation/exporters/input_options.h"
+#include "core/presentation/exporters/mass_options.h"
 
 namespace geargraph::cli {
 namespace {

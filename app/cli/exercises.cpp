@@ -8,6 +8,7 @@
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
 #include "core/foundations/base/words.h"
+#include "core/presentation/exporters/exercise_plan.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 
 namespace geargraph::cli {
@@ -87,10 +88,7 @@ int listExerciseKinds(const Arguments& arguments) {
 }
 
 int tooLargeForExercises() {
-  std::cerr << "geargraph-cli: "
-            << translated("Exercises are made of mechanisms of at most %1 moving links.",
-                          {std::to_string(kMaxExerciseLinks)})
-            << '\n';
+  std::cerr << "geargraph-cli: " << exercisesTooLarge() << '\n';
   return kResourceLimit;
 }
 

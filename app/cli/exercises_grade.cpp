@@ -54,7 +54,7 @@ std::variant<std::vector<HandedIn>, FileError> filesOf(std::span<const std::stri
 }
 
 /// Why a file is not graded: the code in its row, and a sentence.
-struct Rejection {
+struct AnswerRejection {
   std::string code;
   std::string reason;
 };
@@ -67,14 +67,16 @@ bool isNoFile(const fs::path& path) {
 }
 
 /// The bytes of a file of answers.
-std::variant<std::string, Rejection> textOf(const fs::path& path) {
+std::variant<std::string, AnswerRejection> textOf(const fs::path& path) {
   const std::string name = '"' + path.string() + '"';
-  if (isNoFile(path)) return Rejection{"no-file", translated("%1 is no regular file.", {name})};
+  if (isNoFile(path)) return AnswerRejection{"no-file", translated("%1 is no regular file.", {name})};
   auto text = readFile(path, kLargestAnswers);
-  if (const auto* failure = std::get_if<FileError>(&text)) return Rejection{"no-file", failure->message};
+  if (const auto* failure = std::get_if<FileError>(&text))
+    return AnswerRejection{"no-file", failure->message};
   auto& bytes = std::get<std::string>(text);
   if (bytes.size() > kLargestAnswers)
-    return Rejection{"too-large", translated("%1 is larger than %2 MB, which no answers are.", {name, "4"})};
+    return AnswerRejection{"too-large",
+                           translated("%1 is larger than %2 MB, which no answers are.", {name, "4"})};
   return std::move(bytes);
 }
 
@@ -108,17 +110,17 @@ class AnswerGrader {
   }
 
   /// What is wrong with the answers as a whole; then nothing is graded.
-  [[nodiscard]] std::optional<Rejection> fault(const AnswerSheet& answers) const {
+  [[nodiscard]] std::optional<AnswerRejection> fault(const AnswerSheet& answers) const {
     if (answers.sheet != m_mark)
-      return Rejection{"other-sheet", translated("These are answers to another sheet.")};
+      return AnswerRejection{"other-sheet", translated("These are answers to another sheet.")};
     if (answers.variant < 1 || answers.variant > m_plan.variants)
-      return Rejection{"no-variant",
-                       translated("The sheet has no variant %1.", {std::to_string(answers.variant)})};
+      return AnswerRejection{"no-variant",
+                             translated("The sheet has no variant %1.", {std::to_string(answers.variant)})};
     return std::nullopt;
   }
 
   /// The row of a file that is not graded.
-  void reject(const std::string& file, const Rejection& rejection) {
+  void reject(const std::string& file, const AnswerRejection& rejection) {
     line({file, "", "", "total", "", "", "", "rejected", rejection.code, "", rejection.reason});
   }
 
@@ -229,13 +231,13 @@ int gradeExercises(const Arguments& arguments) {
   for (const auto& [path, isOfFolder] : std::get<std::vector<HandedIn>>(files)) {
     if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the grading"));
     const std::string file = path == "-" ? "-" : path.filename().string();
-    const auto reject = [&](const Rejection& rejection, const std::string& shown) {
+    const auto reject = [&](const AnswerRejection& rejection, const std::string& shown) {
       std::cerr << shown;
       grader.reject(file, rejection);
       status = kUsageOrFile;
     };
     const auto text = textOf(path);
-    if (const auto* rejection = std::get_if<Rejection>(&text)) {
+    if (const auto* rejection = std::get_if<AnswerRejection>(&text)) {
       reject(*rejection, "geargraph-cli: " + rejection->reason + '\n');
       continue;
     }

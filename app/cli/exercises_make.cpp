@@ -7,12 +7,12 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/exercise_forms.h"
-#include "app/cli/exercise_plan.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/presentation/exporters/exercise_plan.h"
 #include "core/presentation/sheet_files/sheet_files.h"
 
 namespace geargraph::cli {

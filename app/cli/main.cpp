@@ -37,21 +37,30 @@ std::string optionLine(const Option& option) {
   std::string line = "  " + std::string(option.name);
   if (!option.value.empty()) line += ' ' + std::string(option.value);
   line.resize(std::max(line.size() + 1, kIndent), ' ');
-  return line + translated(option.help) + '\n';
+  return line + (option.composedHelp != nullptr ? option.composedHelp() : translated(option.help)) + '\n';
+}
+
+std::string headingOf(const Option& option) {
+  if (option.group.empty()) return translated("Options");
+  return option.composedHeading != nullptr ? option.composedHeading(option.group) : translated(option.group);
 }
 
 std::string commandHelp(const Command& command) {
   std::string text = translated("Usage: geargraph-cli %1 %2", {command.name, command.usage}) + "\n\n" +
                      translated(command.summary) + '\n';
   const std::vector<Option> options = optionsOf(command);
-  std::vector<std::string_view> groups{""};
+  std::vector<const Option*> firstOfGroups;
   for (const Option& option : options) {
-    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
+    if (std::none_of(firstOfGroups.begin(), firstOfGroups.end(),
+                     [&](const Option* first) { return first->group == option.group; }))
+      firstOfGroups.push_back(&option);
   }
-  for (const std::string_view group : groups) {
-    text += '\n' + (group.empty() ? translated("Options") : translated(group)) + ":\n";
+  std::stable_partition(firstOfGroups.begin(), firstOfGroups.end(),
+                        [](const Option* first) { return first->group.empty(); });
+  for (const Option* const first : firstOfGroups) {
+    text += '\n' + headingOf(*first) + ":\n";
     for (const Option& option : options) {
-      if (option.group == group) text += optionLine(option);
+      if (option.group == first->group) text += optionLine(option);
     }
   }
   if (command.more != nullptr) text += command.more();

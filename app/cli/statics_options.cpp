@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/cli/element_words.h"
 #include "app/cli/number_options.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/model/length.h"
 #include "core/mechanism/model/quantity.h"
+#include "core/presentation/exporters/element_words.h"
 
 namespace geargraph::cli {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/export_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/words.h"
@@ -134,7 +133,7 @@ int runSummary(const Arguments& arguments) {
   const std::vector<Row> rows =
       rowsOf(files, std::min(jobs, std::max(1, static_cast<int>(files.size()))), arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the summary"));
-  const int written = writePicture(asCsv(files, rows), arguments.value("-o").value_or("-"));
+  const int written = writeOutput(asCsv(files, rows), arguments.value("-o").value_or("-"));
   if (written != kFine) return written;
   const auto is = [&](std::string_view status) {
     return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.status == status; });

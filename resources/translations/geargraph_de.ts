@@ -8261,14 +8261,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Zu diesem Mechanismus lässt sich nichts fragen; es wurde kein Blatt geschrieben.</translation>
     </message>
     <message>
-        <source>Matrices (--to csv)</source>
-        <translation>Matrizen (--to csv)</translation>
-    </message>
-    <message>
-        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
-        <translation>Herleitungen (--to html, latex, md, pdf, handout oder scorm)</translation>
-    </message>
-    <message>
         <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
         <translation>Zeichnungen und 3D-Bilder (--to svg, pdf oder png --view NAME)</translation>
     </message>
@@ -8279,38 +8271,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Animations (--to png --view 3d)</source>
         <translation>Animationen (--to png --view 3d)</translation>
-    </message>
-    <message>
-        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
-        <translation>Körper (--to stl, obj, ply, glb oder 3mf)</translation>
-    </message>
-    <message>
-        <source>Handouts (--to handout or scorm)</source>
-        <translation>Handouts (--to handout oder scorm)</translation>
-    </message>
-    <message>
-        <source>Simulators (--to mjcf or urdf)</source>
-        <translation>Simulatoren (--to mjcf oder urdf)</translation>
-    </message>
-    <message>
-        <source>derivations (--to html, latex, md, pdf)</source>
-        <translation>Herleitungen (--to html, latex, md, pdf)</translation>
-    </message>
-    <message>
-        <source>drawings (--view digraph, ttgraph, schematic)</source>
-        <translation>Zeichnungen (--view digraph, ttgraph, schematic)</translation>
-    </message>
-    <message>
-        <source>animations (--turntable, --motion)</source>
-        <translation>Animationen (--turntable, --motion)</translation>
-    </message>
-    <message>
-        <source>graphs (--to dot, graphml, node-link)</source>
-        <translation>Graphen (--to dot, graphml, node-link)</translation>
-    </message>
-    <message>
-        <source>handouts (--to handout, scorm)</source>
-        <translation>Handouts (--to handout, scorm)</translation>
     </message>
     <message>
         <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
@@ -14175,14 +14135,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Motor</translation>
     </message>
     <message>
-        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
-        <translation>csv: Matrizen; html, latex, md, pdf: die ausgearbeitete Herleitung; handout: eine Seite für Browser mit Antrieben zum Bewegen; scorm: diese Seite als Paket für Lernplattformen (SCORM 1.2); svg, png, pdf mit --view: ein Bild; stl, obj, ply, glb, 3mf: Räder; assembly: Räder für eine Prüfung; mjcf, urdf: ein Modell für Simulatoren; modelica: ein Modell der Gelenke; dot, graphml, node-link: ein Graph</translation>
-    </message>
-    <message>
-        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
-        <translation>--to ist eines von csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
-    </message>
-    <message>
         <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
         <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
     </message>
@@ -15426,6 +15378,336 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Links %1 turn as one by these tooth counts only.</source>
         <translation>Glieder %1 drehen sich nur bei diesen Zähnezahlen wie eines.</translation>
+        <source>modules</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>gears</source>
+        <translation>Räder</translation>
+    </message>
+    <message>
+        <source>GLB, in motion</source>
+        <translation>GLB, in Bewegung</translation>
+    </message>
+    <message>
+        <source>Assembly: gears with their poses</source>
+        <translation>Zusammenbau: Räder mit ihren Lagen</translation>
+    </message>
+    <message>
+        <source>gears for a check</source>
+        <translation>Räder für eine Prüfung</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Checks of teeth</source>
+        <translation>Prüfung der Zähne</translation>
+    </message>
+    <message>
+        <source>a model of the joints</source>
+        <translation>ein Modell der Gelenke</translation>
+    </message>
+    <message>
+        <source>Models of the joints</source>
+        <translation>Modelle der Gelenke</translation>
+    </message>
+    <message>
+        <source>the worked derivation</source>
+        <translation>die ausgearbeitete Herleitung</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Herleitungen</translation>
+    </message>
+    <message>
+        <source>derivations</source>
+        <translation>Herleitungen</translation>
+    </message>
+    <message>
+        <source>No power flows, or what there is of loads and motion does not determine it.</source>
+        <translation>Es fließt keine Leistung, oder Lasten und Bewegung bestimmen sie nicht.</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>drawings</source>
+        <translation>Zeichnungen</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree.</source>
+        <translation>Die Drehgelenke sind kein Spannbaum.</translation>
+    </message>
+    <message>
+        <source>The mechanism has errors.</source>
+        <translation>Der Mechanismus hat Fehler.</translation>
+    </message>
+    <message>
+        <source>There is no solution, because nothing can move or inputs are missing.</source>
+        <translation>Es gibt keine Lösung, weil sich nichts bewegen kann oder Antriebe fehlen.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, or a mesh has no carrier.</source>
+        <translation>Die Drehgelenke sind kein Spannbaum, oder ein Zahneingriff hat keinen Steg.</translation>
+    </message>
+    <message>
+        <source>a graph</source>
+        <translation>ein Graph</translation>
+    </message>
+    <message>
+        <source>Graphs</source>
+        <translation>Graphen</translation>
+    </message>
+    <message>
+        <source>graphs</source>
+        <translation>Graphen</translation>
+    </message>
+    <message>
+        <source>The mechanism has no such table.</source>
+        <translation>Der Mechanismus hat keine solche Tabelle.</translation>
+    </message>
+    <message>
+        <source>matrices</source>
+        <translation>Matrizen</translation>
+    </message>
+    <message>
+        <source>CSV, one matrix or table</source>
+        <translation>CSV, eine Matrix oder Tabelle</translation>
+    </message>
+    <message>
+        <source>CSV, all matrices and tables</source>
+        <translation>CSV, alle Matrizen und Tabellen</translation>
+    </message>
+    <message>
+        <source>Handouts</source>
+        <translation>Handouts</translation>
+    </message>
+    <message>
+        <source>Simulators</source>
+        <translation>Simulatoren</translation>
+    </message>
+    <message>
+        <source>%1 with --view</source>
+        <translation>%1 mit --view</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Without labels</source>
+        <translation>Ohne Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>With exercises</source>
+        <translation>Mit Übungen</translation>
+    </message>
+    <message>
+        <source>This variant</source>
+        <translation>Diese Variante</translation>
+    </message>
+    <message>
+        <source>Power seen from</source>
+        <translation>Leistung gesehen von</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Gesehen von</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Hidden links</source>
+        <translation>Ausgeblendete Glieder</translation>
+    </message>
+    <message>
+        <source>Reference frame fixed to</source>
+        <translation>Bezugssystem fest an</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Only the gear</source>
+        <translation>Nur das Rad</translation>
+    </message>
+    <message>
+        <source>Only the link</source>
+        <translation>Nur das Glied</translation>
+    </message>
+    <message>
+        <source>A period plays</source>
+        <translation>Eine Periode dauert</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Inertia of the rotors</source>
+        <translation>Trägheit der Rotoren</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>The format cannot hold the mechanism: a joint depends on several inputs, a link is too light, or the unit of length is not known.</source>
+        <translation>Das Format kann den Mechanismus nicht aufnehmen: Ein Gelenk hängt von mehreren Antrieben ab, ein Glied ist zu leicht, oder die Längeneinheit ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>a model for simulators</source>
+        <translation>ein Modell für Simulatoren</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>an animation</source>
+        <translation>eine Animation</translation>
+    </message>
+    <message>
+        <source>PNG, a picture of the train</source>
+        <translation>PNG, ein Bild des Getriebes</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train</source>
+        <translation>PNG, einmal um das Getriebe</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion</source>
+        <translation>PNG, eine Periode der Bewegung</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train, a file for each picture</source>
+        <translation>PNG, einmal um das Getriebe, eine Datei je Bild</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion, a file for each picture</source>
+        <translation>PNG, eine Periode der Bewegung, eine Datei je Bild</translation>
+    </message>
+    <message>
+        <source>GLB, the train as seen</source>
+        <translation>GLB, das Getriebe, wie man es sieht</translation>
+    </message>
+    <message>
+        <source>3D pictures</source>
+        <translation>3D-Bilder</translation>
+    </message>
+    <message>
+        <source>Animations</source>
+        <translation>Animationen</translation>
+    </message>
+    <message>
+        <source>animations</source>
+        <translation>Animationen</translation>
+    </message>
+    <message>
+        <source>The train as seen</source>
+        <translation>Das Getriebe, wie man es sieht</translation>
+    </message>
+    <message>
+        <source>Handout, a web page</source>
+        <translation>Handout, eine Webseite</translation>
+    </message>
+    <message>
+        <source>a page for browsers, with inputs to move</source>
+        <translation>eine Seite für Browser mit Antrieben zum Bewegen</translation>
+    </message>
+    <message>
+        <source>Handout for learning platforms (SCORM 1.2)</source>
+        <translation>Handout für Lernplattformen (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>that page as a package for learning platforms (SCORM 1.2)</source>
+        <translation>diese Seite als Paket für Lernplattformen (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>handouts</source>
+        <translation>Handouts</translation>
+    </message>
+    <message>
+        <source>The mechanism, or what would be written, is too large.</source>
+        <translation>Der Mechanismus, oder was geschrieben würde, ist zu groß.</translation>
+    </message>
+    <message>
+        <source>Gears cannot be made.</source>
+        <translation>Räder können nicht erzeugt werden.</translation>
+    </message>
+    <message>
+        <source>Nothing can paint pictures here, or a picture is too large to be painted.</source>
+        <translation>Hier kann nichts Bilder malen, oder ein Bild ist dafür zu groß.</translation>
+    </message>
+    <message>
+        <source>--to is one of %1.</source>
+        <translation>--to ist eines von %1.</translation>
+    </message>
+    <message>
+        <source>Export into the new folder</source>
+        <translation>In den neuen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 %.</source>
+        <translation>%1 wird exportiert: %2 %.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>This format has no options.</source>
+        <translation>Dieses Format hat keine Optionen.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Export in any &amp;format…</source>
+        <translation>In einem &amp;Format exportieren…</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Optionen</translation>
     </message>
 </context>
 <context>

@@ -8261,14 +8261,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>Sobre este mecanismo no se puede preguntar nada; no se escribió ninguna hoja.</translation>
     </message>
     <message>
-        <source>Matrices (--to csv)</source>
-        <translation>Matrices (--to csv)</translation>
-    </message>
-    <message>
-        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
-        <translation>Deducciones (--to html, latex, md, pdf, handout o scorm)</translation>
-    </message>
-    <message>
         <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
         <translation>Dibujos e imágenes 3D (--to svg, pdf o png --view NAME)</translation>
     </message>
@@ -8279,38 +8271,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Animations (--to png --view 3d)</source>
         <translation>Animaciones (--to png --view 3d)</translation>
-    </message>
-    <message>
-        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
-        <translation>Sólidos (--to stl, obj, ply, glb o 3mf)</translation>
-    </message>
-    <message>
-        <source>Handouts (--to handout or scorm)</source>
-        <translation>Hojas interactivas (--to handout o scorm)</translation>
-    </message>
-    <message>
-        <source>Simulators (--to mjcf or urdf)</source>
-        <translation>Simuladores (--to mjcf o urdf)</translation>
-    </message>
-    <message>
-        <source>derivations (--to html, latex, md, pdf)</source>
-        <translation>deducciones (--to html, latex, md, pdf)</translation>
-    </message>
-    <message>
-        <source>drawings (--view digraph, ttgraph, schematic)</source>
-        <translation>dibujos (--view digraph, ttgraph, schematic)</translation>
-    </message>
-    <message>
-        <source>animations (--turntable, --motion)</source>
-        <translation>animaciones (--turntable, --motion)</translation>
-    </message>
-    <message>
-        <source>graphs (--to dot, graphml, node-link)</source>
-        <translation>grafos (--to dot, graphml, node-link)</translation>
-    </message>
-    <message>
-        <source>handouts (--to handout, scorm)</source>
-        <translation>hojas interactivas (--to handout, scorm)</translation>
     </message>
     <message>
         <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
@@ -14175,14 +14135,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>motor</translation>
     </message>
     <message>
-        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
-        <translation>csv: matrices; html, latex, md, pdf: la deducción desarrollada; handout: una página para navegadores, con entradas que mover; scorm: esa página como paquete para plataformas de aprendizaje (SCORM 1.2); svg, png, pdf con --view: una imagen; stl, obj, ply, glb, 3mf: ruedas; assembly: ruedas para una comprobación; mjcf, urdf: un modelo para simuladores; modelica: un modelo de los pares; dot, graphml, node-link: un grafo</translation>
-    </message>
-    <message>
-        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
-        <translation>--to es uno de csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
-    </message>
-    <message>
         <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
         <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
     </message>
@@ -15426,6 +15378,336 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Links %1 turn as one by these tooth counts only.</source>
         <translation>Los eslabones %1 giran como uno solo únicamente con estos números de dientes.</translation>
+        <source>modules</source>
+        <translation>módulos</translation>
+    </message>
+    <message>
+        <source>gears</source>
+        <translation>ruedas</translation>
+    </message>
+    <message>
+        <source>GLB, in motion</source>
+        <translation>GLB, en movimiento</translation>
+    </message>
+    <message>
+        <source>Assembly: gears with their poses</source>
+        <translation>Montaje: ruedas con sus posiciones</translation>
+    </message>
+    <message>
+        <source>gears for a check</source>
+        <translation>ruedas para una comprobación</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Sólidos</translation>
+    </message>
+    <message>
+        <source>Checks of teeth</source>
+        <translation>Comprobación de los dientes</translation>
+    </message>
+    <message>
+        <source>a model of the joints</source>
+        <translation>un modelo de los pares</translation>
+    </message>
+    <message>
+        <source>Models of the joints</source>
+        <translation>Modelos de los pares</translation>
+    </message>
+    <message>
+        <source>the worked derivation</source>
+        <translation>la deducción desarrollada</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Deducciones</translation>
+    </message>
+    <message>
+        <source>derivations</source>
+        <translation>deducciones</translation>
+    </message>
+    <message>
+        <source>No power flows, or what there is of loads and motion does not determine it.</source>
+        <translation>No fluye potencia, o las cargas y el movimiento no la determinan.</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>una imagen</translation>
+    </message>
+    <message>
+        <source>drawings</source>
+        <translation>dibujos</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree.</source>
+        <translation>Los pares de revolución no forman un árbol generador.</translation>
+    </message>
+    <message>
+        <source>The mechanism has errors.</source>
+        <translation>El mecanismo tiene errores.</translation>
+    </message>
+    <message>
+        <source>There is no solution, because nothing can move or inputs are missing.</source>
+        <translation>No hay solución, porque nada puede moverse o faltan entradas.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, or a mesh has no carrier.</source>
+        <translation>Los pares de revolución no forman un árbol generador, o un engrane no tiene portasatélites.</translation>
+    </message>
+    <message>
+        <source>a graph</source>
+        <translation>un grafo</translation>
+    </message>
+    <message>
+        <source>Graphs</source>
+        <translation>Grafos</translation>
+    </message>
+    <message>
+        <source>graphs</source>
+        <translation>grafos</translation>
+    </message>
+    <message>
+        <source>The mechanism has no such table.</source>
+        <translation>El mecanismo no tiene tal tabla.</translation>
+    </message>
+    <message>
+        <source>matrices</source>
+        <translation>matrices</translation>
+    </message>
+    <message>
+        <source>CSV, one matrix or table</source>
+        <translation>CSV, una matriz o tabla</translation>
+    </message>
+    <message>
+        <source>CSV, all matrices and tables</source>
+        <translation>CSV, todas las matrices y tablas</translation>
+    </message>
+    <message>
+        <source>Handouts</source>
+        <translation>Hojas interactivas</translation>
+    </message>
+    <message>
+        <source>Simulators</source>
+        <translation>Simuladores</translation>
+    </message>
+    <message>
+        <source>%1 with --view</source>
+        <translation>%1 con --view</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Without labels</source>
+        <translation>Sin etiquetas</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Entradas</translation>
+    </message>
+    <message>
+        <source>With exercises</source>
+        <translation>Con ejercicios</translation>
+    </message>
+    <message>
+        <source>This variant</source>
+        <translation>Esta variante</translation>
+    </message>
+    <message>
+        <source>Power seen from</source>
+        <translation>Potencia vista desde</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Vista desde</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Caras</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Se muestra</translation>
+    </message>
+    <message>
+        <source>Hidden links</source>
+        <translation>Eslabones ocultos</translation>
+    </message>
+    <message>
+        <source>Reference frame fixed to</source>
+        <translation>Sistema de referencia fijo a</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Only the gear</source>
+        <translation>Solo la rueda</translation>
+    </message>
+    <message>
+        <source>Only the link</source>
+        <translation>Solo el eslabón</translation>
+    </message>
+    <message>
+        <source>A period plays</source>
+        <translation>Un periodo dura</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densidad</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motores</translation>
+    </message>
+    <message>
+        <source>Inertia of the rotors</source>
+        <translation>Inercia de los rotores</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Paso de tiempo</translation>
+    </message>
+    <message>
+        <source>The format cannot hold the mechanism: a joint depends on several inputs, a link is too light, or the unit of length is not known.</source>
+        <translation>El formato no puede contener el mecanismo: un par depende de varias entradas, un eslabón es demasiado ligero o la unidad de longitud no se conoce.</translation>
+    </message>
+    <message>
+        <source>a model for simulators</source>
+        <translation>un modelo para simuladores</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>imágenes</translation>
+    </message>
+    <message>
+        <source>an animation</source>
+        <translation>una animación</translation>
+    </message>
+    <message>
+        <source>PNG, a picture of the train</source>
+        <translation>PNG, una imagen del tren</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train</source>
+        <translation>PNG, una vuelta alrededor del tren</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion</source>
+        <translation>PNG, un periodo del movimiento</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train, a file for each picture</source>
+        <translation>PNG, una vuelta alrededor del tren, un archivo por imagen</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion, a file for each picture</source>
+        <translation>PNG, un periodo del movimiento, un archivo por imagen</translation>
+    </message>
+    <message>
+        <source>GLB, the train as seen</source>
+        <translation>GLB, el tren tal como se ve</translation>
+    </message>
+    <message>
+        <source>3D pictures</source>
+        <translation>Imágenes 3D</translation>
+    </message>
+    <message>
+        <source>Animations</source>
+        <translation>Animaciones</translation>
+    </message>
+    <message>
+        <source>animations</source>
+        <translation>animaciones</translation>
+    </message>
+    <message>
+        <source>The train as seen</source>
+        <translation>El tren tal como se ve</translation>
+    </message>
+    <message>
+        <source>Handout, a web page</source>
+        <translation>Hoja interactiva, una página web</translation>
+    </message>
+    <message>
+        <source>a page for browsers, with inputs to move</source>
+        <translation>una página para navegadores, con entradas que mover</translation>
+    </message>
+    <message>
+        <source>Handout for learning platforms (SCORM 1.2)</source>
+        <translation>Hoja interactiva para plataformas de aprendizaje (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>that page as a package for learning platforms (SCORM 1.2)</source>
+        <translation>esa página como paquete para plataformas de aprendizaje (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>handouts</source>
+        <translation>hojas interactivas</translation>
+    </message>
+    <message>
+        <source>The mechanism, or what would be written, is too large.</source>
+        <translation>El mecanismo, o lo que se escribiría, es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>Gears cannot be made.</source>
+        <translation>No se pueden generar ruedas.</translation>
+    </message>
+    <message>
+        <source>Nothing can paint pictures here, or a picture is too large to be painted.</source>
+        <translation>Aquí nada puede pintar imágenes, o una imagen es demasiado grande para pintarla.</translation>
+    </message>
+    <message>
+        <source>--to is one of %1.</source>
+        <translation>--to es uno de %1.</translation>
+    </message>
+    <message>
+        <source>Export into the new folder</source>
+        <translation>Exportar a la nueva carpeta</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 %.</source>
+        <translation>Exportando %1: %2 %.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>This format has no options.</source>
+        <translation>Este formato no tiene opciones.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Como de costumbre</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Export in any &amp;format…</source>
+        <translation>Exportar en un &amp;formato…</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones</translation>
     </message>
 </context>
 <context>

@@ -8260,14 +8260,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>Bu mekanizma hakkında sorulacak bir şey yok; sayfa yazılmadı.</translation>
     </message>
     <message>
-        <source>Matrices (--to csv)</source>
-        <translation>Matrisler (--to csv)</translation>
-    </message>
-    <message>
-        <source>Derivations (--to html, latex, md, pdf, handout or scorm)</source>
-        <translation>Türetimler (--to html, latex, md, pdf, handout veya scorm)</translation>
-    </message>
-    <message>
         <source>Drawings and 3D pictures (--to svg, pdf or png --view NAME)</source>
         <translation>Çizimler ve 3B resimler (--to svg, pdf veya png --view NAME)</translation>
     </message>
@@ -8278,38 +8270,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Animations (--to png --view 3d)</source>
         <translation>Canlandırmalar (--to png --view 3d)</translation>
-    </message>
-    <message>
-        <source>Solids (--to stl, obj, ply, glb or 3mf)</source>
-        <translation>Katı modeller (--to stl, obj, ply, glb veya 3mf)</translation>
-    </message>
-    <message>
-        <source>Handouts (--to handout or scorm)</source>
-        <translation>Ders notları (--to handout veya scorm)</translation>
-    </message>
-    <message>
-        <source>Simulators (--to mjcf or urdf)</source>
-        <translation>Simülatörler (--to mjcf veya urdf)</translation>
-    </message>
-    <message>
-        <source>derivations (--to html, latex, md, pdf)</source>
-        <translation>türetimler (--to html, latex, md, pdf)</translation>
-    </message>
-    <message>
-        <source>drawings (--view digraph, ttgraph, schematic)</source>
-        <translation>çizimler (--view digraph, ttgraph, schematic)</translation>
-    </message>
-    <message>
-        <source>animations (--turntable, --motion)</source>
-        <translation>canlandırmalar (--turntable, --motion)</translation>
-    </message>
-    <message>
-        <source>graphs (--to dot, graphml, node-link)</source>
-        <translation>graflar (--to dot, graphml, node-link)</translation>
-    </message>
-    <message>
-        <source>handouts (--to handout, scorm)</source>
-        <translation>ders notları (--to handout, scorm)</translation>
     </message>
     <message>
         <source>the file (&quot;-&quot; is standard output), or with --all the folder</source>
@@ -14174,14 +14134,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>motor</translation>
     </message>
     <message>
-        <source>csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf with --view: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; modelica: a model of the joints; dot, graphml, node-link: a graph</source>
-        <translation>csv: matrisler; html, latex, md, pdf: işlenmiş türetim; handout: girişleri oynatılabilen, tarayıcılar için bir sayfa; scorm: o sayfa, öğrenme ortamları için paket olarak (SCORM 1.2); --view ile svg, png, pdf: resim; stl, obj, ply, glb, 3mf: dişliler; assembly: denetim için dişliler; mjcf, urdf: simülatörler için model; modelica: mafsalların modeli; dot, graphml, node-link: graf</translation>
-    </message>
-    <message>
-        <source>--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</source>
-        <translation>--to şunlardan biridir: csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, modelica, dot, graphml, node-link.</translation>
-    </message>
-    <message>
         <source>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</source>
         <translation>labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities,forces,power</translation>
     </message>
@@ -15425,6 +15377,336 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Links %1 turn as one by these tooth counts only.</source>
         <translation>%1 numaralı uzuvlar yalnız bu diş sayılarıyla tek uzuv gibi döner.</translation>
+        <source>modules</source>
+        <translation>modül</translation>
+    </message>
+    <message>
+        <source>gears</source>
+        <translation>dişliler</translation>
+    </message>
+    <message>
+        <source>GLB, in motion</source>
+        <translation>GLB, hareketli</translation>
+    </message>
+    <message>
+        <source>Assembly: gears with their poses</source>
+        <translation>Montaj: konumlarıyla dişliler</translation>
+    </message>
+    <message>
+        <source>gears for a check</source>
+        <translation>denetim için dişliler</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Katı modeller</translation>
+    </message>
+    <message>
+        <source>Checks of teeth</source>
+        <translation>Diş denetimi</translation>
+    </message>
+    <message>
+        <source>a model of the joints</source>
+        <translation>mafsalların modeli</translation>
+    </message>
+    <message>
+        <source>Models of the joints</source>
+        <translation>Mafsal modelleri</translation>
+    </message>
+    <message>
+        <source>the worked derivation</source>
+        <translation>işlenmiş türetim</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>Türetimler</translation>
+    </message>
+    <message>
+        <source>derivations</source>
+        <translation>türetimler</translation>
+    </message>
+    <message>
+        <source>No power flows, or what there is of loads and motion does not determine it.</source>
+        <translation>Güç akmıyor ya da yükler ve hareket onu belirlemiyor.</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>resim</translation>
+    </message>
+    <message>
+        <source>drawings</source>
+        <translation>çizimler</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree.</source>
+        <translation>Döner mafsallar kapsayan ağaç değil.</translation>
+    </message>
+    <message>
+        <source>The mechanism has errors.</source>
+        <translation>Mekanizmada hatalar var.</translation>
+    </message>
+    <message>
+        <source>There is no solution, because nothing can move or inputs are missing.</source>
+        <translation>Çözüm yok: hiçbir şey hareket edemiyor ya da girişler eksik.</translation>
+    </message>
+    <message>
+        <source>The turning joints are no spanning tree, or a mesh has no carrier.</source>
+        <translation>Döner mafsallar kapsayan ağaç değil ya da bir dişli çiftinin taşıyıcısı yok.</translation>
+    </message>
+    <message>
+        <source>a graph</source>
+        <translation>graf</translation>
+    </message>
+    <message>
+        <source>Graphs</source>
+        <translation>Graflar</translation>
+    </message>
+    <message>
+        <source>graphs</source>
+        <translation>graflar</translation>
+    </message>
+    <message>
+        <source>The mechanism has no such table.</source>
+        <translation>Mekanizmanın böyle bir tablosu yok.</translation>
+    </message>
+    <message>
+        <source>matrices</source>
+        <translation>matrisler</translation>
+    </message>
+    <message>
+        <source>CSV, one matrix or table</source>
+        <translation>CSV, bir matris veya tablo</translation>
+    </message>
+    <message>
+        <source>CSV, all matrices and tables</source>
+        <translation>CSV, tüm matrisler ve tablolar</translation>
+    </message>
+    <message>
+        <source>Handouts</source>
+        <translation>Ders notları</translation>
+    </message>
+    <message>
+        <source>Simulators</source>
+        <translation>Simülatörler</translation>
+    </message>
+    <message>
+        <source>%1 with --view</source>
+        <translation>--view ile %1</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tablo</translation>
+    </message>
+    <message>
+        <source>Without labels</source>
+        <translation>Etiketsiz</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Girişler</translation>
+    </message>
+    <message>
+        <source>With exercises</source>
+        <translation>Alıştırmalarla</translation>
+    </message>
+    <message>
+        <source>This variant</source>
+        <translation>Bu sürüm</translation>
+    </message>
+    <message>
+        <source>Power seen from</source>
+        <translation>Gücün görüldüğü yer</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>Bakış yönü</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Yüzeyler</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gösterilenler</translation>
+    </message>
+    <message>
+        <source>Hidden links</source>
+        <translation>Gizlenen uzuvlar</translation>
+    </message>
+    <message>
+        <source>Reference frame fixed to</source>
+        <translation>Referans çerçevesinin bağlı olduğu uzuv</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Saniyedeki resim sayısı</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Resimler</translation>
+    </message>
+    <message>
+        <source>Only the gear</source>
+        <translation>Yalnızca dişli</translation>
+    </message>
+    <message>
+        <source>Only the link</source>
+        <translation>Yalnızca uzuv</translation>
+    </message>
+    <message>
+        <source>A period plays</source>
+        <translation>Bir periyodun süresi</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerans</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Yer çekimi</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Yoğunluk</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motorlar</translation>
+    </message>
+    <message>
+        <source>Inertia of the rotors</source>
+        <translation>Rotorların ataleti</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zaman adımı</translation>
+    </message>
+    <message>
+        <source>The format cannot hold the mechanism: a joint depends on several inputs, a link is too light, or the unit of length is not known.</source>
+        <translation>Biçim mekanizmayı içeremiyor: bir mafsal birden çok girişe bağlı, bir uzuv çok hafif ya da uzunluk birimi bilinmiyor.</translation>
+    </message>
+    <message>
+        <source>a model for simulators</source>
+        <translation>simülatörler için model</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>resim</translation>
+    </message>
+    <message>
+        <source>an animation</source>
+        <translation>canlandırma</translation>
+    </message>
+    <message>
+        <source>PNG, a picture of the train</source>
+        <translation>PNG, dişli takımının resmi</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train</source>
+        <translation>PNG, dişli takımının çevresinde bir tur</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion</source>
+        <translation>PNG, hareketin bir periyodu</translation>
+    </message>
+    <message>
+        <source>PNG, once round the train, a file for each picture</source>
+        <translation>PNG, dişli takımının çevresinde bir tur, her resim için bir dosya</translation>
+    </message>
+    <message>
+        <source>PNG, one period of the motion, a file for each picture</source>
+        <translation>PNG, hareketin bir periyodu, her resim için bir dosya</translation>
+    </message>
+    <message>
+        <source>GLB, the train as seen</source>
+        <translation>GLB, görüldüğü gibi dişli takımı</translation>
+    </message>
+    <message>
+        <source>3D pictures</source>
+        <translation>3B resimler</translation>
+    </message>
+    <message>
+        <source>Animations</source>
+        <translation>Canlandırmalar</translation>
+    </message>
+    <message>
+        <source>animations</source>
+        <translation>canlandırmalar</translation>
+    </message>
+    <message>
+        <source>The train as seen</source>
+        <translation>Görüldüğü gibi dişli takımı</translation>
+    </message>
+    <message>
+        <source>Handout, a web page</source>
+        <translation>Ders notu, bir web sayfası</translation>
+    </message>
+    <message>
+        <source>a page for browsers, with inputs to move</source>
+        <translation>girişleri oynatılabilen, tarayıcılar için bir sayfa</translation>
+    </message>
+    <message>
+        <source>Handout for learning platforms (SCORM 1.2)</source>
+        <translation>Öğrenme ortamları için ders notu (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>that page as a package for learning platforms (SCORM 1.2)</source>
+        <translation>o sayfa, öğrenme ortamları için paket olarak (SCORM 1.2)</translation>
+    </message>
+    <message>
+        <source>handouts</source>
+        <translation>ders notları</translation>
+    </message>
+    <message>
+        <source>The mechanism, or what would be written, is too large.</source>
+        <translation>Mekanizma ya da yazılacak olan çok büyük.</translation>
+    </message>
+    <message>
+        <source>Gears cannot be made.</source>
+        <translation>Dişliler oluşturulamıyor.</translation>
+    </message>
+    <message>
+        <source>Nothing can paint pictures here, or a picture is too large to be painted.</source>
+        <translation>Burada resim çizebilecek bir şey yok ya da resim çizilemeyecek kadar büyük.</translation>
+    </message>
+    <message>
+        <source>--to is one of %1.</source>
+        <translation>--to şunlardan biridir: %1.</translation>
+    </message>
+    <message>
+        <source>Export into the new folder</source>
+        <translation>Yeni klasöre dışa aktar</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Dışa aktar</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 %.</source>
+        <translation>%1 dışa aktarılıyor: %2 %.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Biçim</translation>
+    </message>
+    <message>
+        <source>This format has no options.</source>
+        <translation>Bu biçimin seçeneği yok.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Her zamanki gibi</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Export in any &amp;format…</source>
+        <translation>&amp;Biçim seçerek dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Grafları, matrisleri, türetimleri, çizimleri, resimleri, katı modelleri ve diğer programlar için modelleri tüm seçenekleriyle dışa aktar</translation>
     </message>
 </context>
 <context>

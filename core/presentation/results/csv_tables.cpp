@@ -141,6 +141,16 @@ bool isOfAllStates(std::string_view name) {
   return name == forceTableCommandName(ForceTableKind::states);
 }
 
+std::vector<std::string> csvTableNames() {
+  std::vector<std::string> names;
+  for (const MatrixKind kind : allMatrixKinds()) names.emplace_back(matrixCommandName(kind));
+  for (const QuantityKind kind : allQuantityKinds()) names.emplace_back(quantityCommandName(kind));
+  for (const std::string_view name : {kStaticsMatrix, kCutsetEquations}) names.emplace_back(name);
+  for (const ForceTableKind kind : allForceTableKinds()) names.emplace_back(forceTableCommandName(kind));
+  names.emplace_back(forceTableCommandName(ForceTableKind::states));
+  return names;
+}
+
 std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics) {
   std::vector<CsvTable> tables;
   for (const MatrixKind kind : allMatrixKinds()) {

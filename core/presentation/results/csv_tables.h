@@ -25,6 +25,8 @@ struct CsvTable {
 /// solved: `statics`, the balanced torques over the loaded ones, (23*); `cutset-equations`, (17*), a row for
 /// each joint and a column for each mesh: P transposed; and the tables of force_table.h.
 [[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics);
+/// The names of the tables that csvTables() returns, in their order.
+[[nodiscard]] std::vector<std::string> csvTableNames();
 /// Is the table with this name one of statics?
 [[nodiscard]] bool isOfStatics(std::string_view name);
 /// Is the table one of all states, rather than of one train?

@@ -1,11 +1,10 @@
-#include "app/cli/exercise_plan.h"
+#include "core/presentation/exporters/exercise_plan.h"
 
 #include <algorithm>
 
-#include "app/cli/command.h"
 #include "core/foundations/base/words.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline exporters {
 
 std::vector<std::string> wordsOf(const std::string& list, char separator) {
   std::vector<std::string> words;
@@ -20,12 +19,12 @@ std::vector<std::string> wordsOf(const std::string& list, char separator) {
   return words;
 }
 
-std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& arguments,
+std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const OptionValues& given,
                                                               const ExerciseSource& source) {
-  const auto given = arguments.value("--kinds");
-  if (!given) return offeredKinds(source);
+  const auto list = given.value("--kinds");
+  if (!list) return offeredKinds(source);
   std::vector<ExerciseKind> kinds;
-  for (const std::string& name : wordsOf(*given, ',')) {
+  for (const std::string& name : wordsOf(*list, ',')) {
     const auto kind = kindFromName(name);
     if (!kind)
       return UsageError{
@@ -41,17 +40,17 @@ std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& a
   return kinds;
 }
 
-std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
+std::variant<SheetPlan, UsageError> planFrom(const OptionValues& given) {
   SheetPlan plan;
-  plan.title = arguments.value("--title").value_or(translated("Exercises"));
-  if (const auto word = arguments.value("--seed")) {
+  plan.title = given.value("--title").value_or(translated("Exercises"));
+  if (const auto word = given.value("--seed")) {
     const auto seed = numberFrom<std::uint64_t>(*word);
     if (!seed) return UsageError{translated("--seed is a whole number from 0 on.")};
     plan.seed = *seed;
   } else {
     plan.seed = randomSeed();
   }
-  if (const auto word = arguments.value("--variants")) {
+  if (const auto word = given.value("--variants")) {
     const auto variants = numberFrom<int>(*word);
     if (!variants || *variants < 1 || *variants > kMaxVariants)
       return UsageError{translated("--variants is a whole number from 1 to 1000.")};
@@ -60,4 +59,9 @@ std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
   return plan;
 }
 
-}  // namespace geargraph::cli
+std::string exercisesTooLarge() {
+  return translated("Exercises are made of mechanisms of at most %1 moving links.",
+                    {std::to_string(kMaxExerciseLinks)});
+}
+
+}  // namespace geargraph::inline exporters

@@ -1,15 +1,14 @@
-#include "app/cli/view3d_options.h"
+#include "core/presentation/exporters/view3d_options.h"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "app/cli/element_words.h"
-#include "app/cli/export_forms.h"
 #include "core/foundations/base/words.h"
+#include "core/presentation/exporters/element_words.h"
 #include "core/presentation/results/rendering_names.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline exporters {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -33,7 +32,7 @@ std::vector<std::string> parts(std::string_view text, char between) {
 /// Reads options one by one into a rendering; the first that is wrong stays said.
 class RenderingReader {
  public:
-  explicit RenderingReader(const Arguments& arguments) : m_arguments(arguments) {}
+  explicit RenderingReader(const OptionValues& given) : m_given(given) {}
 
   std::variant<StageRendering, UsageError> read() {
     readSize();
@@ -51,7 +50,7 @@ class RenderingReader {
   }
 
   void readSize() {
-    const auto text = m_arguments.value("--size");
+    const auto text = m_given.value("--size");
     if (!text) return;
     if (const auto size = pictureSize(*text, kMaxPictureSide)) {
       m_rendering.size = {size->first, size->second};
@@ -61,14 +60,14 @@ class RenderingReader {
   }
 
   void readCamera() {
-    if (m_arguments.has("--from") && m_arguments.has("--camera"))
+    if (m_given.has("--from") && m_given.has("--camera"))
       return wrong(translated("Give --from or --camera, not both."));
-    if (const auto text = m_arguments.value("--from")) {
+    if (const auto text = m_given.value("--from")) {
       const auto view = standardViewNamed(*text);
       if (!view) return wrong(translated("--from is one of front, back, left, right, top, bottom, iso."));
       m_rendering.view.camera = Camera::looking(*view);
     }
-    if (const auto text = m_arguments.value("--camera")) {
+    if (const auto text = m_given.value("--camera")) {
       const std::vector<std::string> angles = parts(*text, ',');
       const auto azimuth = numberIn(angles.front(), -360, 360);
       const auto elevation = angles.size() == 2 ? numberIn(angles[1], -90, 90) : std::nullopt;
@@ -81,17 +80,17 @@ class RenderingReader {
   }
 
   void readMoment() {
-    if (const auto text = m_arguments.value("--time")) {
+    if (const auto text = m_given.value("--time")) {
       const auto time = numberIn(*text, -kMaxTime, kMaxTime);
       if (!time) return wrong(translated("--time takes seconds, not \"%1\".", {*text}));
       m_rendering.view.time = *time;
     }
-    if (const auto text = m_arguments.value("--explode")) {
+    if (const auto text = m_given.value("--explode")) {
       const auto part = numberIn(*text, 0, 1);
       if (!part) return wrong(translated("--explode takes a part from 0 to 1, not \"%1\".", {*text}));
       m_rendering.view.explosion = *part;
     }
-    if (const auto text = m_arguments.value("--section")) readSection(*text);
+    if (const auto text = m_given.value("--section")) readSection(*text);
   }
 
   void readSection(const std::string& text) {
@@ -105,17 +104,17 @@ class RenderingReader {
   }
 
   void readStyle() {
-    const Theme theme = m_arguments.has("--dark") ? Theme::dark : Theme::light;
-    m_rendering.view.style = pictureStyle(theme, m_arguments.has("--transparent"));
-    if (const auto text = m_arguments.value("--faces")) {
+    const Theme theme = m_given.has("--dark") ? Theme::dark : Theme::light;
+    m_rendering.view.style = pictureStyle(theme, m_given.has("--transparent"));
+    if (const auto text = m_given.value("--faces")) {
       const auto faces = facesNamed(*text);
       if (!faces) return wrong(translated("--faces is one of shaded, lines, edges."));
       m_rendering.view.style.faces = *faces;
     }
-    for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
+    for (const std::string& name : parts(m_given.value("--show").value_or(""), ',')) {
       OverlayChoice overlay;
       const bool isKnown = showMark(m_rendering.view.marks, name) || showOverlay(overlay, name);
-      if (m_arguments.has("--show") && !isKnown) {
+      if (m_given.has("--show") && !isKnown) {
         wrong(translated(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
             "instant-axes, velocities, forces, power, with commas."));
@@ -124,19 +123,19 @@ class RenderingReader {
   }
 
   void readAnimation() {
-    const bool turns = m_arguments.has("--turntable"), moves = m_arguments.has("--motion");
+    const bool turns = m_given.has("--turntable"), moves = m_given.has("--motion");
     if (turns && moves) return wrong(translated("Give --turntable or --motion, not both."));
     if (!turns && !moves) return;
     Animation animation;
     animation.kind = turns ? AnimationKind::turntable : AnimationKind::motion;
-    const std::string frames = m_arguments.value("--frames").value_or(std::to_string(animation.frames));
+    const std::string frames = m_given.value("--frames").value_or(std::to_string(animation.frames));
     const auto count = numberIn(frames, 2, kMaxAnimationFrames);
     if (!count || *count != std::floor(*count)) {
       return wrong(translated("--frames takes a whole number from 2 to %1, not \"%2\".",
                               {std::to_string(kMaxAnimationFrames), frames}));
     }
     animation.frames = static_cast<int>(*count);
-    if (const auto text = m_arguments.value("--fps")) {
+    if (const auto text = m_given.value("--fps")) {
       const auto rate = numberIn(*text, 0.1, 100);
       if (!rate)
         return wrong(translated("--fps takes pictures a second from 0.1 to 100, not \"%1\".", {*text}));
@@ -145,7 +144,7 @@ class RenderingReader {
     m_rendering.animation = animation;
   }
 
-  const Arguments& m_arguments;
+  const OptionValues& m_given;
   StageRendering m_rendering;
   std::optional<UsageError> m_error;
 };
@@ -157,22 +156,35 @@ std::optional<ElementId> idOfLink(const Mechanism& mechanism, std::string_view w
 
 }  // namespace
 
-OverlayChoice overlayOf(const Arguments& arguments) {
+std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = numberFrom<int>(text.substr(0, cross)), height = numberFrom<int>(text.substr(cross + 1));
+  const auto fits = [most](const auto& side) { return side && *side >= kLeastPictureSide && *side <= most; };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+std::string wrongSize(std::string_view text, int most) {
+  return translated("--size takes WIDTHxHEIGHT, each from %1 to %2, not \"%3\".",
+                    {std::to_string(kLeastPictureSide), std::to_string(most), text});
+}
+
+OverlayChoice overlayOf(const OptionValues& given) {
   OverlayChoice choice;
-  for (const std::string& name : parts(arguments.value("--show").value_or(""), ','))
-    showOverlay(choice, name);
+  for (const std::string& name : parts(given.value("--show").value_or(""), ',')) showOverlay(choice, name);
   return choice;
 }
 
-std::optional<UsageError> renderingUsageError(const Arguments& arguments) {
-  const auto read = RenderingReader(arguments).read();
+std::optional<UsageError> renderingUsageError(const OptionValues& given) {
+  const auto read = RenderingReader(given).read();
   const auto* error = std::get_if<UsageError>(&read);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
-std::variant<StageRendering, UsageError> renderingFrom(const Arguments& arguments, const StagePtr& stage,
+std::variant<StageRendering, UsageError> renderingFrom(const OptionValues& given, const StagePtr& stage,
                                                        const AnalysisSnapshot& snapshot) {
-  auto read = RenderingReader(arguments).read();
+  auto read = RenderingReader(given).read();
   auto* rendering = std::get_if<StageRendering>(&read);
   if (rendering == nullptr) return read;
   rendering->stage = stage;
@@ -180,11 +192,11 @@ std::variant<StageRendering, UsageError> renderingFrom(const Arguments& argument
   const auto unknown = [](const std::string& label) {
     return UsageError{translated("There is no link \"%1\".", {label})};
   };
-  if (const auto label = arguments.value("--ride")) {
+  if (const auto label = given.value("--ride")) {
     rendering->view.referenceLink = idOfLink(mechanism, *label);
     if (!rendering->view.referenceLink) return unknown(*label);
   }
-  if (const auto labels = arguments.value("--hide")) {
+  if (const auto labels = given.value("--hide")) {
     for (const std::string& label : parts(*labels, ',')) {
       const auto link = idOfLink(mechanism, label);
       if (!link) return unknown(label);
@@ -194,4 +206,4 @@ std::variant<StageRendering, UsageError> renderingFrom(const Arguments& argument
   return read;
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline exporters

@@ -1,13 +1,13 @@
-#include "app/cli/input_options.h"
+#include "core/presentation/exporters/input_options.h"
 
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/element_words.h"
 #include "core/foundations/base/words.h"
+#include "core/presentation/exporters/element_words.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline exporters {
 namespace {
 
 /// The position of the joint that a word names.
@@ -78,13 +78,13 @@ std::optional<UsageError> setSpeed(Mechanism& mechanism, std::string_view word) 
 
 }  // namespace
 
-std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism, const Arguments& arguments) {
-  if (const auto list = arguments.value("--inputs")) {
+std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism, const OptionValues& given) {
+  if (const auto list = given.value("--inputs")) {
     auto inputs = inputsNamed(mechanism, *list);
     if (const auto* error = std::get_if<UsageError>(&inputs)) return *error;
     mechanism.inputs = std::get<std::vector<Input>>(std::move(inputs));
   }
-  const std::vector<std::string> speeds = arguments.values("--speed");
+  const std::vector<std::string> speeds = given.values("--speed");
   if (!speeds.empty() && !mechanism.inputs) mechanism.inputs = chosenInputs(mechanism);
   for (const std::string& speed : speeds) {
     if (const auto error = setSpeed(mechanism, speed)) return *error;
@@ -92,4 +92,4 @@ std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism, const 
   return mechanism;
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline exporters

@@ -1,10 +1,10 @@
-#include "app/cli/element_words.h"
+#include "core/presentation/exporters/element_words.h"
 
 #include <algorithm>
 
-#include "app/cli/arguments.h"
+#include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline exporters {
 namespace {
 
 template <class Elements>
@@ -30,4 +30,4 @@ std::optional<LinkOrdinal> linkNamed(const Mechanism& mechanism, std::string_vie
   return positionOf(mechanism.links, mechanism.linkLabel(0), word);
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline exporters

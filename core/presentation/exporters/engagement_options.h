@@ -1,0 +1,23 @@
+#pragma once
+
+#include <variant>
+
+#include "core/foundations/base/words.h"
+#include "core/mechanism/model/mechanism.h"
+#include "core/presentation/exporters/option_values.h"
+
+namespace geargraph::inline exporters {
+
+/// The mechanism with `--state NAME`: this state engaged, with its input at 1 rad/s; `--engage A,B`: these
+/// couplings engaged; `--engage none`: none engaged. Without these options as the document says.
+[[nodiscard]] std::variant<Mechanism, UsageError> withEngagementOptions(Mechanism mechanism,
+                                                                        const OptionValues& given);
+
+inline constexpr OptionText kStateOption{"--state", "NAME",
+                                         toTranslate("with the couplings of this state engaged")};
+inline constexpr OptionText kEngageOption{
+    "--engage", "A,B",
+    toTranslate("with these couplings engaged, \"none\" for no coupling, instead of "
+                "those that the document engages")};
+
+}  // namespace geargraph::inline exporters
