@@ -102,9 +102,8 @@ const ExportFamily& familyOf(const Exporter& exporter) {
 std::vector<std::string> exportForms() {
   std::vector<std::string> forms;
   for (const Exporter* exporter : allExporters()) {
-    if (!contains(forms, exporter->form)) forms.emplace_back(exporter->form);
+    if (exporter->implied.empty() && !contains(forms, exporter->form)) forms.emplace_back(exporter->form);
   }
-  // The forms of drawings and of 3D follow those of derivations whatever chooses them.
   return forms;
 }
 
