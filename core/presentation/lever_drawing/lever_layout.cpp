@@ -35,7 +35,8 @@ class BarArranger {
   }
 
   LeverLayout arranged() {
-    const Order order = m_plan.levers.size() <= kMaxOrderedBars ? bestOrder() : greedyOrder();
+    if (m_plan.levers.size() > kMaxOrderedBars) return placedOneByOne(greedyOrder());
+    const Order order = bestOrder();
     std::vector<BarTie> ties = tiesOf(order);
     std::vector<BarTie> given;
     while (true) {
@@ -147,11 +148,11 @@ class BarArranger {
     return {bar, isTurned[at] != 0 ? Rational(1) - part : part};
   }
 
-  /// The best layout with these ties level, over the sides of bars and of passing ties. Of more than
-  /// kMaxTried choices there is none with ties that pass bars, and one found bar by bar without them.
+  /// The best layout with these ties level, over the sides of bars and of passing ties. None of more than
+  /// kMaxTried choices.
   [[nodiscard]] std::optional<LeverLayout> withLevelTies(const Order& order,
                                                          const std::vector<BarTie>& ties) const {
-    constexpr std::size_t kMaxTried = 512;
+    constexpr std::size_t kMaxTried = 128;
     std::vector<std::pair<std::size_t, int>> passes;  // tie, bar
     for (std::size_t tie = 0; tie < ties.size(); ++tie) {
       for (int bar = ties[tie].from + 1; bar < ties[tie].to; ++bar) passes.emplace_back(tie, bar);
@@ -164,8 +165,7 @@ class BarArranger {
     }
     const std::size_t bits = free.size() + passes.size();
     if (bits >= 32 || (std::size_t{1} << bits) > kMaxTried) {
-      if (!passes.empty()) return std::nullopt;
-      return chained(order, ties, free);
+      return std::nullopt;
     }
     std::optional<BarLengths> best;
     std::vector<char> bestSides;
@@ -198,21 +198,45 @@ class BarArranger {
     return demands;
   }
 
-  /// Many bars with ties between neighbours only: each in its turn keeps the side with which all fit lower.
-  [[nodiscard]] std::optional<LeverLayout> chained(const Order& order, const std::vector<BarTie>& ties,
-                                                   const std::vector<int>& free) const {
-    std::vector<char> sides(order.size(), 0);
-    auto best = barLengths(demandsOf(order, ties, sides));
-    for (const int bar : free) {
-      std::vector<char> turned = sides;
-      turned[static_cast<std::size_t>(bar)] = 1;
-      auto other = barLengths(demandsOf(order, ties, turned));
-      if (!other || (best && !(costOf(*other) < costOf(*best)))) continue;
-      best = std::move(other);
-      sides = std::move(turned);
+  /// Many bars: all of one length, each level with the first bar before it that shares a point, on the side
+  /// that leads less far away. Ties that are not level then, or would run through a bar, run around.
+  [[nodiscard]] LeverLayout placedOneByOne(const Order& order) const {
+    LeverLayout layout;
+    layout.ties = tiesOf(order);
+    const auto pointAt = [&](int bar, LinkOrdinal link) -> const LeverPoint& {
+      return *m_plan.levers[static_cast<std::size_t>(order[static_cast<std::size_t>(bar)])].pointOf(link);
+    };
+    for (int bar = 0; bar < static_cast<int>(order.size()); ++bar) {
+      BarPlace place{order[static_cast<std::size_t>(bar)], 0, 1, false};
+      const auto tie = std::find_if(layout.ties.begin(), layout.ties.end(),
+                                    [&](const BarTie& each) { return each.to == bar; });
+      if (tie != layout.ties.end()) {
+        const Rational level =
+            layout.bars[static_cast<std::size_t>(tie->from)].heightOf(pointAt(tie->from, tie->link));
+        BarPlace turned = place;
+        turned.isTurnedOver = true;
+        place.bottom = level - place.heightOf(pointAt(bar, tie->link));
+        turned.bottom = level - turned.heightOf(pointAt(bar, tie->link));
+        if (turned.bottom.abs() < place.bottom.abs()) place = turned;
+      }
+      layout.bars.push_back(place);
     }
-    if (!best) return std::nullopt;
-    return layoutOf(order, ties, *best, sides);
+    Rational lowest;
+    for (const BarPlace& bar : layout.bars) lowest = std::min(lowest, bar.bottom);
+    for (BarPlace& bar : layout.bars) {
+      bar.bottom -= lowest;
+      layout.height = std::max(layout.height, bar.bottom + bar.length);
+    }
+    for (BarTie& tie : layout.ties) {
+      const Rational level =
+          layout.bars[static_cast<std::size_t>(tie.from)].heightOf(pointAt(tie.from, tie.link));
+      tie.isLevel =
+          level == layout.bars[static_cast<std::size_t>(tie.to)].heightOf(pointAt(tie.to, tie.link)) &&
+          std::none_of(
+              layout.bars.begin() + tie.from + 1, layout.bars.begin() + tie.to,
+              [&](const BarPlace& bar) { return bar.bottom <= level && level <= bar.bottom + bar.length; });
+    }
+    return layout;
   }
 
   [[nodiscard]] static std::pair<Rational, Rational> costOf(const BarLengths& lengths) {

@@ -39,7 +39,8 @@ struct LeverLayout {
 /// Places the levers of a plan so that shared points are level. The order passes the fewest bars with ties,
 /// then brings couplings' links near each other; bars are turned over and get lengths with which ties close
 /// level and pass above or below the bars between (bar_lengths.h). Where no lengths do that, ties are given
-/// up one by one. Cost: small programs of a few unknowns, at most some hundred.
+/// up one by one. Cost: at most 128 small linear programs, of up to kMaxOrderedBars bars; of more near
+/// bars^2.
 [[nodiscard]] LeverLayout leverLayout(const Mechanism& mechanism, const LeverPlan& plan);
 
 }  // namespace geargraph::inline lever_drawing
