@@ -12,6 +12,7 @@
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/snapshot_of.h"
+#include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -76,6 +77,20 @@ bool says(const DisplayList& list, const std::string& words) {
                      [&](const std::string& text) { return text.find(words) != std::string::npos; });
 }
 
+/// Planetary sets in a row: the ring of each is the sun of the next.
+Mechanism chainOf(int sets) {
+  TrainSketch train(1 + 3 * sets);
+  for (int link = 1; link <= 1 + 2 * sets; ++link) train.joint(0, link, "a");
+  for (int set = 0; set < sets; ++set)
+    train.joint(3 + 2 * set, 2 + 2 * sets + set, "p" + std::to_string(set));
+  for (int set = 0; set < sets; ++set) {
+    const int planet = 2 + 2 * sets + set;
+    train.mesh(set == 0 ? 1 : 2 * set, planet, 20, 20, MeshKind::external);
+    train.mesh(planet, 2 + 2 * set, 20, 60, MeshKind::internal);
+  }
+  return train.build();
+}
+
 LeverLayout layoutOf(const SnapshotPtr& snapshot) {
   return leverLayout(*snapshot->mechanism, leverPictureOf(*snapshot)->plan);
 }
@@ -134,6 +149,22 @@ class TestLeverDrawing : public QObject {
                    name.c_str());
         }
       }
+    }
+  }
+
+  void manyBarsAreLaidOutOneByOne() {
+    for (const int sets : {5, 9}) {
+      const SnapshotPtr snapshot = liveOf(chainOf(sets));
+      const LeverLayout layout = layoutOf(snapshot);
+      QCOMPARE(layout.bars.size(), static_cast<std::size_t>(sets));
+      QCOMPARE(layout.ties.size(), static_cast<std::size_t>(sets - 1));
+      for (const BarTie& tie : layout.ties) {
+        QVERIFY(tie.isLevel);
+        QCOMPARE(tie.to, tie.from + 1);
+      }
+      QVERIFY(layout.height <= Rational(3, 2));  // bars turned over in turns stay side by side
+      const DisplayList list = drawingNamed("levers")->draw(*snapshot, nullptr, {});
+      QVERIFY2(overlapsIn(list).empty(), overlapsIn(list).c_str());
     }
   }
 
