@@ -1,6 +1,8 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -36,6 +38,46 @@ Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange
     if (mesh == change.mesh && change.kind != placement.meshes[mesh]->kind) element.kind = change.kind;
   }
   return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
+}
+
+int centreTeeth(MeshKind kind, int tail, int head) {
+  return kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
+}
+
+/// The new centre distance of every pair of parallel axes over the old one; a pinned link whose gears would
+/// get other teeth, or an internal pair with equal teeth, is an error.
+Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, const Placement& placement,
+                                                      const Mechanism& edited) {
+  std::map<AxisPair, MeshOrdinal> bases;
+  const auto rank = [&](MeshOrdinal mesh) {
+    return (isPinned(before.gearMeshes[mesh]) ? 2 : 0) +
+           (placement.meshes[mesh]->kind == MeshKind::external ? 1 : 0);
+  };
+  for (MeshOrdinal mesh = 0; mesh < before.c(); ++mesh) {
+    const GearMesh& was = before.gearMeshes[mesh];
+    const GearMesh& now = edited.gearMeshes[mesh];
+    const MeshGeometry& geometry = *placement.meshes[mesh];
+    if ((was.tailTeeth != now.tailTeeth && isPinned(before.links[geometry.tail])) ||
+        (was.headTeeth != now.headTeeth && isPinned(before.links[geometry.head])))
+      return pinRejection(before, placement, mesh);
+    if (geometry.kind == MeshKind::bevel) continue;
+    if (geometry.kind == MeshKind::internal && now.tailTeeth == now.headTeeth)
+      return equalInternalTeeth(edited, mesh);
+    const auto [base, isFirst] = bases.try_emplace(axisPairOf(geometry), mesh);
+    if (!isFirst && rank(mesh) > rank(base->second)) base->second = mesh;
+  }
+  std::map<AxisPair, Rational> scales;
+  for (const auto& [pair, mesh] : bases) {
+    const MeshKind kind = placement.meshes[mesh]->kind;
+    const GearMesh& was = before.gearMeshes[mesh];
+    const GearMesh& now = edited.gearMeshes[mesh];
+    const bool stays = isPinned(axisOfClass(before, placement, pair.first)) &&
+                       isPinned(axisOfClass(before, placement, pair.second));
+    scales[pair] = stays ? Rational(1)
+                         : Rational(centreTeeth(kind, now.tailTeeth, now.headTeeth),
+                                    centreTeeth(kind, was.tailTeeth, was.headTeeth));
+  }
+  return scales;
 }
 
 bool isSharedWheel(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh, int other) {
@@ -132,6 +174,22 @@ Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId 
   const int position = positionOf(mechanism, mesh);
   const MeshKind kind = placement.meshes[position]->kind;
   return fitted(before, {position, tailTeeth, headTeeth, kind});
+}
+
+Expected<PlacedMechanism> withAllTeethFitted(const PlacedMechanism& before,
+                                             std::span<const MeshTeeth> teeth) {
+  Mechanism edited = before.mechanism();
+  for (const MeshTeeth& each : teeth) {
+    auto next = withTeeth(std::move(edited), before.mechanism().gearMeshes[each.mesh].id, each.tailTeeth,
+                          each.headTeeth);
+    if (!next) return next.error();
+    edited = *std::move(next);
+  }
+  const Placement& placement = before.placement();
+  if (!canBeFitted(placement)) return unplaced(Expected<Mechanism>(std::move(edited)));
+  const auto scales = distancesAfter(before.mechanism(), placement, edited);
+  if (!scales) return scales.error();
+  return unlessBroken(before, fitAxes(before.mechanism(), placement, std::move(edited), *scales));
 }
 
 Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId mesh, MeshKind kind) {

@@ -21,6 +21,20 @@ constexpr int kMaxFittedMeshes = 500;  ///< with more, fitting is too slow for t
 [[nodiscard]] Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId mesh,
                                                         int tailTeeth, int headTeeth);
 
+/// The tooth counts of a mesh, by position.
+struct MeshTeeth {
+  MeshOrdinal mesh = 0;
+  int tailTeeth = 1;
+  int headTeeth = 1;
+};
+
+/// Sets the tooth counts of several meshes as they are given: nothing else gets other teeth, so that a whole
+/// choice of teeth is one edit. Two axes take the distance of the mesh between them with a pinned module,
+/// else of the first external one, at its present module; between two pinned axes the distance stays. Rejects
+/// schema (teeth), teeth-geometry, also where a pinned link would get other teeth, and pitch-geometry.
+[[nodiscard]] Expected<PlacedMechanism> withAllTeethFitted(const PlacedMechanism& before,
+                                                           std::span<const MeshTeeth> teeth);
+
 /// Changes the kind of a mesh. Between external and internal, the axes move to the new distance. Where the
 /// document leaves the axes open, a pair becomes bevel together with the meshes that must become bevel too
 /// (those between the same axes and those of its wheels); a guessed ring becomes a side gear with as many

@@ -43,7 +43,6 @@ class PlanetFinder {
       if (isNew) sets.emplace_back();
       sets[found->second].push_back(group);
     }
-    std::erase_if(sets, [](const auto& set) { return set.size() < 2; });
     return sets;
   }
 
@@ -155,6 +154,13 @@ class PlanetFinder {
 
 std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism, const Placement& placement,
                                                    PlanetScope scope) {
+  std::vector<std::vector<PlanetGroup>> sets = planetSets(mechanism, placement, scope);
+  std::erase_if(sets, [](const auto& set) { return set.size() < 2; });
+  return sets;
+}
+
+std::vector<std::vector<PlanetGroup>> planetSets(const Mechanism& mechanism, const Placement& placement,
+                                                 PlanetScope scope) {
   return PlanetFinder(mechanism, placement, scope).find();
 }
 
