@@ -1,0 +1,137 @@
+#include "core/design/teeth_search/teeth_answer.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/design/teeth_search/wished_states.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/theory/statics/shift_statics.h"
+
+namespace geargraph::inline teeth_search {
+namespace {
+
+/// The efficiencies of a train under a torque at the drive.
+struct TrainEfficiency {
+  std::optional<double> forward;
+  std::optional<double> backward;
+};
+
+void lower(std::optional<double>& least, const std::optional<double>& value, bool isFirst) {
+  if (isFirst || (least && value && *value < *least)) {
+    least = value;
+  } else if (!value) {
+    least.reset();
+  }
+}
+
+bool hasLosses(const TeethProblem& problem) {
+  const Mechanism& train = problem.train;
+  if (problem.wish.efficiency.sign() > 0) return true;
+  if (train.gearDefaults && (train.gearDefaults->efficiency || train.gearDefaults->friction)) return true;
+  return std::any_of(train.gearMeshes.begin(), train.gearMeshes.end(),
+                     [](const GearMesh& mesh) { return mesh.efficiency || mesh.friction; });
+}
+
+/// The smallest efficiencies of the wished ratios; none where one of them is not known or locks itself.
+TrainEfficiency efficiencyOf(const TeethProblem& problem, std::span<const int> teeth,
+                             const std::stop_token& stop) {
+  const auto fitted = withAllTeethFitted(problem.drawn, meshTeethOf(problem, teeth));
+  if (!fitted) return {};
+  auto train = std::make_shared<const Mechanism>(withWishedStates(fitted->mechanism(), problem.wish));
+  const SnapshotPtr snapshot = analyzeLive(std::move(train), 0, stop);
+  if (!snapshot || snapshot->matroid() == nullptr) return {};
+  StaticsOptions options;
+  options.documentLoads = false;
+  options.losses = true;
+  options.symbolic = false;
+  options.driveTorque = Rational(1);
+  if (problem.wish.efficiency.sign() > 0) options.efficiency = problem.wish.efficiency;
+  TrainEfficiency least;
+  for (std::size_t i = 0; i < problem.ratios.size(); ++i) {
+    const auto solved = solveShiftState(*snapshot->mechanism, *snapshot->kinematics->model,
+                                        snapshot->kinematics->placement(), *snapshot->kinematics->ttGraph,
+                                        *snapshot->matroid(), static_cast<int>(i), options, stop);
+    if (!solved || !solved->report) return {};
+    const StaticsReport& report = solved->ofEfficiency();
+    const auto of = [](const std::optional<LossySolution>& lossy, const std::optional<PowerSums>& sums) {
+      const bool isSolved = lossy && lossy->outcome == LossySolution::Outcome::solved && sums;
+      const auto value = isSolved ? sums->efficiency() : std::nullopt;
+      return value ? std::optional(value->number()) : std::nullopt;
+    };
+    lower(least.forward, of(report.lossy, report.sums), i == 0);
+    lower(least.backward, of(report.backward, report.backwardSums), i == 0);
+  }
+  return least;
+}
+
+std::vector<int> planetNumbers(const TeethProblem& problem, std::span<const int> teeth) {
+  std::vector<int> numbers;
+  const auto isSet = [](const PlanetCondition& set) { return !set.wheels().empty(); };
+  if (std::none_of(problem.planets.begin(), problem.planets.end(), isSet)) return numbers;
+  for (int planets = 2; planets <= kMostPlanetsTold; ++planets) {
+    if (std::all_of(problem.planets.begin(), problem.planets.end(), [&](const PlanetCondition& set) {
+          return !isSet(set) || (set.clears(teeth, planets) && set.assembles(teeth, planets));
+        }))
+      numbers.push_back(planets);
+  }
+  return numbers;
+}
+
+TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found, const std::stop_token& stop) {
+  TeethChoice choice;
+  choice.found = std::move(found);
+  const std::vector<int>& teeth = choice.found.teeth;
+  choice.teeth = meshTeethOf(problem, teeth);
+  choice.planets = planetNumbers(problem, teeth);
+  for (const MeshTeeth& each : choice.teeth)
+    choice.hunting.push_back(std::gcd(each.tailTeeth, each.headTeeth) == 1 ? 1 : 0);
+  const double limit = undercutLimit(problem.train);
+  constexpr double kEqual = 1e-9;  // a limit that is whole does not undercut
+  for (std::size_t wheel = 0; wheel < teeth.size(); ++wheel) {
+    const SearchedWheel& of = problem.wheels[wheel];
+    if (!of.isRing && !of.isBevel && teeth[wheel] < limit - kEqual) choice.undercut.push_back(of.name);
+  }
+  if (hasLosses(problem)) {
+    const TrainEfficiency efficiency = efficiencyOf(problem, teeth, stop);
+    choice.efficiency = efficiency.forward;
+    choice.backward = efficiency.backward;
+  }
+  return choice;
+}
+
+}  // namespace
+
+Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wish,
+                               const TeethSearchOptions& options, const std::stop_token& stop) {
+  auto made = teethProblemOf(drawn, wish);
+  if (!made) return made.error();
+  TeethAnswer answer;
+  answer.problem = std::make_shared<const TeethProblem>(*std::move(made));
+  const TeethProblem& problem = *answer.problem;
+  TeethSearchOptions asked = options;
+  if (wish.leastEfficiency.sign() > 0 && !options.accepts) {
+    const double least = wish.leastEfficiency.toDouble();
+    asked.accepts = [&problem, least, &stop](std::span<const int> teeth) {
+      const TrainEfficiency efficiency = efficiencyOf(problem, teeth, stop);
+      return efficiency.forward && *efficiency.forward >= least;
+    };
+  }
+  answer.found = searchTeeth(problem, asked, stop);
+  for (const FoundTeeth& best : answer.found.best) answer.choices.push_back(choiceOf(problem, best, stop));
+  if (answer.found.nearest) answer.nearest = choiceOf(problem, *answer.found.nearest, stop);
+  return answer;
+}
+
+std::vector<MeshTeeth> meshTeethOf(const TeethProblem& problem, std::span<const int> teeth) {
+  std::vector<MeshTeeth> all;
+  const auto at = [&](std::size_t end) { return teeth[static_cast<std::size_t>(problem.wheelOfEnd[end])]; };
+  for (std::size_t end = 0; end < problem.wheelOfEnd.size(); end += 2)
+    all.push_back({end / 2, at(end), at(end + 1)});
+  return all;
+}
+
+Expected<PlacedMechanism> withTeethChosen(const PlacedMechanism& drawn, const TeethChoice& choice) {
+  return withAllTeethFitted(drawn, choice.teeth);
+}
+
+}  // namespace geargraph::inline teeth_search

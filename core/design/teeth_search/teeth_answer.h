@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/design/teeth_search/teeth_search.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+
+namespace geargraph::inline teeth_search {
+
+/// The most planets of which TeethChoice tells whether they go in.
+constexpr int kMostPlanetsTold = 24;
+
+/// A choice of teeth with what one wants to know before taking it.
+struct TeethChoice {
+  FoundTeeth found;
+  std::vector<MeshTeeth> teeth;  ///< by mesh
+  std::vector<int> planets;  ///< numbers of equal planets, from 2, that go in and clear; none without planets
+  std::vector<char> hunting;          ///< by mesh: do its teeth have no common factor?
+  std::vector<std::string> undercut;  ///< gears that a rack would undercut, "15:tail"
+  std::optional<double> efficiency;   ///< the smallest of the ratios; none without losses, or self-locking
+  std::optional<double> backward;     ///< the same with the power the other way
+};
+
+struct TeethAnswer {
+  std::shared_ptr<const TeethProblem> problem;
+  TeethFound found;
+  std::vector<TeethChoice> choices;    ///< of found.best
+  std::optional<TeethChoice> nearest;  ///< of found.nearest
+};
+
+/// The teeth for a wish about a drawn train: the best choices and the counts of all. An error where the train
+/// leaves nothing to choose (teethProblemOf()). Not complete if `stop` was requested.
+/// Cost: as searchTeeth(), and a statics of each choice where it has losses.
+/// @pre the wish was read for this mechanism
+[[nodiscard]] Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wish,
+                                             const TeethSearchOptions& options = {},
+                                             const std::stop_token& stop = {});
+
+/// These teeth for every mesh of the document. @pre an entry for each wheel
+[[nodiscard]] std::vector<MeshTeeth> meshTeethOf(const TeethProblem& problem, std::span<const int> teeth);
+
+/// The drawn train with these teeth, as one edit: distances and places follow (withAllTeethFitted()). Rejects
+/// what fitting rejects.
+[[nodiscard]] Expected<PlacedMechanism> withTeethChosen(const PlacedMechanism& drawn,
+                                                        const TeethChoice& choice);
+
+}  // namespace geargraph::inline teeth_search
