@@ -118,6 +118,12 @@ Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wi
   }
   answer.found = searchTeeth(problem, asked, stop);
   for (const FoundTeeth& best : answer.found.best) answer.choices.push_back(choiceOf(problem, best, stop));
+  // Of equally good ones that which loses less, with an unknown efficiency last.
+  std::stable_sort(answer.choices.begin(), answer.choices.end(),
+                   [](const TeethChoice& one, const TeethChoice& other) {
+                     if (one.found.error != other.found.error) return one.found.error < other.found.error;
+                     return one.efficiency.value_or(-1) > other.efficiency.value_or(-1);
+                   });
   if (answer.found.nearest) answer.nearest = choiceOf(problem, *answer.found.nearest, stop);
   return answer;
 }

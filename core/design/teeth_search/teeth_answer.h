@@ -26,7 +26,7 @@ struct TeethChoice {
 struct TeethAnswer {
   std::shared_ptr<const TeethProblem> problem;
   TeethFound found;
-  std::vector<TeethChoice> choices;    ///< of found.best
+  std::vector<TeethChoice> choices;    ///< of found.best; of equal errors the most efficient first
   std::optional<TeethChoice> nearest;  ///< of found.nearest
 };
 

@@ -83,6 +83,8 @@ Expected<std::string> teethCertificate(const TeethAnswer& answer, std::string_vi
     json.endArray();
     json.key("order");
     writeWholes(json, answer.found.order);
+    json.key("first");
+    answer.found.first < 0 ? json.null() : json.number(std::int64_t{answer.found.first});
     json.key("ratios");
     json.beginArray();
     for (const SearchedRatio& ratio : problem.ratios) {

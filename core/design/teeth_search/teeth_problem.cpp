@@ -36,7 +36,7 @@ class JoinedNumbers {
     return of;
   }
   void join(int one, int other) {
-    const auto [first, second] = std::minmax(root(one), root(other));
+    const auto [first, second] = std::minmax({root(one), root(other)});
     m_parent[static_cast<std::size_t>(second)] = first;
   }
 
@@ -216,7 +216,7 @@ class ProblemMaker {
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const MeshGeometry& geometry = *m_placement.meshes[mesh];
       if (geometry.kind == MeshKind::bevel) continue;
-      const auto [low, high] = std::minmax<int>(geometry.tailClass, geometry.headClass);
+      const auto [low, high] = std::minmax({int{geometry.tailClass}, int{geometry.headClass}});
       const int train =
           hasOneModule ? 0 : trains.root(m_problem.wheelOfEnd[static_cast<std::size_t>(2 * mesh)]);
       Distance& distance = distances[{low, high, train}];

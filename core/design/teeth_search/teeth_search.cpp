@@ -19,6 +19,9 @@ std::int64_t clamped(WideInteger value) {
 }
 
 /// Rounded down, within +-kFar. @pre by > 0
+std::int64_t floorQuotient(std::int64_t of, std::int64_t by) {
+  return std::clamp(of / by - (of % by < 0 ? 1 : 0), -kFar, kFar);
+}
 std::int64_t floorQuotient(WideInteger of, WideInteger by) {
   WideInteger quotient = of / by;
   if (of % by < 0) --quotient;
@@ -59,15 +62,19 @@ struct Line {
   }
 };
 
-/// The part of the stretch where the line is at least `least`.
+/// The part of the stretch where the line is at least `least`. Divides only where an end lies inside.
 template <class Whole>
 Stretch whereAtLeast(const Line<Whole>& line, int least, Stretch in) {
+  if (in.isEmpty()) return in;
   const Whole rest = line.at0 - Whole(least);
-  if (line.slope == Whole(0)) return rest >= Whole(0) ? in : Stretch{1, 0};
-  if (line.slope > Whole(0)) {
-    in.first = std::max(in.first, -floorQuotient(rest, line.slope));
+  const bool firstIs = rest + line.slope * Whole(in.first) >= Whole(0);
+  const bool lastIs = rest + line.slope * Whole(in.last) >= Whole(0);
+  if (firstIs && lastIs) return in;
+  if (!firstIs && !lastIs) return {1, 0};
+  if (lastIs) {
+    in.first = -floorQuotient(rest, line.slope);
   } else {
-    in.last = std::min(in.last, floorQuotient(rest, -line.slope));
+    in.last = floorQuotient(rest, -line.slope);
   }
   return in;
 }
@@ -77,6 +84,8 @@ template <class Whole>
 std::optional<std::int64_t> zeroOf(const Line<Whole>& line, const Stretch& in) {
   if (line.slope == Whole(0)) return std::nullopt;
   const Line<Whole> up = line.slope > Whole(0) ? line : line.negated();
+  if (up.at0 + up.slope * Whole(in.first) > Whole(0) || up.at0 + up.slope * Whole(in.last) < Whole(0))
+    return std::nullopt;
   const std::int64_t x = floorQuotient(-up.at0, up.slope);
   if (!in.contains(x) || up.at0 + up.slope * Whole(x) != Whole(0)) return std::nullopt;
   return x;
@@ -214,6 +223,7 @@ class Search {
     closeBranch();
     m_found.isComplete = !m_stopped;
     m_found.order = m_order.wheels;
+    if (!m_order.free.empty()) m_found.first = m_order.wheels[static_cast<std::size_t>(m_order.free.front())];
     for (const TeethBranch& branch : m_found.branches) m_found.counts += branch.counts;
     m_found.best = std::move(m_best).take();
     if (m_found.counts.accepted == 0) m_found.nearest = std::move(m_nearest);
@@ -609,9 +619,8 @@ class Search {
   std::vector<Stretch> m_hits;
 };
 
-/// Do all products of the search fit into 126 bits?
-bool fitsWide(const TeethProblem& problem) {
-  constexpr double kMostWide = 4e37;  // a quarter of 2^127
+/// No product of the search is larger; infinite where a bound does not fit into 64 bits.
+double largestProduct(const TeethProblem& problem) {
   std::vector<int> largest;
   for (const SearchedWheel& wheel : problem.wheels)
     largest.push_back(wheel.counts.empty() ? 1 : wheel.counts.back());
@@ -620,13 +629,14 @@ bool fitsWide(const TeethProblem& problem) {
   for (const SearchedRatio& ratio : problem.ratios) {
     for (const Rational* bound : {&ratio.bounds.low, &ratio.bounds.high}) {
       const fmpq* value = bound->flint();
-      if (fmpz_fits_si(fmpq_numref(value)) == 0 || fmpz_fits_si(fmpq_denref(value)) == 0) return false;
+      if (fmpz_fits_si(fmpq_numref(value)) == 0 || fmpz_fits_si(fmpq_denref(value)) == 0)
+        return std::numeric_limits<double>::infinity();
       const double scale = std::max(std::abs(fmpz_get_d(fmpq_numref(value))), fmpz_get_d(fmpq_denref(value)));
       size = std::max(size, scale * (ratio.numerator.sizeAt(largest) + ratio.denominator.sizeAt(largest)));
     }
   }
   for (const TeethPolynomial& closure : problem.closures) size = std::max(size, closure.sizeAt(largest));
-  return size * kMaxSearchedTeeth < kMostWide;
+  return size * kMaxSearchedTeeth;
 }
 
 }  // namespace
@@ -653,7 +663,12 @@ TeethFound searchTeeth(const TeethProblem& problem, const TeethSearchOptions& op
     order = std::move(other);
     invertsLast = true;
   }
-  if (fitsWide(problem))
+  constexpr double kMostShort = 2e18;  // below a quarter of 2^63
+  constexpr double kMostWide = 4e37;   // below a quarter of 2^127
+  const double largest = largestProduct(problem);
+  if (largest < kMostShort)
+    return Search<std::int64_t>(problem, std::move(order), invertsLast, options, stop).run();
+  if (largest < kMostWide)
     return Search<WideInteger>(problem, std::move(order), invertsLast, options, stop).run();
   return Search<Rational>(problem, std::move(order), invertsLast, options, stop).run();
 }

@@ -44,6 +44,7 @@ struct TeethFound {
   bool isComplete = false;  ///< all were tried
   TeethCounts counts;
   std::vector<int> order;  ///< wheels, as they were gone through; kept ones first
+  int first = -1;          ///< the wheel whose teeth name the branches; -1: no wheel is free
   std::vector<TeethBranch> branches;
   std::vector<FoundTeeth> best;
   /// Where none was found: one that meets everything but the bounds, with the smallest error.
@@ -52,7 +53,7 @@ struct TeethFound {
 
 /// Tries every choice. Wheels that a centre distance determines follow the others; where the ratios are
 /// Moebius functions of the last free wheel and nothing else is asked of it, they are inverted, so that its
-/// teeth are counted and not tried one by one. Comparisons are of whole numbers: of 128 bits where the
+/// teeth are counted and not tried one by one. Comparisons are of whole numbers: of 64 or 128 bits where the
 /// largest product fits, else of any size. Not complete if `stop` was requested.
 ///
 /// Cost: with m free wheels of k counts O(k^(m-1)) where the last is inverted, else O(k^m); some 100 ns for

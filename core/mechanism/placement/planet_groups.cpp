@@ -43,6 +43,11 @@ class PlanetFinder {
       if (isNew) sets.emplace_back();
       sets[found->second].push_back(group);
     }
+    // A wheel on the ground beside one other is no planet of it, unless there are several.
+    std::erase_if(sets, [&](const auto& set) {
+      const ClassOrdinal own = classOf(set.front().links.front());
+      return set.size() < 2 && set.front().meshes.size() < 2 && m_classes.classes[own].rootLink == 0;
+    });
     return sets;
   }
 
