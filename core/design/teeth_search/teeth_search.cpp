@@ -332,7 +332,8 @@ class Search {
       const bool isBranch = place == m_firstFree && m_places[place].isFree;
       if (isBranch) openBranch(*teeth);
       go(place + 1, judged(place, standing));
-      if (isBranch) tell(of, *teeth);
+      if (isBranch && !m_stopped) tell(of, *teeth);
+      if (isBranch && m_stop.stop_requested()) m_stopped = true;
       if (m_problem.wish.usesStockOnce && !of.isKept) m_stock[*teeth] += of.copies;
     }
   }
