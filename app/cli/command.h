@@ -45,6 +45,7 @@ extern const Command kServe;
 extern const Command kExercises;
 extern const Command kLesson;
 extern const Command kCheck;
+extern const Command kTeeth;
 extern const Command kManual;
 extern const Command kAtlas;
 extern const Command kIdentify;

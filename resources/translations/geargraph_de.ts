@@ -15708,6 +15708,236 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
         <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Optionen</translation>
+        <source>This is no certificate of teeth.</source>
+        <translation>Dies ist kein Zertifikat über Zähne.</translation>
+    </message>
+    <message>
+        <source>The certificate is newer than this program.</source>
+        <translation>Das Zertifikat ist neuer als dieses Programm.</translation>
+    </message>
+    <message>
+        <source>%1 is not what a certificate has there.</source>
+        <translation>%1 ist nicht, was ein Zertifikat an dieser Stelle hat.</translation>
+    </message>
+    <message>
+        <source>The mark is not that of the problem: it was changed.</source>
+        <translation>Die Kennung ist nicht die der Aufgabe: sie wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The wheels are not those of the meshes.</source>
+        <translation>Die Räder sind nicht die der Zahneingriffe.</translation>
+    </message>
+    <message>
+        <source>Ratio %1 is not that of the mechanism.</source>
+        <translation>Übersetzung %1 ist nicht die des Getriebes.</translation>
+    </message>
+    <message>
+        <source>The counts are %1 choices and %2 within the bounds, not %3 and %4.</source>
+        <translation>Es sind %1 Möglichkeiten und %2 davon in den Grenzen, nicht %3 und %4.</translation>
+    </message>
+    <message>
+        <source>The counts of the branches are not those of the choices.</source>
+        <translation>Die Anzahlen der Zweige sind nicht die der Möglichkeiten.</translation>
+    </message>
+    <message>
+        <source>Choices are listed that there are not.</source>
+        <translation>Es sind Möglichkeiten aufgeführt, die es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Choice %1 is not the one that follows.</source>
+        <translation>Möglichkeit %1 ist nicht die, die an der Reihe ist.</translation>
+    </message>
+    <message>
+        <source>a ratio other than 0: a number, or a string like &quot;9/2&quot; or &quot;0.632&quot;</source>
+        <translation>eine Übersetzung außer 0: eine Zahl oder eine Zeichenkette wie &quot;9/2&quot; oder &quot;0.632&quot;</translation>
+    </message>
+    <message>
+        <source>There are no teeth from %1 to %2.</source>
+        <translation>Von %1 bis %2 gibt es keine Zähnezahl.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>„%1“ oder „%2“</translation>
+    </message>
+    <message>
+        <source>There is no member &quot;%1&quot; in a wish.</source>
+        <translation>Ein Wunsch hat kein Element „%1“.</translation>
+    </message>
+    <message>
+        <source>a list of ratios</source>
+        <translation>eine Liste von Übersetzungen</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios</source>
+        <translation>eine Liste von 1 bis %1 Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Drive and driven are one link.</source>
+        <translation>Antrieb und Abtrieb sind ein und dasselbe Glied.</translation>
+    </message>
+    <message>
+        <source>Link %1 is held, so that it has no ratio.</source>
+        <translation>Glied %1 wird gehalten und hat deshalb keine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>the name of a state</source>
+        <translation>der Name eines Schaltzustands</translation>
+    </message>
+    <message>
+        <source>A ratio is wanted in a state or with links held, not in both.</source>
+        <translation>Eine Übersetzung ist in einem Schaltzustand oder mit gehaltenen Gliedern gewünscht, nicht beides.</translation>
+    </message>
+    <message>
+        <source>no ratio beside an interval</source>
+        <translation>keine Übersetzung neben einem Intervall</translation>
+    </message>
+    <message>
+        <source>With the ratio 0 the drive would stand still while link %1 turns.</source>
+        <translation>Mit der Übersetzung 0 stünde der Antrieb still, während sich Glied %1 dreht.</translation>
+    </message>
+    <message>
+        <source>two ratios of one sign, the smaller first</source>
+        <translation>zwei Übersetzungen gleichen Vorzeichens, die kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>Without &quot;wheels&quot; there is none that could be used once.</source>
+        <translation>Ohne „wheels“ gibt es kein Rad, das einmal verwendet werden könnte.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 numbers of teeth from 1 to %2</source>
+        <translation>eine Liste von 1 bis %1 Zähnezahlen von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>There is no wheel &quot;%1&quot;: wheels are named like 15:tail.</source>
+        <translation>Ein Rad „%1“ gibt es nicht: Räder heißen wie 15:tail.</translation>
+    </message>
+    <message>
+        <source>no efficiency of a set beside that of a mesh</source>
+        <translation>kein Wirkungsgrad eines Satzes neben dem eines Eingriffs</translation>
+    </message>
+    <message>
+        <source>a relative tolerance from 0 to below 1</source>
+        <translation>eine relative Toleranz von 0 bis unter 1</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0 and at most 1</source>
+        <translation>ein Wirkungsgrad über 0 und höchstens 1</translation>
+    </message>
+    <message>
+        <source>There are no gears whose teeth could be chosen.</source>
+        <translation>Es gibt keine Zahnräder, deren Zähne gewählt werden könnten.</translation>
+    </message>
+    <message>
+        <source>The speeds of links %1 and %2 have no ratio that the teeth determine.</source>
+        <translation>Die Drehzahlen der Glieder %1 und %2 haben kein Verhältnis, das die Zähne bestimmen.</translation>
+    </message>
+    <message>
+        <source>The ratio depends on %1 gear pairs: teeth are looked for in trains of at most %2.</source>
+        <translation>Die Übersetzung hängt von %1 Radpaaren ab: Zähne werden in Getrieben mit höchstens %2 gesucht.</translation>
+    </message>
+    <message>
+        <source>Not all choices were tried, so that there is nothing to certify.</source>
+        <translation>Nicht alle Möglichkeiten wurden geprüft, deshalb gibt es nichts zu bescheinigen.</translation>
+    </message>
+    <message>
+        <source>A wish with a least efficiency has no certificate.</source>
+        <translation>Für einen Wunsch mit einem Mindestwirkungsgrad gibt es kein Zertifikat.</translation>
+    </message>
+    <message>
+        <source>A train that locks with other teeth has no certificate.</source>
+        <translation>Für ein Getriebe, das mit anderen Zähnen sperrt, gibt es kein Zertifikat.</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>Planeten</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>Unterschnitt</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen sich</translation>
+    </message>
+    <message>
+        <source>with planets that clear each other</source>
+        <translation>mit Planeten, die aneinander vorbeikommen</translation>
+    </message>
+    <message>
+        <source>with equal planets that go in</source>
+        <translation>mit gleichen Planeten, die sich einbauen lassen</translation>
+    </message>
+    <message>
+        <source>with hunting teeth only</source>
+        <translation>nur mit wechselnden Zahnpaarungen</translation>
+    </message>
+    <message>
+        <source>without undercut</source>
+        <translation>ohne Unterschnitt</translation>
+    </message>
+    <message>
+        <source>within the bounds</source>
+        <translation>in den Grenzen</translation>
+    </message>
+    <message>
+        <source>All %1 choices were tried.</source>
+        <translation>Alle %1 Möglichkeiten wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>meet the wish</source>
+        <translation>erfüllen den Wunsch</translation>
+    </message>
+    <message>
+        <source>None. The nearest</source>
+        <translation>Keine. Am nächsten</translation>
+    </message>
+    <message>
+        <source>Choices, the best first</source>
+        <translation>Möglichkeiten, die beste zuerst</translation>
+    </message>
+    <message>
+        <source>The certificate holds: %1 choices were tried again, %2 are within the bounds.</source>
+        <translation>Das Zertifikat stimmt: %1 Möglichkeiten wurden noch einmal geprüft, %2 liegen in den Grenzen.</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold.</source>
+        <translation>Das Zertifikat stimmt nicht.</translation>
+    </message>
+    <message>
+        <source>A certificate is checked by itself, without a mechanism and a wish.</source>
+        <translation>Ein Zertifikat wird für sich geprüft, ohne Getriebe und Wunsch.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a wish are needed.</source>
+        <translation>Ein Getriebe und eine Datei mit einem Wunsch sind nötig.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit ist eine ganze Zahl bis %1.</translation>
+    </message>
+    <message>
+        <source>the search</source>
+        <translation>die Suche</translation>
+    </message>
+    <message>
+        <source>how many choices are given, the best first (20)</source>
+        <translation>wie viele Möglichkeiten angegeben werden, die beste zuerst (20)</translation>
+    </message>
+    <message>
+        <source>write what proves that all choices were tried</source>
+        <translation>schreiben, was beweist, dass alle Möglichkeiten geprüft wurden</translation>
+    </message>
+    <message>
+        <source>check such a proof, with code of its own</source>
+        <translation>einen solchen Beweis mit eigenem Programmteil prüfen</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Ganze Zähnezahlen, mit denen ein gezeichnetes Getriebe gewünschte Übersetzungen hat, alle oder die besten.</translation>
     </message>
 </context>
 <context>

@@ -15708,6 +15708,236 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
         <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones</translation>
+        <source>This is no certificate of teeth.</source>
+        <translation>Esto no es un certificado de dientes.</translation>
+    </message>
+    <message>
+        <source>The certificate is newer than this program.</source>
+        <translation>El certificado es más nuevo que este programa.</translation>
+    </message>
+    <message>
+        <source>%1 is not what a certificate has there.</source>
+        <translation>%1 no es lo que un certificado tiene en ese lugar.</translation>
+    </message>
+    <message>
+        <source>The mark is not that of the problem: it was changed.</source>
+        <translation>La marca no es la del problema: fue modificado.</translation>
+    </message>
+    <message>
+        <source>The wheels are not those of the meshes.</source>
+        <translation>Las ruedas no son las de los engranes.</translation>
+    </message>
+    <message>
+        <source>Ratio %1 is not that of the mechanism.</source>
+        <translation>La relación %1 no es la del mecanismo.</translation>
+    </message>
+    <message>
+        <source>The counts are %1 choices and %2 within the bounds, not %3 and %4.</source>
+        <translation>Son %1 opciones y %2 dentro de los límites, no %3 y %4.</translation>
+    </message>
+    <message>
+        <source>The counts of the branches are not those of the choices.</source>
+        <translation>Los números de las ramas no son los de las opciones.</translation>
+    </message>
+    <message>
+        <source>Choices are listed that there are not.</source>
+        <translation>Figuran opciones que no existen.</translation>
+    </message>
+    <message>
+        <source>Choice %1 is not the one that follows.</source>
+        <translation>La opción %1 no es la que sigue.</translation>
+    </message>
+    <message>
+        <source>a ratio other than 0: a number, or a string like &quot;9/2&quot; or &quot;0.632&quot;</source>
+        <translation>una relación distinta de 0: un número o una cadena como &quot;9/2&quot; o &quot;0.632&quot;</translation>
+    </message>
+    <message>
+        <source>There are no teeth from %1 to %2.</source>
+        <translation>No hay números de dientes de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>«%1» o «%2»</translation>
+    </message>
+    <message>
+        <source>There is no member &quot;%1&quot; in a wish.</source>
+        <translation>Un deseo no tiene ningún miembro «%1».</translation>
+    </message>
+    <message>
+        <source>a list of ratios</source>
+        <translation>una lista de relaciones</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios</source>
+        <translation>una lista de 1 a %1 relaciones</translation>
+    </message>
+    <message>
+        <source>Drive and driven are one link.</source>
+        <translation>La entrada y la salida son el mismo eslabón.</translation>
+    </message>
+    <message>
+        <source>Link %1 is held, so that it has no ratio.</source>
+        <translation>El eslabón %1 está retenido y por eso no tiene relación.</translation>
+    </message>
+    <message>
+        <source>the name of a state</source>
+        <translation>el nombre de un estado</translation>
+    </message>
+    <message>
+        <source>A ratio is wanted in a state or with links held, not in both.</source>
+        <translation>Una relación se pide en un estado o con eslabones retenidos, no ambas cosas.</translation>
+    </message>
+    <message>
+        <source>no ratio beside an interval</source>
+        <translation>ninguna relación junto a un intervalo</translation>
+    </message>
+    <message>
+        <source>With the ratio 0 the drive would stand still while link %1 turns.</source>
+        <translation>Con la relación 0 la entrada estaría quieta mientras gira el eslabón %1.</translation>
+    </message>
+    <message>
+        <source>two ratios of one sign, the smaller first</source>
+        <translation>dos relaciones del mismo signo, primero la menor</translation>
+    </message>
+    <message>
+        <source>Without &quot;wheels&quot; there is none that could be used once.</source>
+        <translation>Sin «wheels» no hay ninguna rueda que se pueda usar una vez.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 numbers of teeth from 1 to %2</source>
+        <translation>una lista de 1 a %1 números de dientes de 1 a %2</translation>
+    </message>
+    <message>
+        <source>There is no wheel &quot;%1&quot;: wheels are named like 15:tail.</source>
+        <translation>No hay ninguna rueda «%1»: las ruedas se nombran como 15:tail.</translation>
+    </message>
+    <message>
+        <source>no efficiency of a set beside that of a mesh</source>
+        <translation>ningún rendimiento de un juego junto al de un engrane</translation>
+    </message>
+    <message>
+        <source>a relative tolerance from 0 to below 1</source>
+        <translation>una tolerancia relativa desde 0 hasta menos de 1</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0 and at most 1</source>
+        <translation>un rendimiento mayor que 0 y como máximo 1</translation>
+    </message>
+    <message>
+        <source>There are no gears whose teeth could be chosen.</source>
+        <translation>No hay engranajes cuyos dientes se puedan elegir.</translation>
+    </message>
+    <message>
+        <source>The speeds of links %1 and %2 have no ratio that the teeth determine.</source>
+        <translation>Las velocidades de los eslabones %1 y %2 no tienen una relación que determinen los dientes.</translation>
+    </message>
+    <message>
+        <source>The ratio depends on %1 gear pairs: teeth are looked for in trains of at most %2.</source>
+        <translation>La relación depende de %1 pares de ruedas: se buscan dientes en trenes de %2 como máximo.</translation>
+    </message>
+    <message>
+        <source>Not all choices were tried, so that there is nothing to certify.</source>
+        <translation>No se probaron todas las opciones, así que no hay nada que certificar.</translation>
+    </message>
+    <message>
+        <source>A wish with a least efficiency has no certificate.</source>
+        <translation>Para un deseo con un rendimiento mínimo no hay certificado.</translation>
+    </message>
+    <message>
+        <source>A train that locks with other teeth has no certificate.</source>
+        <translation>Para un tren que se bloquea con otros dientes no hay certificado.</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>opción</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>satélites</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>socavado</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>giran</translation>
+    </message>
+    <message>
+        <source>with planets that clear each other</source>
+        <translation>con satélites que no se tocan</translation>
+    </message>
+    <message>
+        <source>with equal planets that go in</source>
+        <translation>con satélites iguales que se pueden montar</translation>
+    </message>
+    <message>
+        <source>with hunting teeth only</source>
+        <translation>solo con dientes itinerantes</translation>
+    </message>
+    <message>
+        <source>without undercut</source>
+        <translation>sin socavado</translation>
+    </message>
+    <message>
+        <source>within the bounds</source>
+        <translation>dentro de los límites</translation>
+    </message>
+    <message>
+        <source>All %1 choices were tried.</source>
+        <translation>Se probaron todas las %1 opciones.</translation>
+    </message>
+    <message>
+        <source>meet the wish</source>
+        <translation>cumplen el deseo</translation>
+    </message>
+    <message>
+        <source>None. The nearest</source>
+        <translation>Ninguna. La más próxima</translation>
+    </message>
+    <message>
+        <source>Choices, the best first</source>
+        <translation>Opciones, la mejor primero</translation>
+    </message>
+    <message>
+        <source>The certificate holds: %1 choices were tried again, %2 are within the bounds.</source>
+        <translation>El certificado es correcto: se volvieron a probar %1 opciones, %2 están dentro de los límites.</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold.</source>
+        <translation>El certificado no es correcto.</translation>
+    </message>
+    <message>
+        <source>A certificate is checked by itself, without a mechanism and a wish.</source>
+        <translation>Un certificado se comprueba por sí solo, sin mecanismo ni deseo.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a wish are needed.</source>
+        <translation>Se necesitan un mecanismo y un archivo con un deseo.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit es un número entero hasta %1.</translation>
+    </message>
+    <message>
+        <source>the search</source>
+        <translation>la búsqueda</translation>
+    </message>
+    <message>
+        <source>how many choices are given, the best first (20)</source>
+        <translation>cuántas opciones se dan, la mejor primero (20)</translation>
+    </message>
+    <message>
+        <source>write what proves that all choices were tried</source>
+        <translation>escribir lo que demuestra que se probaron todas las opciones</translation>
+    </message>
+    <message>
+        <source>check such a proof, with code of its own</source>
+        <translation>comprobar una demostración así, con código propio</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Números enteros de dientes con los que un tren dibujado tiene las relaciones deseadas, todos o los mejores.</translation>
     </message>
 </context>
 <context>

@@ -15707,6 +15707,236 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
         <translation>Grafları, matrisleri, türetimleri, çizimleri, resimleri, katı modelleri ve diğer programlar için modelleri tüm seçenekleriyle dışa aktar</translation>
+        <source>This is no certificate of teeth.</source>
+        <translation>Bu bir diş sertifikası değil.</translation>
+    </message>
+    <message>
+        <source>The certificate is newer than this program.</source>
+        <translation>Sertifika bu programdan daha yeni.</translation>
+    </message>
+    <message>
+        <source>%1 is not what a certificate has there.</source>
+        <translation>%1, bir sertifikada o yerde bulunan şey değil.</translation>
+    </message>
+    <message>
+        <source>The mark is not that of the problem: it was changed.</source>
+        <translation>İşaret problemin işareti değil: problem değiştirilmiş.</translation>
+    </message>
+    <message>
+        <source>The wheels are not those of the meshes.</source>
+        <translation>Dişliler, kavramaların dişlileri değil.</translation>
+    </message>
+    <message>
+        <source>Ratio %1 is not that of the mechanism.</source>
+        <translation>%1. oran mekanizmanın oranı değil.</translation>
+    </message>
+    <message>
+        <source>The counts are %1 choices and %2 within the bounds, not %3 and %4.</source>
+        <translation>Sayılar %1 seçenek ve sınırlar içinde %2; %3 ve %4 değil.</translation>
+    </message>
+    <message>
+        <source>The counts of the branches are not those of the choices.</source>
+        <translation>Dalların sayıları seçeneklerin sayıları değil.</translation>
+    </message>
+    <message>
+        <source>Choices are listed that there are not.</source>
+        <translation>Var olmayan seçenekler listelenmiş.</translation>
+    </message>
+    <message>
+        <source>Choice %1 is not the one that follows.</source>
+        <translation>%1. seçenek sıradaki seçenek değil.</translation>
+    </message>
+    <message>
+        <source>a ratio other than 0: a number, or a string like &quot;9/2&quot; or &quot;0.632&quot;</source>
+        <translation>0 dışında bir oran: bir sayı ya da &quot;9/2&quot; veya &quot;0.632&quot; gibi bir metin</translation>
+    </message>
+    <message>
+        <source>There are no teeth from %1 to %2.</source>
+        <translation>%1 ile %2 arasında diş sayısı yok.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>“%1” ya da “%2”</translation>
+    </message>
+    <message>
+        <source>There is no member &quot;%1&quot; in a wish.</source>
+        <translation>Bir istekte “%1” üyesi yoktur.</translation>
+    </message>
+    <message>
+        <source>a list of ratios</source>
+        <translation>bir oran listesi</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios</source>
+        <translation>1 ile %1 arası orandan oluşan bir liste</translation>
+    </message>
+    <message>
+        <source>Drive and driven are one link.</source>
+        <translation>Giriş ve çıkış aynı uzuv.</translation>
+    </message>
+    <message>
+        <source>Link %1 is held, so that it has no ratio.</source>
+        <translation>%1 uzvu tutuluyor, bu yüzden oranı yok.</translation>
+    </message>
+    <message>
+        <source>the name of a state</source>
+        <translation>bir durumun adı</translation>
+    </message>
+    <message>
+        <source>A ratio is wanted in a state or with links held, not in both.</source>
+        <translation>Bir oran ya bir durumda ya da tutulan uzuvlarla istenir, ikisi birden değil.</translation>
+    </message>
+    <message>
+        <source>no ratio beside an interval</source>
+        <translation>bir aralığın yanında oran olmaması</translation>
+    </message>
+    <message>
+        <source>With the ratio 0 the drive would stand still while link %1 turns.</source>
+        <translation>0 oranıyla %1 uzvu dönerken giriş dururdu.</translation>
+    </message>
+    <message>
+        <source>two ratios of one sign, the smaller first</source>
+        <translation>aynı işaretli iki oran, önce küçüğü</translation>
+    </message>
+    <message>
+        <source>Without &quot;wheels&quot; there is none that could be used once.</source>
+        <translation>“wheels” olmadan bir kez kullanılabilecek dişli yoktur.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 numbers of teeth from 1 to %2</source>
+        <translation>1 ile %2 arasında diş sayılarından, 1 ile %1 öğeli bir liste</translation>
+    </message>
+    <message>
+        <source>There is no wheel &quot;%1&quot;: wheels are named like 15:tail.</source>
+        <translation>“%1” diye bir dişli yok: dişliler 15:tail gibi adlandırılır.</translation>
+    </message>
+    <message>
+        <source>no efficiency of a set beside that of a mesh</source>
+        <translation>bir kavramanınkinin yanında takım verimi olmaması</translation>
+    </message>
+    <message>
+        <source>a relative tolerance from 0 to below 1</source>
+        <translation>0 ile 1&apos;in altı arasında göreli bir tolerans</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0 and at most 1</source>
+        <translation>0&apos;dan büyük ve en çok 1 olan bir verim</translation>
+    </message>
+    <message>
+        <source>There are no gears whose teeth could be chosen.</source>
+        <translation>Dişleri seçilebilecek dişli çark yok.</translation>
+    </message>
+    <message>
+        <source>The speeds of links %1 and %2 have no ratio that the teeth determine.</source>
+        <translation>%1 ve %2 uzuvlarının hızlarının, dişlerin belirlediği bir oranı yok.</translation>
+    </message>
+    <message>
+        <source>The ratio depends on %1 gear pairs: teeth are looked for in trains of at most %2.</source>
+        <translation>Oran %1 dişli çiftine bağlı: dişler en çok %2 çiftli dişli dizilerinde aranır.</translation>
+    </message>
+    <message>
+        <source>Not all choices were tried, so that there is nothing to certify.</source>
+        <translation>Bütün seçenekler denenmedi, bu yüzden belgelenecek bir şey yok.</translation>
+    </message>
+    <message>
+        <source>A wish with a least efficiency has no certificate.</source>
+        <translation>En düşük verim isteyen bir istek için sertifika yoktur.</translation>
+    </message>
+    <message>
+        <source>A train that locks with other teeth has no certificate.</source>
+        <translation>Başka dişlerle kilitlenen bir dişli dizisi için sertifika yoktur.</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>seçenek</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>gezegenler</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>alttan kesme</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>dönüyor</translation>
+    </message>
+    <message>
+        <source>with planets that clear each other</source>
+        <translation>birbirine değmeyen gezegenlerle</translation>
+    </message>
+    <message>
+        <source>with equal planets that go in</source>
+        <translation>takılabilen eş gezegenlerle</translation>
+    </message>
+    <message>
+        <source>with hunting teeth only</source>
+        <translation>yalnızca gezici dişlerle</translation>
+    </message>
+    <message>
+        <source>without undercut</source>
+        <translation>alttan kesmesiz</translation>
+    </message>
+    <message>
+        <source>within the bounds</source>
+        <translation>sınırlar içinde</translation>
+    </message>
+    <message>
+        <source>All %1 choices were tried.</source>
+        <translation>%1 seçeneğin hepsi denendi.</translation>
+    </message>
+    <message>
+        <source>meet the wish</source>
+        <translation>isteği karşılıyor</translation>
+    </message>
+    <message>
+        <source>None. The nearest</source>
+        <translation>Hiçbiri. En yakını</translation>
+    </message>
+    <message>
+        <source>Choices, the best first</source>
+        <translation>Seçenekler, en iyisi önce</translation>
+    </message>
+    <message>
+        <source>The certificate holds: %1 choices were tried again, %2 are within the bounds.</source>
+        <translation>Sertifika doğru: %1 seçenek yeniden denendi, %2 tanesi sınırlar içinde.</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold.</source>
+        <translation>Sertifika doğru değil.</translation>
+    </message>
+    <message>
+        <source>A certificate is checked by itself, without a mechanism and a wish.</source>
+        <translation>Bir sertifika tek başına, mekanizma ve istek olmadan denetlenir.</translation>
+    </message>
+    <message>
+        <source>A mechanism and a file with a wish are needed.</source>
+        <translation>Bir mekanizma ve içinde istek olan bir dosya gerekiyor.</translation>
+    </message>
+    <message>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit, %1 sayısına kadar bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>the search</source>
+        <translation>arama</translation>
+    </message>
+    <message>
+        <source>how many choices are given, the best first (20)</source>
+        <translation>kaç seçenek verileceği, en iyisi önce (20)</translation>
+    </message>
+    <message>
+        <source>write what proves that all choices were tried</source>
+        <translation>bütün seçeneklerin denendiğini kanıtlayanı yaz</translation>
+    </message>
+    <message>
+        <source>check such a proof, with code of its own</source>
+        <translation>böyle bir kanıtı kendi koduyla denetle</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Çizilen bir dişli dizisine istenen oranları veren tam diş sayıları, hepsi ya da en iyileri.</translation>
     </message>
 </context>
 <context>

@@ -166,6 +166,27 @@ class TestResultSchema : public QObject {
     QVERIFY(!answerOf(calls[4].second).at("with").is_null());
   }
 
+  void teethFit() {
+    const auto file = [](const char* name) {
+      return QString::fromStdString(sourcePath("tests/golden/files/") + name);
+    };
+    QTemporaryDir folder;
+    const QString certificate = folder.filePath("certificate.json");
+    const json found = answerOf({"teeth", file("two-ring.geargraph"), file("two-ring-wish.json"), "--json",
+                                 "--certificate", certificate});
+    QCOMPARE(closedSchema("teeth").complaint(found), std::string());
+    QCOMPARE(found.at("count").get<int>(), 12);
+    const json none = answerOf({"teeth", file("two-ring.geargraph"), "-", "--json"},
+                               R"({"ratios": [{"state": "1", "ratio": 1000}], "most": 30})");
+    QCOMPARE(closedSchema("teeth").complaint(none), std::string());
+    QVERIFY(none.at("nearest").is_object());
+    const json checked = answerOf({"teeth", "--check", certificate, "--json"});
+    QCOMPARE(closedSchema("teethCheck").complaint(checked), std::string());
+    QVERIFY(checked.at("holds").get<bool>());
+    const JsonSchema whole(published());
+    for (const json& answer : {found, none, checked}) QCOMPARE(whole.complaint(answer), std::string());
+  }
+
   void collisionsAndLimitsFit() {
     const json motion =
         answerOf({"validate", "--motion", "--json", QString::fromStdString(examplePath("robot"))});
