@@ -48,5 +48,6 @@ void addPictures(py::module_& module);
 void addExports(py::module_& module);
 void addExercises(py::module_& module);
 void addSets(py::module_& module);
+void addTeeth(py::module_& module);
 
 }  // namespace geargraph::python

@@ -6,6 +6,7 @@ PYBIND11_MODULE(_geargraph, module) {
   addDocument(module);
   addEdits(module);
   addSets(module);
+  addTeeth(module);
   addAnalysis(module);
   addSteps(module);
   addStatics(module);

@@ -30,6 +30,7 @@ from ._methods import (
 from ._pictures import Drawing, Picture
 from ._results import InputSets, MotionCheck, State, States
 from ._statics import Balance, Bearing, Efficiency, MeshForce, Statics
+from ._teeth import TeethCheck, TeethChoice, TeethChoices, check_teeth
 
 __version__: str = _geargraph.version
 
@@ -39,8 +40,8 @@ __all__ = [
     "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link", "LinkMass", "Load", "Matrix",
     "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce", "Motion", "MotionCheck",
     "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "States", "Statics",
-    "Term", "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "exercises", "loads", "open",
-    "sets",
+    "TeethCheck", "TeethChoice", "TeethChoices", "Term", "TransferVertex", "TtGraphMethod", "TtStep",
+    "TurningJoint", "check_teeth", "exercises", "loads", "open", "sets",
 ]
 
 
