@@ -1,0 +1,355 @@
+#include <QtTest>
+#include <cmath>
+#include <set>
+
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/planets.h"
+#include "core/design/synthesis/reverted_train.h"
+#include "core/design/synthesis/set_sketch.h"
+#include "core/design/synthesis/shifting_sets.h"
+#include "core/design/teeth_check/teeth_check.h"
+#include "core/design/teeth_search/teeth_certificate.h"
+#include "core/design/teeth_search/teeth_json.h"
+#include "core/mechanism/model/pins.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// Sun 1, ring 2, ring 3, carrier 4, planets 5..: each planet has a gear between sun and ring 2, and one in
+/// ring 3.
+Mechanism twoRings(int sun, int planet, int other, int planets) {
+  SetSketch set("two rings");
+  const int sunLink = set.link(0, "a", "sun");
+  const int ring = set.link(0, "a", "ring");
+  const int otherRing = set.link(0, "a", "other ring");
+  const LinkOrdinal carrier = set.link(0, "a", "carrier");
+  for (int i = 0; i < planets; ++i) {
+    const int link = set.link(carrier, "b" + std::to_string(i), "planet");
+    const WheelId one = set.wheel("p" + std::to_string(i), link);
+    const WheelId second = set.wheel("q" + std::to_string(i), link);
+    set.mesh(sunLink, link, sun, planet, MeshKind::external).headWheel = one;
+    set.mesh(link, ring, planet, sun + 2 * planet, MeshKind::internal).tailWheel = one;
+    set.mesh(link, otherRing, other, sun + planet + other, MeshKind::internal).tailWheel = second;
+  }
+  set.brake("A", ring);
+  set.state("1", {"A"}, sunLink, otherRing);
+  return std::move(set).build();
+}
+
+/// Two pairs on three axes: no centre distance is shared.
+Mechanism twoPairs() {
+  SetSketch set("two pairs");
+  const int input = set.link(0, "a", "input");
+  const int counter = set.link(0, "b", "countershaft");
+  const int output = set.link(0, "c", "output");
+  set.mesh(input, counter, 20, 50, MeshKind::external);
+  set.mesh(counter, output, 21, 60, MeshKind::external);
+  return std::move(set).build();
+}
+
+TeethWish wishFor(const Mechanism& mechanism, const std::string& json) {
+  auto wish = readTeethWish(json, mechanism);
+  if (!wish)
+    for (const Diagnostic& each : wish.error()) qWarning("%s %s", each.pointer.c_str(), each.message.c_str());
+  return *std::move(wish);
+}
+
+TeethAnswer answerFor(const Mechanism& mechanism, const std::string& json, std::size_t most = 20) {
+  TeethSearchOptions options;
+  options.most = most;
+  auto answer = teethFor(mechanism, wishFor(mechanism, json), options);
+  if (!answer)
+    for (const Diagnostic& each : answer.error()) qWarning("%s", each.message.c_str());
+  return *std::move(answer);
+}
+
+constexpr const char* kTwoRingWish =
+    R"({"ratios": [{"state": "1", "ratio": "64", "tolerance": "1/200"}],
+        "fewest": 17, "most": 60, "mostRing": 120, "planets": 3,
+        "efficiency": {"mesh": 0.98}})";
+
+constexpr const char* kTwoPairWish =
+    R"({"ratios": [{"drive": "3", "driven": "1", "ratio": "1000/6931", "tolerance": "1/1000"}],
+        "fewest": 12, "most": 60})";
+
+std::vector<std::string> pointersOf(const Mechanism& mechanism, const std::string& json) {
+  const auto wish = readTeethWish(json, mechanism);
+  std::vector<std::string> pointers;
+  if (!wish)
+    for (const Diagnostic& each : wish.error()) pointers.push_back(each.pointer);
+  return pointers;
+}
+
+}  // namespace
+
+class TestTeethSearch : public QObject {
+  Q_OBJECT
+
+ private slots:
+  /// The reducer of ratio 64: every filter in its order, as counted by three plain loops.
+  void countsOfATwoRingReducer() {
+    const TeethAnswer answer = answerFor(twoRings(24, 30, 26, 3), kTwoRingWish);
+    QVERIFY(answer.found.isComplete);
+    const TeethCounts& counts = answer.found.counts;
+    QCOMPARE(counts.tried, std::int64_t{38'997});
+    QCOMPARE(counts.turns, std::int64_t{37'919});
+    QCOMPARE(counts.clears, std::int64_t{30'372});
+    QCOMPARE(counts.assembles, std::int64_t{10'112});
+    QCOMPARE(counts.accepted, std::int64_t{12});
+    QCOMPARE(answer.choices.size(), std::size_t{12});
+    QCOMPARE(answer.choices[0].found.ratios[0], Rational(64));
+    QVERIFY(answer.choices[2].found.error.isZero() && !answer.choices[3].found.error.isZero());
+    const std::vector<MeshTeeth>& best = answer.choices[0].teeth;
+    QCOMPARE(best[0].tailTeeth, 17);
+    QCOMPARE(best[0].headTeeth, 34);
+    QCOMPARE(best[1].headTeeth, 85);
+    QCOMPARE(best[2].tailTeeth, 29);
+    QCOMPARE(best[2].headTeeth, 80);
+    QCOMPARE(answer.choices[0].planets, (std::vector<int>{3}));
+    QCOMPARE(answer.choices[1].planets, (std::vector<int>{2, 3}));
+    QCOMPARE(answer.choices[0].undercut, (std::vector<std::string>{answer.problem->wheels[0].name}));
+    std::int64_t branches = 0;
+    for (const TeethBranch& branch : answer.found.branches) branches += branch.counts.tried;
+    QCOMPARE(branches, counts.tried);
+  }
+
+  /// One planet is drawn, three are asked for: the same train.
+  void drawnCopiesChangeNothing() {
+    const TeethAnswer one = answerFor(twoRings(24, 30, 26, 1), kTwoRingWish);
+    QCOMPARE(one.found.counts.assembles, std::int64_t{10'112});
+    QCOMPARE(one.found.counts.accepted, std::int64_t{12});
+  }
+
+  /// Every ratio is that of the states' own elimination.
+  void ratiosAreThoseOfTheStates() {
+    const Mechanism ravigneaux = *ravigneauxSet({}, 1);
+    const TeethAnswer answer = answerFor(
+        ravigneaux,
+        R"({"ratios": [{"state": "1", "between": ["2", "3"]}, {"state": "2", "between": ["1.2", "2"]}],
+                       "fewest": 17, "most": 40, "mostRing": 90, "planets": 3})");
+    QVERIFY(answer.found.counts.accepted > 0);
+    for (const TeethChoice& choice : answer.choices) {
+      for (std::size_t ratio = 0; ratio < 2; ++ratio)
+        QCOMPARE(*solvedRatio(*answer.problem, ratio, choice.found.teeth), choice.found.ratios[ratio]);
+    }
+  }
+
+  /// Against the phases of the drawn teeth: three planets are put in, or rejected.
+  void assemblyIsThatOfTheTeeth() {
+    int going = 0, rejected = 0;
+    for (int sun = 18; sun <= 24; ++sun) {
+      for (int planet = 20; planet <= 22; ++planet) {
+        for (int other = 18; other <= 20; ++other) {
+          const Mechanism drawn = twoRings(sun, planet, other, 1);
+          const auto problem = teethProblemOf(drawn, wishFor(drawn, kTwoRingWish));
+          std::vector<int> teeth;
+          for (const SearchedWheel& wheel : problem->wheels) teeth.push_back(wheel.drawn);
+          const bool goesIn = problem->planets.front().assembles(teeth, 3);
+          (goesIn ? going : rejected) += 1;
+          QCOMPARE(goesIn, withPlanets(drawn, drawn.links[5].id, 3).has_value());
+        }
+      }
+    }
+    QVERIFY(going > 5 && rejected > 5);
+  }
+
+  /// Sandgren's gear train: 1/6.931 with 12 to 60 teeth.
+  void gearTrainOfSandgren() {
+    const TeethAnswer answer = answerFor(twoPairs(), kTwoPairWish);
+    QVERIFY(answer.found.isComplete);
+    QCOMPARE(answer.found.counts.tried, std::int64_t{49} * 49 * 49 * 49);
+    const Rational best = answer.choices.front().found.ratios[0];
+    QCOMPARE(best, Rational(304, 2107));
+    const Rational error = best - Rational(1000, 6931);
+    // As published, from doubles: its last digit is lost.
+    QVERIFY(std::abs((error * error).toDouble() / 2.70085714883e-12 - 1) < 1e-10);
+    std::int64_t within = 0;
+    for (std::int64_t a = 12; a <= 60; ++a) {
+      for (std::int64_t b = 12; b <= 60; ++b) {
+        for (std::int64_t c = 12; c <= 60; ++c) {
+          for (std::int64_t d = 12; d <= 60; ++d) {
+            // |a b / (c d) - 1000/6931| <= 1/6931
+            const std::int64_t apart = 6931 * a * b - 1000 * c * d;
+            if (apart <= c * d && -apart <= c * d) ++within;
+          }
+        }
+      }
+    }
+    QCOMPARE(answer.found.counts.accepted, within);
+  }
+
+  void certificatesHold() {
+    for (
+        const auto& [train, wish] :
+        {std::pair(twoRings(24, 30, 26, 3), std::string(kTwoRingWish)),
+         std::pair(
+             revertedTrain({}),
+             std::string(
+                 R"({"ratios": [{"drive": "1", "driven": "3", "ratio": "4.03"}], "most": 60, "slack": 1})"))}) {
+      const TeethAnswer answer = answerFor(train, wish);
+      QVERIFY(answer.found.counts.accepted > 0);
+      const auto certificate = teethCertificate(answer, wish, "test");
+      QVERIFY(certificate.has_value());
+      const auto verdict = checkTeeth(*certificate);
+      QVERIFY(verdict.has_value());
+      for (const std::string& fault : verdict->faults) qWarning("%s", fault.c_str());
+      QVERIFY(verdict->holds());
+      QCOMPARE(verdict->tried, answer.found.counts.tried);
+      QCOMPARE(verdict->within, answer.found.counts.within);
+    }
+  }
+
+  /// A claim that is not true is found, whichever it is.
+  void falseCertificatesFail() {
+    const TeethAnswer answer = answerFor(twoRings(24, 30, 26, 3), kTwoRingWish);
+    const std::string right = *teethCertificate(answer, kTwoRingWish, "test");
+    const auto isCaught = [&](const std::string& from, const std::string& to) {
+      std::string wrong = right;
+      const std::size_t at = wrong.rfind(from);
+      if (at == std::string::npos) return false;
+      wrong.replace(at, from.size(), to);
+      const auto verdict = checkTeeth(wrong);
+      return !verdict || !verdict->holds();
+    };
+    QVERIFY(isCaught("38997, 37919", "38998, 37919"));
+    QVERIFY(isCaught("10112", "10113"));
+    QVERIFY(isCaught("\"64\"", "\"65\""));
+    QVERIFY(isCaught("\"mostRing\": 120", "\"mostRing\": 121"));
+    QVERIFY(isCaught("\"1/200\"", "\"1/100\""));
+    QVERIFY(isCaught("[1, [", "[2, ["));
+  }
+
+  /// What is chosen is drawn: the teeth, the ratio, nothing wrong with the geometry.
+  void choicesAreApplied() {
+    const PlacedMechanism drawn = twoRings(24, 30, 26, 3);
+    const TeethAnswer answer = answerFor(drawn, kTwoRingWish);
+    const auto applied = withTeethChosen(drawn, answer.choices.front());
+    QVERIFY(applied.has_value());
+    QVERIFY(applied->placement().diagnostics.empty());
+    QCOMPARE(applied->mechanism().gearMeshes[7].headTeeth, 85);
+    const TeethAnswer again = answerFor(
+        *applied,
+        R"({"ratios": [{"state": "1", "ratio": "64"}], "fewest": 17, "most": 17, "kept": ["15:tail", "15:head", "16:head", "17:tail", "17:head"]})");
+    QCOMPARE(again.found.counts.accepted, std::int64_t{1});
+  }
+
+  /// A pinned link keeps its teeth, and so do wheels that are named.
+  void pinsAreKept() {
+    Mechanism drawn = planetarySet({24, 18}, 1);
+    drawn.links[1].pinned = true;
+    const TeethAnswer answer = answerFor(
+        drawn, R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "between": [3, 5]}], "most": 60})",
+        1000);
+    QVERIFY(answer.found.counts.accepted > 1);
+    for (const TeethChoice& choice : answer.choices) QCOMPARE(choice.teeth[0].tailTeeth, 24);
+    const auto applied = withTeethChosen(drawn, answer.choices.front());
+    QVERIFY(applied.has_value());
+  }
+
+  /// Each wheel of a drawer once: no two of a choice are the same piece.
+  void stockIsUsedOnce() {
+    const std::string once =
+        R"({"ratios": [{"drive": "1", "driven": "3", "between": ["0.1", "10"]}], "fewest": 1,
+            "wheels": [20, 20, 30, 40, 50], "once": true})";
+    const TeethAnswer answer = answerFor(twoPairs(), once, 1000);
+    std::int64_t expected = 0;
+    const std::vector<int> stock{20, 20, 30, 40, 50};
+    std::set<std::vector<int>> seen;
+    for (std::size_t a = 0; a < 5; ++a) {
+      for (std::size_t b = 0; b < 5; ++b) {
+        for (std::size_t c = 0; c < 5; ++c) {
+          for (std::size_t d = 0; d < 5; ++d) {
+            if (std::set<std::size_t>{a, b, c, d}.size() < 4) continue;
+            if (seen.insert({stock[a], stock[b], stock[c], stock[d]}).second) ++expected;
+          }
+        }
+      }
+    }
+    QCOMPARE(answer.found.counts.tried, expected);
+  }
+
+  void slackLetsSumsMiss() {
+    const Mechanism drawn = revertedTrain({});
+    const std::string wish =
+        R"({"ratios": [{"drive": "1", "driven": "3", "between": [3, 5]}], "most": 40, "slack": %})";
+    std::int64_t tried[3] = {};
+    for (int slack = 0; slack <= 2; ++slack) {
+      std::string text = wish;
+      text.replace(text.find('%'), 1, std::to_string(slack));
+      tried[slack] = answerFor(drawn, text).found.counts.tried;
+      std::int64_t expected = 0;
+      for (int a = 17; a <= 40; ++a)
+        for (int b = 17; b <= 40; ++b)
+          for (int c = 17; c <= 40; ++c)
+            for (int d = 17; d <= 40; ++d) expected += std::abs(a + b - c - d) <= slack ? 1 : 0;
+      QCOMPARE(tried[slack], expected);
+    }
+  }
+
+  /// "0.632" is what rounds to it: the lower end belongs to it, the upper one does not.
+  void decimalsAreRounded() {
+    const auto bounds = boundsOf("0.632");
+    QCOMPARE(bounds->low, Rational(6315, 10000));
+    QCOMPARE(bounds->high, Rational(6325, 10000));
+    QVERIFY(bounds->contains(Rational(6315, 10000)) && !bounds->contains(Rational(6325, 10000)));
+    QCOMPARE(boundsOf("6.32e-1")->high, Rational(6325, 10000));
+    QCOMPARE(boundsOf("9/2")->low, Rational(9, 2));
+    QVERIFY(!boundsOf("0") && !boundsOf("4/0") && !boundsOf("0.0"));
+  }
+
+  void nothingFoundNamesTheNearest() {
+    const TeethAnswer answer = answerFor(
+        twoRings(24, 30, 26, 3),
+        R"({"ratios": [{"state": "1", "ratio": "100", "tolerance": "1/1000"}], "most": 60, "mostRing": 120, "planets": 3})");
+    QCOMPARE(answer.found.counts.accepted, std::int64_t{0});
+    QVERIFY(answer.found.isComplete);
+    QCOMPARE(answer.nearest->found.ratios[0], Rational(5512, 55));
+  }
+
+  void stoppedSearchesAreNotComplete() {
+    std::stop_source stop;
+    const Mechanism drawn = twoPairs();
+    TeethSearchOptions options;
+    int branches = 0;
+    options.progress = [&](double share, std::int64_t /*found*/) {
+      QVERIFY(share > 0 && share <= 1);
+      if (++branches == 3) stop.request_stop();
+    };
+    const auto answer = teethFor(drawn, wishFor(drawn, kTwoPairWish), options, stop.get_token());
+    QVERIFY(!answer->found.isComplete);
+    QCOMPARE(branches, 3);
+    QVERIFY(!teethCertificate(*answer, kTwoPairWish, "test"));
+  }
+
+  /// Whatever is wrong with a wish is an error with its place.
+  void wrongWishesAreRejected() {
+    const Mechanism drawn = twoRings(24, 30, 26, 1);
+    using Pointers = std::vector<std::string>;
+    QCOMPARE(pointersOf(drawn, R"({})"), (Pointers{"/ratios"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": []})"), (Pointers{"/ratios"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": [{"drive": "1", "driven": "1", "held": ["2"], "ratio": "2"}]})"),
+             (Pointers{"/ratios/0/driven"}));
+    for (const char* ratio : {"0", "\"0\"", "\"4/0\"", "\"x\"", "true"})
+      QCOMPARE(pointersOf(drawn, std::string(R"({"ratios": [{"state": "1", "ratio": )") + ratio + "}]}"),
+               (Pointers{"/ratios/0/ratio"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": [{"state": "1", "held": ["2"], "ratio": 2}]})"),
+             (Pointers{"/ratios/0/held"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": [{"state": "7", "drive": 1, "driven": 3, "ratio": 2}]})"),
+             (Pointers{"/ratios/0/state"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": [{"drive": 1, "driven": 33, "ratio": 2}]})"),
+             (Pointers{"/ratios/0/driven"}));
+    QCOMPARE(pointersOf(drawn, R"({"ratios": [{"state": "1", "ratio": 2, "exact": 1}]})"),
+             (Pointers{"/ratios/0/exact"}));
+    const std::string one = R"({"ratios": [{"state": "1", "ratio": 2}], )";
+    QCOMPARE(pointersOf(drawn, one + R"("fewest": 30, "most": 20})"), (Pointers{"/fewest"}));
+    QCOMPARE(pointersOf(drawn, one + R"("wheels": []})"), (Pointers{"/wheels"}));
+    QCOMPARE(pointersOf(drawn, one + R"("wheels": [20, -3]})"), (Pointers{"/wheels"}));
+    QCOMPARE(pointersOf(drawn, one + R"("slack": 3})"), (Pointers{"/slack"}));
+    QCOMPARE(pointersOf(drawn, one + R"("efficiency": {"mesh": 2}})"), (Pointers{"/efficiency/mesh"}));
+    QCOMPARE(pointersOf(drawn, one + R"("planet": 3})"), (Pointers{"/planet"}));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestTeethSearch)
+#include "test_teeth_search.moc"
