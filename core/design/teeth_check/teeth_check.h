@@ -33,7 +33,7 @@ struct TeethVerdict {
 /// 4. The listed choices are the best ones, with these ratios and errors.
 ///
 /// Rejects what readTeethCertificate() rejects, and errors of the mechanism. Not complete if `stop` was
-/// requested. Cost: the choices within the limits, times some 100 ns.
+/// requested. Cost: 0.1 to 3 us for each choice within the limits.
 [[nodiscard]] Expected<TeethVerdict> checkTeeth(std::string_view certificate,
                                                 const std::stop_token& stop = {});
 

@@ -56,7 +56,7 @@ struct TeethFound {
 /// teeth are counted and not tried one by one. Comparisons are of whole numbers: of 64 or 128 bits where the
 /// largest product fits, else of any size. Not complete if `stop` was requested.
 ///
-/// Cost: with m free wheels of k counts O(k^(m-1)) where the last is inverted, else O(k^m); some 100 ns for
+/// Cost: with m free wheels of k counts O(k^(m-1)) where the last is inverted, else O(k^m); a few 100 ns for
 /// each choice that is tried.
 [[nodiscard]] TeethFound searchTeeth(const TeethProblem& problem, const TeethSearchOptions& options = {},
                                      const std::stop_token& stop = {});
