@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/foundations/files/json_writer.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/statics/shift_statics.h"
@@ -136,7 +137,7 @@ std::optional<StaticsReport> lossless(const AnalysisSnapshot& snapshot, const st
   const Mechanism& mechanism = *snapshot.mechanism;
   StaticsOptions options;
   options.symbolic = false;
-  const auto state = engagedState(mechanism);
+  const auto state = shownState(mechanism);
   if (state && mechanism.states[static_cast<std::size_t>(*state)].driven) {
     // States engage their own couplings.
     auto released = std::make_shared<Mechanism>(mechanism);
@@ -194,16 +195,9 @@ std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot, const std
   return leverPlanOf(*kinematics->model, kinematics->placement(), held, stop);
 }
 
-std::optional<int> engagedState(const Mechanism& mechanism) {
-  if (mechanism.engaged.empty()) return std::nullopt;
-  const auto sorted = [](std::vector<CouplingId> ids) {
-    std::sort(ids.begin(), ids.end());
-    return ids;
-  };
-  for (std::size_t state = 0; state < mechanism.states.size(); ++state) {
-    if (sorted(mechanism.states[state].engaged) == sorted(mechanism.engaged)) return static_cast<int>(state);
-  }
-  return std::nullopt;
+std::optional<int> shownState(const Mechanism& mechanism) {
+  const int state = mechanism.engaged.empty() ? -1 : engagedState(mechanism);
+  return state < 0 ? std::nullopt : std::optional(state);
 }
 
 std::string leversJson(const AnalysisSnapshot* snapshot, const LeverPicture* picture) {

@@ -22,7 +22,7 @@ namespace geargraph::inline results {
                                                    const std::stop_token& stop = {});
 
 /// The position of the state that engages what the document engages; none where nothing is engaged.
-[[nodiscard]] std::optional<int> engagedState(const Mechanism& mechanism);
+[[nodiscard]] std::optional<int> shownState(const Mechanism& mechanism);
 
 /// `levers --json`. `snapshot` and `picture`: null where the file could not be read.
 [[nodiscard]] std::string leversJson(const AnalysisSnapshot* snapshot, const LeverPicture* picture);

@@ -64,7 +64,7 @@ DisplayList nomogram(const AnalysisSnapshot& snapshot, const DrawnPower* /*power
   const auto plan = leverPlanOf(model, kinematics->placement(), {}, stop);
   const auto states = solveStates(mechanism, model, kinematics->placement(), false, stop);
   if (!plan || !states) return {};
-  return nomogramDrawing(mechanism, *plan, kinematics->placement(), *states, engagedState(mechanism), {});
+  return nomogramDrawing(mechanism, *plan, kinematics->placement(), *states, shownState(mechanism), {});
 }
 
 DisplayList plan(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/, const std::stop_token& stop) {

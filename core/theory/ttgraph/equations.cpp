@@ -157,7 +157,8 @@ std::vector<std::string> TtEquations::stages(const SubstitutionStep& step) const
     for (const SolvedTerm& term : step.before) before.push_back(weighted(term.coefficient, term.joint));
     stages.push_back(write(before));
   } else {
-    for (std::string& stage : direct(step.joint, step.equations.front(), {})) stages.push_back(std::move(stage));
+    for (std::string& stage : direct(step.joint, step.equations.front(), {}))
+      stages.push_back(std::move(stage));
     if (step.inner >= 0) putInner(step, stages);
   }
   std::vector<Term> after;

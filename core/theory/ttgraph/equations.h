@@ -50,8 +50,7 @@ class TtEquations {
   [[nodiscard]] std::vector<std::string> fromMesh(JointOrdinal joint, MeshOrdinal mesh,
                                                   const PutIn& putIn) const;
   [[nodiscard]] std::string fromHeldCircuit(JointOrdinal joint, int equation, const PutIn& putIn) const;
-  [[nodiscard]] std::vector<std::string> direct(JointOrdinal joint, int equation,
-                                                const PutIn& putIn) const;
+  [[nodiscard]] std::vector<std::string> direct(JointOrdinal joint, int equation, const PutIn& putIn) const;
   void putInner(const SubstitutionStep& step, std::vector<std::string>& stages) const;
 
   const TtGraph& m_graph;
