@@ -20,7 +20,7 @@ using namespace geargraph;
 namespace {
 
 /// A random number of a seeded sequence, below `end`.
-int drawn(std::uint64_t& state, int end) {
+int randomBelow(std::uint64_t& state, int end) {
   state = state * 6364136223846793005U + 1442695040888963407U;
   return static_cast<int>((state >> 33U) % static_cast<std::uint64_t>(end));
 }
@@ -30,12 +30,13 @@ Chain shuffled(const Chain& chain, std::vector<int>& newName, std::uint64_t& sta
   newName.resize(static_cast<std::size_t>(chain.links));
   std::iota(newName.begin(), newName.end(), 0);
   for (int i = chain.links - 1; i > 0; --i)
-    std::swap(newName[static_cast<std::size_t>(i)], newName[static_cast<std::size_t>(drawn(state, i + 1))]);
+    std::swap(newName[static_cast<std::size_t>(i)],
+              newName[static_cast<std::size_t>(randomBelow(state, i + 1))]);
   Chain other = renamed(chain, newName);
   std::rotate(other.axes.begin(), other.axes.begin() + 1, other.axes.end());
   std::reverse(other.meshes.begin(), other.meshes.end());
   for (ChainMesh& mesh : other.meshes)
-    if (drawn(state, 2) == 0) std::swap(mesh.tail, mesh.head);
+    if (randomBelow(state, 2) == 0) std::swap(mesh.tail, mesh.head);
   return other;
 }
 
@@ -132,10 +133,10 @@ class TestAtlas : public QObject {
         for (int round = 0; round < 60; ++round) {
           Chain chain = tree;
           std::set<ChainMesh> meshes;
-          const int wanted = 1 + drawn(state, links - 1);
+          const int wanted = 1 + randomBelow(state, links - 1);
           for (int m = 0; m < wanted; ++m)
             meshes.insert(
-                possible[static_cast<std::size_t>(drawn(state, static_cast<int>(possible.size())))]);
+                possible[static_cast<std::size_t>(randomBelow(state, static_cast<int>(possible.size())))]);
           chain.meshes.assign(meshes.begin(), meshes.end());
           const auto culprits = degenerateMeshes(chain);
           QCOMPARE(culprits.has_value(),
