@@ -99,8 +99,8 @@ class Link(_Labelled):
 
     @property
     def mass(self) -> Optional[Fraction]:
-        """For dynamics; without it mass, centre and inertia follow from the link's solids, a mass
-        alone is spread as the solids are, kg."""
+        """For dynamics. Without it mass, centre and inertia follow from the link's solids; a mass
+        alone is spread as the solids are (kg)."""
         value = self._data.get("mass")
         return None if value is None else exact(value)
 
@@ -112,8 +112,8 @@ class Link(_Labelled):
 
     @property
     def inertia(self) -> Optional[Tuple[Fraction, ...]]:
-        """Xx, yy, zz, xy, xz, yz about the centre of mass, along the axes of the base frame, kg
-        m2; products as in the matrix: xy is minus the sum of m x y; only beside a ``mass``."""
+        """About the centre of mass, along the axes of the base frame: xx, yy, zz, xy, xz, yz.
+        Products as in the matrix: xy is minus the sum of m x y. Only beside a ``mass`` (kg m2)."""
         value = self._data.get("inertia")
         return None if value is None else exact_triple(value)
 
