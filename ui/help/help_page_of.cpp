@@ -30,6 +30,7 @@ constexpr Entry kEntries[] = {
     {"exercisesDialog", "lessons-and-exercises#exercises", nullptr},
     {"insertSet", "drawing#change-what-is-drawn", nullptr},
     {"printDialog", "exporting-and-printing", nullptr},
+    {"exportDialog", "exporting-and-printing#all-formats", nullptr},
     {"pictureDialog", "exporting-and-printing", nullptr},
     {"csvDialog", "digraph-and-matrices#copy-and-export", nullptr},
     {"historyDialog", "the-window#windows-and-files", nullptr},

@@ -83,6 +83,14 @@ std::vector<Command> commandsOfFile() {
        .tip = words("Open the documents of the last time when the program starts without one"),
        .isCheckable = true,
        .whyNot = [](const CommandState& now) { return now.hasSiblings ? QString() : alone(); }},
+      {.id = CommandId::exportAny,
+       .name = "file.export",
+       .text = words("Export in any &format…"),
+       .tip = words("Export graphs, matrices, derivations, drawings, pictures, solids and models for other "
+                    "programs, with all their options"),
+       .searchWords =
+           "dot graphviz graphml networkx mjcf mujoco urdf modelica glb gltf stl obj ply 3mf scorm "
+           "simulator convert program format"},
       {.id = CommandId::exportMatrix,
        .name = "file.exportCsv",
        .text = words("&Export matrix as CSV…"),

@@ -18,6 +18,7 @@ enum class CommandId {
   saveAs,
   revert,
   restoreSession,
+  exportAny,  ///< in a format of core's registry
   exportMatrix,
   exportPicture,
   exportDerivation,

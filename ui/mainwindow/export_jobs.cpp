@@ -52,11 +52,13 @@ void ExportJobs::startNext() {
   }
   // The one before has said its last word, so joining it waits for nothing.
   m_thread = std::jthread([this, job, name](const std::stop_token& stop) {
-    const Progress progress = [this, name](int done, int all) {
+    const Progress progress = [this, name, inPercent = job.isInPercent](int done, int all) {
       QMetaObject::invokeMethod(
           this,
-          [this, name, done, all] {
-            m_notices->setText(kKey, tr("Exporting %1: %2 of %3 pictures.").arg(name).arg(done).arg(all));
+          [this, name, inPercent, done, all] {
+            m_notices->setText(
+                kKey, inPercent ? tr("Exporting %1: %2 %.").arg(name).arg(done)
+                                : tr("Exporting %1: %2 of %3 pictures.").arg(name).arg(done).arg(all));
           },
           Qt::QueuedConnection);
     };
@@ -72,6 +74,8 @@ void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
   if (job.isLong) m_notices->withdraw(kKey);
   if (why.isEmpty()) {
     emit finished(job.path);
+    const QStringList notes = job.notes ? job.notes() : QStringList();
+    if (!notes.empty()) emit told(notes.join(QLatin1Char(' ')));
   } else {
     emit failed(
         stopped ? tr("The export of %1 was stopped; nothing was written.").arg(QFileInfo(job.path).fileName())

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <deque>
 #include <functional>
 #include <stop_token>
@@ -30,6 +31,9 @@ class ExportJobs : public QObject, public BackgroundWork {
     bool isLong = false;  ///< worth a notice
     /// Returns the error as a sentence; empty on success. Runs on another thread.
     std::function<QString(const Progress& progress, const std::stop_token& stop)> run;
+    bool isInPercent = false;  ///< progress counts percent, not pictures
+    /// What a user should know about the file, sentences; called when it is written. May be empty.
+    std::function<QStringList()> notes = {};
   };
 
   explicit ExportJobs(NoticeBar* notices, QObject* parent = nullptr);
@@ -44,6 +48,8 @@ class ExportJobs : public QObject, public BackgroundWork {
  signals:
   void finished(const QString& path);
   void failed(const QString& why);
+  /// What a user should know about a file that was written.
+  void told(const QString& notes);
 
  private:
   void startNext();

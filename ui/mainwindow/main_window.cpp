@@ -297,7 +297,8 @@ void MainWindow::wireViews() {
   m_workbench->forces().onAnswer(this, [this](const ForcesPtr&) { onForces(); });
   connect(m_views, &Views::tableExportWanted, m_exports, &WindowExports::chooseAndExportTable);
   MatricesPanel& matrices = this->matrices();
-  connect(&matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
+  connect(&matrices, &MatricesPanel::exportWanted, m_exports,
+          qOverload<const IntegerMatrixPtr&>(&WindowExports::chooseAndExport));
   connect(&matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
   connect(&matrices.model(), &MatrixModel::matrixChanged, this, &MainWindow::renewCommands);

@@ -71,7 +71,7 @@ void MainWindow::makeMenus() {
   }
   file->addSeparator();
   file->addActions(
-      a.of({save, saveAs, revert, exportMatrix, exportPicture, exportDerivation, exportHandout}));
+      a.of({save, saveAs, revert, exportAny, exportMatrix, exportPicture, exportDerivation, exportHandout}));
   file->addSeparator();
   file->addAction(a[print]);
   file->addSeparator();
@@ -128,6 +128,7 @@ void MainWindow::wireActions() {
   using enum CommandId;
   const WindowActions& a = *m_actions;
   QUndoStack& stack = m_document->undoStack();
+  connect(a[exportAny], &QAction::triggered, this, [this] { m_exports->chooseAndExport(); });
   connect(a[exportMatrix], &QAction::triggered, this, [this] { matrices().wantExport(); });
   connect(a[exportPicture], &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a[exportDerivation], &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);

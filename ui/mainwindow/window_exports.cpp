@@ -57,6 +57,7 @@ WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Sou
       m_window(window) {
   connect(m_jobs, &ExportJobs::finished, this, &WindowExports::onWritten);
   connect(m_jobs, &ExportJobs::failed, this, &WindowExports::rejected);
+  connect(m_jobs, &ExportJobs::told, this, &WindowExports::noted);
 }
 
 void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path,

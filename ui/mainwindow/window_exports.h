@@ -18,6 +18,10 @@ class QWidget;
 namespace geargraph::inline canvas {
 class DrawingView;
 }  // namespace geargraph::inline canvas
+namespace geargraph::inline exporters {
+struct Exporter;
+struct OptionValues;
+}  // namespace geargraph::inline exporters
 namespace geargraph::inline pages {
 struct ReportLists;
 }  // namespace geargraph::inline pages
@@ -43,8 +47,9 @@ class ExportJobs;
 class PictureClipboard;
 class WindowFiles;
 
-/// The exports of a window: matrices and tables as CSV, drawings, 3D pictures and animations, the derivation,
-/// traced paths and speeds. Files are written atomically; rejected() and noted() report.
+/// The exports of a window: every format of core's allExporters(), and what is shown: matrices and tables as
+/// CSV, drawings, 3D pictures and animations, the derivation, traced paths and speeds. Files are written
+/// atomically; rejected() and noted() report.
 class WindowExports : public QObject {
   Q_OBJECT
 
@@ -79,6 +84,9 @@ class WindowExports : public QObject {
   void exportHandoutAsking(const QString& path, const SheetPlan& plan);
   /// Exports sheets, solutions and files for answers into a new folder; written() follows.
   void exportSheets(const QString& folder, const SheetRequest& request);
+  /// Exports the document by an exporter of core with its options; written() follows, and what it has to say
+  /// is noted. @pre the options hold those that choose the exporter
+  void exportAs(const Exporter& exporter, const OptionValues& options, const QString& path);
   /// Prints pages on a background thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// Saves the newest traced path of the 3D view as CSV. @pre there is one
@@ -87,6 +95,8 @@ class WindowExports : public QObject {
   bool saveSpeeds(const QString& path);
 
   // The same with a dialog for the path, and for matrices one for the options of CSV.
+  /// With a dialog for the format and its options before it.
+  void chooseAndExport();
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
   /// A table that is CSV already; `name`: default file name.
@@ -116,6 +126,7 @@ class WindowExports : public QObject {
   [[nodiscard]] QString handoutPath(const QStringList& forms, QString& chosen) const;
   [[nodiscard]] static SheetPlan everyKind();
   void writeHandout(const QString& path, const std::optional<SheetPlan>& plan);
+  [[nodiscard]] QString exportPath(const Exporter& exporter) const;
   void onWritten(const QString& path);
 
   Workbench& m_workbench;
