@@ -38,6 +38,17 @@ void addFamily(QComboBox& formats, const ExportFamily& family) {
     formats.addItem(QStringLiteral("   ") + spoken(exporter.title), wordOf(exporter.id));
 }
 
+/// "s, 1e-06 to 1"; bounds that nobody meets are left out.
+QString boundsOf(const ExportOption& option) {
+  constexpr double kFar = 1e6;
+  const QString unit = spoken(option.unit);
+  if (option.most >= kFar) return unit;
+  const QString range =
+      ExportDialog::tr("%1 to %2")
+          .arg(QString::number(option.least, 'g', 12), QString::number(option.most, 'g', 12));
+  return unit.isEmpty() ? range : unit + QStringLiteral(", ") + range;
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(SnapshotPtr live, QWidget* parent)
@@ -57,6 +68,7 @@ ExportDialog::ExportDialog(SnapshotPtr live, QWidget* parent)
   m_reason->setWordWrap(true);
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->viewport()->setAutoFillBackground(false);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   m_export = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
@@ -125,6 +137,7 @@ void ExportDialog::renewOptions() {
   }
   if (m_fields.empty()) form->addRow(new QLabel(tr("This format has no options."), page));
   m_scroll->setWidget(page);  // deletes the one before
+  page->setAutoFillBackground(false);
   renewReason();
 }
 
@@ -155,7 +168,9 @@ QWidget* ExportDialog::fieldFor(const ExportOption& option) {
   }
   auto* line = new QLineEdit(m_scroll);
   const OptionText& text = exportOptionText(option.name);
-  line->setPlaceholderText(option.otherwise.empty() ? wordOf(text.value) : wordOf(option.otherwise));
+  line->setPlaceholderText(option.otherwise.empty()
+                               ? QStringLiteral("%1: %2").arg(wordOf(text.value), spoken(text.help))
+                               : wordOf(option.otherwise));
   if (option.type != OptionType::number) {
     m_fields.emplace_back(option.name, [line] { return line->text().trimmed(); });
     return line;
@@ -163,14 +178,12 @@ QWidget* ExportDialog::fieldFor(const ExportOption& option) {
   m_fields.emplace_back(option.name, [line] {  // with the decimal sign of any language
     return line->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.'));
   });
-  const QString range =
-      tr("%1 to %2").arg(QString::number(option.least, 'g', 12), QString::number(option.most, 'g', 12));
   auto* row = new QWidget(m_scroll);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(line);
-  layout->addWidget(
-      new QLabel(option.unit.empty() ? range : spoken(option.unit) + QStringLiteral(", ") + range, row));
+  const QString bounds = boundsOf(option);
+  if (!bounds.isEmpty()) layout->addWidget(new QLabel(bounds, row));
   row->setFocusProxy(line);
   return row;
 }

@@ -71,7 +71,7 @@ constexpr std::array kGraphExporters = {
              writeGraph<GraphForm::graphMl>},
     Exporter{"node-link",
              "node-link",
-             "NetworkX (node-link JSON)",
+             "NetworkX (JSON)",
              kGraph,
              ExportFiles::file,
              "json",

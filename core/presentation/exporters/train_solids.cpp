@@ -152,7 +152,7 @@ constexpr Exporter solidExporter(std::string_view name, std::string_view title,
 
 constexpr std::array kSolidExporters = {
     solidExporter<MeshFormat::stl>("stl", "STL"),
-    solidExporter<MeshFormat::obj>("obj", "Wavefront OBJ", ExportFiles::files),
+    solidExporter<MeshFormat::obj>("obj", "Wavefront (OBJ)", ExportFiles::files),
     solidExporter<MeshFormat::ply>("ply", "PLY"),
     solidExporter<MeshFormat::glb>("glb", toTranslate("GLB, in motion")),
     solidExporter<MeshFormat::threeMf>("3mf", "3MF")};
