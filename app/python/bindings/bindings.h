@@ -46,6 +46,7 @@ void addDynamics(py::module_& module);
 void addSimulators(py::module_& module);
 void addPictures(py::module_& module);
 void addExports(py::module_& module);
+void addExporters(py::module_& module);
 void addExercises(py::module_& module);
 void addSets(py::module_& module);
 void addTeeth(py::module_& module);

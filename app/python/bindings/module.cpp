@@ -13,6 +13,7 @@ PYBIND11_MODULE(_geargraph, module) {
   addDynamics(module);
   addPictures(module);
   addExports(module);
+  addExporters(module);
   addSimulators(module);
   addExercises(module);
 }

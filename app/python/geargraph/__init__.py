@@ -21,6 +21,7 @@ from ._derivation import Block, Derivation, Equation
 from ._dynamics import Dynamics, EquationOfMotion, LinkMass, Motion
 from ._elements import Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint
 from ._errors import Diagnostic, Element, Error
+from ._exporters import Exporter, ExportOption, exporters
 from ._gears import Gear, Mesh3D, Solid
 from ._matrix import Heading, Matrix, Quantity
 from ._mechanism import Mechanism, PathLike
@@ -37,11 +38,12 @@ __version__: str = _geargraph.version
 __all__ = [
     "Analysis", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation", "Diagnostic",
     "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion", "Error",
-    "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link", "LinkMass", "Load", "Matrix",
+    "ExportOption", "Exporter", "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link",
+    "LinkMass", "Load", "Matrix",
     "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce", "Motion", "MotionCheck",
     "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "States", "Statics",
     "TeethCheck", "TeethChoice", "TeethChoices", "Term", "TransferVertex", "TtGraphMethod", "TtStep",
-    "TurningJoint", "check_teeth", "exercises", "loads", "open", "sets",
+    "TurningJoint", "check_teeth", "exercises", "exporters", "loads", "open", "sets",
 ]
 
 

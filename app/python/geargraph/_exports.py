@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Optional, Tuple
 from . import _geargraph
 from ._elements import LinkLike
 from ._errors import Error, diagnostics_of
+from ._exporters import command_options, exporter_of
 from ._gears import Gear, Solid
 from ._pictures import Drawing, PathLike, Picture, Size
 
@@ -240,7 +241,8 @@ class Exports:
             ``.svg``, ``.png``, ``.pdf`` with ``drawing=name``: a drawing; ``.png`` without: a 3D
             picture; ``.html``, ``.tex``, ``.md``, ``.pdf``: the derivation; ``.csv`` with
             ``table=name``: a table; ``.dot``, ``.graphml`` with ``graph=name``: a graph;
-            ``.stl``, ``.obj``, ``.ply``, ``.glb``, ``.3mf``: gears.
+            ``.stl``, ``.obj``, ``.ply``, ``.glb``, ``.3mf``: gears; another ending: the first of
+            `exporters` that writes such a file, by `export_as`.
         **options
             Of drawings those of `drawing`; of pictures those of `picture`; of tables
             ``separator``, ``decimal`` and ``labels`` as of `csv`; of gears ``gear`` ("15:tail"),
@@ -279,8 +281,45 @@ class Exports:
             self._snapshot.write_view(self._chosen(options), name)
         elif ending in _SOLIDS:
             self._write_solids(name, ending[1:], **options)
+        elif (exporter := exporter_of(ending)) is not None:
+            self.export_as(exporter.id, path, **options)
         else:
             raise ValueError(f"there is no export to {ending!r}")
+
+    def export_as(
+        self, exporter: str, path: PathLike, *, overwrite: bool = False, **options: Any
+    ) -> Tuple[str, ...]:
+        """Write in any format of `exporters`.
+
+        Parameters
+        ----------
+        exporter : str
+            Its id: "modelica", "mjcf", "scorm", ...
+        path : path-like
+            The file, or the folder.
+        overwrite : bool, optional
+            Replace files that are in the folder.
+        **options
+            As the exporter lists them; several values as a list.
+
+        Returns
+        -------
+        tuple of str
+            What a reader of the file has to know, sentences.
+
+        Raises
+        ------
+        Error
+            With the code of a refusal that the exporter lists, "file", or the errors of the mechanism.
+        TypeError
+            For an option that it does not have.
+        ValueError
+            For an id that is none, or a value that an option does not take.
+        """
+        notes = self._snapshot.write_export(
+            exporter, command_options(options), os.fspath(path), overwrite, self.mechanism._folder
+        )
+        return tuple(notes)
 
     def _write_solids(
         self,
