@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/presentation/exporters/exporters.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {
@@ -33,7 +34,8 @@ constexpr std::array<std::string_view, 6> kPapers = {"w21 = -N5/N2 w51\nw10 = 2 
                                                      "C,1,2,3,4,5\nC4,1,0,-1,1,0\nC5,0,1,-1,0,1\n",
                                                      "S,3\n1,1/2\n2,-2\n"};
 
-const std::vector<Case>& cases() {
+/// Commands with options; new ones are appended, since the inputs of the corpus name them by position.
+const std::vector<Case>& commandCases() {
   const auto exported = [](Output output, std::vector<std::string> words) {
     words.insert(words.begin(), "--to");
     words.insert(words.end(), {"-o", "-"});
@@ -84,6 +86,36 @@ const std::vector<Case>& cases() {
       {&cli::kCheck, Output::text, {std::string(kDocument), std::string(kPaper)}},
       {&cli::kCheck, Output::text, {std::string(kDocument), std::string(kPaper), "--matrix", "solution"}},
   };
+  return kCases;
+}
+
+/// The words of an exporter for standard output, with what it needs, coarse and small.
+Case caseOf(const Exporter& exporter) {
+  std::vector<std::string> words{"--to", std::string(exporter.form)};
+  const auto add = [&](std::string_view name, std::string_view value) {
+    words.emplace_back(name);
+    if (!value.empty()) words.emplace_back(value);
+  };
+  for (const auto& [name, value] : exporter.implied) add(name, value);
+  for (const ExportOption& option : exporter.options) {
+    if (option.isNeeded) add(option.name, option.choices().front());
+    if (option.name == "--tolerance") add(option.name, "0.2");
+    if (option.name == "--size") add(option.name, "64x48");
+    if (option.name == "--frames") add(option.name, "2");
+  }
+  words.insert(words.end(), {"-o", "-"});
+  return {&cli::kExport, exporter.suffix == "json" ? Output::json : Output::bytes, std::move(words)};
+}
+
+/// Those above, then every exporter that writes a stream.
+const std::vector<Case>& cases() {
+  static const std::vector<Case> kCases = [] {
+    std::vector<Case> all = commandCases();
+    for (const Exporter* exporter : allExporters()) {
+      if (exporter->files != ExportFiles::folder) all.push_back(caseOf(*exporter));
+    }
+    return all;
+  }();
   return kCases;
 }
 
@@ -155,7 +187,9 @@ void checkExports(const std::string& input) {
   const std::string document = input.substr(1);
   const auto read = readMechanism(document);
   if (!read || isLarge(*read)) return;
-  const Case& chosen = cases()[static_cast<unsigned char>(input.front()) % cases().size()];
+  // The inputs of the corpus begin with '*', which is the first case.
+  const std::size_t number = static_cast<unsigned char>(input.front()) + 256U - '*';
+  const Case& chosen = cases()[number % 256 % cases().size()];
 
   static const MemoryFile file, paper, output;
   static const bool isQuiet = [] {

@@ -29,9 +29,9 @@ Analysed checkAnalysis(const std::string& text);
 /// A formula is read or its fault is a sentence; what was read is set in finite boxes, at any width.
 void checkTex(const std::string& text);
 
-/// Commands of geargraph-cli on a document: the first byte chooses the command, the rest is the document.
-/// Each ends with a documented exit status; JSON is JSON; no number of the output is nan or inf. Documents of
-/// more than 40 links or 3,000 teeth are left out: their cost is benchmarked.
+/// Commands of geargraph-cli and every exporter on a document: the first byte chooses, the rest is the
+/// document. Each ends with a documented exit status; JSON is JSON; no number of the output is nan or inf.
+/// Documents of more than 40 links or 3,000 teeth are left out: their cost is benchmarked.
 void checkExports(const std::string& input);
 
 /// assimp's reader of foreign files in this process, which may crash in assimp: the first byte chooses the
