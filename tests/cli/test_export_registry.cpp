@@ -11,7 +11,7 @@
 namespace geargraph::cli {
 namespace {
 
-const QString kTrain = SOURCE "/resources/examples/robot.geargraph";
+const QString kTrain = SOURCE "/resources/examples/spur-pair.geargraph";  // one input, for URDF
 
 struct Answered {
   int status = -1;

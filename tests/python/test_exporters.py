@@ -4,6 +4,7 @@ import os
 
 import geargraph as gg
 import pytest
+from conftest import EXAMPLES
 
 
 def quick(exporter):
@@ -20,8 +21,8 @@ def quick(exporter):
     return options
 
 
-def test_every_exporter_writes(robot, tmp_path):
-    a = robot.analyze()
+def test_every_exporter_writes(tmp_path):
+    a = gg.open(EXAMPLES / "spur-pair.geargraph").analyze()  # one input, for URDF
     assert len({each.id for each in gg.exporters()}) == len(gg.exporters()) > 25
     for exporter in gg.exporters():
         path = tmp_path / (exporter.id + ("." + exporter.suffix if exporter.suffix else ""))
@@ -50,6 +51,12 @@ def test_refusals_have_the_codes_that_are_listed(tmp_path):
     assert caught.value.code == "no-spanning-tree"
     assert caught.value.code in by_id["png-3d"].refusals
     assert os.listdir(tmp_path) == []
+
+
+def test_a_format_that_cannot_hold_the_mechanism_says_so(robot, tmp_path):
+    with pytest.raises(gg.Error, match="URDF") as caught:
+        robot.analyze().export_as("urdf", tmp_path / "robot", tolerance=0.2)
+    assert caught.value.code == "not-expressible"
 
 
 def test_wrong_options_are_named(robot, tmp_path):
