@@ -8,7 +8,6 @@
 #include "app/cli/atlas_output.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/export_forms.h"
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/design/atlas/chain_document.h"
@@ -213,7 +212,7 @@ int runOneChain(const Arguments& arguments, const Atlas& atlas) {
   const Mechanism document =
       chainDocument(chain->chain, chain->number.toString(), std::get<ChainDrawing>(drawing), arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the conversion"));
-  return writePicture(writeMechanism(document), *out);
+  return writeOutput(writeMechanism(document), *out);
 }
 
 int runAtlas(const Arguments& arguments) {

@@ -36,7 +36,7 @@ std::string percentText(const Rational& error) {
 }
 
 std::string shareText(const std::optional<double>& value) {
-  return value ? decimal(*value) : "-";
+  return value ? readableNumber(*value) : "-";
 }
 
 TextRows choiceRows(const TeethAnswer& answer, const std::vector<TeethChoice>& choices) {
