@@ -39,7 +39,7 @@ struct AtlasChain {
 /// The chains of an atlas by their numbers, and by what they are.
 class Atlas {
  public:
-  /// The file that is part of the program: to 7 links. Read on first use, about 30 ms; thread-safe.
+  /// The file that is part of the program: to 7 links. Read on first use, about 40 ms; thread-safe.
   [[nodiscard]] static const Atlas& shipped();
 
   /// Reads a file of `atlasText()`. Fails with `format`, or `syntax` with the line: what is no chain, a

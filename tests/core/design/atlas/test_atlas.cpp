@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 #include <set>
+#include <thread>
 
 #include "core/design/atlas/atlas_file.h"
 #include "core/design/atlas/chain_choices.h"
@@ -216,6 +217,22 @@ class TestAtlas : public QObject {
     QVERIFY(!isomorphism(planetary, Atlas::shipped().find({4, 1, 1, 2})->chain, ChainLikeness::displacement));
     QVERIFY(isomorphism(planetary, Atlas::shipped().find({4, 1, 1, 2})->chain, ChainLikeness::rotation));
     QVERIFY(!isomorphism(planetary, Atlas::shipped().find({4, 1, 2, 1})->chain, ChainLikeness::rotation));
+  }
+
+  /// nauty keeps its work space per thread.
+  void numbersAreFoundOnSeveralThreads() {
+    const auto chains = Atlas::shipped().chains();
+    std::vector<int> wrong(4, 0);
+    {
+      std::vector<std::jthread> threads;
+      for (int& count : wrong) {
+        threads.emplace_back([&count, chains] {
+          for (const AtlasChain& chain : chains)
+            if (Atlas::shipped().numberOf(chain.chain) != chain.number) ++count;
+        });
+      }
+    }
+    QCOMPARE(wrong, std::vector<int>(4, 0));
   }
 
   void relativesAreMutual() {
