@@ -9,70 +9,63 @@
 namespace geargraph::inline synthesis {
 namespace {
 
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-Point turned(const Point& p, double angle) {
+PlanePoint turned(const PlanePoint& p, double angle) {
   return {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
 }
 
-double distance(const Point& a, const Point& b) {
+double distance(const PlanePoint& a, const PlanePoint& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-/// 12 digits of a coordinate, so that what is 0 is written as 0.
-Number coordinate(double value) {
-  const double rounded = std::round(value * 1e9) / 1e9;
-  return Number::fromDouble(rounded == 0 ? 0 : rounded);
 }
 
 Diagnostic rejection(Code code, std::string message) {
   return {code, std::move(message), {}, {}, 0, 0};
 }
 
-/// The first pair of planets, lengths in half modules: where short and long planet touch each other.
-struct PairPlaces {
-  Point shortPlanet;
-  Point longPlanet;
-};
-
-std::optional<PairPlaces> pairPlaces(const RavigneauxTeeth& teeth) {
-  const double toShort = teeth.smallSun + teeth.shortPlanet;
-  const double toLong = teeth.largeSun + teeth.longPlanet;
-  const double between = teeth.shortPlanet + teeth.longPlanet;
+/// Where a pair is whose wheels have their centres at these distances from the axis and from each other.
+std::optional<PairPlaces> placesOf(double toShort, double toLong, double between) {
   const double cosine = (toShort * toShort + toLong * toLong - between * between) / (2 * toShort * toLong);
   if (std::abs(cosine) >= 1) return std::nullopt;
   return PairPlaces{{toShort * cosine, toShort * std::sqrt(1 - cosine * cosine)}, {toLong, 0}};
 }
 
-/// Do the wheels of neighbouring pairs clear each other, tips of one module each? (Small sun and short
-/// planets lie in a plane of their own.)
-bool pairsClear(const RavigneauxTeeth& teeth, const PairPlaces& places, int pairs) {
+constexpr int kSmallSunLevel = 20;  // where along the axes the small sun and the short planets lie
+constexpr int kRingLevel = 0;       // the large sun and the ring
+
+}  // namespace
+
+std::optional<PairPlaces> pairPlaces(const RavigneauxTeeth& teeth) {
+  return placesOf(teeth.smallSun + teeth.shortPlanet, teeth.largeSun + teeth.longPlanet,
+                  teeth.shortPlanet + teeth.longPlanet);
+}
+
+std::optional<PairPlaces> doublePlanetPlaces(int sun, int inner, int outer, int ring) {
+  return placesOf(sun + inner, ring - outer, inner + outer);
+}
+
+bool pairsClear(const PairPlaces& places, int shortPlanet, int longPlanet, int pairs) {
   for (int k = 1; k < pairs; ++k) {
     const double angle = 2 * std::numbers::pi * k / pairs;
-    const Point nextShort = turned(places.shortPlanet, angle);
-    const Point nextLong = turned(places.longPlanet, angle);
-    if (distance(places.longPlanet, nextLong) <= 2 * teeth.longPlanet + 4) return false;
-    if (distance(places.shortPlanet, nextShort) <= 2 * teeth.shortPlanet + 4) return false;
-    if (distance(places.shortPlanet, nextLong) <= teeth.shortPlanet + teeth.longPlanet + 4) return false;
+    const PlanePoint nextShort = turned(places.shortPlanet, angle);
+    const PlanePoint nextLong = turned(places.longPlanet, angle);
+    if (distance(places.longPlanet, nextLong) <= 2 * longPlanet + 4) return false;
+    if (distance(places.shortPlanet, nextShort) <= 2 * shortPlanet + 4) return false;
+    if (distance(places.shortPlanet, nextLong) <= shortPlanet + longPlanet + 4) return false;
   }
   return true;
 }
 
-constexpr int kSmallSunLevel = 20;  // where along the axes the small sun and the short planets lie
-constexpr int kRingLevel = 0;       // the large sun and the ring
-
-/// Where two wheels touch; `teethOfB` of a ring are negative.
-NumberTriple touching(const Point& a, int teethOfA, const Point& b, int teethOfB, int level) {
-  const double part = static_cast<double>(teethOfA) / (teethOfA + teethOfB);
-  return {coordinate(a.x + part * (b.x - a.x)), coordinate(a.y + part * (b.y - a.y)), Number(level)};
+Number planeCoordinate(double value) {
+  const double rounded = std::round(value * 1e9) / 1e9;
+  return Number::fromDouble(rounded == 0 ? 0 : rounded);
 }
 
-}  // namespace
+NumberTriple touchingPoint(const PlanePoint& a, int teethOfA, const PlanePoint& b, int teethOfB, int level) {
+  const double part = static_cast<double>(teethOfA) / (teethOfA + teethOfB);
+  return {planeCoordinate(a.x + part * (b.x - a.x)), planeCoordinate(a.y + part * (b.y - a.y)),
+          Number(level)};
+}
 
-Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
+std::optional<Diagnostic> ravigneauxFault(const RavigneauxTeeth& teeth, int pairs) {
   const auto places = pairPlaces(teeth);
   if (!places) {
     return rejection(
@@ -87,7 +80,8 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
         translated("The long planets, which extend through both planes, interfere with the small sun. "
                    "What fits: a large sun with at least 4 teeth more than the small one."));
   }
-  if (!pairsClear(teeth, *places, pairs))
+  // Small sun and short planets lie in a plane of their own.
+  if (!pairsClear(*places, teeth.shortPlanet, teeth.longPlanet, pairs))
     return rejection(
         Code::teethGeometry,
         translated("The planets collide. What fits: fewer pairs, smaller planets, or a larger ring."));
@@ -100,6 +94,12 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
             {std::to_string(teeth.ring() + teeth.largeSun), std::to_string(teeth.ring() - teeth.smallSun),
              std::to_string(pairs)}));
   }
+  return std::nullopt;
+}
+
+Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
+  if (auto fault = ravigneauxFault(teeth, pairs)) return *std::move(fault);
+  const auto places = pairPlaces(teeth);
   SetSketch set(translated("Ravigneaux set"));
   const NumberTriple z{Number(0), Number(0), Number(1)};
   set.axis("a", {Number(0), Number(0), Number(0)}, z);
@@ -110,10 +110,10 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
   for (int k = 0; k < pairs; ++k) {
     const double angle = 2 * std::numbers::pi * k / pairs;
     const std::string number = std::to_string(k + 1);
-    const Point shortAt = turned(places->shortPlanet, angle);  // half modules of 1: module 2
-    const Point longAt = turned(places->longPlanet, angle);
-    set.axis("b" + number, {coordinate(shortAt.x), coordinate(shortAt.y), Number(0)}, z);
-    set.axis("c" + number, {coordinate(longAt.x), coordinate(longAt.y), Number(0)}, z);
+    const PlanePoint shortAt = turned(places->shortPlanet, angle);  // half modules of 1: module 2
+    const PlanePoint longAt = turned(places->longPlanet, angle);
+    set.axis("b" + number, {planeCoordinate(shortAt.x), planeCoordinate(shortAt.y), Number(0)}, z);
+    set.axis("c" + number, {planeCoordinate(longAt.x), planeCoordinate(longAt.y), Number(0)}, z);
     const int shorter = set.link(carrier, "b" + number, translated("short planet %1", {number}));
     const int longer = set.link(carrier, "c" + number, translated("long planet %1", {number}));
     const auto mesh = [&](int tail, int head, int tailTeeth, int headTeeth,
@@ -126,15 +126,15 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
     };
     const WheelId wheel = set.wheel("long-" + number, longer);  // one, through both planes
     mesh(small, shorter, teeth.smallSun, teeth.shortPlanet,
-         touching({}, teeth.smallSun, shortAt, teeth.shortPlanet, kSmallSunLevel));
+         touchingPoint({}, teeth.smallSun, shortAt, teeth.shortPlanet, kSmallSunLevel));
     mesh(shorter, longer, teeth.shortPlanet, teeth.longPlanet,
-         touching(shortAt, teeth.shortPlanet, longAt, teeth.longPlanet, kSmallSunLevel))
+         touchingPoint(shortAt, teeth.shortPlanet, longAt, teeth.longPlanet, kSmallSunLevel))
         .headWheel = wheel;
     mesh(large, longer, teeth.largeSun, teeth.longPlanet,
-         touching({}, teeth.largeSun, longAt, teeth.longPlanet, kRingLevel))
+         touchingPoint({}, teeth.largeSun, longAt, teeth.longPlanet, kRingLevel))
         .headWheel = wheel;
     mesh(longer, ring, teeth.longPlanet, teeth.ring(),
-         touching(longAt, teeth.longPlanet, {}, -teeth.ring(), kRingLevel))
+         touchingPoint(longAt, teeth.longPlanet, {}, -teeth.ring(), kRingLevel))
         .tailWheel = wheel;
   }
   set.input(small, Number(1));
