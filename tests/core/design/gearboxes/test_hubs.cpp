@@ -1,0 +1,147 @@
+#include <QtTest>
+
+#include "core/design/gearboxes/hub_json.h"
+#include "core/design/gearboxes/hub_search.h"
+#include "tests/core/support/pseudo_language.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// What the maker's sheet of a seven-speed hub says, with what is known of such hubs.
+std::string sevenSpeeds(const std::string& more = "") {
+  return R"({"ratios": ["0.632", "0.741", "0.843", "0.989", "1.145", "1.335", "1.545"], "sets": 2,
+    "planets": [12, 30], "suns": [15, 60], "rings": [40, 90], "slack": 3)" +
+         more + "}";
+}
+
+HubSearch hubsOf(const std::string& json) {
+  const auto wish = readHubWish(json);
+  if (!wish) qFatal("%s", wish.error().front().message.c_str());
+  return findHubs(*wish).value();
+}
+
+QStringList hubRatios(const HubCandidate& candidate) {
+  QStringList ratios;
+  for (const Rational& each : candidate.ratios) ratios << QString::fromStdString(each.toString());
+  return ratios;
+}
+
+/// "sun/planet" of each sun, the ring, then the numbers of planets.
+QString writtenHubSet(const HubSet& set) {
+  QStringList words;
+  for (const HubSun& sun : set.suns) words << QString("%1/%2").arg(sun.teeth).arg(sun.planet);
+  words << QString::number(set.ring) << ":";
+  for (const int each : set.planets) words << QString::number(each);
+  return words.join(' ');
+}
+
+/// Where the first diagnostic of a wish is.
+QString hubFaultPlace(const std::string& json) {
+  const auto wish = readHubWish(json);
+  return wish ? "accepted" : QString::fromStdString(wish.error().front().pointer);
+}
+
+}  // namespace
+
+class TestHubs : public QObject {
+  Q_OBJECT
+
+ private slots:
+  /// The teeth that were counted when such a hub was opened are the first candidate.
+  void aSevenSpeedHubFollowsFromItsRoundedRatios() {
+    const HubSearch search = hubsOf(sevenSpeeds());
+    QCOMPARE(search.structures, 1);
+    QCOMPARE(search.tried, (std::vector<std::int64_t>{378'060, 378'060}));
+    QCOMPARE(search.assembled.size(), 3U);
+    QCOMPARE(search.others.size(), 14U);
+    QCOMPARE(writtenHubSet(search.assembled[0].sets[0]), "42/14 36/20 72 : 2 3 6");
+    QCOMPARE(writtenHubSet(search.assembled[0].sets[1]), "36/14 30/19 66 : 2 3 6");
+    QCOMPARE(writtenHubSet(search.assembled[1].sets[1]), "30/14 25/19 55 : 5");
+    QCOMPARE(writtenHubSet(search.assembled[2].sets[1]), "36/16 29/21 66 : 2");
+    QCOMPARE(hubRatios(search.assembled[0]),
+             (QStringList{"12/19", "20/27", "3348/3971", "620/627", "340/297", "279/209", "17/11"}));
+  }
+
+  void oneCountDecidesBetweenItsCandidates() {
+    const HubSearch search = hubsOf(sevenSpeeds());
+    const HubQuestion& first = search.questions.front();
+    QVERIFY(first.isCount);
+    QCOMPARE(first.name, std::string("2.sun2"));
+    QCOMPARE(first.leaves, 1U);
+    QCOMPARE(leftBy(first),
+             (std::map<std::string, std::vector<std::size_t>>{{"25", {1}}, {"29", {2}}, {"30", {0}}}));
+    for (std::size_t i = 1; i < search.questions.size(); ++i) QCOMPARE(search.questions[i].leaves, 2U);
+    QCOMPARE(inseparable(search), (std::vector<std::vector<std::size_t>>{{0, 1}}));
+    QCOMPARE(sharedWheels(search),
+             (std::vector<std::pair<std::string, int>>{
+                 {"1.sun1", 42}, {"1.planet1", 14}, {"1.sun2", 36}, {"1.planet2", 20}, {"1.ring", 72}}));
+  }
+
+  void countsAndMeasurementsNarrow() {
+    const HubSearch counted = hubsOf(sevenSpeeds(R"(, "counted": {"2.sun2": 29})"));
+    QCOMPARE(counted.assembled.size(), 1U);
+    QCOMPARE(writtenHubSet(counted.assembled[0].sets[1]), "36/16 29/21 66 : 2");
+    QVERIFY(counted.questions.empty());
+    const HubSearch measured = hubsOf(sevenSpeeds(R"(, "measured": [{"gear": 4, "ratio": "0.98884"}])"));
+    QCOMPARE(measured.assembled.size(), 2U);
+    QVERIFY(hubsOf(sevenSpeeds(R"(, "counted": {"1.ring": 71})")).assembled.empty());
+  }
+
+  /// One set with the ring driving, passed through, and with the carrier driving.
+  void aThreeSpeedHubIsOneSet() {
+    const HubSearch search =
+        hubsOf(R"({"ratios": ["0.75", "1", "1.333"], "stepped": false, "counted": {"1.sun1": 20}})");
+    QCOMPARE(search.assembled.size(), 1U);
+    QCOMPARE(writtenHubSet(search.assembled[0].sets[0]), "20/20 60 : 2 4 5");
+    QCOMPARE(hubRatios(search.assembled[0]), (QStringList{"3/4", "1", "4/3"}));
+  }
+
+  void ratiosThatNothingGivesHaveNoCandidates() {
+    const HubSearch search = hubsOf(R"({"ratios": ["0.75", "1.4"], "stepped": false})");
+    QCOMPARE(search.structures, 0);  // 1 / 0.75 is no 1.4, and one set has one sun
+    QVERIFY(search.assembled.empty() && search.others.empty() && search.questions.empty());
+    const auto wish = readHubWish(R"({"ratios": ["0.75", "1.4"], "stepped": false})");
+    const std::string json = hardwareJson(*wish, search, -1);
+    QVERIFY(json.find("\"count\": 0,") != std::string::npos);
+    QVERIFY(json.find("\"complete\": true,") != std::string::npos);
+  }
+
+  /// Both ends of the interval of a rounded decimal: the lower one counts, the upper one does not.
+  void roundedDecimalsAreIntervals() {
+    const auto rounded = wantedRatio("0.632", {});
+    QVERIFY(rounded->admits(Rational(6315, 10000)));
+    QVERIFY(!rounded->admits(Rational(6325, 10000)));
+    QVERIFY(!rounded->admits(Rational(63149, 100000)));
+    const auto tolerant = wantedRatio("4/3", Rational(1, 100));
+    QVERIFY(tolerant->admits(Rational(4, 3) * Rational(101, 100)));
+    QVERIFY(!tolerant->admits(Rational(4, 3) * Rational(1011, 1000)));
+    const auto exact = wantedRatio("2", {});
+    QVERIFY(exact->admits(Rational(2)) && !exact->admits(Rational(200001, 100000)));
+    for (const char* none : {"0", "-1", "4/0", "", "one", "0.0"}) QVERIFY(!wantedRatio(none, {}));
+  }
+
+  void faultsOfAWishHaveTheirPlaces() {
+    QCOMPARE(hubFaultPlace("{}"), "/ratios");
+    QCOMPARE(hubFaultPlace(R"({"ratios": []})"), "/ratios");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5", "4/0"]})"), "/ratios/1");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "planets": [30, 12]})"), "/planets");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "series": false, "sets": 2})"), "/series");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "counted": {"3.ring": 60}})"), "/counted/3.ring");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "measured": [{"gear": 2, "ratio": "0.5"}]})"),
+             "/measured/0/gear");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "measured": [{"gear": 1, "ratio": "0.5", "turn": 2}]})"),
+             "/measured/0/turn");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "sun": [15, 60]})"), "/sun");
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "tolerance": 1})"), "/tolerance");
+  }
+
+  void aStopEndsTheSearch() {
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!findHubs(*readHubWish(sevenSpeeds()), stop.get_token()));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestHubs)
+#include "test_hubs.moc"
