@@ -49,6 +49,8 @@ extern const Command kTeeth;
 extern const Command kManual;
 extern const Command kAtlas;
 extern const Command kIdentify;
+extern const Command kGearbox;
+extern const Command kHardware;
 
 /// Runs a command with these arguments, with a time limit in seconds if given. Returns the exit status. May
 /// throw std::bad_alloc.

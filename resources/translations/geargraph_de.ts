@@ -15918,6 +15918,160 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>--limit is a whole number up to %1.</source>
         <translation>--limit ist eine ganze Zahl bis %1.</translation>
+        <source>inner planet %1</source>
+        <translation>inneres Planetenrad %1</translation>
+    </message>
+    <message>
+        <source>outer planet %1</source>
+        <translation>äußeres Planetenrad %1</translation>
+    </message>
+    <message>
+        <source>Found by the gearbox designer. Ratios: %1. One planet or pair of each set is drawn; numbers that go in: %2.</source>
+        <translation>Vom Getriebeentwurf gefunden. Übersetzungen: %1. Von jedem Satz ist ein Planetenrad oder Paar gezeichnet; montierbare Anzahlen: %2.</translation>
+    </message>
+    <message>
+        <source>One mesh of each set has the whole basic efficiency of the set, the others lose nothing.</source>
+        <translation>Ein Eingriff jedes Satzes hat den ganzen Grundwirkungsgrad des Satzes, die anderen verlieren nichts.</translation>
+    </message>
+    <message>
+        <source>It is of another version of the search.</source>
+        <translation>Sie stammt von einer anderen Fassung der Suche.</translation>
+    </message>
+    <message>
+        <source>Line %1 is none of a finished part of a gearbox search.</source>
+        <translation>Zeile %1 gehört nicht zu einem fertigen Teil einer Getriebesuche.</translation>
+    </message>
+    <message>
+        <source>The file ends early: its gearboxes are fewer than its first line says.</source>
+        <translation>Die Datei endet zu früh: Sie hat weniger Getriebe, als ihre erste Zeile sagt.</translation>
+    </message>
+    <message>
+        <source>These are parts of searches for different wishes.</source>
+        <translation>Das sind Teile von Suchen nach verschiedenen Wünschen.</translation>
+    </message>
+    <message>
+        <source>These are parts of %1 and of %2: a search is parted once.</source>
+        <translation>Das sind Teile von %1 und von %2: Eine Suche wird nur einmal geteilt.</translation>
+    </message>
+    <message>
+        <source>Part %1 is in two files that hold further parts: merge single parts.</source>
+        <translation>Teil %1 ist in zwei Dateien, die noch andere Teile enthalten: Einzelne Teile zusammenführen.</translation>
+    </message>
+    <message>
+        <source>It is of another wish, another part or another version of the search.</source>
+        <translation>Sie gehört zu einem anderen Wunsch, einem anderen Teil oder einer anderen Fassung der Suche.</translation>
+    </message>
+    <message>
+        <source>It holds a line that is none of this search.</source>
+        <translation>Sie enthält eine Zeile, die nicht zu dieser Suche gehört.</translation>
+    </message>
+    <message>
+        <source>an object of wheels with their teeth, {&quot;1.ring&quot;: 72}</source>
+        <translation>ein Objekt aus Rädern mit ihren Zähnezahlen, {&quot;1.ring&quot;: 72}</translation>
+    </message>
+    <message>
+        <source>there is no wheel &quot;%1&quot;; wheels are named like &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot;.</source>
+        <translation>es gibt kein Rad &quot;%1&quot;; Räder heißen wie &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot;.</translation>
+    </message>
+    <message>
+        <source>a list of gears with ratios, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</source>
+        <translation>eine Liste von Gängen mit Übersetzungen, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</translation>
+    </message>
+    <message>
+        <source>a ratio in a string</source>
+        <translation>eine Übersetzung als Zeichenkette</translation>
+    </message>
+    <message>
+        <source>only sets in series are searched.</source>
+        <translation>es werden nur hintereinandergeschaltete Sätze durchsucht.</translation>
+    </message>
+    <message>
+        <source>only sets of which one sun is held at a time are searched.</source>
+        <translation>es werden nur Sätze durchsucht, von denen je ein Sonnenrad festgehalten wird.</translation>
+    </message>
+    <message>
+        <source>a ratio above 0 in a string: a decimal like &quot;2.34&quot; or a fraction like &quot;7/3&quot;</source>
+        <translation>eine Übersetzung über 0 als Zeichenkette: eine Dezimalzahl wie &quot;2.34&quot; oder ein Bruch wie &quot;7/3&quot;</translation>
+    </message>
+    <message>
+        <source>a list of two whole numbers from %1 to %2, the smaller one first</source>
+        <translation>eine Liste von zwei ganzen Zahlen von %1 bis %2, die kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>a number from 0 to below 1, the part of each ratio</source>
+        <translation>eine Zahl von 0 bis unter 1, der Anteil jeder Übersetzung</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios in strings, each above 0</source>
+        <translation>eine Liste von 1 bis %1 Übersetzungen als Zeichenketten, jede über 0</translation>
+    </message>
+    <message>
+        <source>a wish has no member &quot;%1&quot;.</source>
+        <translation>ein Wunsch hat keinen Eintrag &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 4 sets, &quot;simple&quot;, &quot;double&quot; or &quot;ravigneaux&quot;, which counts twice</source>
+        <translation>eine Liste von 1 bis 4 Sätzen, &quot;simple&quot;, &quot;double&quot; oder &quot;ravigneaux&quot;, der doppelt zählt</translation>
+    </message>
+    <message>
+        <source>a list of two numbers above 1 and at most 10, the smaller one first</source>
+        <translation>eine Liste von zwei Zahlen über 1 und höchstens 10, die kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0, at most 1</source>
+        <translation>ein Wirkungsgrad über 0, höchstens 1</translation>
+    </message>
+    <message>
+        <source>one of &quot;mesh&quot; and &quot;set&quot; is needed, not both.</source>
+        <translation>eines von &quot;mesh&quot; und &quot;set&quot; wird gebraucht, nicht beide.</translation>
+    </message>
+    <message>
+        <source>Shafts would have to cross each other.</source>
+        <translation>Wellen müssten einander kreuzen.</translation>
+    </message>
+    <message>
+        <source>A brake cannot reach the housing: other links enclose its link.</source>
+        <translation>Eine Bremse kommt nicht an das Gehäuse: Andere Glieder schließen ihr Glied ein.</translation>
+    </message>
+    <message>
+        <source>A clutch cannot reach both of its links without crossing others.</source>
+        <translation>Eine Kupplung kommt nicht an ihre beiden Glieder, ohne andere zu kreuzen.</translation>
+    </message>
+    <message>
+        <source>Input and output cannot come out at the two ends.</source>
+        <translation>Antrieb und Abtrieb kommen nicht an den beiden Enden heraus.</translation>
+    </message>
+    <message>
+        <source>No. %1: %2 elements, largest error %3</source>
+        <translation>Nr. %1: %2 Schaltelemente, größter Fehler %3</translation>
+    </message>
+    <message>
+        <source>Teeth, sun planet ring: %1</source>
+        <translation>Zähne, Sonne Planet Hohlrad: %1</translation>
+    </message>
+    <message>
+        <source>Largest over that of the input: power through a member %1, torque of an element %2, slip of an open element %3, speed of a link %4</source>
+        <translation>Größtes Verhältnis zum Antrieb: Leistung durch ein Teil %1, Moment eines Schaltelements %2, Schlupf eines offenen Schaltelements %3, Drehzahl eines Glieds %4</translation>
+    </message>
+    <message>
+        <source>Its section can be drawn without crossing shafts.</source>
+        <translation>Sein Schnitt lässt sich ohne kreuzende Wellen zeichnen.</translation>
+    </message>
+    <message>
+        <source>%1 layouts, %2 found</source>
+        <translation>%1 Anordnungen, %2 gefunden</translation>
+    </message>
+    <message>
+        <source>Complete: these elements have fewer states than gears are wanted, or no layout has so many links.</source>
+        <translation>Vollständig: Diese Schaltelemente haben weniger Zustände, als Gänge gewünscht sind, oder keine Anordnung hat so viele Glieder.</translation>
+    </message>
+    <message>
+        <source>All layouts were searched, but ring ratios at %1 only: sampled, not a proof.</source>
+        <translation>Alle Anordnungen wurden durchsucht, aber Standübersetzungen nur an %1: Stichprobe, kein Beweis.</translation>
+    </message>
+    <message>
+        <source>%1 values for each set</source>
+        <translation>%1 Werten für jeden Satz</translation>
     </message>
     <message>
         <source>the search</source>
@@ -15938,6 +16092,128 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
         <translation>Ganze Zähnezahlen, mit denen ein gezeichnetes Getriebe gewünschte Übersetzungen hat, alle oder die besten.</translation>
+        <source>merge needs the files of parts.</source>
+        <translation>merge braucht die Dateien von Teilen.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for gearbox merge.</source>
+        <translation>%1 hat für gearbox merge keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>One wish is needed.</source>
+        <translation>Ein Wunsch wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>--parts is for gearbox merge.</source>
+        <translation>--parts ist für gearbox merge.</translation>
+    </message>
+    <message>
+        <source>--shard is R/N, the part R of N, counted from 0, not &quot;%1&quot;.</source>
+        <translation>--shard ist R/N, der Teil R von N, ab 0 gezählt, nicht &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>--shard needs a file: -o FILE.</source>
+        <translation>--shard braucht eine Datei: -o FILE.</translation>
+    </message>
+    <message>
+        <source>--resume needs --shard.</source>
+        <translation>--resume braucht --shard.</translation>
+    </message>
+    <message>
+        <source>how many gearboxes are shown and written (20)</source>
+        <translation>wie viele Getriebe gezeigt und geschrieben werden (20)</translation>
+    </message>
+    <message>
+        <source>how many layouts are searched at once (all processors but one)</source>
+        <translation>wie viele Anordnungen zugleich durchsucht werden (alle Prozessoren bis auf einen)</translation>
+    </message>
+    <message>
+        <source>a folder for the documents; with --shard the file of the part</source>
+        <translation>ein Ordner für die Dokumente; mit --shard die Datei des Teils</translation>
+    </message>
+    <message>
+        <source>searches the part R of N only, counted from 0, into a file</source>
+        <translation>durchsucht nur den Teil R von N, ab 0 gezählt, in eine Datei</translation>
+    </message>
+    <message>
+        <source>On many machines</source>
+        <translation>Auf vielen Rechnern</translation>
+    </message>
+    <message>
+        <source>goes on where the part was stopped; nothing if it is finished</source>
+        <translation>macht weiter, wo der Teil aufgehört hat; nichts, wenn er fertig ist</translation>
+    </message>
+    <message>
+        <source>merge: writes the merged parts, of which some may be missing</source>
+        <translation>merge: schreibt die zusammengeführten Teile, von denen welche fehlen dürfen</translation>
+    </message>
+    <message>
+        <source>Gearboxes from planetary sets, brakes and clutches with wanted ratios.</source>
+        <translation>Getriebe aus Planetensätzen, Bremsen und Kupplungen mit gewünschten Übersetzungen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 layouts, %3 found</source>
+        <translation>%1 von %2 Anordnungen, %3 gefunden</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are missing, the first is %3/%2.</source>
+        <translation>%1 von %2 Teilen fehlen, der erste ist %3/%2.</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>sun on planet, ring of each set</source>
+        <translation>Sonne auf Planet, Hohlrad jedes Satzes</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>Planeten</translation>
+    </message>
+    <message>
+        <source>ratios</source>
+        <translation>Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Count %1. By the number of teeth there remain %2.</source>
+        <translation>%1 zählen. Nach der Zähnezahl bleiben %2.</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. By the degrees of the output there remain %3.</source>
+        <translation>Den Antrieb in %2 %1-mal drehen. Nach den Graden des Abtriebs bleiben %3.</translation>
+    </message>
+    <message>
+        <source>%1 candidates of %2 tooth sets with these ratios. All tooth sets of the structures with the fewest suns were tried.</source>
+        <translation>%1 Kandidaten von %2 Zähnezahlsätzen mit diesen Übersetzungen. Alle Zähnezahlen der Aufbauten mit den wenigsten Sonnenrädern wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled</source>
+        <translation>Gleiche Planeten in gleichen Abständen lassen sich nicht montieren</translation>
+    </message>
+    <message>
+        <source>All candidates share: %1.</source>
+        <translation>Allen Kandidaten gemeinsam: %1.</translation>
+    </message>
+    <message>
+        <source>Candidates %1 have the same ratios: no turning tells them apart.</source>
+        <translation>Die Kandidaten %1 haben gleiche Übersetzungen: Durch Drehen lassen sie sich nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>how many candidates are shown (20)</source>
+        <translation>wie viele Kandidaten gezeigt werden (20)</translation>
+    </message>
+    <message>
+        <source>The planetary sets that may be inside a hub gear with these ratios.</source>
+        <translation>Die Planetensätze, die in einer Nabenschaltung mit diesen Übersetzungen stecken können.</translation>
     </message>
 </context>
 <context>

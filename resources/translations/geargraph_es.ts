@@ -15918,6 +15918,160 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>--limit is a whole number up to %1.</source>
         <translation>--limit es un número entero hasta %1.</translation>
+        <source>inner planet %1</source>
+        <translation>satélite interior %1</translation>
+    </message>
+    <message>
+        <source>outer planet %1</source>
+        <translation>satélite exterior %1</translation>
+    </message>
+    <message>
+        <source>Found by the gearbox designer. Ratios: %1. One planet or pair of each set is drawn; numbers that go in: %2.</source>
+        <translation>Hallada por el diseñador de cajas de cambios. Relaciones: %1. De cada tren se dibuja un satélite o un par; números que caben: %2.</translation>
+    </message>
+    <message>
+        <source>One mesh of each set has the whole basic efficiency of the set, the others lose nothing.</source>
+        <translation>Un engrane de cada tren tiene todo el rendimiento básico del tren; los demás no pierden nada.</translation>
+    </message>
+    <message>
+        <source>It is of another version of the search.</source>
+        <translation>Es de otra versión de la búsqueda.</translation>
+    </message>
+    <message>
+        <source>Line %1 is none of a finished part of a gearbox search.</source>
+        <translation>La línea %1 no es de una parte terminada de una búsqueda de cajas de cambios.</translation>
+    </message>
+    <message>
+        <source>The file ends early: its gearboxes are fewer than its first line says.</source>
+        <translation>El archivo termina antes de tiempo: tiene menos cajas de cambios de las que dice su primera línea.</translation>
+    </message>
+    <message>
+        <source>These are parts of searches for different wishes.</source>
+        <translation>Son partes de búsquedas de deseos distintos.</translation>
+    </message>
+    <message>
+        <source>These are parts of %1 and of %2: a search is parted once.</source>
+        <translation>Son partes de %1 y de %2: una búsqueda se divide una sola vez.</translation>
+    </message>
+    <message>
+        <source>Part %1 is in two files that hold further parts: merge single parts.</source>
+        <translation>La parte %1 está en dos archivos que contienen además otras: una las partes sueltas.</translation>
+    </message>
+    <message>
+        <source>It is of another wish, another part or another version of the search.</source>
+        <translation>Es de otro deseo, de otra parte o de otra versión de la búsqueda.</translation>
+    </message>
+    <message>
+        <source>It holds a line that is none of this search.</source>
+        <translation>Contiene una línea que no es de esta búsqueda.</translation>
+    </message>
+    <message>
+        <source>an object of wheels with their teeth, {&quot;1.ring&quot;: 72}</source>
+        <translation>un objeto de ruedas con sus dientes, {&quot;1.ring&quot;: 72}</translation>
+    </message>
+    <message>
+        <source>there is no wheel &quot;%1&quot;; wheels are named like &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot;.</source>
+        <translation>no hay ninguna rueda &quot;%1&quot;; las ruedas se llaman como &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot;.</translation>
+    </message>
+    <message>
+        <source>a list of gears with ratios, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</source>
+        <translation>una lista de marchas con relaciones, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</translation>
+    </message>
+    <message>
+        <source>a ratio in a string</source>
+        <translation>una relación en una cadena</translation>
+    </message>
+    <message>
+        <source>only sets in series are searched.</source>
+        <translation>solo se buscan trenes en serie.</translation>
+    </message>
+    <message>
+        <source>only sets of which one sun is held at a time are searched.</source>
+        <translation>solo se buscan trenes de los que se retiene un sol cada vez.</translation>
+    </message>
+    <message>
+        <source>a ratio above 0 in a string: a decimal like &quot;2.34&quot; or a fraction like &quot;7/3&quot;</source>
+        <translation>una relación mayor que 0 en una cadena: un decimal como &quot;2.34&quot; o una fracción como &quot;7/3&quot;</translation>
+    </message>
+    <message>
+        <source>a list of two whole numbers from %1 to %2, the smaller one first</source>
+        <translation>una lista de dos números enteros de %1 a %2, primero el menor</translation>
+    </message>
+    <message>
+        <source>a number from 0 to below 1, the part of each ratio</source>
+        <translation>un número desde 0 y menor que 1, la parte de cada relación</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios in strings, each above 0</source>
+        <translation>una lista de 1 a %1 relaciones en cadenas, cada una mayor que 0</translation>
+    </message>
+    <message>
+        <source>a wish has no member &quot;%1&quot;.</source>
+        <translation>un deseo no tiene ningún miembro &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 4 sets, &quot;simple&quot;, &quot;double&quot; or &quot;ravigneaux&quot;, which counts twice</source>
+        <translation>una lista de 1 a 4 trenes, &quot;simple&quot;, &quot;double&quot; o &quot;ravigneaux&quot;, que cuenta dos veces</translation>
+    </message>
+    <message>
+        <source>a list of two numbers above 1 and at most 10, the smaller one first</source>
+        <translation>una lista de dos números mayores que 1 y de 10 como máximo, primero el menor</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0, at most 1</source>
+        <translation>un rendimiento mayor que 0, de 1 como máximo</translation>
+    </message>
+    <message>
+        <source>one of &quot;mesh&quot; and &quot;set&quot; is needed, not both.</source>
+        <translation>hace falta uno de &quot;mesh&quot; y &quot;set&quot;, no ambos.</translation>
+    </message>
+    <message>
+        <source>Shafts would have to cross each other.</source>
+        <translation>Los ejes tendrían que cruzarse.</translation>
+    </message>
+    <message>
+        <source>A brake cannot reach the housing: other links enclose its link.</source>
+        <translation>Un freno no llega a la carcasa: otros eslabones encierran el suyo.</translation>
+    </message>
+    <message>
+        <source>A clutch cannot reach both of its links without crossing others.</source>
+        <translation>Un embrague no llega a sus dos eslabones sin cruzar otros.</translation>
+    </message>
+    <message>
+        <source>Input and output cannot come out at the two ends.</source>
+        <translation>La entrada y la salida no pueden salir por los dos extremos.</translation>
+    </message>
+    <message>
+        <source>No. %1: %2 elements, largest error %3</source>
+        <translation>N.º %1: %2 elementos, error máximo %3</translation>
+    </message>
+    <message>
+        <source>Teeth, sun planet ring: %1</source>
+        <translation>Dientes, sol satélite corona: %1</translation>
+    </message>
+    <message>
+        <source>Largest over that of the input: power through a member %1, torque of an element %2, slip of an open element %3, speed of a link %4</source>
+        <translation>Máximos respecto a la entrada: potencia por un miembro %1, par de un elemento %2, deslizamiento de un elemento abierto %3, velocidad de un eslabón %4</translation>
+    </message>
+    <message>
+        <source>Its section can be drawn without crossing shafts.</source>
+        <translation>Su sección se puede dibujar sin que se crucen los ejes.</translation>
+    </message>
+    <message>
+        <source>%1 layouts, %2 found</source>
+        <translation>%1 disposiciones, %2 halladas</translation>
+    </message>
+    <message>
+        <source>Complete: these elements have fewer states than gears are wanted, or no layout has so many links.</source>
+        <translation>Completo: estos elementos tienen menos estados que las marchas deseadas, o ninguna disposición tiene tantos eslabones.</translation>
+    </message>
+    <message>
+        <source>All layouts were searched, but ring ratios at %1 only: sampled, not a proof.</source>
+        <translation>Se buscaron todas las disposiciones, pero las relaciones de las coronas solo en %1: una muestra, no una prueba.</translation>
+    </message>
+    <message>
+        <source>%1 values for each set</source>
+        <translation>%1 valores de cada tren</translation>
     </message>
     <message>
         <source>the search</source>
@@ -15938,6 +16092,128 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
         <translation>Números enteros de dientes con los que un tren dibujado tiene las relaciones deseadas, todos o los mejores.</translation>
+        <source>merge needs the files of parts.</source>
+        <translation>merge necesita los archivos de las partes.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for gearbox merge.</source>
+        <translation>%1 no tiene sentido para gearbox merge.</translation>
+    </message>
+    <message>
+        <source>One wish is needed.</source>
+        <translation>Hace falta un deseo.</translation>
+    </message>
+    <message>
+        <source>--parts is for gearbox merge.</source>
+        <translation>--parts es para gearbox merge.</translation>
+    </message>
+    <message>
+        <source>--shard is R/N, the part R of N, counted from 0, not &quot;%1&quot;.</source>
+        <translation>--shard es R/N, la parte R de N, contada desde 0, no &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>--shard needs a file: -o FILE.</source>
+        <translation>--shard necesita un archivo: -o FILE.</translation>
+    </message>
+    <message>
+        <source>--resume needs --shard.</source>
+        <translation>--resume necesita --shard.</translation>
+    </message>
+    <message>
+        <source>how many gearboxes are shown and written (20)</source>
+        <translation>cuántas cajas de cambios se muestran y escriben (20)</translation>
+    </message>
+    <message>
+        <source>how many layouts are searched at once (all processors but one)</source>
+        <translation>cuántas disposiciones se buscan a la vez (todos los procesadores menos uno)</translation>
+    </message>
+    <message>
+        <source>a folder for the documents; with --shard the file of the part</source>
+        <translation>una carpeta para los documentos; con --shard el archivo de la parte</translation>
+    </message>
+    <message>
+        <source>searches the part R of N only, counted from 0, into a file</source>
+        <translation>busca solo la parte R de N, contada desde 0, en un archivo</translation>
+    </message>
+    <message>
+        <source>On many machines</source>
+        <translation>En muchas máquinas</translation>
+    </message>
+    <message>
+        <source>goes on where the part was stopped; nothing if it is finished</source>
+        <translation>continúa donde se detuvo la parte; nada si está terminada</translation>
+    </message>
+    <message>
+        <source>merge: writes the merged parts, of which some may be missing</source>
+        <translation>merge: escribe las partes unidas, de las que pueden faltar algunas</translation>
+    </message>
+    <message>
+        <source>Gearboxes from planetary sets, brakes and clutches with wanted ratios.</source>
+        <translation>Cajas de cambios de trenes planetarios, frenos y embragues con las relaciones deseadas.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 layouts, %3 found</source>
+        <translation>%1 de %2 disposiciones, %3 halladas</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>No se pudo escribir %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are missing, the first is %3/%2.</source>
+        <translation>Faltan %1 de %2 partes; la primera es %3/%2.</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>n.º</translation>
+    </message>
+    <message>
+        <source>sun on planet, ring of each set</source>
+        <translation>sol sobre satélite, corona de cada tren</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>satélites</translation>
+    </message>
+    <message>
+        <source>ratios</source>
+        <translation>relaciones</translation>
+    </message>
+    <message>
+        <source>Count %1. By the number of teeth there remain %2.</source>
+        <translation>Cuente %1. Según el número de dientes quedan %2.</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. By the degrees of the output there remain %3.</source>
+        <translation>Gire la entrada %1 veces en %2. Según los grados de la salida quedan %3.</translation>
+    </message>
+    <message>
+        <source>%1 candidates of %2 tooth sets with these ratios. All tooth sets of the structures with the fewest suns were tried.</source>
+        <translation>%1 candidatos de %2 juegos de dientes con estas relaciones. Se probaron todos los juegos de dientes de las estructuras con menos soles.</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Candidatos</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled</source>
+        <translation>No se pueden montar satélites iguales a distancias iguales</translation>
+    </message>
+    <message>
+        <source>All candidates share: %1.</source>
+        <translation>Todos los candidatos comparten: %1.</translation>
+    </message>
+    <message>
+        <source>Candidates %1 have the same ratios: no turning tells them apart.</source>
+        <translation>Los candidatos %1 tienen las mismas relaciones: no se distinguen girando.</translation>
+    </message>
+    <message>
+        <source>how many candidates are shown (20)</source>
+        <translation>cuántos candidatos se muestran (20)</translation>
+    </message>
+    <message>
+        <source>The planetary sets that may be inside a hub gear with these ratios.</source>
+        <translation>Los trenes planetarios que puede haber dentro de un buje con estas relaciones.</translation>
     </message>
 </context>
 <context>

@@ -15917,6 +15917,160 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>--limit is a whole number up to %1.</source>
         <translation>--limit, %1 sayısına kadar bir tam sayıdır.</translation>
+        <source>inner planet %1</source>
+        <translation>iç planet %1</translation>
+    </message>
+    <message>
+        <source>outer planet %1</source>
+        <translation>dış planet %1</translation>
+    </message>
+    <message>
+        <source>Found by the gearbox designer. Ratios: %1. One planet or pair of each set is drawn; numbers that go in: %2.</source>
+        <translation>Vites kutusu tasarımcısı tarafından bulundu. Oranlar: %1. Her takımın bir planeti veya çifti çizilidir; takılabilen sayılar: %2.</translation>
+    </message>
+    <message>
+        <source>One mesh of each set has the whole basic efficiency of the set, the others lose nothing.</source>
+        <translation>Her takımın bir kavraması takımın bütün temel verimini taşır, diğerleri hiçbir şey kaybetmez.</translation>
+    </message>
+    <message>
+        <source>It is of another version of the search.</source>
+        <translation>Aramanın başka bir sürümüne ait.</translation>
+    </message>
+    <message>
+        <source>Line %1 is none of a finished part of a gearbox search.</source>
+        <translation>%1. satır, vites kutusu aramasının bitmiş bir parçasına ait değil.</translation>
+    </message>
+    <message>
+        <source>The file ends early: its gearboxes are fewer than its first line says.</source>
+        <translation>Dosya erken bitiyor: vites kutuları ilk satırının söylediğinden az.</translation>
+    </message>
+    <message>
+        <source>These are parts of searches for different wishes.</source>
+        <translation>Bunlar farklı istekler için yapılan aramaların parçaları.</translation>
+    </message>
+    <message>
+        <source>These are parts of %1 and of %2: a search is parted once.</source>
+        <translation>Bunlar %1 ve %2 parçalı aramalara ait: bir arama bir kez bölünür.</translation>
+    </message>
+    <message>
+        <source>Part %1 is in two files that hold further parts: merge single parts.</source>
+        <translation>%1. parça, başka parçalar da içeren iki dosyada var: tek parçaları birleştirin.</translation>
+    </message>
+    <message>
+        <source>It is of another wish, another part or another version of the search.</source>
+        <translation>Başka bir isteğe, başka bir parçaya veya aramanın başka bir sürümüne ait.</translation>
+    </message>
+    <message>
+        <source>It holds a line that is none of this search.</source>
+        <translation>Bu aramaya ait olmayan bir satır içeriyor.</translation>
+    </message>
+    <message>
+        <source>an object of wheels with their teeth, {&quot;1.ring&quot;: 72}</source>
+        <translation>dişlileri diş sayılarıyla veren bir nesne, {&quot;1.ring&quot;: 72}</translation>
+    </message>
+    <message>
+        <source>there is no wheel &quot;%1&quot;; wheels are named like &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot;.</source>
+        <translation>&quot;%1&quot; diye bir dişli yok; dişliler &quot;1.ring&quot;, &quot;2.sun1&quot;, &quot;2.planet1&quot; gibi adlandırılır.</translation>
+    </message>
+    <message>
+        <source>a list of gears with ratios, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</source>
+        <translation>viteslerin oranlarıyla bir listesi, {&quot;gear&quot;: 4, &quot;ratio&quot;: &quot;0.98884&quot;}</translation>
+    </message>
+    <message>
+        <source>a ratio in a string</source>
+        <translation>dize olarak bir oran</translation>
+    </message>
+    <message>
+        <source>only sets in series are searched.</source>
+        <translation>yalnızca seri bağlı takımlar aranır.</translation>
+    </message>
+    <message>
+        <source>only sets of which one sun is held at a time are searched.</source>
+        <translation>yalnızca her seferinde bir güneşi tutulan takımlar aranır.</translation>
+    </message>
+    <message>
+        <source>a ratio above 0 in a string: a decimal like &quot;2.34&quot; or a fraction like &quot;7/3&quot;</source>
+        <translation>dize olarak 0&apos;dan büyük bir oran: &quot;2.34&quot; gibi bir ondalık sayı veya &quot;7/3&quot; gibi bir kesir</translation>
+    </message>
+    <message>
+        <source>a list of two whole numbers from %1 to %2, the smaller one first</source>
+        <translation>%1 ile %2 arasında iki tam sayının listesi, önce küçüğü</translation>
+    </message>
+    <message>
+        <source>a number from 0 to below 1, the part of each ratio</source>
+        <translation>0 ile 1 arasında (1 hariç) bir sayı, her oranın payı</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 ratios in strings, each above 0</source>
+        <translation>dize olarak 1 ile %1 arası oranın listesi, her biri 0&apos;dan büyük</translation>
+    </message>
+    <message>
+        <source>a wish has no member &quot;%1&quot;.</source>
+        <translation>bir isteğin &quot;%1&quot; üyesi yok.</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 4 sets, &quot;simple&quot;, &quot;double&quot; or &quot;ravigneaux&quot;, which counts twice</source>
+        <translation>1 ile 4 takımın listesi: &quot;simple&quot;, &quot;double&quot; veya iki sayılan &quot;ravigneaux&quot;</translation>
+    </message>
+    <message>
+        <source>a list of two numbers above 1 and at most 10, the smaller one first</source>
+        <translation>1&apos;den büyük ve en çok 10 olan iki sayının listesi, önce küçüğü</translation>
+    </message>
+    <message>
+        <source>an efficiency above 0, at most 1</source>
+        <translation>0&apos;dan büyük, en çok 1 olan bir verim</translation>
+    </message>
+    <message>
+        <source>one of &quot;mesh&quot; and &quot;set&quot; is needed, not both.</source>
+        <translation>&quot;mesh&quot; ve &quot;set&quot; üyelerinden biri gerekir, ikisi birden değil.</translation>
+    </message>
+    <message>
+        <source>Shafts would have to cross each other.</source>
+        <translation>Miller birbirini kesmek zorunda kalır.</translation>
+    </message>
+    <message>
+        <source>A brake cannot reach the housing: other links enclose its link.</source>
+        <translation>Bir fren gövdeye ulaşamaz: başka uzuvlar onun uzvunu çevreler.</translation>
+    </message>
+    <message>
+        <source>A clutch cannot reach both of its links without crossing others.</source>
+        <translation>Bir kavrama, başkalarını kesmeden iki uzvuna birden ulaşamaz.</translation>
+    </message>
+    <message>
+        <source>Input and output cannot come out at the two ends.</source>
+        <translation>Giriş ve çıkış iki uçtan dışarı çıkamaz.</translation>
+    </message>
+    <message>
+        <source>No. %1: %2 elements, largest error %3</source>
+        <translation>No. %1: %2 eleman, en büyük hata %3</translation>
+    </message>
+    <message>
+        <source>Teeth, sun planet ring: %1</source>
+        <translation>Dişler, güneş planet çember: %1</translation>
+    </message>
+    <message>
+        <source>Largest over that of the input: power through a member %1, torque of an element %2, slip of an open element %3, speed of a link %4</source>
+        <translation>Girişinkine göre en büyükler: bir üyeden geçen güç %1, bir elemanın momenti %2, açık bir elemanın kayması %3, bir uzvun hızı %4</translation>
+    </message>
+    <message>
+        <source>Its section can be drawn without crossing shafts.</source>
+        <translation>Kesiti, miller birbirini kesmeden çizilebilir.</translation>
+    </message>
+    <message>
+        <source>%1 layouts, %2 found</source>
+        <translation>%1 düzen, %2 bulundu</translation>
+    </message>
+    <message>
+        <source>Complete: these elements have fewer states than gears are wanted, or no layout has so many links.</source>
+        <translation>Eksiksiz: bu elemanların durumları istenen viteslerden az ya da hiçbir düzende bu kadar uzuv yok.</translation>
+    </message>
+    <message>
+        <source>All layouts were searched, but ring ratios at %1 only: sampled, not a proof.</source>
+        <translation>Bütün düzenler arandı, ama çember oranları yalnızca %1 için: örneklendi, kanıt değil.</translation>
+    </message>
+    <message>
+        <source>%1 values for each set</source>
+        <translation>her takımda %1 değer</translation>
     </message>
     <message>
         <source>the search</source>
@@ -15937,6 +16091,128 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
         <translation>Çizilen bir dişli dizisine istenen oranları veren tam diş sayıları, hepsi ya da en iyileri.</translation>
+        <source>merge needs the files of parts.</source>
+        <translation>merge için parçaların dosyaları gerekir.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for gearbox merge.</source>
+        <translation>%1, gearbox merge için anlamsız.</translation>
+    </message>
+    <message>
+        <source>One wish is needed.</source>
+        <translation>Bir istek gerekir.</translation>
+    </message>
+    <message>
+        <source>--parts is for gearbox merge.</source>
+        <translation>--parts, gearbox merge içindir.</translation>
+    </message>
+    <message>
+        <source>--shard is R/N, the part R of N, counted from 0, not &quot;%1&quot;.</source>
+        <translation>--shard, R/N&apos;dir: N parçanın 0&apos;dan sayılan R&apos;incisi; &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--shard needs a file: -o FILE.</source>
+        <translation>--shard için bir dosya gerekir: -o FILE.</translation>
+    </message>
+    <message>
+        <source>--resume needs --shard.</source>
+        <translation>--resume için --shard gerekir.</translation>
+    </message>
+    <message>
+        <source>how many gearboxes are shown and written (20)</source>
+        <translation>kaç vites kutusunun gösterilip yazılacağı (20)</translation>
+    </message>
+    <message>
+        <source>how many layouts are searched at once (all processors but one)</source>
+        <translation>aynı anda kaç düzenin aranacağı (biri dışında bütün işlemciler)</translation>
+    </message>
+    <message>
+        <source>a folder for the documents; with --shard the file of the part</source>
+        <translation>belgeler için bir klasör; --shard ile parçanın dosyası</translation>
+    </message>
+    <message>
+        <source>searches the part R of N only, counted from 0, into a file</source>
+        <translation>yalnızca N parçanın 0&apos;dan sayılan R&apos;incisini bir dosyaya arar</translation>
+    </message>
+    <message>
+        <source>On many machines</source>
+        <translation>Birçok bilgisayarda</translation>
+    </message>
+    <message>
+        <source>goes on where the part was stopped; nothing if it is finished</source>
+        <translation>parçanın durdurulduğu yerden sürdürür; bittiyse hiçbir şey yapmaz</translation>
+    </message>
+    <message>
+        <source>merge: writes the merged parts, of which some may be missing</source>
+        <translation>merge: birleştirilen parçaları yazar; bazıları eksik olabilir</translation>
+    </message>
+    <message>
+        <source>Gearboxes from planetary sets, brakes and clutches with wanted ratios.</source>
+        <translation>İstenen oranlarda, planet takımları, frenler ve kavramalardan vites kutuları.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 layouts, %3 found</source>
+        <translation>%2 düzenden %1 tanesi, %3 bulundu</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 yazılamadı.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are missing, the first is %3/%2.</source>
+        <translation>%2 parçadan %1 tanesi eksik, ilki %3/%2.</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>sıra</translation>
+    </message>
+    <message>
+        <source>sun on planet, ring of each set</source>
+        <translation>her takımın güneş/planeti, çemberi</translation>
+    </message>
+    <message>
+        <source>planets</source>
+        <translation>planetler</translation>
+    </message>
+    <message>
+        <source>ratios</source>
+        <translation>oranlar</translation>
+    </message>
+    <message>
+        <source>Count %1. By the number of teeth there remain %2.</source>
+        <translation>%1 dişlerini sayın. Diş sayısına göre kalanlar: %2.</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. By the degrees of the output there remain %3.</source>
+        <translation>%2 içinde girişi %1 kez çevirin. Çıkışın derecelerine göre kalanlar: %3.</translation>
+    </message>
+    <message>
+        <source>%1 candidates of %2 tooth sets with these ratios. All tooth sets of the structures with the fewest suns were tried.</source>
+        <translation>Bu oranlara sahip %2 diş takımından %1 aday. En az güneşli yapıların bütün diş takımları denendi.</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Adaylar</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled</source>
+        <translation>Eşit aralıklı eş planetler takılamaz</translation>
+    </message>
+    <message>
+        <source>All candidates share: %1.</source>
+        <translation>Bütün adaylarda ortak: %1.</translation>
+    </message>
+    <message>
+        <source>Candidates %1 have the same ratios: no turning tells them apart.</source>
+        <translation>%1 adaylarının oranları aynı: çevirerek ayırt edilemezler.</translation>
+    </message>
+    <message>
+        <source>how many candidates are shown (20)</source>
+        <translation>kaç adayın gösterileceği (20)</translation>
+    </message>
+    <message>
+        <source>The planetary sets that may be inside a hub gear with these ratios.</source>
+        <translation>Bu oranlara sahip bir göbek vitesinin içinde olabilecek planet takımları.</translation>
     </message>
 </context>
 <context>

@@ -279,6 +279,11 @@ class TestResultSchema : public QObject {
     add("statics", {"statics", "--state", "1", "--eta", "0.98"}, "simpson");
     add("dynamics", {"dynamics", "--seconds", "0.01"}, "robot");
     add("pose", {"pose"}, "robot");
+    for (const char* command : {"gearbox", "hardware"}) {
+      const std::string wish = sourcePath(std::string("tests/golden/files/") + command + ".wish.json");
+      QTest::addRow("%s", command) << (QString(command) == "gearbox" ? "gearboxes" : command)
+                                   << QStringList{command, "--json", QString::fromStdString(wish)};
+    }
   }
   void everyValueIsHeld() {
     QFETCH(QString, kind);
