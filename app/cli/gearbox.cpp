@@ -1,6 +1,7 @@
 // `gearbox WISH` and `gearbox merge FILES`: gearboxes with wanted ratios.
 
 #include <array>
+#include <cstdio>
 #include <iostream>
 
 #include "app/cli/command.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include "core/design/gearboxes/speed_space.h"
 #include "core/foundations/base/contract.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "core/design/gearboxes/candidate_refinement.h"
 #include "core/design/gearboxes/gear_balance.h"

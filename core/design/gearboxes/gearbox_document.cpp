@@ -1,10 +1,11 @@
 #include "core/design/gearboxes/gearbox_document.h"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
 #include "core/design/synthesis/set_sketch.h"
 #include "core/design/synthesis/shifting_sets.h"
+#include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/shift_statics.h"

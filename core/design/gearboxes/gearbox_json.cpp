@@ -222,8 +222,11 @@ std::vector<std::string> membersOn(const BasicSets& sets, const GearLayout& layo
 }
 
 std::string linkWord(const BasicSets& sets, const GearLayout& layout, int link) {
-  const std::vector<std::string> members = membersOn(sets, layout, link);
-  return members.empty() ? std::string() : members.back();
+  const std::vector<std::string> names = membersOn(sets, layout, link);
+  const auto member = std::find_if(names.begin(), names.end(),
+                                   [](const std::string& each) { return each != "in" && each != "out"; });
+  if (member != names.end()) return *member;
+  return names.empty() ? std::string() : names.front();  // a free input
 }
 
 std::optional<std::string> gearboxesJson(const GearboxWish& wish, GearboxSearch search, std::int64_t limit,

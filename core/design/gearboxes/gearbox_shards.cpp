@@ -1,9 +1,11 @@
 #include "core/design/gearboxes/gearbox_shards.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "core/design/gearboxes/gearbox_json.h"
+#include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/json_writer.h"
 

@@ -1,5 +1,7 @@
 #include "core/design/gearboxes/hub_wish.h"
 
+#include <algorithm>
+
 #include "core/design/gearboxes/wish_members.h"
 #include "core/foundations/base/words.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "core/design/gearboxes/candidate_refinement.h"
 #include "core/foundations/base/contract.h"
