@@ -80,9 +80,9 @@ template <class Numbers>
 }
 
 template <class Numbers>
-[[nodiscard]] typename Numbers::Value product(const std::array<typename Numbers::Value, kMaxFreedom>& a,
-                                              const std::array<typename Numbers::Value, kMaxFreedom>& b,
-                                              int freedom, const Numbers& numbers) {
+[[nodiscard]] typename Numbers::Value rowProduct(const std::array<typename Numbers::Value, kMaxFreedom>& a,
+                                                 const std::array<typename Numbers::Value, kMaxFreedom>& b,
+                                                 int freedom, const Numbers& numbers) {
   auto sum = numbers.whole(0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(freedom); ++i)
     sum = numbers.add(sum, numbers.multiply(a[i], b[i]));
@@ -108,7 +108,7 @@ template <class Numbers>
   if (freedom == 1) return row[0];
   const auto last = static_cast<std::size_t>(freedom - 2);
   const auto factors = lastFactors<Numbers>(&engaged[0], &engaged[1], row, freedom, numbers);
-  return product(factors, engaged[last], freedom, numbers);
+  return rowProduct(factors, engaged[last], freedom, numbers);
 }
 
 }  // namespace geargraph::inline gearboxes

@@ -130,8 +130,8 @@ class LayoutSearch {
         output = lastFactors<DoubleNumbers>(first, second, space->rows[m_layout.output], m_freedom, numbers);
       }
       const Direction& engaged = directions[members[last]];
-      const double in = product(input, engaged, m_freedom, numbers);
-      const double out = product(output, engaged, m_freedom, numbers);
+      const double in = rowProduct(input, engaged, m_freedom, numbers);
+      const double out = rowProduct(output, engaged, m_freedom, numbers);
       if (std::abs(in) < 1e-9 || std::abs(out) < 1e-9) continue;
       const double ratio = in / out;
       values.isNegative[state] = ratio < 0 ? 1 : 0;

@@ -33,7 +33,7 @@ class TestFourSets : public QObject {
     QCOMPARE(search->layouts, 134'273);
     QCOMPARE(search->searched, 134'273);
     QVERIFY(!search->found.empty());
-    // Suns 1 and 2 of two sets on one link, a carrier on the output with three elements in every gear.
+    // Both have this layout, with other teeth.
     const BasicSets sets = basicSets(wish->limits.kinds);
     bool isThere = false;
     for (const Gearbox& each : search->found) {
@@ -49,7 +49,7 @@ class TestFourSets : public QObject {
                         each.layout.input == link(1, carrier) && each.layout.output == link(3, carrier));
       } while (std::next_permutation(order.begin(), order.end()));
     }
-    if (QString(QTest::currentDataTag()) == "8HP") QVERIFY(isThere);
+    QVERIFY(isThere);
     qInfo("%zu gearboxes", search->found.size());
   }
 };

@@ -225,6 +225,19 @@ class TestGearboxes : public QObject {
              2);
   }
 
+  /// GM's 8L45 has the layout of the 8HP with other teeth.
+  void anotherEightSpeedGearboxFollowsFromItsPrintedRatios() {
+    const GearboxWish wish =
+        gearboxWishOf(R"({"forward": ["4.615", "3.038", "2.065", "1.658", "1.259", "1", "0.849",
+      "0.658"], "reverse": "any", "sets": ["simple", "simple", "simple", "simple"], "links": 8, "freeInput": false,
+      "elements": 5, "k": [1.5, 4.2], "teeth": {"fewest": 17, "mostRing": 120}})");
+    const Gearbox gearbox = eightSpeed(wish);
+    const std::array expected = {4.615, 3.038, 2.065, 1.658, 1.259, 1.0, 0.849, 0.658};
+    for (std::size_t gear = 0; gear < expected.size(); ++gear)
+      QCOMPARE(std::round(gearbox.gears[gear].ratio.toDouble() * 1000) / 1000, expected[gear]);
+    QVERIFY(!gearbox.brokenRule);
+  }
+
   /// Figures of the published gearbox: power through a member and circulating power are two measures. Its
   /// clutch E locks sun and ring of the third set; locking the carrier has the same effect on all speeds.
   void measuresAreThoseOfTheGearbox() {
