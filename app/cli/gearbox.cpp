@@ -75,14 +75,15 @@ TextRows statesTable(const Gearbox& gearbox) {
   TextRows rows{{translated("state"), translated("engaged"), translated("ratio"), translated("decimal"),
                  translated("error"), translated("efficiency"), translated("circulating")}};
   const auto numberOr = [](const std::optional<Rational>& value) {
-    return value ? decimal(value->toDouble()) : std::string("-");
+    return value ? readableNumber(value->toDouble()) : std::string("-");
   };
   for (std::size_t i = 0; i < gearbox.gears.size(); ++i) {
     const GearState& gear = gearbox.gears[i];
     std::vector<std::string> engaged;
     for (const int each : gear.engaged) engaged.push_back(elementLetter(each));
-    rows.push_back({gear.name, joined(engaged, " "), gear.ratio.toString(), decimal(gear.ratio.toDouble()),
-                    percentText(gear.error), gearbox.losses ? numberOr(gearbox.losses->efficiencies[i]) : "-",
+    rows.push_back({gear.name, joined(engaged, " "), gear.ratio.toString(),
+                    readableNumber(gear.ratio.toDouble()), percentText(gear.error),
+                    gearbox.losses ? numberOr(gearbox.losses->efficiencies[i]) : "-",
                     gearbox.losses ? numberOr(gearbox.losses->circulating[i]) : "-"});
   }
   return rows;
@@ -103,8 +104,8 @@ std::string gearboxText(const GearboxWish& wish, const Gearbox& gearbox, std::si
           translated(
               "Largest over that of the input: power through a member %1, torque of an element %2, slip "
               "of an open element %3, speed of a link %4",
-              {decimal(measures.power.toDouble()), decimal(measures.torque.toDouble()),
-               decimal(measures.slip.toDouble()), decimal(measures.speed.toDouble())}) +
+              {readableNumber(measures.power.toDouble()), readableNumber(measures.torque.toDouble()),
+               readableNumber(measures.slip.toDouble()), readableNumber(measures.speed.toDouble())}) +
           '\n';
   text += "  " +
           (gearbox.brokenRule ? sectionRuleReason(*gearbox.brokenRule)
