@@ -72,7 +72,6 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
     {"core/mechanism/graph_format/graph_text.cpp", "formats"},
     {"core/mechanism/model/fields.h", "the page of the format and its schema, which are English"},
-    {"core/mechanism/model/member_info.cpp", "units, which are names"},
     {"core/foundations/base/contract.cpp", "for developers"},
     {"core/foundations/sandbox/", "for developers"},
     {"core/presentation/drawing/", "formats"},
