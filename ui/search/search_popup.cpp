@@ -137,7 +137,8 @@ void SearchPopup::showDefinition(Term term) {
   QString text = QStringLiteral("<h3>%1 &nbsp; %2</h3><p>%3</p>")
                      .arg(shown(translated(definition.name)), shown(definition.symbol),
                           shown(translated(definition.text)));
-  if (definition.equation > 0) text += tr("<p>Equation (%1) of the paper.</p>").arg(definition.equation);
+  if (definition.equation != PaperEquation::none)
+    text += tr("<p>Equation (%1) of the paper.</p>").arg(numberOf(definition.equation));
   m_definition->setText(text);
   m_pages->setCurrentWidget(m_definition);
   m_detail->setText(tr("F1 shows it with a picture and its lesson. Type to search on; Esc closes."));

@@ -14,7 +14,7 @@ namespace geargraph::inline atlas {
 struct ChainDrawing {
   std::optional<int> frame = {};  ///< the link that is the ground; std::nullopt: usualFrame(), or another
                                   ///< with which the bodies have room
-  std::vector<int> rings = {};  ///< meshes, by position, of which one gear is a ring
+  std::vector<int> rings = {};    ///< meshes, by position, of which one gear is a ring
 };
 
 /// The link that is held where nothing else is asked for: of those on the axis with the most links one that

@@ -132,13 +132,11 @@ class TableReader {
     const std::size_t at = m_header.at("element");
     const std::string element = at < m_fields.size() ? m_fields[at].text : "";
     if (!readElement(element, row)) {
-      row.wrong(
-          "element",
-          element.empty()
-              ? translated("The column \"element\" is empty; it says what the row is about.")
-              : translated("There is no element \"%1\": %2.",
-                           {element.substr(0, kMaxNameLength),
-                            listed(rowNames(), kAllNames, toTranslate("or"))}));
+      row.wrong("element", element.empty()
+                               ? translated("The column \"element\" is empty; it says what the row is about.")
+                               : translated("There is no element \"%1\": %2.",
+                                            {element.substr(0, kMaxNameLength),
+                                             listed(rowNames(), kAllNames, toTranslate("or"))}));
       return;
     }
     row.rejectOtherCells(element);

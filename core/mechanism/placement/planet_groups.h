@@ -30,8 +30,8 @@ enum class PlanetScope : std::uint8_t {
                                                                  const Placement& placement,
                                                                  PlanetScope scope);
 
-/// The same, also of planets of which one is drawn: every group, alone or with those that equal it. On axes of
-/// the ground a single one has two meshes or more.
+/// The same, also of planets of which one is drawn: every group, alone or with those that equal it. On axes
+/// of the ground a single one has two meshes or more.
 [[nodiscard]] std::vector<std::vector<PlanetGroup>> planetSets(const Mechanism& mechanism,
                                                                const Placement& placement, PlanetScope scope);
 
