@@ -125,8 +125,8 @@ class ManualTest : public QObject {
           entry.find("<img src=\"picture:" + std::string(pictureOf(definition.term))) != std::string::npos,
           name.c_str());
       QCOMPARE(formulaOfTerm(definition.term).empty(), definition.equation == 0);
-      const std::string number = "Equation (" + std::to_string(definition.equation) + ") of the paper.";
-      QCOMPARE(words.find(number) != std::string::npos, definition.equation > 0);
+      const std::string number = "Equation " + cited(definition.equation) + " of the paper.";
+      QCOMPARE(words.find(number) != std::string::npos, definition.equation != PaperEquation::none);
       const Lesson* lesson = lessonAbout(definition.term);
       QCOMPARE(words.find("No lesson is about it.") != std::string::npos, lesson == nullptr);
       if (lesson != nullptr) QVERIFY(entry.find("lesson:" + lesson->id) != std::string::npos);
