@@ -1,0 +1,97 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/designer/designer_services.h"
+#include "ui/views/results_view.h"
+#include "ui/views/view_entry.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QTimer;
+
+namespace geargraph::inline designer {
+
+class HitCard;
+class HitsTable;
+class WishForm;
+
+/// Searches for gearboxes with wanted ratios: the wish, what was found so far, and the gearbox chosen of it.
+/// Knows nothing of the document. Its fields are made when it is shown first.
+class DesignerPanel final : public QWidget, public ResultsView {
+  Q_OBJECT
+
+ public:
+  explicit DesignerPanel(QWidget* parent = nullptr);
+
+  [[nodiscard]] QWidget& widget() override { return *this; }
+
+  /// From the beginning, if the wish has no fault. What was found for the former wish is dropped.
+  void search();
+  /// Stops without forgetting anything.
+  void pause();
+  /// Continues a search that was paused.
+  void goOn();
+  [[nodiscard]] bool isSearching() const { return m_phase == Phase::searching; }
+  /// Is no part of the layouts left?
+  [[nodiscard]] bool isDone() const { return m_phase == Phase::done; }
+  /// Makes the fields, if that has not been done.
+  void prepare();
+  [[nodiscard]] WishForm* form() const { return m_form; }
+  [[nodiscard]] HitsTable* hits() const { return m_hits; }
+  [[nodiscard]] HitCard* card() const { return m_card; }
+
+ signals:
+  /// The chosen gearbox should be opened as a document.
+  void openWanted(const geargraph::Mechanism& document);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Phase { idle, searching, paused, done };
+
+  [[nodiscard]] QWidget* makeMiddle();
+  void onProgress(const DesignProgress& progress);
+  void onFailed();
+  void onChosen();
+  void onOpen();
+  void onWishEdited();
+  void setPhase(Phase phase);
+  void renewWords();
+  [[nodiscard]] QString titleText() const;
+  [[nodiscard]] QString sampledText() const;
+  [[nodiscard]] QString countText() const;
+
+  DesignService* m_service;
+  HitService* m_details;
+  GearboxWishPtr m_wish;  ///< searched for; null before the first search
+  std::int64_t m_layouts = 0;
+  std::int64_t m_total = 0;
+  bool m_isProof = false;
+  bool m_isEarlier = false;  ///< the fields have another wish than the list
+  Phase m_phase = Phase::idle;
+  GearboxPtr m_asked;   ///< whose detail is shown or on its way
+  GearboxPtr m_toOpen;  ///< to be opened as soon as its document is there
+
+  WishForm* m_form = nullptr;
+  HitsTable* m_hits = nullptr;
+  HitCard* m_card = nullptr;
+  QStackedWidget* m_pages = nullptr;
+  QLabel* m_empty = nullptr;
+  QLabel* m_title = nullptr;
+  QLabel* m_count = nullptr;
+  QLabel* m_sampled = nullptr;
+  QLabel* m_earlier = nullptr;
+  QProgressBar* m_bar = nullptr;
+  QTimer* m_barSoon = nullptr;
+  QPushButton* m_search = nullptr;
+  QPushButton* m_pause = nullptr;
+};
+
+[[nodiscard]] ViewEntry designerView();
+
+}  // namespace geargraph::inline designer

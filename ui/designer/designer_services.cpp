@@ -1,0 +1,66 @@
+#include "ui/designer/designer_services.h"
+
+#include <QThread>
+#include <algorithm>
+#include <chrono>
+
+#include "core/presentation/lever_drawing/lever_drawing.h"
+#include "core/presentation/results/levers_json.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline designer {
+namespace {
+
+/// Blocks without a hit are not worth more answers than people can read.
+constexpr std::chrono::milliseconds kBetweenAnswers{60};
+
+void searchGearboxes(const DesignRequest& request, const DesignService::Responder& respond) {
+  using Clock = std::chrono::steady_clock;
+  const GearboxWish& wish = *request.wish;
+  DesignProgress next{.done = request.from, .total = 0, .found = {}};
+  auto answered = Clock::now();
+  GearboxRunOptions options;
+  options.from = request.from;
+  options.threads = std::max(1, QThread::idealThreadCount() - 1);
+  options.onBlock = [&](const GearboxSearch& block, std::int64_t done, std::int64_t total) {
+    next.done = done;
+    next.total = total;
+    for (Gearbox each : block.found) {
+      if (wish.efficiency && checkByDocument(wish, each, true, respond.stop()) != GearboxCheck::right)
+        continue;
+      next.found.push_back(std::make_shared<const Gearbox>(std::move(each)));
+    }
+    if (respond.stop().stop_requested()) return false;
+    if (next.found.empty() && Clock::now() - answered < kBetweenAnswers) return true;
+    respond.partly(std::exchange(next, DesignProgress{.done = done, .total = total, .found = {}}));
+    answered = Clock::now();
+    return true;
+  };
+  const auto search = findGearboxes(wish, options, respond.stop());
+  if (!search) return;  // paused
+  next.done = next.total = search->layouts;
+  next.isProof = search->isComplete;
+  respond(std::move(next));
+}
+
+void detailOf(const HitRequest& request, const HitService::Responder& respond) {
+  auto detail = std::make_shared<HitDetail>();
+  detail->asked = request.gearbox;
+  Gearbox gearbox = *request.gearbox;
+  if (checkByDocument(*request.wish, gearbox, true, respond.stop()) == GearboxCheck::stopped) return;
+  detail->document = gearboxDocument(*request.wish, gearbox);
+  detail->gearbox = std::make_shared<const Gearbox>(std::move(gearbox));
+  const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(detail->document));
+  const auto levers = leverPictureOf(*snapshot, respond.stop());
+  if (!levers) return;
+  detail->levers = leverDrawing(detail->document, *levers, {});
+  respond(HitDetailPtr(std::move(detail)));
+}
+
+}  // namespace
+
+DesignService::DesignService(QObject* parent) : Service(&searchGearboxes, parent) {}
+
+HitService::HitService(QObject* parent) : Service(&detailOf, parent) {}
+
+}  // namespace geargraph::inline designer

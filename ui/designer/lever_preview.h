@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/presentation/drawing/display_list.h"
+
+namespace geargraph::inline designer {
+
+/// A drawing of core's, as large as there is room.
+class LeverPreview final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LeverPreview(QWidget* parent = nullptr);
+
+  void setDrawing(DisplayList drawing);
+  [[nodiscard]] const DisplayList& drawing() const { return m_drawing; }
+  [[nodiscard]] QSize sizeHint() const override { return {380, 230}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  DisplayList m_drawing;
+};
+
+}  // namespace geargraph::inline designer
