@@ -16215,6 +16215,342 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Die Planetensätze, die in einer Nabenschaltung mit diesen Übersetzungen stecken können.</translation>
     </message>
+    <message>
+        <source>Gearbox designer</source>
+        <translation>Getriebeentwurf</translation>
+    </message>
+    <message>
+        <source>Searches for planetary sets, brakes and clutches that have the ratios you want.</source>
+        <translation>Sucht Planetensätze, Bremsen und Kupplungen mit den gewünschten Übersetzungen.</translation>
+    </message>
+    <message>
+        <source>The list is of the earlier wish until you search again.</source>
+        <translation>Die Liste gehört zum früheren Wunsch, bis neu gesucht wird.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Keeps what was found (Esc)</source>
+        <translation>Behält, was gefunden wurde (Esc)</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios you want</source>
+        <translation>Getriebe mit den gewünschten Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Gears: %1, sets: %2</source>
+        <translation>Gänge: %1, Sätze: %2</translation>
+    </message>
+    <message>
+        <source>Gears: %1 and reverse, sets: %2</source>
+        <translation>Gänge: %1 und Rückwärtsgang, Sätze: %2</translation>
+    </message>
+    <message>
+        <source>Listing layouts…</source>
+        <translation>Anordnungen werden aufgezählt…</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Paused at %1 of %2 layouts, %3 found</source>
+        <translation>Angehalten bei %1 von %2 Anordnungen, %3 gefunden</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>sampled, not a proof</source>
+        <translation>Stichproben, kein Beweis</translation>
+    </message>
+    <message>
+        <source>No layout has so many links.</source>
+        <translation>Keine Anordnung hat so viele Glieder.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratio of ring to sun at %1 values of each set only, from which the nearest whole teeth are taken.</source>
+        <translation>Jede Anordnung wird durchsucht, das Verhältnis von Hohlrad zu Sonne aber nur bei %1 Werten je Satz, von denen aus die nächsten ganzen Zähnezahlen genommen werden.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratios of ring to sun at %1 points only, from which the nearest whole teeth are taken.</source>
+        <translation>Jede Anordnung wird durchsucht, die Verhältnisse von Hohlrad zu Sonne aber nur an %1 Punkten, von denen aus die nächsten ganzen Zähnezahlen genommen werden.</translation>
+    </message>
+    <message>
+        <source>Type ratios and choose Search.&lt;br&gt;Six ratios are enough: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Übersetzungen eingeben und Suchen wählen.&lt;br&gt;Sechs Übersetzungen genügen: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None: no layout of these sets has so many links.</source>
+        <translation>Keines: Keine Anordnung dieser Sätze hat so viele Glieder.</translation>
+    </message>
+    <message>
+        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
+        <translation>Keines gefunden. Eine größere Toleranz, eine andere Zahl von Gliedern oder Schaltelementen oder weitere Grenzen für Hohlrad : Sonne können helfen.</translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation>Noch nichts.</translation>
+    </message>
+    <message>
+        <source>Shift table of the chosen gearbox</source>
+        <translation>Schaltschema des gewählten Getriebes</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>gewünscht</translation>
+    </message>
+    <message>
+        <source>The largest circulating power, as a part of the power at the input</source>
+        <translation>Die größte Blindleistung, als Teil der Leistung am Antrieb</translation>
+    </message>
+    <message>
+        <source>Opens this gearbox as a document with its states, in a new window</source>
+        <translation>Öffnet dieses Getriebe als Dokument mit seinen Schaltzuständen in einem neuen Fenster</translation>
+    </message>
+    <message>
+        <source>Open No. %1</source>
+        <translation>Nr. %1 öffnen</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Nr. %1</translation>
+    </message>
+    <message>
+        <source>Choose a gearbox of the list.</source>
+        <translation>Ein Getriebe der Liste wählen.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>none in %1</source>
+        <translation>keiner in %1</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches each gear engages</source>
+        <translation>Welche Bremsen und Kupplungen jeder Gang schließt</translation>
+    </message>
+    <message>
+        <source>The largest difference from a wanted ratio, relative to it</source>
+        <translation>Die größte Abweichung von einer gewünschten Übersetzung, bezogen auf diese</translation>
+    </message>
+    <message>
+        <source>The least efficiency of a gear; the wish gives that of a mesh</source>
+        <translation>Der kleinste Wirkungsgrad eines Gangs; der Wunsch gibt den eines Zahneingriffs an</translation>
+    </message>
+    <message>
+        <source>Sun, planet and ring of each set</source>
+        <translation>Sonne, Planet und Hohlrad jedes Satzes</translation>
+    </message>
+    <message>
+        <source>Can its section be drawn without shafts that cross?</source>
+        <translation>Lässt sich sein Schnitt ohne kreuzende Wellen zeichnen?</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>elements engaged</source>
+        <translation>geschlossene Schaltelemente</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>größte Abweichung</translation>
+    </message>
+    <message>
+        <source>worst η</source>
+        <translation>kleinstes η</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>buildable</source>
+        <translation>baubar</translation>
+    </message>
+    <message>
+        <source>Gearboxes that were found</source>
+        <translation>Gefundene Getriebe</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the chosen gearbox in first gear</source>
+        <translation>Hebelplan des gewählten Getriebes im ersten Gang</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Wanted ratios</source>
+        <translation>Gewünschte Übersetzungen</translation>
+    </message>
+    <message>
+        <source>4.17 2.34 1.52 …</source>
+        <translation>4,17 2,34 1,52 …</translation>
+    </message>
+    <message>
+        <source>Input over output of each gear, first gear first: decimals or fractions, typed or pasted</source>
+        <translation>Antrieb zu Abtrieb jedes Gangs, der erste zuerst: Dezimalzahlen oder Brüche, getippt oder eingefügt</translation>
+    </message>
+    <message>
+        <source>any ratio</source>
+        <translation>beliebige Übersetzung</translation>
+    </message>
+    <message>
+        <source>this ratio</source>
+        <translation>diese Übersetzung</translation>
+    </message>
+    <message>
+        <source>no reverse</source>
+        <translation>kein Rückwärtsgang</translation>
+    </message>
+    <message>
+        <source>Wanted ratio of the reverse</source>
+        <translation>Gewünschte Übersetzung des Rückwärtsgangs</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>By how many percent a ratio may differ; empty: ratios are rounded as typed</source>
+        <translation>Um wie viel Prozent eine Übersetzung abweichen darf; leer: gerundet, wie getippt</translation>
+    </message>
+    <message>
+        <source>Tolerance in percent</source>
+        <translation>Toleranz in Prozent</translation>
+    </message>
+    <message>
+        <source>% of every ratio</source>
+        <translation>% jeder Übersetzung</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Sätze</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>double planets</source>
+        <translation>Doppelplaneten</translation>
+    </message>
+    <message>
+        <source>Ravigneaux</source>
+        <translation>Ravigneaux-Sätze</translation>
+    </message>
+    <message>
+        <source>Shafts that can turn, the input shaft too</source>
+        <translation>Wellen, die drehen können, mit der Antriebswelle</translation>
+    </message>
+    <message>
+        <source>rotating links</source>
+        <translation>drehende Glieder</translation>
+    </message>
+    <message>
+        <source>Members of sets that are part of the housing</source>
+        <translation>Teile von Sätzen, die zum Gehäuse gehören</translation>
+    </message>
+    <message>
+        <source>members held</source>
+        <translation>feste Teile</translation>
+    </message>
+    <message>
+        <source>input joined by clutches only</source>
+        <translation>Antrieb nur über Kupplungen</translation>
+    </message>
+    <message>
+        <source>Also layouts whose input shaft has no member of a set</source>
+        <translation>Auch Anordnungen, deren Antriebswelle kein Teil eines Satzes ist</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Schaltelemente</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches together</source>
+        <translation>Bremsen und Kupplungen zusammen</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source>brakes</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>clutches</source>
+        <translation>Kupplungen</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>je Schaltung eines gelöst, eines geschlossen</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>ring : sun</source>
+        <translation>Hohlrad : Sonne</translation>
+    </message>
+    <message>
+        <source>teeth from</source>
+        <translation>Zähne ab</translation>
+    </message>
+    <message>
+        <source>rings to</source>
+        <translation>Hohlräder bis</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>nicht berechnet</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh, such as 0.98, from which that of each gear follows</source>
+        <translation>Wirkungsgrad eines Zahneingriffs, etwa 0,98, aus dem der jedes Gangs folgt</translation>
+    </message>
+    <message>
+        <source>buildable only</source>
+        <translation>nur baubare</translation>
+    </message>
+    <message>
+        <source>Only gearboxes whose section can be drawn without shafts that cross</source>
+        <translation>Nur Getriebe, deren Schnitt sich ohne kreuzende Wellen zeichnen lässt</translation>
+    </message>
+    <message>
+        <source>Impossible: %1 gears need as many states; %2 of %3 elements give fewer.</source>
+        <translation>Unmöglich: %1 Gänge brauchen ebenso viele Zustände; %2 von %3 Schaltelementen geben weniger.</translation>
+    </message>
+    <message>
+        <source>Gearbox desi&amp;gner…</source>
+        <translation>Getriebe&amp;entwurf…</translation>
+    </message>
+    <message>
+        <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
+        <translation>Planetensätze, Bremsen und Kupplungen mit den gewünschten Übersetzungen suchen</translation>
+    </message>
+    <message>
+        <source>Gearbox from the designer</source>
+        <translation>Getriebe aus dem Entwurf</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>Das Getriebe ist ein eigenes Dokument mit einem Zustand je Gang. Speichern bewahrt es auf.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

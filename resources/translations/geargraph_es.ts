@@ -16215,6 +16215,342 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Los trenes planetarios que puede haber dentro de un buje con estas relaciones.</translation>
     </message>
+    <message>
+        <source>Gearbox designer</source>
+        <translation>Diseñador de cajas de cambios</translation>
+    </message>
+    <message>
+        <source>Searches for planetary sets, brakes and clutches that have the ratios you want.</source>
+        <translation>Busca trenes epicicloidales, frenos y embragues con las relaciones deseadas.</translation>
+    </message>
+    <message>
+        <source>The list is of the earlier wish until you search again.</source>
+        <translation>La lista es del deseo anterior hasta que busque de nuevo.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Keeps what was found (Esc)</source>
+        <translation>Conserva lo encontrado (Esc)</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios you want</source>
+        <translation>Cajas de cambios con las relaciones deseadas</translation>
+    </message>
+    <message>
+        <source>Gears: %1, sets: %2</source>
+        <translation>Marchas: %1, trenes: %2</translation>
+    </message>
+    <message>
+        <source>Gears: %1 and reverse, sets: %2</source>
+        <translation>Marchas: %1 y marcha atrás, trenes: %2</translation>
+    </message>
+    <message>
+        <source>Listing layouts…</source>
+        <translation>Enumerando disposiciones…</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Paused at %1 of %2 layouts, %3 found</source>
+        <translation>En pausa en %1 de %2 disposiciones, %3 halladas</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>completa</translation>
+    </message>
+    <message>
+        <source>sampled, not a proof</source>
+        <translation>muestreada, no es una prueba</translation>
+    </message>
+    <message>
+        <source>No layout has so many links.</source>
+        <translation>Ninguna disposición tiene tantos eslabones.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratio of ring to sun at %1 values of each set only, from which the nearest whole teeth are taken.</source>
+        <translation>Se recorre cada disposición, pero la relación de corona a solar solo en %1 valores por tren, desde los que se toman los dientes enteros más próximos.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratios of ring to sun at %1 points only, from which the nearest whole teeth are taken.</source>
+        <translation>Se recorre cada disposición, pero las relaciones de corona a solar solo en %1 puntos, desde los que se toman los dientes enteros más próximos.</translation>
+    </message>
+    <message>
+        <source>Type ratios and choose Search.&lt;br&gt;Six ratios are enough: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Escriba relaciones y elija Buscar.&lt;br&gt;Bastan seis relaciones: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None: no layout of these sets has so many links.</source>
+        <translation>Ninguna: ninguna disposición de estos trenes tiene tantos eslabones.</translation>
+    </message>
+    <message>
+        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
+        <translation>No se halló ninguna. Puede ayudar una tolerancia mayor, otro número de eslabones o acoplamientos, o límites más amplios de corona : solar.</translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation>Todavía nada.</translation>
+    </message>
+    <message>
+        <source>Shift table of the chosen gearbox</source>
+        <translation>Tabla de marchas de la caja elegida</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>deseada</translation>
+    </message>
+    <message>
+        <source>The largest circulating power, as a part of the power at the input</source>
+        <translation>La mayor potencia circulante, como parte de la potencia de entrada</translation>
+    </message>
+    <message>
+        <source>Opens this gearbox as a document with its states, in a new window</source>
+        <translation>Abre esta caja como documento con sus estados, en una ventana nueva</translation>
+    </message>
+    <message>
+        <source>Open No. %1</source>
+        <translation>Abrir n.º %1</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>N.º %1</translation>
+    </message>
+    <message>
+        <source>Choose a gearbox of the list.</source>
+        <translation>Elija una caja de la lista.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>none in %1</source>
+        <translation>ninguno en %1</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches each gear engages</source>
+        <translation>Qué frenos y embragues activa cada marcha</translation>
+    </message>
+    <message>
+        <source>The largest difference from a wanted ratio, relative to it</source>
+        <translation>La mayor diferencia con una relación deseada, relativa a ella</translation>
+    </message>
+    <message>
+        <source>The least efficiency of a gear; the wish gives that of a mesh</source>
+        <translation>El menor rendimiento de una marcha; el deseo da el de un engrane</translation>
+    </message>
+    <message>
+        <source>Sun, planet and ring of each set</source>
+        <translation>Solar, satélite y corona de cada tren</translation>
+    </message>
+    <message>
+        <source>Can its section be drawn without shafts that cross?</source>
+        <translation>¿Puede dibujarse su sección sin ejes que se crucen?</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>elements engaged</source>
+        <translation>acoplamientos activos</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>worst η</source>
+        <translation>peor η</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>dientes</translation>
+    </message>
+    <message>
+        <source>buildable</source>
+        <translation>realizable</translation>
+    </message>
+    <message>
+        <source>Gearboxes that were found</source>
+        <translation>Cajas halladas</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the chosen gearbox in first gear</source>
+        <translation>Diagrama de palancas de la caja elegida en primera marcha</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Relaciones</translation>
+    </message>
+    <message>
+        <source>Wanted ratios</source>
+        <translation>Relaciones deseadas</translation>
+    </message>
+    <message>
+        <source>4.17 2.34 1.52 …</source>
+        <translation>4,17 2,34 1,52 …</translation>
+    </message>
+    <message>
+        <source>Input over output of each gear, first gear first: decimals or fractions, typed or pasted</source>
+        <translation>Entrada entre salida de cada marcha, la primera al principio: decimales o fracciones, escritos o pegados</translation>
+    </message>
+    <message>
+        <source>any ratio</source>
+        <translation>cualquier relación</translation>
+    </message>
+    <message>
+        <source>this ratio</source>
+        <translation>esta relación</translation>
+    </message>
+    <message>
+        <source>no reverse</source>
+        <translation>sin marcha atrás</translation>
+    </message>
+    <message>
+        <source>Wanted ratio of the reverse</source>
+        <translation>Relación deseada de la marcha atrás</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Marcha atrás</translation>
+    </message>
+    <message>
+        <source>By how many percent a ratio may differ; empty: ratios are rounded as typed</source>
+        <translation>En qué porcentaje puede diferir una relación; vacío: redondeadas como se escriben</translation>
+    </message>
+    <message>
+        <source>Tolerance in percent</source>
+        <translation>Tolerancia en por ciento</translation>
+    </message>
+    <message>
+        <source>% of every ratio</source>
+        <translation>% de cada relación</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Trenes</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>simples</translation>
+    </message>
+    <message>
+        <source>double planets</source>
+        <translation>satélites dobles</translation>
+    </message>
+    <message>
+        <source>Ravigneaux</source>
+        <translation>Trenes Ravigneaux</translation>
+    </message>
+    <message>
+        <source>Shafts that can turn, the input shaft too</source>
+        <translation>Ejes que pueden girar, también el de entrada</translation>
+    </message>
+    <message>
+        <source>rotating links</source>
+        <translation>eslabones giratorios</translation>
+    </message>
+    <message>
+        <source>Members of sets that are part of the housing</source>
+        <translation>Miembros de trenes que son parte de la carcasa</translation>
+    </message>
+    <message>
+        <source>members held</source>
+        <translation>miembros fijos</translation>
+    </message>
+    <message>
+        <source>input joined by clutches only</source>
+        <translation>entrada unida solo por embragues</translation>
+    </message>
+    <message>
+        <source>Also layouts whose input shaft has no member of a set</source>
+        <translation>También disposiciones cuyo eje de entrada no tiene miembro de un tren</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches together</source>
+        <translation>Frenos y embragues juntos</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>como máximo</translation>
+    </message>
+    <message>
+        <source>brakes</source>
+        <translation>frenos</translation>
+    </message>
+    <message>
+        <source>clutches</source>
+        <translation>embragues</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>por cambio se libera uno y se activa otro</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>ring : sun</source>
+        <translation>corona : solar</translation>
+    </message>
+    <message>
+        <source>teeth from</source>
+        <translation>dientes desde</translation>
+    </message>
+    <message>
+        <source>rings to</source>
+        <translation>coronas hasta</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>no se calcula</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh, such as 0.98, from which that of each gear follows</source>
+        <translation>Rendimiento de un engrane, como 0,98, del que resulta el de cada marcha</translation>
+    </message>
+    <message>
+        <source>buildable only</source>
+        <translation>solo realizables</translation>
+    </message>
+    <message>
+        <source>Only gearboxes whose section can be drawn without shafts that cross</source>
+        <translation>Solo cajas cuya sección puede dibujarse sin ejes que se crucen</translation>
+    </message>
+    <message>
+        <source>Impossible: %1 gears need as many states; %2 of %3 elements give fewer.</source>
+        <translation>Imposible: %1 marchas necesitan otros tantos estados; %2 de %3 acoplamientos dan menos.</translation>
+    </message>
+    <message>
+        <source>Gearbox desi&amp;gner…</source>
+        <translation>Diseñador de ca&amp;jas de cambios…</translation>
+    </message>
+    <message>
+        <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
+        <translation>Buscar trenes epicicloidales, frenos y embragues con las relaciones deseadas</translation>
+    </message>
+    <message>
+        <source>Gearbox from the designer</source>
+        <translation>Caja del diseñador</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>La caja es un documento propio, con un estado por marcha. Guardar la conserva.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -16214,6 +16214,342 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Bu oranlara sahip bir göbek vitesinin içinde olabilecek planet takımları.</translation>
     </message>
+    <message>
+        <source>Gearbox designer</source>
+        <translation>Şanzıman tasarımı</translation>
+    </message>
+    <message>
+        <source>Searches for planetary sets, brakes and clutches that have the ratios you want.</source>
+        <translation>İstediğiniz oranları veren planet dişli takımlarını, frenleri ve kavramaları arar.</translation>
+    </message>
+    <message>
+        <source>The list is of the earlier wish until you search again.</source>
+        <translation>Yeniden arayana kadar liste önceki isteğe aittir.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Devam et</translation>
+    </message>
+    <message>
+        <source>Keeps what was found (Esc)</source>
+        <translation>Bulunanları korur (Esc)</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios you want</source>
+        <translation>İstediğiniz oranlara sahip şanzımanlar</translation>
+    </message>
+    <message>
+        <source>Gears: %1, sets: %2</source>
+        <translation>Vites: %1, takım: %2</translation>
+    </message>
+    <message>
+        <source>Gears: %1 and reverse, sets: %2</source>
+        <translation>Vites: %1 ve geri, takım: %2</translation>
+    </message>
+    <message>
+        <source>Listing layouts…</source>
+        <translation>Düzenler listeleniyor…</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Duraklatıldı</translation>
+    </message>
+    <message>
+        <source>Paused at %1 of %2 layouts, %3 found</source>
+        <translation>%2 düzenden %1 tanesinde duraklatıldı, %3 bulundu</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>eksiksiz</translation>
+    </message>
+    <message>
+        <source>sampled, not a proof</source>
+        <translation>örneklendi, kanıt değil</translation>
+    </message>
+    <message>
+        <source>No layout has so many links.</source>
+        <translation>Hiçbir düzende bu kadar uzuv yok.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratio of ring to sun at %1 values of each set only, from which the nearest whole teeth are taken.</source>
+        <translation>Her düzen aranır, ama çember güneş oranı her takımda yalnız %1 değerde denenir; oradan en yakın tam diş sayıları alınır.</translation>
+    </message>
+    <message>
+        <source>Every layout is searched, but the ratios of ring to sun at %1 points only, from which the nearest whole teeth are taken.</source>
+        <translation>Her düzen aranır, ama çember güneş oranları yalnız %1 noktada denenir; oradan en yakın tam diş sayıları alınır.</translation>
+    </message>
+    <message>
+        <source>Type ratios and choose Search.&lt;br&gt;Six ratios are enough: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Oranları yazıp Ara düğmesini seçin.&lt;br&gt;Altı oran yeter: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None: no layout of these sets has so many links.</source>
+        <translation>Yok: bu takımların hiçbir düzeninde bu kadar uzuv yok.</translation>
+    </message>
+    <message>
+        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
+        <translation>Bulunamadı. Daha büyük bir tolerans, başka bir uzuv veya eleman sayısı ya da çember : güneş için daha geniş sınırlar işe yarayabilir.</translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation>Henüz bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Shift table of the chosen gearbox</source>
+        <translation>Seçilen şanzımanın vites tablosu</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>istenen</translation>
+    </message>
+    <message>
+        <source>The largest circulating power, as a part of the power at the input</source>
+        <translation>En büyük dolaşan güç, giriş gücünün parçası olarak</translation>
+    </message>
+    <message>
+        <source>Opens this gearbox as a document with its states, in a new window</source>
+        <translation>Bu şanzımanı durumlarıyla birlikte bir belge olarak yeni pencerede açar</translation>
+    </message>
+    <message>
+        <source>Open No. %1</source>
+        <translation>%1 numarayı aç</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>%1 numara</translation>
+    </message>
+    <message>
+        <source>Choose a gearbox of the list.</source>
+        <translation>Listeden bir şanzıman seçin.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>herhangi</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%2: %1</translation>
+    </message>
+    <message>
+        <source>none in %1</source>
+        <translation>%1: yok</translation>
+    </message>
+    <message>
+        <source>Which brakes and clutches each gear engages</source>
+        <translation>Her vitesin devreye aldığı frenler ve kavramalar</translation>
+    </message>
+    <message>
+        <source>The largest difference from a wanted ratio, relative to it</source>
+        <translation>İstenen bir orandan en büyük fark, ona göre</translation>
+    </message>
+    <message>
+        <source>The least efficiency of a gear; the wish gives that of a mesh</source>
+        <translation>Bir vitesin en düşük verimi; dişli çiftininkini istek verir</translation>
+    </message>
+    <message>
+        <source>Sun, planet and ring of each set</source>
+        <translation>Her takımın güneşi, gezegeni ve çemberi</translation>
+    </message>
+    <message>
+        <source>Can its section be drawn without shafts that cross?</source>
+        <translation>Kesiti, kesişen miller olmadan çizilebilir mi?</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Sıra</translation>
+    </message>
+    <message>
+        <source>elements engaged</source>
+        <translation>devredeki elemanlar</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>en büyük hata</translation>
+    </message>
+    <message>
+        <source>worst η</source>
+        <translation>en düşük η</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>dişler</translation>
+    </message>
+    <message>
+        <source>buildable</source>
+        <translation>yapılabilir</translation>
+    </message>
+    <message>
+        <source>Gearboxes that were found</source>
+        <translation>Bulunan şanzımanlar</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the chosen gearbox in first gear</source>
+        <translation>Seçilen şanzımanın birinci vitesteki kol diyagramı</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Oranlar</translation>
+    </message>
+    <message>
+        <source>Wanted ratios</source>
+        <translation>İstenen oranlar</translation>
+    </message>
+    <message>
+        <source>4.17 2.34 1.52 …</source>
+        <translation>4,17 2,34 1,52 …</translation>
+    </message>
+    <message>
+        <source>Input over output of each gear, first gear first: decimals or fractions, typed or pasted</source>
+        <translation>Her vitesin giriş bölü çıkışı, önce birinci vites: ondalık sayı veya kesir, yazılmış ya da yapıştırılmış</translation>
+    </message>
+    <message>
+        <source>any ratio</source>
+        <translation>herhangi bir oran</translation>
+    </message>
+    <message>
+        <source>this ratio</source>
+        <translation>bu oran</translation>
+    </message>
+    <message>
+        <source>no reverse</source>
+        <translation>geri vites yok</translation>
+    </message>
+    <message>
+        <source>Wanted ratio of the reverse</source>
+        <translation>Geri vitesin istenen oranı</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Geri</translation>
+    </message>
+    <message>
+        <source>By how many percent a ratio may differ; empty: ratios are rounded as typed</source>
+        <translation>Bir oranın yüzde kaç farklı olabileceği; boş: oranlar yazıldığı gibi yuvarlanmış sayılır</translation>
+    </message>
+    <message>
+        <source>Tolerance in percent</source>
+        <translation>Yüzde olarak tolerans</translation>
+    </message>
+    <message>
+        <source>% of every ratio</source>
+        <translation>% (her oranın)</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Takımlar</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>basit</translation>
+    </message>
+    <message>
+        <source>double planets</source>
+        <translation>çift gezegenli</translation>
+    </message>
+    <message>
+        <source>Ravigneaux</source>
+        <translation>Ravigneaux takımı</translation>
+    </message>
+    <message>
+        <source>Shafts that can turn, the input shaft too</source>
+        <translation>Dönebilen miller, giriş mili dahil</translation>
+    </message>
+    <message>
+        <source>rotating links</source>
+        <translation>dönen uzuvlar</translation>
+    </message>
+    <message>
+        <source>Members of sets that are part of the housing</source>
+        <translation>Gövdenin parçası olan takım üyeleri</translation>
+    </message>
+    <message>
+        <source>members held</source>
+        <translation>sabit üyeler</translation>
+    </message>
+    <message>
+        <source>input joined by clutches only</source>
+        <translation>giriş yalnız kavramalarla bağlı</translation>
+    </message>
+    <message>
+        <source>Also layouts whose input shaft has no member of a set</source>
+        <translation>Giriş milinde takım üyesi olmayan düzenler de</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemanlar</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches together</source>
+        <translation>Frenler ve kavramalar birlikte</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>en fazla</translation>
+    </message>
+    <message>
+        <source>brakes</source>
+        <translation>frenler</translation>
+    </message>
+    <message>
+        <source>clutches</source>
+        <translation>kavramalar</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>her geçişte biri ayrılır, biri devreye girer</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Sınırlar</translation>
+    </message>
+    <message>
+        <source>ring : sun</source>
+        <translation>çember : güneş</translation>
+    </message>
+    <message>
+        <source>teeth from</source>
+        <translation>en az diş</translation>
+    </message>
+    <message>
+        <source>rings to</source>
+        <translation>çemberler en çok</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>hesaplanmaz</translation>
+    </message>
+    <message>
+        <source>Efficiency of a mesh, such as 0.98, from which that of each gear follows</source>
+        <translation>Bir dişli çiftinin verimi, örneğin 0,98; her vitesinki bundan çıkar</translation>
+    </message>
+    <message>
+        <source>buildable only</source>
+        <translation>yalnız yapılabilir olanlar</translation>
+    </message>
+    <message>
+        <source>Only gearboxes whose section can be drawn without shafts that cross</source>
+        <translation>Yalnız kesiti kesişen miller olmadan çizilebilen şanzımanlar</translation>
+    </message>
+    <message>
+        <source>Impossible: %1 gears need as many states; %2 of %3 elements give fewer.</source>
+        <translation>Olanaksız: %1 vites o kadar durum ister; %3 elemandan %2 tanesi daha az verir.</translation>
+    </message>
+    <message>
+        <source>Gearbox desi&amp;gner…</source>
+        <translation>Şan&amp;zıman tasarımı…</translation>
+    </message>
+    <message>
+        <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
+        <translation>İstediğiniz oranları veren planet dişli takımlarını, frenleri ve kavramaları arar</translation>
+    </message>
+    <message>
+        <source>Gearbox from the designer</source>
+        <translation>Tasarımdan gelen şanzıman</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>Şanzıman, her vites için bir durumu olan ayrı bir belgedir. Kaydet onu saklar.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

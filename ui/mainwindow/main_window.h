@@ -204,6 +204,7 @@ class MainWindow : public QMainWindow {
   void renewCommands();
   void renewTitle();
   void showInsertSet();
+  void showDesigner();
   void showElement(const ElementId& element);
   void chooseTheme(const std::optional<Theme>& theme);
   void chooseTypeScale(double scale);

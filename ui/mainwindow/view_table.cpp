@@ -3,6 +3,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
+#include "ui/designer/designer_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/inputs/inputs_and_results.h"
@@ -20,7 +21,7 @@ std::vector<ViewEntry> viewTable() {
   return {
       digraphView(),    ttGraphView(), schematicView(), matricesView(),   problemsView(),
       view3dView(),     inputsView(),  gearboxView(),   propertiesView(), speedsView(),
-      derivationView(), forcesView(),  dynamicsView(),
+      derivationView(), forcesView(),  dynamicsView(),  designerView(),
   };
 }
 

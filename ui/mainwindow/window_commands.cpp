@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QTimer>
 #include <QWhatsThis>
 
@@ -14,6 +15,8 @@
 #include "core/presentation/report/report.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/derivation/derivation_panel.h"
+#include "ui/designer/designer_panel.h"
+#include "ui/designer/wish_form.h"
 #include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
@@ -107,7 +110,7 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addAction(a[insertSet]);
+  mechanism->addActions(a.of({insertSet, designGearbox}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
@@ -172,6 +175,8 @@ void MainWindow::wireActions() {
   connect(a[tidy], &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a[makeGround], &QAction::triggered, m_commands, &EditCommands::makeGround);
   connect(a[insertSet], &QAction::triggered, this, &MainWindow::showInsertSet);
+  connect(a[designGearbox], &QAction::triggered, this, &MainWindow::showDesigner);
+  connect(&m_views->get<DesignerPanel>(), &DesignerPanel::openWanted, m_files.get(), &WindowFiles::openMade);
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
     connect(a.planets[i], &QAction::triggered, m_commands,
             [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
@@ -337,6 +342,25 @@ void MainWindow::showInsertSet() {
   m_insertSet->show();
   m_insertSet->raise();
   m_insertSet->activateWindow();
+}
+
+/// Wish, list and card want room beside each other: from a small panel they come out into a window of their
+/// own.
+void MainWindow::showDesigner() {
+  constexpr QSize kWanted{1240, 690};
+  constexpr QSize kEnough{940, 440};
+  auto& panel = m_views->get<DesignerPanel>();
+  QDockWidget* const dock = m_docks->of(panel);
+  m_docks->reveal(panel);
+  if (!dock->isFloating() && dock->size().boundedTo(kEnough) != kEnough) {
+    const QRect room = screen()->availableGeometry();
+    dock->setFloating(true);
+    dock->resize(kWanted.boundedTo(room.size()));
+    dock->move(room.center() - dock->rect().center());
+  }
+  dock->activateWindow();
+  panel.prepare();
+  panel.form()->setFocus();
 }
 
 void MainWindow::askForPicture() {
